@@ -1,0 +1,39 @@
+// Contact manifolds: where two shapes touch, and how deep.
+//
+// Guarantee: for every point b - a = distance * normal, up to rounding; the normal is a unit vector from A to B; a
+// feature number stays the same while the same features touch.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "graze/small_vector.hpp"
+#include "graze/vec3.hpp"
+
+namespace graze {
+
+/// One point of contact, in world space.
+template <class T>
+struct ContactPoint {
+  Vec3<T> a{}, b{};          ///< on the surface of A, and of B
+  T distance{};              ///< signed: negative is penetration
+  std::uint32_t feature{};   ///< names the features of A and B that touch
+  T weight = T(0.5);         ///< how far from a to b `position()` lies
+
+  /// The point between the two that a solver wants: the middle; for two spheres the radius-weighted point P with
+  /// |P - c1| / |P - c2| = r1 / r2.
+  Vec3<T> position() const { return a + (b - a) * weight; }
+};
+
+/// Points of contact that share a normal.
+template <class T>
+struct Manifold {
+  Vec3<T> normal{};  ///< unit, from A to B
+  SmallVector<ContactPoint<T>, 8> points;
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+};
+
+template <class T>
+using Manifolds = std::vector<Manifold<T>>;
+
+}  // namespace graze

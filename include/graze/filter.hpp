@@ -1,0 +1,26 @@
+// Which pairs are worth asking about: categories, masks, groups.
+//
+// Guarantee: one AND each way and one comparison a pair; symmetric: swapping the two never changes the verdict.
+#pragma once
+
+#include <cstdint>
+
+namespace graze {
+
+/// What a body is and what it collides with.
+struct Filter {
+  std::uint64_t category = 1;             ///< the bits that this body belongs to
+  std::uint64_t mask = ~std::uint64_t{0};  ///< the bits that it collides with
+  std::int32_t group = 0;                 ///< of equal groups: positive always collide, negative never; 0 is no group
+
+  friend constexpr bool operator==(const Filter&, const Filter&) = default;
+};
+
+/// Whether two bodies may collide: the group decides if both share one that is not 0, else the masks must agree
+/// both ways.
+constexpr bool may_collide(const Filter& a, const Filter& b) {
+  if (a.group != 0 && a.group == b.group) return a.group > 0;
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+}  // namespace graze

@@ -1,0 +1,12 @@
+// All of Graze's core in one include.
+#pragma once
+
+#include "graze/broad_phase.hpp"
+#include "graze/contact.hpp"
+#include "graze/error.hpp"
+#include "graze/filter.hpp"
+#include "graze/geometry.hpp"
+#include "graze/query.hpp"
+#include "graze/shape.hpp"
+#include "graze/trace.hpp"
+#include "graze/wide.hpp"

@@ -1,0 +1,70 @@
+// The questions: do two shapes touch, how far apart or how deep are they, where do they touch, what point is nearest.
+//
+// Guarantee: every question answers for every pair of shapes. An answer is right within `tolerance<T>` times the size
+// of the pair (the larger radius about a shape's own origin), or its status says that it is not and `error` by how much
+// it may be off. Answers are computed in a frame relative to the pair: moving the scene does not change them. Nothing
+// throws, aborts, prints or allocates but for what a caller asks to be stored. Safe from any thread.
+//
+// Normals are unit vectors that point from A to B; distances are signed: positive between separated shapes, negative
+// when they overlap, and then minus the length of the shortest translation that separates them.
+#pragma once
+
+#include <cstdint>
+
+#include "graze/contact.hpp"
+#include "graze/shape.hpp"
+#include "graze/trace.hpp"
+
+namespace graze {
+
+/// How far an answer may be from the truth, relative to the size of the pair. Half of `float`'s is rounding of poses.
+template <class T>
+inline constexpr T tolerance = T(1e-10);
+template <>
+inline constexpr float tolerance<float> = 1e-5f;
+
+enum class Status : std::uint8_t {
+  converged,  ///< right within the tolerance
+  bounded,    ///< the iteration bound was reached first: right within `error`
+  unbounded,  ///< two half-spaces that are not opposite: they overlap without a finite depth
+};
+
+/// The signed distance of two shapes and the points that realise it, in world space.
+template <class T>
+struct Distance {
+  T distance{};
+  Vec3<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
+  Vec3<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
+  Status status = Status::converged;
+  T error{};         ///< a proven bound of |distance - truth| when the status is `bounded`
+};
+
+/// Whether the shapes touch: distance <= 0. Cheaper than the distance.
+template <class T>
+bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+             Trace* trace = nullptr);
+
+/// The signed distance. For composites the smallest over their convex pieces.
+template <class T>
+Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                     Trace* trace = nullptr);
+
+/// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
+/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin).
+template <class T>
+bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+              Manifolds<T>& manifolds, Trace* trace = nullptr);
+
+/// The point of a shape's surface nearest to a point of the world.
+template <class T>
+struct Closest {
+  T distance{};      ///< signed: negative inside a solid
+  Vec3<T> point{};   ///< on the surface
+  Vec3<T> normal{};  ///< unit, outward: question - point = distance * normal
+  Status status = Status::converged;
+};
+
+template <class T>
+Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace = nullptr);
+
+}  // namespace graze

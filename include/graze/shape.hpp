@@ -1,0 +1,129 @@
+// A shape: one value that is any of the shapes there are, with its rounding radius.
+//
+// Guarantee: a value, immutable once built, cheap to copy (big shapes share their data), safe to read from any thread.
+// `ShapeList` is the one list of shapes: a shape that stands in it takes part in every query, and one without a
+// support function or a place in the table of pairs does not compile.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "graze/shape/box.hpp"
+#include "graze/shape/capsule.hpp"
+#include "graze/shape/compound.hpp"
+#include "graze/shape/convex_hull.hpp"
+#include "graze/shape/cylinder.hpp"
+#include "graze/shape/ellipsoid.hpp"
+#include "graze/shape/half_space.hpp"
+#include "graze/shape/mesh.hpp"
+#include "graze/shape/rectangle.hpp"
+#include "graze/shape/sphere.hpp"
+#include "graze/shape/triangle.hpp"
+#include "graze/shape/user_convex.hpp"
+
+namespace graze {
+
+/// All shapes. The order is the order of pairs: a pair is computed with the shape that stands first here as A.
+template <class T>
+using ShapeList = std::variant<Sphere<T>, Capsule<T>, Box<T>, Rectangle<T>, Cylinder<T>, Ellipsoid<T>, LineSegment<T>,
+                               Triangle<T>, ConvexHull<T>, UserConvex<T>, HalfSpace<T>, Mesh<T>, Compound<T>>;
+
+/// Bounded convex shapes: those with a support function.
+template <class C>
+concept BoundedConvex = requires(const C& c) { c.core_support(Vec3<double>{}); };
+
+template <class T>
+class Shape {
+ public:
+  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;
+
+  /// `concrete`, rounded by `margin`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a margin
+  /// that is negative, not finite, or given to a composite.
+  template <class C>
+    requires std::is_constructible_v<ShapeList<T>, C>
+  Shape(C concrete, T margin = T(0)) : list_(std::move(concrete)), margin_(validate::extent(margin, "margin")) {
+    if constexpr (!BoundedConvex<C> && !std::is_same_v<C, HalfSpace<T>>)
+      if (margin != T(0)) validate::fail("margin", "0 (only convex shapes are rounded)", static_cast<double>(margin));
+  }
+
+  T margin() const { return margin_; }
+  /// The shape's place in `ShapeList`.
+  std::size_t index() const { return list_.index(); }
+  const char* name() const {
+    return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
+  }
+  bool convex() const {
+    return visit([](const auto& c) {
+      using C = std::decay_t<decltype(c)>;
+      return BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>;
+    });
+  }
+
+  /// The concrete shape, or null when it is another.
+  template <class C>
+  const C* as() const {
+    return std::get_if<C>(&list_);
+  }
+
+  /// Calls `f` with the concrete shape.
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    return visit_from<0>(std::forward<F>(f));
+  }
+
+ private:
+  /// A chain of comparisons that compilers turn into one jump, where `std::visit` calls through a table.
+  template <std::size_t I, class F>
+  decltype(auto) visit_from(F&& f) const {
+    if constexpr (I + 1 == count) {
+      return f(*std::get_if<I>(&list_));
+    } else {
+      if (list_.index() == I) return f(*std::get_if<I>(&list_));
+      return visit_from<I + 1>(std::forward<F>(f));
+    }
+  }
+
+  ShapeList<T> list_;
+  T margin_;
+};
+
+using Shapef = Shape<float>;
+using Shaped = Shape<double>;
+
+/// A shape and where it stands.
+template <class T>
+struct Placed {
+  Shape<T> shape;
+  Pose<T> pose{};
+};
+
+/// The bounds of a shape under a pose, rounding included; not less than the true ones.
+template <class T>
+Aabb<T> bounds(const Shape<T>& shape, const Pose<T>& pose);
+
+/// The point of a bounded convex shape, rounding included, that lies furthest along `direction` (in the shape's frame).
+template <class T>
+Vec3<T> support(const Shape<T>& shape, const Vec3<T>& direction);
+
+/// Volume, centre of mass and inertia of a body of density one.
+template <class T>
+struct MassProperties {
+  T volume{};
+  Vec3<T> center{};
+  Mat3<T> inertia{};  ///< about `center`, in the shape's frame
+};
+
+/// The mass properties of a solid, rounding included. Surfaces and half-spaces have none: volume 0 and all else zero;
+/// a closed mesh has those of the solid it bounds; a compound the sum of its children's.
+template <class T>
+MassProperties<T> mass_properties(const Shape<T>& shape);
+
+extern template class ConvexHull<float>;
+extern template class ConvexHull<double>;
+extern template class Mesh<float>;
+extern template class Mesh<double>;
+extern template class Compound<float>;
+extern template class Compound<double>;
+
+}  // namespace graze

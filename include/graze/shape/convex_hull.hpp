@@ -1,0 +1,86 @@
+// The convex hull of points: a polyhedron, a flat polygon, a segment or a point.
+//
+// Guarantee: every input point lies inside the hull within `tolerance()`, whatever the points: duplicates, near
+// duplicates, collinear, coplanar, any scale, up to 100,000 and more. Shared and immutable once built.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "graze/aabb.hpp"
+#include "graze/lines.hpp"
+#include "graze/pose.hpp"
+#include "graze/shape/face.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+/// What a hull is made of. Faces are convex polygons: coplanar triangles are merged.
+template <class T>
+struct HullData {
+  struct Edge {
+    std::uint32_t vertex[2];
+    std::uint32_t face[2];  ///< left of vertex[0] -> vertex[1] seen from outside, then right
+  };
+
+  int dimension = 0;                         ///< 0 a point, 1 a segment, 2 a flat polygon, 3 a polyhedron
+  T tolerance = T(0);                        ///< how far an input point may lie outside
+  T extent = T(0);                           ///< the greatest distance of a vertex from the frame's origin
+  std::vector<Vec3<T>> vertices;
+  std::vector<Plane<T>> planes;              ///< one a face, outward; a flat polygon has two, back to back
+  std::vector<std::uint32_t> face_begin;     ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])
+  std::vector<std::uint32_t> loops;          ///< vertex indices, counter-clockwise seen from outside
+  std::vector<Edge> edges;                   ///< each once
+  std::vector<std::uint32_t> neighbor_begin; ///< vertex v's neighbours are neighbors[neighbor_begin[v] .. [v + 1])
+  std::vector<std::uint32_t> neighbors;
+  /// Dobkin and Kirkpatrick's hierarchy, coarsest level first; empty for hulls that a scan answers faster.
+  struct Level {
+    std::vector<std::uint32_t> vertices;        ///< indices into the hull's vertices
+    std::vector<std::uint32_t> finer;           ///< for each, its place in the next finer level
+    std::vector<std::uint32_t> neighbor_begin;
+    std::vector<std::uint32_t> neighbors;       ///< places in this level
+  };
+  std::vector<Level> hierarchy;
+
+  std::span<const std::uint32_t> loop(std::size_t face) const {
+    return std::span(loops).subspan(face_begin[face], face_begin[face + 1] - face_begin[face]);
+  }
+  std::span<const std::uint32_t> around(std::size_t vertex) const {
+    return std::span(neighbors).subspan(neighbor_begin[vertex], neighbor_begin[vertex + 1] - neighbor_begin[vertex]);
+  }
+};
+
+template <class T>
+class ConvexHull {
+ public:
+  static constexpr const char* name = "convex";
+
+  /// The hull of at least one finite point. Expected time n log n. Throws `InvalidValue`.
+  explicit ConvexHull(std::span<const Vec3<T>> points);
+
+  const HullData<T>& data() const { return *data_; }
+  T tolerance() const { return data_->tolerance; }
+
+  /// The index of the vertex furthest along `direction`: a scan for small hulls, else a descent of the
+  /// Dobkin-Kirkpatrick hierarchy in logarithmic time (Dobkin, Kirkpatrick 1990, "Determining the separation of
+  /// preprocessed polyhedra").
+  template <class S>
+  std::size_t support_vertex(const Vec3<S>& direction) const;
+
+  T core_radius() const { return T(0); }
+  T core_extent() const { return data_->extent; }
+  template <class S>
+  Vec3<S> core_support(const Vec3<S>& direction) const {
+    return cast<S>(data_->vertices[support_vertex(direction)]);
+  }
+  /// The face, edge or vertex at the support vertex that leans least from `direction`.
+  void core_face(const Vec3<T>& direction, Face<T>& face) const;
+  Aabb<T> core_bounds(const Pose<T>& pose) const;
+
+ private:
+  std::shared_ptr<const HullData<T>> data_;
+};
+
+}  // namespace graze

@@ -1,0 +1,105 @@
+// The cylinder, the cone and the truncated cone.
+//
+// Guarantee: one shape for the three, as in glTF's KHR_implicit_shapes: a zero radius makes a cone, two equal ones a
+// cylinder. Support points are exact; only the *face* of a cap is a polygon, inscribed in its rim.
+#pragma once
+
+#include "graze/aabb.hpp"
+#include "graze/pose.hpp"
+#include "graze/shape/face.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+template <class T>
+class Cylinder {
+ public:
+  static constexpr const char* name = "cylinder";
+
+  /// `height` along Y about the origin; all >= 0.
+  Cylinder(T height, T radius_bottom, T radius_top)
+      : half_height_(validate::extent(height, "height") / T(2)),
+        radius_bottom_(validate::extent(radius_bottom, "radiusBottom")),
+        radius_top_(validate::extent(radius_top, "radiusTop")) {}
+  Cylinder(T height, T radius) : Cylinder(height, radius, radius) {}
+
+  T half_height() const { return half_height_; }
+  T radius_bottom() const { return radius_bottom_; }
+  T radius_top() const { return radius_top_; }
+
+  T core_radius() const { return T(0); }
+  T core_extent() const {
+    const T r = greatest(radius_bottom_, radius_top_);
+    using std::sqrt;
+    return sqrt(half_height_ * half_height_ + r * r);
+  }
+
+  template <class S>
+  Vec3<S> core_support(const Vec3<S>& direction) const {
+    const S h(half_height_), bottom(radius_bottom_), top(radius_top_);
+    // The axis direction's support is the middle of a cap: as good a point of it as any, and the one without bias.
+    const Vec3<S> flat{direction.x, S(0), direction.z};
+    const S scale = greatest(abs(flat).x, abs(flat).z);
+    if (!(scale > S(0))) return {S(0), direction.y < S(0) ? -h : h, S(0)};
+    const Vec3<S> scaled_flat = flat / scale;
+    const S across = length(scaled_flat);
+    const bool up = h * direction.y + top * across * scale >= bottom * across * scale - h * direction.y;
+    const S r = (up ? top : bottom) / across;
+    return {scaled_flat.x * r, up ? h : -h, scaled_flat.z * r};
+  }
+
+  /// A cap (as a regular polygon of `cap_vertices` inscribed in the rim), a generator of the side, or a point.
+  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+    using std::sqrt;
+    face.clear();
+    const Vec3<T> n = normalized(direction);
+    const T across = sqrt(n.x * n.x + n.z * n.z);
+    if (across <= face_lean<T>) return cap(n.y >= T(0), face);
+    const T height = T(2) * half_height_, taper = radius_bottom_ - radius_top_;
+    const T slant = sqrt(height * height + taper * taper);
+    const Vec3<T> out{n.x / across, T(0), n.z / across};
+    // (height, taper) / slant is the side's normal in the half-plane through the axis; its tangent is (-taper, height).
+    const T lean = n.y * height - across * taper;
+    if (slant > T(0) && lean <= face_lean<T> * slant && -lean <= face_lean<T> * slant) {
+      face.push({out.x * radius_bottom_, -half_height_, out.z * radius_bottom_}, 0);
+      face.push({out.x * radius_top_, half_height_, out.z * radius_top_}, 1);
+      face.id = 2;
+      return;
+    }
+    face.push(core_support(n), lean > T(0) ? 1 : 0);
+    face.id = lean > T(0) ? 4 : 3;
+  }
+
+  Aabb<T> core_bounds(const Pose<T>& pose) const {
+    using std::sqrt;
+    const Vec3<T> axis = rotation_matrix(pose.rotation).column(1);
+    // A disc with unit normal n reaches r sqrt(1 - n_i^2) along axis i.
+    const auto across = [](T c) { return sqrt(greatest(T(0), T(1) - c * c)); };
+    const Vec3<T> disc{across(axis.x), across(axis.y), across(axis.z)};
+    const Vec3<T> low = pose.translation - axis * half_height_, high = pose.translation + axis * half_height_;
+    return merged(Aabb<T>{low - disc * radius_bottom_, low + disc * radius_bottom_},
+                  Aabb<T>{high - disc * radius_top_, high + disc * radius_top_});
+  }
+
+  static constexpr std::size_t cap_vertices = 8;
+
+ private:
+  void cap(bool top, Face<T>& face) const {
+    const T r = top ? radius_top_ : radius_bottom_;
+    const T y = top ? half_height_ : -half_height_;
+    face.id = top ? 1 : 0;
+    if (r == T(0)) return face.push({T(0), y, T(0)}, 2);
+    // An eighth of a turn at a time, by exact doubling of the corner's coordinates: (1,0), (s,s), (0,1), ...
+    const T s = T(0.70710678118654752440L);
+    const T circle[cap_vertices][2] = {{T(1), T(0)},  {s, s},   {T(0), T(1)},  {-s, s},
+                                       {T(-1), T(0)}, {-s, -s}, {T(0), T(-1)}, {s, -s}};
+    for (std::size_t i = 0; i < cap_vertices; ++i) {
+      const std::size_t k = top ? cap_vertices - 1 - i : i;  // counter-clockwise seen from outside
+      face.push({circle[k][0] * r, y, circle[k][1] * r}, k);
+    }
+  }
+
+  T half_height_, radius_bottom_, radius_top_;
+};
+
+}  // namespace graze

@@ -1,0 +1,42 @@
+// Triangle meshes: surfaces without thickness, both sides of which count.
+//
+// Guarantee: any finite triangles, degenerate ones included; indices are checked once, when built. Shared and
+// immutable, with a tree of bounds over the triangles, so that copies are cheap and queries from any thread safe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "graze/aabb.hpp"
+#include "graze/pose.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+template <class T>
+struct MeshData;
+
+template <class T>
+class Mesh {
+ public:
+  static constexpr const char* name = "mesh";
+  using Index = std::array<std::uint32_t, 3>;
+
+  /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n. Throws `InvalidValue`.
+  Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles);
+
+  std::span<const Vec3<T>> points() const;
+  std::span<const Index> triangles() const;
+  const MeshData<T>& data() const { return *data_; }
+
+  T core_extent() const;
+  Aabb<T> core_bounds(const Pose<T>& pose) const;
+
+ private:
+  std::shared_ptr<const MeshData<T>> data_;
+};
+
+}  // namespace graze

@@ -1,0 +1,35 @@
+// The thin rectangle in the XZ plane, normal +Y.
+//
+// Guarantee: exactly a box of zero thickness, with a box's numbers for its parts.
+#pragma once
+
+#include "graze/shape/box.hpp"
+
+namespace graze {
+
+template <class T>
+class Rectangle {
+ public:
+  static constexpr const char* name = "rectangle";
+
+  /// Full edge lengths along X and Z, each >= 0.
+  Rectangle(T size_x, T size_z)
+      : box_({validate::extent(size_x, "sizeX"), T(0), validate::extent(size_z, "sizeZ")}) {}
+
+  /// The box of zero thickness that this is.
+  const Box<T>& as_box() const { return box_; }
+
+  T core_radius() const { return T(0); }
+  T core_extent() const { return box_.core_extent(); }
+  template <class S>
+  Vec3<S> core_support(const Vec3<S>& direction) const {
+    return box_.core_support(direction);
+  }
+  void core_face(const Vec3<T>& direction, Face<T>& face) const { box_.core_face(direction, face); }
+  Aabb<T> core_bounds(const Pose<T>& pose) const { return box_.core_bounds(pose); }
+
+ private:
+  Box<T> box_;
+};
+
+}  // namespace graze

@@ -1,0 +1,123 @@
+// The triangle and the line segment, alone, as shapes without thickness.
+//
+// Guarantee: any finite vertices, degenerate ones included (a triangle may be a sliver, a segment or a point).
+#pragma once
+
+#include "graze/aabb.hpp"
+#include "graze/pose.hpp"
+#include "graze/shape/face.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+namespace detail {
+
+/// The index of the vertex furthest along `direction`; of equals, the first.
+template <class S, class T>
+std::size_t furthest(const Vec3<T>* vertices, std::size_t count, const Vec3<S>& direction) {
+  std::size_t best = 0;
+  S most = dot(cast<S>(vertices[0]), direction);
+  for (std::size_t i = 1; i < count; ++i) {
+    const S along = dot(cast<S>(vertices[i]), direction);
+    if (along > most) {
+      most = along;
+      best = i;
+    }
+  }
+  return best;
+}
+
+template <class T>
+Aabb<T> bounds_of(const Vec3<T>* vertices, std::size_t count, const Pose<T>& pose) {
+  Aabb<T> bounds = Aabb<T>::empty();
+  for (std::size_t i = 0; i < count; ++i) bounds = merged(bounds, transform(pose, vertices[i]));
+  return bounds;
+}
+
+}  // namespace detail
+
+template <class T>
+class Triangle {
+ public:
+  static constexpr const char* name = "triangle";
+
+  /// Counter-clockwise seen from its front.
+  Triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c)
+      : points_{validate::point(a, "points[0]"), validate::point(b, "points[1]"), validate::point(c, "points[2]")} {}
+
+  const Vec3<T>& point(std::size_t i) const { return points_[i]; }
+
+  T core_radius() const { return T(0); }
+  T core_extent() const {
+    return greatest(length(points_[0]), greatest(length(points_[1]), length(points_[2])));
+  }
+  template <class S>
+  Vec3<S> core_support(const Vec3<S>& direction) const {
+    return cast<S>(points_[detail::furthest(points_, 3, direction)]);
+  }
+  /// The whole triangle (from either side), an edge or a vertex.
+  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+    face.clear();
+    const Vec3<T> n = normalized(direction);
+    const Vec3<T> m = normalized(cross(points_[1] - points_[0], points_[2] - points_[0]), Vec3<T>{});
+    const T lean = length(cross(n, m));
+    const T facing = dot(n, m);
+    if (m != Vec3<T>{} && lean <= face_lean<T>) {
+      const bool front = facing > T(0);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t k = front ? i : 2 - i;
+        face.push(points_[k], k);
+      }
+      face.id = front ? 0 : 1;
+      return;
+    }
+    const std::size_t top = detail::furthest(points_, 3, n);
+    for (const std::size_t other : {(top + 1) % 3, (top + 2) % 3}) {
+      const Vec3<T> edge = points_[top] - points_[other];
+      if (dot(edge, n) > face_lean<T> * length(edge)) continue;
+      face.push(points_[least(top, other)], least(top, other));
+      face.push(points_[greatest(top, other)], greatest(top, other));
+      face.id = static_cast<std::uint32_t>(2 + top + other);
+      return;
+    }
+    face.push(points_[top], top);
+    face.id = 6;
+  }
+  Aabb<T> core_bounds(const Pose<T>& pose) const { return detail::bounds_of(points_, 3, pose); }
+
+ private:
+  Vec3<T> points_[3];
+};
+
+/// The straight piece between two points, as a shape (with a margin, a capsule that lies anywhere).
+template <class T>
+class LineSegment {
+ public:
+  static constexpr const char* name = "segment";
+
+  LineSegment(const Vec3<T>& a, const Vec3<T>& b)
+      : points_{validate::point(a, "points[0]"), validate::point(b, "points[1]")} {}
+
+  const Vec3<T>& point(std::size_t i) const { return points_[i]; }
+
+  T core_radius() const { return T(0); }
+  T core_extent() const { return greatest(length(points_[0]), length(points_[1])); }
+  template <class S>
+  Vec3<S> core_support(const Vec3<S>& direction) const {
+    return cast<S>(points_[detail::furthest(points_, 2, direction)]);
+  }
+  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+    face.clear();
+    const Vec3<T> edge = points_[1] - points_[0];
+    const T along = dot(normalized(direction), edge);
+    const T limit = face_lean<T> * length(edge);
+    if (along <= limit) face.push(points_[0], 0);
+    if (-along <= limit) face.push(points_[1], 1);
+  }
+  Aabb<T> core_bounds(const Pose<T>& pose) const { return detail::bounds_of(points_, 2, pose); }
+
+ private:
+  Vec3<T> points_[2];
+};
+
+}  // namespace graze

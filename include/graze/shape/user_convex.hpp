@@ -1,0 +1,66 @@
+// A convex shape of the user's own, given by its support function.
+//
+// Guarantee: takes part in every query that any convex shape does. Answers are as right as the support function: it
+// must return a point of the shape that lies furthest along the direction, and the same one whenever asked again.
+#pragma once
+
+#include <memory>
+
+#include "graze/aabb.hpp"
+#include "graze/pose.hpp"
+#include "graze/shape/face.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+/// The support function of a bounded, closed convex set in its own frame.
+template <class T>
+class SupportFunction {
+ public:
+  virtual ~SupportFunction() = default;
+  /// A point of the set furthest along `direction`, which is not zero and need not be unit.
+  virtual Vec3<T> support(const Vec3<T>& direction) const = 0;
+};
+
+template <class T>
+class UserConvex {
+ public:
+  static constexpr const char* name = "user";
+
+  /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite.
+  explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
+    if (!function_) throw InvalidValue("function", "a support function", "null");
+    const Aabb<T> box = core_bounds({});
+    validate::point(box.lower, "function.support(negative axes)");
+    validate::point(box.upper, "function.support(positive axes)");
+    extent_ = length(greatest(abs(box.lower), abs(box.upper)));
+  }
+
+  const SupportFunction<T>& function() const { return *function_; }
+
+  T core_radius() const { return T(0); }
+  T core_extent() const { return extent_; }
+  template <class S>
+  Vec3<S> core_support(const Vec3<S>& direction) const {
+    return cast<S>(function_->support(cast<T>(normalized(direction))));
+  }
+  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+    face.clear();
+    face.push(core_support(direction), 0);
+  }
+  Aabb<T> core_bounds(const Pose<T>& pose) const {
+    const Mat3<T> m = rotation_matrix(pose.rotation);
+    Vec3<T> lower, upper;
+    for (std::size_t i = 0; i < 3; ++i) {
+      upper[i] = dot(m.row[i], core_support(m.row[i]));
+      lower[i] = dot(m.row[i], core_support(-m.row[i]));
+    }
+    return {pose.translation + lower, pose.translation + upper};
+  }
+
+ private:
+  std::shared_ptr<const SupportFunction<T>> function_;
+  T extent_ = T(0);
+};
+
+}  // namespace graze

@@ -1,0 +1,57 @@
+// What a query did, step by step: the data behind every explanation.
+//
+// Guarantee: filled only when asked for; asking changes no bit of the answer. Vectors are in the frame in which the
+// query works: that of shape A, with the two shapes in the order in which the caller gave them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "graze/vec3.hpp"
+
+namespace graze {
+
+/// One separating axis: the intervals that both shapes cover on it.
+struct TraceAxis {
+  std::string name;  ///< "A0", "B2", "A1xB0", "face 12", "normal"
+  Vec3d direction;   ///< unit, from A to B
+  double a_lower, a_upper, b_lower, b_upper;
+  /// Positive when the shapes' intervals overlap along `direction`, negative when there is a gap.
+  double overlap() const { return a_upper - b_lower; }
+};
+
+/// One point of the Minkowski difference B - A and the support points it was made of.
+struct TraceSupport {
+  Vec3d a, b;
+};
+
+/// One iteration of GJK: where it looked, what it found, and what it knew then.
+struct TraceGjk {
+  std::vector<TraceSupport> simplex;  ///< at the beginning of the iteration
+  Vec3d direction;                    ///< the search direction, from A to B
+  TraceSupport found;
+  double lower, upper;                ///< bounds of the distance of the cores after it
+};
+
+/// One expansion of EPA's polytope.
+struct TraceEpa {
+  Vec3d normal;        ///< of the face that lay nearest to the origin, from A to B
+  double face_depth;   ///< the depth if that face were final: a lower bound
+  double found_depth;  ///< the depth along that normal: an upper bound
+  TraceSupport found;
+  std::size_t faces;   ///< of the polytope, after the expansion
+};
+
+/// Everything that one query did.
+struct Trace {
+  std::string method;             ///< "closed form", "separating axes", "gjk", "gjk + epa"
+  std::vector<TraceAxis> axes;
+  std::vector<TraceGjk> gjk;
+  std::vector<TraceEpa> epa;
+  std::vector<TraceSupport> polytope;                ///< EPA's final vertices
+  std::vector<std::array<std::size_t, 3>> triangles;  ///< and its triangles
+  std::string reason;             ///< why the winner won, in one sentence
+};
+
+}  // namespace graze

@@ -1,0 +1,109 @@
+// The lane type: N scalars that are computed on at once.
+//
+// Guarantee: every operation is lane by lane the IEEE operation of the scalar, so that a kernel written once over its
+// scalar gives the same bits in every lane as it gives for that lane alone. Over the compilers' vector extensions
+// (g++ 12, clang 14 and later, WebAssembly), without intrinsics.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace graze {
+
+/// N lanes of T (`float` or `double`), N a power of two. Comparisons give a `Mask`; `select` chooses by it.
+template <class T, int N>
+struct Wide {
+  using Lane = T;
+  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  typedef T Vector __attribute__((vector_size(N * sizeof(T))));
+  typedef Bits BitVector __attribute__((vector_size(N * sizeof(T))));
+
+  static constexpr int lanes = N;
+
+  /// One truth value a lane: all bits set, or none.
+  struct Mask {
+    BitVector bits;
+
+    friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
+    friend Mask operator|(const Mask& a, const Mask& b) { return {a.bits | b.bits}; }
+    friend Mask operator!(const Mask& a) { return {~a.bits}; }
+    bool operator[](int i) const { return bits[i] != 0; }
+  };
+
+  Vector v;
+
+  Wide() : v{} {}
+  explicit(false) Wide(T value) : v(Vector{} + value) {}
+  static Wide of(const Vector& vector) {
+    Wide w;
+    w.v = vector;
+    return w;
+  }
+  static Wide load(const T* from) {
+    Wide w;
+    std::memcpy(&w.v, from, sizeof w.v);
+    return w;
+  }
+  void store(T* to) const { std::memcpy(to, &v, sizeof v); }
+  T operator[](int i) const { return v[i]; }
+  void set(int i, T value) { v[i] = value; }
+
+  friend Wide operator+(const Wide& a, const Wide& b) { return of(a.v + b.v); }
+  friend Wide operator-(const Wide& a, const Wide& b) { return of(a.v - b.v); }
+  friend Wide operator*(const Wide& a, const Wide& b) { return of(a.v * b.v); }
+  friend Wide operator/(const Wide& a, const Wide& b) { return of(a.v / b.v); }
+  friend Wide operator-(const Wide& a) { return of(-a.v); }
+  Wide& operator+=(const Wide& b) { return *this = *this + b; }
+  Wide& operator-=(const Wide& b) { return *this = *this - b; }
+  Wide& operator*=(const Wide& b) { return *this = *this * b; }
+
+  friend Mask operator<(const Wide& a, const Wide& b) { return {(BitVector)(a.v < b.v)}; }
+  friend Mask operator<=(const Wide& a, const Wide& b) { return {(BitVector)(a.v <= b.v)}; }
+  friend Mask operator>(const Wide& a, const Wide& b) { return {(BitVector)(a.v > b.v)}; }
+  friend Mask operator>=(const Wide& a, const Wide& b) { return {(BitVector)(a.v >= b.v)}; }
+  friend Mask operator==(const Wide& a, const Wide& b) { return {(BitVector)(a.v == b.v)}; }
+  friend Mask operator!=(const Wide& a, const Wide& b) { return {(BitVector)(a.v != b.v)}; }
+
+  friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
+    return of((Vector)(((BitVector)yes.v & condition.bits) | ((BitVector)no.v & ~condition.bits)));
+  }
+  friend Wide least(const Wide& a, const Wide& b) { return select(b < a, b, a); }
+  friend Wide greatest(const Wide& a, const Wide& b) { return select(a < b, b, a); }
+  friend Wide abs(const Wide& a) {
+    constexpr Bits sign = sizeof(T) == 4 ? Bits(0x80000000u) : Bits(0x8000000000000000u);
+    return of((Vector)((BitVector)a.v & ~(BitVector{} + sign)));
+  }
+  /// Lane by lane: both compilers make one vector instruction of the loop.
+  friend Wide sqrt(const Wide& a) {
+    Wide r;
+    for (int i = 0; i < N; ++i) r.v[i] = std::sqrt(a.v[i]);
+    return r;
+  }
+};
+
+/// Whether any lane is set, or all are; and for a single scalar's `bool`, so that kernels can ask either.
+template <class M>
+bool any(const M& mask) {
+  if constexpr (std::is_same_v<M, bool>) {
+    return mask;
+  } else {
+    bool result = false;
+    for (std::size_t i = 0; i < sizeof(mask.bits) / sizeof(mask.bits[0]); ++i) result |= mask.bits[i] != 0;
+    return result;
+  }
+}
+template <class M>
+bool all(const M& mask) {
+  if constexpr (std::is_same_v<M, bool>) {
+    return mask;
+  } else {
+    bool result = true;
+    for (std::size_t i = 0; i < sizeof(mask.bits) / sizeof(mask.bits[0]); ++i) result &= mask.bits[i] != 0;
+    return result;
+  }
+}
+
+}  // namespace graze

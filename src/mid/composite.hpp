@@ -1,0 +1,20 @@
+// Any shape against any shape: composites descend to convex pieces, and the table of pairs answers for those.
+#pragma once
+
+#include "graze/query.hpp"
+
+namespace graze {
+
+template <class T>
+Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                         Trace* trace);
+
+template <class T>
+bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace);
+
+/// Appends manifolds; returns the smallest signed distance found within the margin, or infinity.
+template <class T>
+T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+               Manifolds<T>& manifolds, Trace* trace);
+
+}  // namespace graze

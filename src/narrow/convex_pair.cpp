@@ -1,0 +1,225 @@
+#include "narrow/convex_pair.hpp"
+
+#include <array>
+
+#include "narrow/general.hpp"
+#include "shape/rounding.hpp"
+
+// The special pairs, one line each. A pair without a line here takes the general path.
+#include "narrow/pairs/capsule_box.hpp"
+#include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/half_space.hpp"
+#include "narrow/pairs/sphere_box.hpp"
+#include "narrow/pairs/sphere_capsule.hpp"
+#include "narrow/pairs/sphere_sphere.hpp"
+
+namespace graze {
+
+namespace {
+
+template <class T>
+struct Body {
+  const Shape<T>& shape;
+  const Pose<T>& pose;
+};
+
+template <class S>
+PointCore<S> moved(const PointCore<S>& core, const Pose<S>& pose) {
+  return {transform(pose, core.point)};
+}
+template <class S>
+SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
+  return {{transform(pose, core.segment.a), transform(pose, core.segment.b)}};
+}
+
+template <class A, class B, class T>
+concept ClosedForm = requires(const A& a, const B& b, const Pose<T>& pose) {
+  core_distance(core_of(a), moved(core_of(b), pose));
+};
+
+/// Adds the rounding radii and takes the answer from A's frame to the world.
+template <class T>
+Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
+  Distance<T> d;
+  d.distance = core.distance - (radius_a + radius_b);
+  d.normal = rotate(pose_a.rotation, core.normal);
+  d.a = transform(pose_a, core.a + core.normal * radius_a);
+  d.b = transform(pose_a, core.b - core.normal * radius_b);
+  return d;
+}
+
+template <class T>
+Distance<T> mirrored(Distance<T> d) {
+  d.normal = -d.normal;
+  std::swap(d.a, d.b);
+  return d;
+}
+
+template <class T>
+Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, Trace* trace) {
+  const GeneralDistance g = general_distance(a.shape, b.shape, relative_in_double(a.pose, b.pose), trace);
+  // Finished in double as well: only the answer is rounded to T.
+  const Distance<double> d = finished<double>(g.core, radius_a, radius_b,
+                                              {cast<double>(a.pose.translation), normalized(cast<double>(a.pose.rotation))});
+  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b), g.status, static_cast<T>(g.error)};
+}
+
+template <class T>
+Distance<T> half_spaces(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b) {
+  const Pose<T> pose = relative(a.pose, b.pose);
+  const Vec3<T> up{T(0), T(1), T(0)};
+  Distance<T> d = finished<T>({pose.translation.y, up, {pose.translation.x, T(0), pose.translation.z}, pose.translation},
+                              radius_a, radius_b, a.pose);
+  if (opposite(rotate(pose.rotation, up))) return d;
+  d.distance = -std::numeric_limits<T>::infinity();
+  d.status = Status::unbounded;
+  return d;
+}
+
+/// The routine for the concrete shapes A and B.
+template <class A, class B, class T>
+Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
+  const A& ca = *a.shape.template as<A>();
+  const B& cb = *b.shape.template as<B>();
+  const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
+  constexpr bool half_a = std::is_same_v<A, HalfSpace<T>>, half_b = std::is_same_v<B, HalfSpace<T>>;
+  if (trace) trace->method = "closed form";
+  if constexpr (half_a && half_b) {
+    return half_spaces(a, ra, b, rb);
+  } else if constexpr (half_a) {
+    return finished(half_space_distance(cb, relative(a.pose, b.pose)), ra, rb, a.pose);
+  } else if constexpr (half_b || ClosedForm<B, A, T> > ClosedForm<A, B, T>) {
+    return mirrored(pair_distance<B, A>(b, a, trace));
+  } else {
+    if constexpr (ClosedForm<A, B, T>)
+      if (has_core(ca) && has_core(cb))
+        return finished(core_distance(core_of(ca), moved(core_of(cb), relative(a.pose, b.pose))), ra, rb, a.pose);
+    return general(a, ra, b, rb, trace);
+  }
+}
+
+template <class A, class B, class T>
+bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
+  constexpr bool unbounded = std::is_same_v<A, HalfSpace<T>> || std::is_same_v<B, HalfSpace<T>>;
+  const A& ca = *a.shape.template as<A>();
+  const B& cb = *b.shape.template as<B>();
+  const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
+  if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
+    if (trace) trace->method = "closed form";
+    const Vec3<T> c2 = transform(relative(a.pose, b.pose), cb.center());
+    return spheres_overlap(ca.center(), ra, c2, rb);
+  } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
+    return pair_distance<A, B>(a, b, trace).distance <= T(0);
+  } else {
+    return general_overlap(a.shape, b.shape, relative_in_double(a.pose, b.pose),
+                           static_cast<double>(ra) + static_cast<double>(rb), trace);
+  }
+}
+
+template <class T>
+struct Routines {
+  Distance<T> (*distance)(const Body<T>&, const Body<T>&, Trace*);
+  bool (*overlap)(const Body<T>&, const Body<T>&, Trace*);
+};
+
+/// Composites never come here: the mid phase takes them apart first.
+template <class T, class C>
+inline constexpr bool is_convex = BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>;
+
+template <class T, std::size_t A, std::size_t B>
+constexpr Routines<T> routines_of() {
+  using CA = std::variant_alternative_t<A, ShapeList<T>>;
+  using CB = std::variant_alternative_t<B, ShapeList<T>>;
+  if constexpr (is_convex<T, CA> && is_convex<T, CB>)
+    return {&pair_distance<CA, CB, T>, &pair_overlap<CA, CB, T>};
+  else
+    return {nullptr, nullptr};
+}
+
+template <class T, std::size_t... I>
+constexpr auto make_table(std::index_sequence<I...>) {
+  constexpr std::size_t n = Shape<T>::count;
+  return std::array<Routines<T>, n * n>{routines_of<T, I / n, I % n>()...};
+}
+
+template <class T>
+const Routines<T>& routines(const Shape<T>& a, const Shape<T>& b) {
+  static constexpr auto table = make_table<T>(std::make_index_sequence<Shape<T>::count * Shape<T>::count>());
+  return table[a.index() * Shape<T>::count + b.index()];
+}
+
+/// The support face of a shape that lies on a half-space: each vertex with its own height.
+template <class T>
+void rest_on_half_space(const Body<T>& plane, const Body<T>& body, T margin, bool plane_is_a, Manifold<T>& manifold) {
+  const Pose<T> pose = relative(plane.pose, body.pose);
+  const Vec3<T> up{T(0), T(1), T(0)};
+  const Vec3<T> normal = rotate(plane.pose.rotation, up);
+  const T lift = plane.shape.margin();
+  body.shape.visit([&](const auto& c) {
+    if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) {
+      Face<T> face;
+      c.core_face(rotate(conjugate(pose.rotation), -up), face);
+      const T radius = rounding_radius(c, body.shape.margin());
+      for (std::size_t i = 0; i < face.vertices.size(); ++i) {
+        const Vec3<T> p = transform(pose, face.vertices[i]);
+        const T d = p.y - radius - lift;
+        if (!(d <= margin)) continue;
+        const Vec3<T> low = transform(plane.pose, Vec3<T>{p.x, lift, p.z}), high = transform(plane.pose, p - up * radius);
+        ContactPoint<T> point{low, high, d, face.ids[i]};
+        if (!plane_is_a) std::swap(point.a, point.b);
+        manifold.points.push_back(point);
+      }
+    }
+  });
+  manifold.normal = plane_is_a ? normal : -normal;
+}
+
+/// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
+template <class T>
+T position_weight(const Shape<T>& a, const Shape<T>& b) {
+  const auto *sa = a.template as<Sphere<T>>(), *sb = b.template as<Sphere<T>>();
+  if (!sa || !sb) return T(0.5);
+  const T ra = sa->radius() + a.margin(), rb = sb->radius() + b.margin();
+  return ra + rb > T(0) ? ra / (ra + rb) : T(0.5);
+}
+
+}  // namespace
+
+template <class T>
+Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                            Trace* trace) {
+  return routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
+}
+
+template <class T>
+bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
+  return routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
+}
+
+template <class T>
+Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                            Manifold<T>& manifold, Trace* trace) {
+  const Body<T> body_a{a, pose_a}, body_b{b, pose_b};
+  const Distance<T> d = convex_distance(a, pose_a, b, pose_b, trace);
+  if (d.status == Status::unbounded || !(d.distance <= margin)) return d;
+  const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;
+  if (half_a != half_b) {
+    half_a ? rest_on_half_space(body_a, body_b, margin, true, manifold)
+           : rest_on_half_space(body_b, body_a, margin, false, manifold);
+    if (!manifold.points.empty()) return d;
+  }
+  manifold.normal = d.normal;
+  manifold.points.push_back({d.a, d.b, d.distance, 0, position_weight(a, b)});
+  return d;
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                         \
+  template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);    \
+  template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);            \
+  template Distance<T> convex_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T,          \
+                                       Manifold<T>&, Trace*);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze

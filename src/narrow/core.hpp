@@ -1,0 +1,99 @@
+// The simplest cores: what is left of a shape when its rounding is taken off, where that is a point, a segment or a
+// box. Closed forms are written for these, and so serve every shape that has such a core.
+#pragma once
+
+#include <type_traits>
+
+#include "graze/lines.hpp"
+#include "graze/shape.hpp"
+
+namespace graze {
+
+template <class S>
+struct PointCore {
+  Vec3<S> point;
+};
+template <class S>
+struct SegmentCore {
+  Segment<S> segment;
+};
+template <class S>
+struct BoxCore {
+  Vec3<S> half;
+};
+/// Any other core: the general path answers for it.
+struct NoCore {};
+
+template <class T>
+PointCore<T> core_of(const Sphere<T>& sphere) {
+  return {sphere.center()};
+}
+/// Of an even capsule only: `has_core` tells.
+template <class T>
+SegmentCore<T> core_of(const Capsule<T>& capsule) {
+  return {{{T(0), -capsule.half_height(), T(0)}, {T(0), capsule.half_height(), T(0)}}};
+}
+template <class T>
+SegmentCore<T> core_of(const LineSegment<T>& segment) {
+  return {{segment.point(0), segment.point(1)}};
+}
+template <class T>
+BoxCore<T> core_of(const Box<T>& box) {
+  return {box.half_extents()};
+}
+template <class T>
+BoxCore<T> core_of(const Rectangle<T>& rectangle) {
+  return {rectangle.as_box().half_extents()};
+}
+template <class C>
+NoCore core_of(const C&) {
+  return {};
+}
+
+/// Whether this value of a shape has the core that its type promises.
+template <class C>
+bool has_core(const C& concrete) {
+  if constexpr (requires { concrete.tapered(); })
+    return !concrete.tapered();
+  else
+    return !std::is_same_v<decltype(core_of(concrete)), NoCore>;
+}
+
+/// The distance from one to the next number, of a scalar or of each lane.
+template <class S>
+struct LaneOf {
+  using type = S;
+};
+template <class S>
+  requires requires { typename S::Lane; }
+struct LaneOf<S> {
+  using type = typename S::Lane;
+};
+template <class S>
+inline constexpr typename LaneOf<S>::type epsilon = std::numeric_limits<typename LaneOf<S>::type>::epsilon();
+
+/// The signed distance of two cores, in the frame of A: b - a = distance * normal, the normal unit, from A to B.
+template <class S>
+struct CoreDistance {
+  S distance;
+  Vec3<S> normal, a, b;
+};
+
+template <class S>
+CoreDistance<S> mirrored(const CoreDistance<S>& d) {
+  return {d.distance, -d.normal, d.b, d.a};
+}
+
+/// The answer for two points of cores that do not overlap: along the line between them, or along `fallback` (unit)
+/// when rounding leaves no line: `noise` is the error of `b - a`.
+template <class S>
+CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& fallback, const S& noise) {
+  const Vec3<S> v = b - a;
+  const S along = dot(v, fallback);
+  const Vec3<S> turned = select(along < S(0), -fallback, fallback);
+  const S d = length(v);
+  const Vec3<S> normal = select(d > noise, normalized(v, fallback), turned);
+  return {d, normal, a, b};
+}
+
+}  // namespace graze

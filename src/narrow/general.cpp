@@ -1,0 +1,68 @@
+#include "narrow/general.hpp"
+
+#include "narrow/epa.hpp"
+#include "narrow/gjk.hpp"
+
+namespace graze {
+
+namespace {
+
+/// What the iterations aim at: well within the library's tolerance, since closest points and normals of smooth shapes
+/// lose half the digits of the distance.
+constexpr double distance_goal = 1e-13;
+constexpr double depth_goal = 1e-11;
+
+template <class T>
+using Difference = MinkowskiDifference<ShapeCore<T>, ShapeCore<T>>;
+
+/// Half the answer on each side of the middle of the two points, so that b - a = distance * normal holds to the last
+/// bits whatever the iteration left.
+CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d& a, const Vec3d& b) {
+  const Vec3d middle = (a + b) * 0.5, half = normal * (distance * 0.5);
+  return {distance, normal, middle - half, middle + half};
+}
+
+template <class T>
+GeneralDistance judged(const Difference<T>& difference, const CoreDistance<double>& core, double gap) {
+  const double allowed = 0.5 * tolerance<double> * difference.size() + rounding * difference.reach();
+  return {core, gap <= allowed ? Status::converged : Status::bounded, gap};
+}
+
+}  // namespace
+
+template <class T>
+GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace) {
+  const ShapeCore<T> core_a(a), core_b(b);
+  const Difference<T> difference(core_a, core_b, b_in_a);
+  const double noise = rounding * difference.reach();
+  if (trace) trace->method = "gjk";
+  const GjkResult g = gjk(difference, {distance_goal * difference.size() + noise}, trace);
+  if (g.end != GjkEnd::touching && g.lower > 0) {
+    if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
+    return judged<T>(difference, centered(g.upper, g.nearest / g.upper, g.simplex.point_a(), g.simplex.point_b()),
+                     g.upper - g.lower);
+  }
+  if (trace) {
+    trace->method = "gjk + epa";
+    trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
+  }
+  const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
+  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower);
+}
+
+template <class T>
+bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace) {
+  const ShapeCore<T> core_a(a), core_b(b);
+  const Difference<T> difference(core_a, core_b, b_in_a);
+  if (trace) trace->method = "gjk";
+  const GjkGoal goal{distance_goal * difference.size() + rounding * difference.reach(), reach, reach};
+  const GjkResult g = gjk(difference, goal, trace);
+  return g.end == GjkEnd::touching || g.upper <= reach;
+}
+
+template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, Trace*);
+template GeneralDistance general_distance(const Shape<double>&, const Shape<double>&, const Posed&, Trace*);
+template bool general_overlap(const Shape<float>&, const Shape<float>&, const Posed&, double, Trace*);
+template bool general_overlap(const Shape<double>&, const Shape<double>&, const Posed&, double, Trace*);
+
+}  // namespace graze

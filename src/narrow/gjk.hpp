@@ -1,0 +1,90 @@
+// GJK: the distance of two convex cores (Gilbert, Johnson, Keerthi 1988, "A fast procedure for computing the distance
+// between complex objects in three-dimensional space"; bounds and termination after van den Bergen 2003, "Collision
+// detection in interactive 3D environments", section 4.3).
+//
+// Guarantee: at most `gjk_iterations` support queries a shape. When the cores are apart, `lower` <= true distance <=
+// `upper` up to rounding, and `upper - lower` is within the tolerance unless the result says so.
+#pragma once
+
+#include "narrow/simplex.hpp"
+
+namespace graze {
+
+/// Polyhedra end after at most a few tens of iterations, smooth shapes gain a digit in two or three; this is far above
+/// what either needs and bounds what a broken support function can cost.
+inline constexpr int gjk_iterations = 128;
+
+enum class GjkEnd {
+  apart,     ///< the distance is known within the tolerance
+  touching,  ///< the origin lies in the difference, or so close that rounding cannot tell
+  stalled,   ///< rounding or the iteration bound stopped it first; the bounds hold
+};
+
+struct GjkResult {
+  GjkEnd end;
+  Simplex simplex;  ///< carries the nearest point, or the origin when touching
+  Vec3d nearest;    ///< of the difference, to the origin: b - a of the closest points
+  double lower = 0, upper = 0;
+};
+
+/// What a caller wants to know, and so when GJK may stop.
+struct GjkGoal {
+  double tolerance;         ///< of `upper - lower`
+  double separation = -1;   ///< stop as soon as the distance is known to exceed this (if >= 0) ...
+  double proximity = -1;    ///< ... or not to exceed this (if >= 0)
+};
+
+template <class Difference>
+GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+  using std::sqrt;
+  GjkResult r{};
+  r.lower = -std::numeric_limits<double>::infinity();
+  const double touching = rounding * difference.reach();
+
+  const Vec3d start = normalized(difference.center_offset());
+  r.simplex.push(difference.support(start));
+  r.nearest = reduce_to_nearest(r.simplex).point;
+  r.upper = length(r.nearest);
+
+  for (int i = 0; i < gjk_iterations; ++i) {
+    r.end = GjkEnd::touching;
+    if (r.upper <= touching) return r;
+    if (goal.proximity >= 0 && r.upper <= goal.proximity) return r;
+
+    const Vec3d direction = r.nearest / r.upper;
+    const SupportPoint found = difference.support(direction);
+    r.lower = greatest(r.lower, dot(found.w, direction));
+    if (trace) {
+      trace->gjk.push_back({{}, direction, traced(found), r.lower, r.upper});
+      for (int k = 0; k < r.simplex.size; ++k)
+        trace->gjk.back().simplex.push_back(traced(r.simplex.point[static_cast<std::size_t>(k)]));
+    }
+    r.end = GjkEnd::apart;
+    if (goal.separation >= 0 && r.lower > goal.separation) return r;
+    if (r.upper - r.lower <= goal.tolerance) {
+      // Within the tolerance and known to be apart, or within rounding of it.
+      if (r.lower > 0 || r.upper - dot(found.w, direction) <= touching) return r;
+    }
+    r.end = GjkEnd::stalled;
+    if (r.simplex.contains(found)) return r;
+
+    Simplex next = r.simplex;
+    next.push(found);
+    const Nearest nearest = reduce_to_nearest(next);
+    if (nearest.enclosed) {
+      r.simplex = next;
+      r.nearest = {};
+      r.lower = r.upper = 0;
+      r.end = GjkEnd::touching;
+      return r;
+    }
+    const double upper = length(nearest.point);
+    if (!(upper < r.upper)) return r;  // rounding has taken over
+    r.simplex = next;
+    r.nearest = nearest.point;
+    r.upper = upper;
+  }
+  return r;
+}
+
+}  // namespace graze

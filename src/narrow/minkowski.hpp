@@ -1,0 +1,77 @@
+// The Minkowski difference of two cores, known by its support function.
+//
+// Everything iterative works in double, whichever scalar the shapes have: scalar code is as fast in it, and float's
+// tolerance is then met without an argument about cancellation. The frame is that of A, so coordinates are of the
+// order of the pair and not of the scene.
+#pragma once
+
+#include "graze/shape.hpp"
+#include "graze/trace.hpp"
+
+namespace graze {
+
+/// A point w = b - a of the difference B - A with the two points that make it, in A's frame.
+struct SupportPoint {
+  Vec3d a, b, w;
+};
+
+inline TraceSupport traced(const SupportPoint& p) { return {p.a, p.b}; }
+
+/// B - A for the cores of two concrete shapes, B seen from A. Any type with `core_support` and `core_extent` will do.
+template <class A, class B>
+class MinkowskiDifference {
+ public:
+  MinkowskiDifference(const A& a, const B& b, const Posed& b_in_a)
+      : a_(a), b_(b), rotation_(rotation_matrix(b_in_a.rotation)), translation_(b_in_a.translation) {
+    size_ = greatest(static_cast<double>(a.core_extent()), static_cast<double>(b.core_extent()));
+    reach_ = size_ + max_abs(translation_);
+  }
+
+  /// The point of the difference that lies *least* far along `direction`: A's support along it, B's against it. Its
+  /// offset along a unit direction is the shapes' separation along that direction.
+  SupportPoint support(const Vec3d& direction) const {
+    const Vec3d a = a_.core_support(direction);
+    const Vec3d b = rotation_ * b_.core_support(transposed_times(rotation_, -direction)) + translation_;
+    return {a, b, b - a};
+  }
+
+  const Vec3d& center_offset() const { return translation_; }
+  /// The larger of the two cores' extents: what tolerances are relative to.
+  double size() const { return size_; }
+  /// The largest coordinate that can occur: what rounding errors are relative to.
+  double reach() const { return reach_; }
+
+ private:
+  const A& a_;
+  const B& b_;
+  Mat3d rotation_;
+  Vec3d translation_;
+  double size_, reach_;
+};
+
+/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes.
+template <class T>
+class ShapeCore {
+ public:
+  explicit ShapeCore(const Shape<T>& shape) : shape_(shape) {}
+
+  Vec3d core_support(const Vec3d& direction) const {
+    return shape_.visit([&](const auto& c) -> Vec3d {
+      if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
+        return c.core_support(direction);
+      else
+        return {};
+    });
+  }
+  double core_extent() const {
+    return shape_.visit([](const auto& c) { return static_cast<double>(c.core_extent()); });
+  }
+
+ private:
+  const Shape<T>& shape_;
+};
+
+/// Rounding errors of the general path: some tens of operations on coordinates up to `reach`.
+inline constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+
+}  // namespace graze

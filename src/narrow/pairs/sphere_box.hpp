@@ -1,0 +1,30 @@
+// Point against box: sphere against box.
+#pragma once
+
+#include "graze/geometry.hpp"
+#include "narrow/core.hpp"
+
+namespace graze {
+
+/// The box is A. A point inside leaves by the nearest face; of equally near ones, the first.
+template <class S>
+CoreDistance<S> core_distance(const BoxCore<S>& a, const PointCore<S>& b) {
+  const Vec3<S> p = b.point, inside = closest_point_in_box(a.half, p);
+  const Vec3<S> v = p - inside;
+  const auto outside = (v.x != S(0)) | (v.y != S(0)) | (v.z != S(0));
+
+  const Vec3<S> depth = a.half - abs(p);
+  const Vec3<S> sign{select(p.x < S(0), S(-1), S(1)), select(p.y < S(0), S(-1), S(1)), select(p.z < S(0), S(-1), S(1))};
+  const auto y_less = depth.y < depth.x;
+  const S least_xy = select(y_less, depth.y, depth.x);
+  const auto z_less = depth.z < least_xy;
+  const S least_depth = select(z_less, depth.z, least_xy);
+  const S zero(0);
+  const Vec3<S> nx{sign.x, zero, zero}, ny{zero, sign.y, zero}, nz{zero, zero, sign.z};
+  const Vec3<S> face = select(z_less, nz, select(y_less, ny, nx));
+
+  return {select(outside, length(v), -least_depth), select(outside, normalized(v), face),
+          select(outside, inside, p + face * least_depth), p};
+}
+
+}  // namespace graze

@@ -1,0 +1,145 @@
+#include "narrow/polytope.hpp"
+
+#include <algorithm>
+
+namespace graze {
+
+void Polytope::build_tetrahedron(const Simplex& s) {
+  for (std::size_t i = 0; i < 4; ++i) vertices_[i] = s.point[i];
+  vertex_count_ = 4;
+  const Vec3d& p = vertices_[0].w;
+  const double volume = dot(vertices_[3].w - p, cross(vertices_[1].w - p, vertices_[2].w - p));
+  if (volume > 0) std::swap(vertices_[1], vertices_[2]);  // so that 0, 1, 2 is counter-clockwise seen from outside
+  add_facet(0, 1, 2);
+  add_facet(0, 3, 1);
+  add_facet(0, 2, 3);
+  add_facet(1, 3, 2);
+  facets_[0].neighbor = {1, 3, 2};
+  facets_[1].neighbor = {2, 3, 0};
+  facets_[2].neighbor = {0, 3, 1};
+  facets_[3].neighbor = {1, 2, 0};
+}
+
+std::uint16_t Polytope::add_facet(std::uint16_t i, std::uint16_t j, std::uint16_t k) {
+  const std::size_t slot = free_count_ > 0 ? free_[--free_count_] : facet_count_++;
+  Facet& f = facets_[slot];
+  const Vec3d &a = vertices_[i].w, &b = vertices_[j].w, &c = vertices_[k].w;
+  f.normal = normalized(cross(b - a, c - a), Vec3d{});
+  // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error.
+  const double la = length_squared(a), lb = length_squared(b), lc = length_squared(c);
+  f.offset = dot(f.normal, la <= lb && la <= lc ? a : lb <= lc ? b : c);
+  f.vertex = {i, j, k};
+  f.live = true;
+  // A facet without area has no plane of its own; its neighbours bound the polytope there.
+  f.final = f.normal == Vec3d{};
+  return static_cast<std::uint16_t>(slot);
+}
+
+bool Polytope::find_horizon(std::uint16_t seed, const Vec3d& w) {
+  // Depth first around each facet in order, so that the horizon's edges come out as a counter-clockwise loop.
+  struct Visit {
+    std::uint16_t facet;
+    std::uint8_t edge, left;
+  };
+  std::array<Visit, max_facets> stack;
+  std::size_t depth = 0;
+  horizon_count_ = seen_count_ = 0;
+  facets_[seed].live = false;
+  seen_[seen_count_++] = seed;
+  stack[depth++] = {seed, 0, 3};
+  while (depth > 0) {
+    Visit& top = stack[depth - 1];
+    if (top.left == 0) {
+      --depth;
+      continue;
+    }
+    const Facet& f = facets_[top.facet];
+    const std::uint8_t e = top.edge;
+    top.edge = static_cast<std::uint8_t>((e + 1) % 3);
+    --top.left;
+    const std::uint16_t n = f.neighbor[e];
+    Facet& next = facets_[n];
+    const auto entry = static_cast<std::uint8_t>(
+        std::find(next.neighbor.begin(), next.neighbor.end(), top.facet) - next.neighbor.begin());
+    if (entry == 3) return false;
+    if (next.live && sees(next, w)) {
+      next.live = false;
+      seen_[seen_count_++] = n;
+      stack[depth++] = {n, static_cast<std::uint8_t>((entry + 1) % 3), 2};
+    } else if (next.live) {
+      if (horizon_count_ == max_facets) return false;
+      horizon_[horizon_count_++] = {f.vertex[e], f.vertex[(e + 1u) % 3], n, entry};
+    }
+  }
+  return horizon_is_loop();
+}
+
+bool Polytope::horizon_is_loop() const {
+  if (horizon_count_ < 3) return false;
+  for (std::size_t i = 0; i < horizon_count_; ++i)
+    if (horizon_[i].to != horizon_[(i + 1) % horizon_count_].from) return false;
+  return true;
+}
+
+bool Polytope::expand(const Facet& seen_first, const SupportPoint& point) {
+  if (vertex_count_ == max_vertices) return false;
+  const auto seed = static_cast<std::uint16_t>(&seen_first - facets_.data());
+  if (!find_horizon(seed, point.w)) {
+    for (std::size_t i = 0; i < seen_count_; ++i) facets_[seen_[i]].live = true;
+    return false;
+  }
+  const auto apex = static_cast<std::uint16_t>(vertex_count_);
+  vertices_[vertex_count_++] = point;
+  for (std::size_t i = 0; i < seen_count_; ++i) free_[free_count_++] = seen_[i];
+
+  std::uint16_t first = 0, previous = 0;
+  for (std::size_t i = 0; i < horizon_count_; ++i) {
+    const HorizonEdge& edge = horizon_[i];
+    const std::uint16_t fan = add_facet(edge.from, edge.to, apex);
+    facets_[fan].neighbor[0] = edge.outside;
+    facets_[edge.outside].neighbor[edge.outside_edge] = fan;
+    if (i == 0) {
+      first = fan;
+    } else {
+      facets_[previous].neighbor[1] = fan;
+      facets_[fan].neighbor[2] = previous;
+    }
+    previous = fan;
+  }
+  facets_[previous].neighbor[1] = first;
+  facets_[first].neighbor[2] = previous;
+  return true;
+}
+
+std::size_t Polytope::live_count() const {
+  return static_cast<std::size_t>(std::count_if(facets_.begin(), facets_.begin() + static_cast<std::ptrdiff_t>(facet_count_),
+                                                [](const Facet& f) { return f.live; }));
+}
+
+void Polytope::pierce(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
+  // The facet whose smallest barycentric coordinate of the ray is largest: exactly one holds it but for rounding.
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < facet_count_; ++i) {
+    const Facet& f = facets_[i];
+    if (!f.live || !(dot(f.normal, direction) > 0)) continue;
+    const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
+    double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)), w = dot(direction, cross(p.w, q.w));
+    const double sum = u + v + w;
+    if (!(sum > 0)) continue;
+    const double inside = least(u, least(v, w)) / sum;
+    if (!(inside > best)) continue;
+    best = inside;
+    u = greatest(u, 0.0), v = greatest(v, 0.0), w = greatest(w, 0.0);
+    const double whole = u + v + w;
+    a = (p.a * u + q.a * v + r.a * w) / whole;
+    b = (p.b * u + q.b * v + r.b * w) / whole;
+  }
+}
+
+void Polytope::describe(Trace& trace) const {
+  for (std::size_t i = 0; i < vertex_count_; ++i) trace.polytope.push_back(traced(vertices_[i]));
+  for (std::size_t i = 0; i < facet_count_; ++i)
+    if (facets_[i].live) trace.triangles.push_back({facets_[i].vertex[0], facets_[i].vertex[1], facets_[i].vertex[2]});
+}
+
+}  // namespace graze

@@ -1,0 +1,139 @@
+// The polytope that EPA expands: a triangulated convex polyhedron inside the Minkowski difference.
+//
+// Guarantee: a closed surface of live facets at all times; an expansion that would break it (rounding can fold a
+// silhouette on itself) is refused and leaves everything as it was. All memory is in place.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "narrow/simplex.hpp"
+
+namespace graze {
+
+/// A triangle of the polytope: dot(normal, w) = offset, outward.
+struct Facet {
+  Vec3d normal;
+  double offset;
+  std::array<std::uint16_t, 3> vertex;    ///< counter-clockwise seen from outside
+  std::array<std::uint16_t, 3> neighbor;  ///< across the edge from vertex i to vertex i + 1
+  bool live = false;
+  bool final = false;                     ///< known to lie on the boundary of the difference
+};
+
+/// What is found instead of a tetrahedron when the difference is flat: its normal separates the cores at no depth.
+struct Flat {
+  bool is = false;
+  Vec3d normal, a, b;
+  double depth = 0;
+};
+
+class Polytope {
+ public:
+  /// `noise`: how far a point may lie from a plane by rounding alone.
+  explicit Polytope(double noise) : noise_(noise) {}
+
+  /// Grows `start` (one to four points) to a tetrahedron by support queries of the difference.
+  template <class Difference>
+  Flat begin(const Difference& difference, Simplex start);
+
+  /// Replaces all facets that see the new point by a fan from their silhouette. False when that cannot be done.
+  bool expand(const Facet& seen_first, const SupportPoint& point);
+
+  std::span<Facet> facets() { return {facets_.data(), facet_count_}; }
+  std::size_t live_count() const;
+
+  /// The two shapes' points where the ray from the origin along `direction` leaves the polytope.
+  void pierce(const Vec3d& direction, Vec3d& a, Vec3d& b) const;
+  /// Writes vertices and triangles for an explanation.
+  void describe(Trace& trace) const;
+
+ private:
+  static constexpr std::size_t max_vertices = 256;
+  static constexpr std::size_t max_facets = 2 * max_vertices;  // Euler: 2 V - 4 live at most
+
+  struct HorizonEdge {
+    std::uint16_t from, to, outside;  ///< the edge as the facet behind it, `outside`, has it reversed
+    std::uint8_t outside_edge;
+  };
+
+  void build_tetrahedron(const Simplex& s);
+  std::uint16_t add_facet(std::uint16_t i, std::uint16_t j, std::uint16_t k);
+  bool sees(const Facet& f, const Vec3d& w) const { return dot(f.normal, w) - f.offset > noise_; }
+  bool find_horizon(std::uint16_t seed, const Vec3d& w);
+  bool horizon_is_loop() const;
+
+  double noise_;
+  std::array<SupportPoint, max_vertices> vertices_;
+  std::array<Facet, max_facets> facets_;
+  std::array<HorizonEdge, max_facets> horizon_;
+  std::array<std::uint16_t, max_facets> seen_, free_;
+  std::size_t vertex_count_ = 0, facet_count_ = 0, horizon_count_ = 0, seen_count_ = 0, free_count_ = 0;
+};
+
+namespace detail {
+
+/// The support point of largest distance from what the simplex spans already, of the given directions.
+template <class Difference, class Measure>
+SupportPoint furthest_support(const Difference& difference, std::span<const Vec3d> directions, const Measure& measure) {
+  SupportPoint best{};
+  double most = -1;
+  for (const Vec3d& d : directions) {
+    const SupportPoint p = difference.support(d);
+    if (const double m = measure(p.w); m > most) {
+      most = m;
+      best = p;
+    }
+  }
+  return best;
+}
+
+}  // namespace detail
+
+template <class Difference>
+Flat Polytope::begin(const Difference& difference, Simplex s) {
+  using detail::furthest_support;
+  // Of all supports, the one that separates most along `n` or `-n`: a flat difference has about no extent there.
+  const auto flat = [&](const Vec3d& n) {
+    const SupportPoint p = difference.support(n), q = difference.support(-n);
+    const double above = dot(p.w, n), below = -dot(q.w, n);
+    const bool first = above >= below;
+    const Vec3d normal = first ? n : -n;
+    const double separation = first ? above : below;
+    // The nearest point of what GJK found carries the witnesses; it lies at the origin within rounding.
+    return Flat{true, normal, s.point_a(), s.point_b(), -separation};
+  };
+  const Simplex nearest = s;
+  const auto flat_at = [&](const Vec3d& n) {
+    Flat f = flat(n);
+    f.a = nearest.point_a();
+    f.b = nearest.point_b();
+    return f;
+  };
+
+  if (s.size == 1) {
+    static constexpr Vec3d axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    const Vec3d p = s.point[0].w;
+    s.push(furthest_support(difference, axes, [&](const Vec3d& w) { return length(w - p); }));
+    if (length(s.point[1].w - p) <= noise_) return flat_at({0, 1, 0});
+  }
+  if (s.size == 2) {
+    const Vec3d p = s.point[0].w, along = normalized(s.point[1].w - p);
+    const Vec3d u = any_perpendicular(along), v = cross(along, u);
+    const Vec3d around[] = {u, -u, v, -v};
+    s.push(furthest_support(difference, around, [&](const Vec3d& w) { return length(cross(w - p, along)); }));
+    if (length(cross(s.point[2].w - p, along)) <= noise_) return flat_at(u);
+  }
+  if (s.size == 3) {
+    const Vec3d p = s.point[0].w;
+    const Vec3d n = normalized(cross(s.point[1].w - p, s.point[2].w - p));
+    const Vec3d sides[] = {n, -n};
+    s.push(furthest_support(difference, sides, [&](const Vec3d& w) { return std::abs(dot(w - p, n)); }));
+    if (std::abs(dot(s.point[3].w - p, n)) <= noise_) return flat_at(n);
+  }
+  build_tetrahedron(s);
+  return {};
+}
+
+}  // namespace graze

@@ -1,0 +1,39 @@
+#include "graze/query.hpp"
+
+#include "mid/composite.hpp"
+
+namespace graze {
+
+template <class T>
+bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
+  return any_overlap(a, pose_a, b, pose_b, trace);
+}
+
+template <class T>
+Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
+  return any_distance(a, pose_a, b, pose_b, trace);
+}
+
+template <class T>
+bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+              Manifolds<T>& manifolds, Trace* trace) {
+  return any_contacts(a, pose_a, b, pose_b, margin, manifolds, trace) <= T(0);
+}
+
+template <class T>
+Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace) {
+  const Distance<T> d = any_distance(shape, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, trace);
+  return {d.distance, d.a, d.normal, d.status};
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                   \
+  template bool overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);             \
+  template Distance<T> distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
+  template bool contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&,   \
+                         Trace*);                                                                              \
+  template Closest<T> closest(const Shape<T>&, const Pose<T>&, const Vec3<T>&, Trace*);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze

@@ -1,0 +1,33 @@
+#include "graze/error.hpp"
+
+#include <charconv>
+
+#include "graze/validate.hpp"
+
+namespace graze {
+
+InvalidValue::InvalidValue(const std::string& path, const std::string& expectation, const std::string& found)
+    : std::invalid_argument((path.empty() ? "" : path + ": ") + "expected " + expectation + ", got " + found),
+      path_(path),
+      expectation_(expectation),
+      found_(found) {}
+
+InvalidValue InvalidValue::below(const std::string& outer) const {
+  const bool joined = path_.empty() || outer.empty() || path_.front() == '[';
+  return {outer + (joined ? "" : ".") + path_, expectation_, found_};
+}
+
+namespace validate {
+
+std::string number(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+void fail(const std::string& path, const std::string& expectation, double found) {
+  throw InvalidValue(path, expectation, number(found));
+}
+
+}  // namespace validate
+}  // namespace graze
