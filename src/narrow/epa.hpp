@@ -7,17 +7,72 @@
 // `upper` is good and only its proof is missing.
 #pragma once
 
+#include "narrow/gjk.hpp"
 #include "narrow/polytope.hpp"
 
 namespace graze {
 
 inline constexpr int epa_expansions = 240;
+/// Bounds of the final slide; its clearance is far above rounding, and small so that few steps are needed.
+inline constexpr int slide_steps = 64;
+inline constexpr double slide_stretch = 65536, slide_clearance = 1.0 / 64;
 
 struct EpaResult {
   Vec3d normal;            ///< unit, from A to B
   Vec3d a, b;              ///< the deepest points: b - a = -upper * normal up to the tolerance
   double lower, upper;     ///< bounds of the depth; about zero where the cores merely touch
 };
+
+/// A difference whose B is moved aside.
+template <class Difference>
+class Translated {
+ public:
+  Translated(const Difference& difference, const Vec3d& offset) : difference_(difference), offset_(offset) {}
+
+  SupportPoint support(const Vec3d& direction) const {
+    SupportPoint p = difference_.support(direction);
+    p.w += offset_;
+    return p;
+  }
+  Vec3d center_offset() const { return offset_; }
+  double reach() const { return difference_.reach() + max_abs(offset_); }
+
+ private:
+  const Difference& difference_;
+  Vec3d offset_;
+};
+
+/// Slides along the boundary of the difference to the nearest point of its neighbourhood: B is moved clear of A along
+/// the normal that is known, and the normal of the closest points then is a better one. The depth never grows, and each
+/// step is drawn out as long as that pays. For the shapes of which the polytope takes too many facets: smooth ones,
+/// nearly concentric.
+template <class Difference>
+void slide(const Difference& difference, double tolerance, EpaResult& r) {
+  const double clearance = slide_clearance * difference.size();
+  const auto depth_along = [&](const Vec3d& outward) { return dot(difference.support(-outward).w, outward); };
+  for (int i = 0; i < slide_steps; ++i) {
+    const Vec3d outward = -r.normal;
+    const Translated<Difference> clear(difference, r.normal * (r.upper + clearance));
+    const GjkResult g = gjk(clear, {tolerance});
+    if (g.end == GjkEnd::touching || !(g.upper > 0)) return;
+    r.a = g.simplex.point_a();
+    r.b = g.simplex.point_b();
+    const Vec3d turn = -g.normal - outward;
+
+    double depth = r.upper;
+    Vec3d normal = r.normal;
+    for (double stretch = 1; stretch <= slide_stretch; stretch *= 2) {
+      const Vec3d further = normalized(outward + turn * stretch);
+      const double found = depth_along(further);
+      if (!(found < depth)) break;
+      depth = found;
+      normal = -further;
+    }
+    if (!(r.upper - depth > tolerance)) return;
+    r.upper = depth;
+    r.normal = normal;
+  }
+}
 
 /// The nearest facet that can still be expanded, or none.
 inline Facet* nearest_open(Polytope& polytope) {
@@ -68,7 +123,8 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
   }
   r.lower = least(r.lower, r.upper);
   r.normal = -outward;
-  polytope.pierce(outward, r.a, r.b);
+  polytope.witness(outward, r.a, r.b);
+  if (r.upper - r.lower > tolerance) slide(difference, tolerance, r);
   if (trace) polytope.describe(*trace);
   return r;
 }

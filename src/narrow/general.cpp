@@ -25,7 +25,7 @@ CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d&
 template <class T>
 GeneralDistance judged(const Difference<T>& difference, const CoreDistance<double>& core, double gap) {
   const double allowed = 0.5 * tolerance<double> * difference.size() + rounding * difference.reach();
-  return {core, gap <= allowed ? Status::converged : Status::bounded, gap};
+  return {core, gap <= allowed ? Status::converged : Status::bounded, greatest(gap, 0.0)};
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   const GjkResult g = gjk(difference, {distance_goal * difference.size() + noise}, trace);
   if (g.end != GjkEnd::touching && g.lower > 0) {
     if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
-    return judged<T>(difference, centered(g.upper, g.nearest / g.upper, g.simplex.point_a(), g.simplex.point_b()),
+    return judged<T>(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()),
                      g.upper - g.lower);
   }
   if (trace) {

@@ -14,6 +14,9 @@ namespace graze {
 /// what either needs and bounds what a broken support function can cost.
 inline constexpr int gjk_iterations = 128;
 
+/// Steps without progress that GJK takes before it stops; a simplex has at most four vertices to exchange.
+inline constexpr int idle_steps = 4;
+
 enum class GjkEnd {
   apart,     ///< the distance is known within the tolerance
   touching,  ///< the origin lies in the difference, or so close that rounding cannot tell
@@ -24,6 +27,7 @@ struct GjkResult {
   GjkEnd end;
   Simplex simplex;  ///< carries the nearest point, or the origin when touching
   Vec3d nearest;    ///< of the difference, to the origin: b - a of the closest points
+  Vec3d normal;     ///< unit: the direction of `nearest`, or an earlier one along which the shapes are further apart
   double lower = 0, upper = 0;
 };
 
@@ -46,6 +50,7 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
   r.nearest = reduce_to_nearest(r.simplex).point;
   r.upper = length(r.nearest);
 
+  int idle = 0;
   for (int i = 0; i < gjk_iterations; ++i) {
     r.end = GjkEnd::touching;
     if (r.upper <= touching) return r;
@@ -53,7 +58,11 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
 
     const Vec3d direction = r.nearest / r.upper;
     const SupportPoint found = difference.support(direction);
-    r.lower = greatest(r.lower, dot(found.w, direction));
+    const double separation = dot(found.w, direction);
+    // Rounding can keep the direction from settling: an earlier one is the better normal where its separation gains
+    // more than it costs in agreement with the closest points.
+    if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation) r.normal = direction;
+    r.lower = greatest(r.lower, separation);
     if (trace) {
       trace->gjk.push_back({{}, direction, traced(found), r.lower, r.upper});
       for (int k = 0; k < r.simplex.size; ++k)
@@ -63,7 +72,7 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
     if (goal.separation >= 0 && r.lower > goal.separation) return r;
     if (r.upper - r.lower <= goal.tolerance) {
       // Within the tolerance and known to be apart, or within rounding of it.
-      if (r.lower > 0 || r.upper - dot(found.w, direction) <= touching) return r;
+      if (r.lower > 0 || r.upper - separation <= touching) return r;
     }
     r.end = GjkEnd::stalled;
     if (r.simplex.contains(found)) return r;
@@ -79,7 +88,9 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
       return r;
     }
     const double upper = length(nearest.point);
-    if (!(upper < r.upper)) return r;  // rounding has taken over
+    // A step along a long thin simplex may turn the direction and yet shorten it by less than rounding: a few such
+    // steps are taken, more of them would be going in circles.
+    if (upper >= r.upper && (upper > r.upper + touching || ++idle > idle_steps)) return r;
     r.simplex = next;
     r.nearest = nearest.point;
     r.upper = upper;

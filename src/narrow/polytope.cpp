@@ -116,12 +116,12 @@ std::size_t Polytope::live_count() const {
                                                 [](const Facet& f) { return f.live; }));
 }
 
-void Polytope::pierce(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
+bool Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const {
   // The facet whose smallest barycentric coordinate of the ray is largest: exactly one holds it but for rounding.
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < facet_count_; ++i) {
     const Facet& f = facets_[i];
-    if (!f.live || !(dot(f.normal, direction) > 0)) continue;
+    if (!f.live || !(dot(f.normal, direction) > facing)) continue;
     const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
     double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)), w = dot(direction, cross(p.w, q.w));
     const double sum = u + v + w;
@@ -134,6 +134,12 @@ void Polytope::pierce(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
     a = (p.a * u + q.a * v + r.a * w) / whole;
     b = (p.b * u + q.b * v + r.b * w) / whole;
   }
+  return best > -std::numeric_limits<double>::infinity();
+}
+
+void Polytope::witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
+  // Facets seen edge-on say nothing where the origin lies in their plane, so those that face the ray come first.
+  if (!pierce(direction, 0.99, a, b)) pierce(direction, 0.0, a, b);
 }
 
 void Polytope::describe(Trace& trace) const {

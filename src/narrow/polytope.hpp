@@ -45,7 +45,7 @@ class Polytope {
   std::size_t live_count() const;
 
   /// The two shapes' points where the ray from the origin along `direction` leaves the polytope.
-  void pierce(const Vec3d& direction, Vec3d& a, Vec3d& b) const;
+  void witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const;
   /// Writes vertices and triangles for an explanation.
   void describe(Trace& trace) const;
 
@@ -63,6 +63,7 @@ class Polytope {
   bool sees(const Facet& f, const Vec3d& w) const { return dot(f.normal, w) - f.offset > noise_; }
   bool find_horizon(std::uint16_t seed, const Vec3d& w);
   bool horizon_is_loop() const;
+  bool pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const;
 
   double noise_;
   std::array<SupportPoint, max_vertices> vertices_;
@@ -95,42 +96,31 @@ template <class Difference>
 Flat Polytope::begin(const Difference& difference, Simplex s) {
   using detail::furthest_support;
   // Of all supports, the one that separates most along `n` or `-n`: a flat difference has about no extent there.
+  const Simplex nearest = s;  // what GJK found carries the witnesses: it lies at the origin within rounding
   const auto flat = [&](const Vec3d& n) {
-    const SupportPoint p = difference.support(n), q = difference.support(-n);
-    const double above = dot(p.w, n), below = -dot(q.w, n);
-    const bool first = above >= below;
-    const Vec3d normal = first ? n : -n;
-    const double separation = first ? above : below;
-    // The nearest point of what GJK found carries the witnesses; it lies at the origin within rounding.
-    return Flat{true, normal, s.point_a(), s.point_b(), -separation};
-  };
-  const Simplex nearest = s;
-  const auto flat_at = [&](const Vec3d& n) {
-    Flat f = flat(n);
-    f.a = nearest.point_a();
-    f.b = nearest.point_b();
-    return f;
+    const double above = dot(difference.support(n).w, n), below = -dot(difference.support(-n).w, n);
+    return Flat{true, above >= below ? n : -n, nearest.point_a(), nearest.point_b(), -greatest(above, below)};
   };
 
   if (s.size == 1) {
     static constexpr Vec3d axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     const Vec3d p = s.point[0].w;
     s.push(furthest_support(difference, axes, [&](const Vec3d& w) { return length(w - p); }));
-    if (length(s.point[1].w - p) <= noise_) return flat_at({0, 1, 0});
+    if (length(s.point[1].w - p) <= noise_) return flat({0, 1, 0});
   }
   if (s.size == 2) {
     const Vec3d p = s.point[0].w, along = normalized(s.point[1].w - p);
     const Vec3d u = any_perpendicular(along), v = cross(along, u);
     const Vec3d around[] = {u, -u, v, -v};
     s.push(furthest_support(difference, around, [&](const Vec3d& w) { return length(cross(w - p, along)); }));
-    if (length(cross(s.point[2].w - p, along)) <= noise_) return flat_at(u);
+    if (length(cross(s.point[2].w - p, along)) <= noise_) return flat(u);
   }
   if (s.size == 3) {
     const Vec3d p = s.point[0].w;
     const Vec3d n = normalized(cross(s.point[1].w - p, s.point[2].w - p));
     const Vec3d sides[] = {n, -n};
     s.push(furthest_support(difference, sides, [&](const Vec3d& w) { return std::abs(dot(w - p, n)); }));
-    if (std::abs(dot(s.point[3].w - p, n)) <= noise_) return flat_at(n);
+    if (std::abs(dot(s.point[3].w - p, n)) <= noise_) return flat(n);
   }
   build_tetrahedron(s);
   return {};
