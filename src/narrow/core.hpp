@@ -84,16 +84,14 @@ CoreDistance<S> mirrored(const CoreDistance<S>& d) {
   return {d.distance, -d.normal, d.b, d.a};
 }
 
-/// The answer for two points of cores that do not overlap: along the line between them, or along `fallback` (unit)
-/// when rounding leaves no line: `noise` is the error of `b - a`.
+/// The answer for two points of cores that do not overlap: along the line between them, or along the unit vector
+/// `known` where that is the same line up to `noise`, the error of `b - a`: `known` has all its digits.
 template <class S>
-CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& fallback, const S& noise) {
+CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& known, const S& noise) {
   const Vec3<S> v = b - a;
-  const S along = dot(v, fallback);
-  const Vec3<S> turned = select(along < S(0), -fallback, fallback);
-  const S d = length(v);
-  const Vec3<S> normal = select(d > noise, normalized(v, fallback), turned);
-  return {d, normal, a, b};
+  const S along = dot(v, known), d = length(v);
+  const auto is_known = length(v - known * along) <= noise;
+  return {d, select(is_known, select(along < S(0), -known, known), normalized(v, known)), a, b};
 }
 
 }  // namespace graze

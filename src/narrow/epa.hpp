@@ -14,7 +14,7 @@ namespace graze {
 
 inline constexpr int epa_expansions = 240;
 /// Bounds of the final slide; its clearance is far above rounding, and small so that few steps are needed.
-inline constexpr int slide_steps = 64;
+inline constexpr int slide_steps = 256;
 inline constexpr double slide_stretch = 65536, slide_clearance = 1.0 / 64;
 
 struct EpaResult {
@@ -44,16 +44,16 @@ class Translated {
 
 /// Slides along the boundary of the difference to the nearest point of its neighbourhood: B is moved clear of A along
 /// the normal that is known, and the normal of the closest points then is a better one. The depth never grows, and each
-/// step is drawn out as long as that pays. For the shapes of which the polytope takes too many facets: smooth ones,
+/// step is drawn out as long as that pays, until only rounding (`noise`) is left to gain. For the shapes of which the polytope takes too many facets: smooth ones,
 /// nearly concentric.
 template <class Difference>
-void slide(const Difference& difference, double tolerance, EpaResult& r) {
+void slide(const Difference& difference, double noise, EpaResult& r) {
   const double clearance = slide_clearance * difference.size();
   const auto depth_along = [&](const Vec3d& outward) { return dot(difference.support(-outward).w, outward); };
   for (int i = 0; i < slide_steps; ++i) {
     const Vec3d outward = -r.normal;
     const Translated<Difference> clear(difference, r.normal * (r.upper + clearance));
-    const GjkResult g = gjk(clear, {tolerance});
+    const GjkResult g = gjk(clear, {noise});
     if (g.end == GjkEnd::touching || !(g.upper > 0)) return;
     r.a = g.simplex.point_a();
     r.b = g.simplex.point_b();
@@ -68,7 +68,7 @@ void slide(const Difference& difference, double tolerance, EpaResult& r) {
       depth = found;
       normal = -further;
     }
-    if (!(r.upper - depth > tolerance)) return;
+    if (!(r.upper - depth > noise)) return;
     r.upper = depth;
     r.normal = normal;
   }
@@ -124,7 +124,7 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
   r.lower = least(r.lower, r.upper);
   r.normal = -outward;
   polytope.witness(outward, r.a, r.b);
-  if (r.upper - r.lower > tolerance) slide(difference, tolerance, r);
+  if (r.upper - r.lower > tolerance) slide(difference, noise, r);
   if (trace) polytope.describe(*trace);
   return r;
 }

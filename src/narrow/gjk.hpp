@@ -81,6 +81,7 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
     next.push(found);
     const Nearest nearest = reduce_to_nearest(next);
     if (nearest.enclosed) {
+      if (r.lower > touching) return r;  // a flat tetrahedron deceives: the shapes are known to be apart
       r.simplex = next;
       r.nearest = {};
       r.lower = r.upper = 0;

@@ -112,10 +112,12 @@ CoreDistance<S> core_distance(const BoxCore<S>& a, const SegmentCore<S>& b) {
   const Vec3<S> deep = point_at(b.segment, deepest_parameter(a.half, b.segment, axis));
   const CoreDistance<S> inside{axis.separation, axis.normal, deep - axis.normal * axis.separation, deep};
   const CoreDistance<S> outside = apart(a.half, b.segment);
-  // Within rounding of touching, the axis keeps its digits where the difference of two near points has none.
+  // The axis keeps its digits where the difference of two near points has few, so it is the normal wherever both are
+  // the same line up to rounding.
   const S noise = S(16) * epsilon<S> * (max_abs(a.half) + max_abs(b.segment.a) + max_abs(b.segment.b));
   const auto separate = (axis.separation > S(0)) & (outside.distance > noise);
-  return {select(separate, outside.distance, inside.distance), select(separate, outside.normal, inside.normal),
+  const auto along_axis = !separate | (length(outside.b - outside.a - axis.normal * outside.distance) <= noise);
+  return {select(separate, outside.distance, inside.distance), select(along_axis, inside.normal, outside.normal),
           select(separate, outside.a, inside.a), select(separate, outside.b, inside.b)};
 }
 

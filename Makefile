@@ -1,0 +1,100 @@
+# A thin front: what is built and how is in CMakePresets.json, what it needs in scripts/setup.sh.
+# Variables: JOBS (default: all processors), PREFIX (install), CMAKE_ARGS (to configure, e.g. -DGRAZE_WERROR=ON),
+# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages).
+JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+CMAKE_ARGS ?=
+CTEST_ARGS ?=
+
+.DEFAULT_GOAL := help
+# One thing at a time even under `make -j`: the targets share build trees, and each runs in parallel by itself.
+.NOTPARALLEL:
+
+sources = $(shell find $(wildcard include src apps tests fuzz bench examples bindings) -name '*.hpp' -o -name '*.cpp')
+configure = cmake --preset $(1) $(CMAKE_ARGS)
+build = cmake --build --preset $(1) --parallel $(JOBS)
+check = ctest --preset $(1) --parallel $(JOBS) $(CTEST_ARGS)
+
+.PHONY: help
+help: ## show this list
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
+
+# A tree that exists stays as configured; a new one is made without tests, whose packages a demo does not need.
+# `make test` puts them in.
+.PHONY: demo
+demo: ## build the program, collide an example scene and draw the contacts
+	@scripts/setup.sh demo
+	@test -f build/release/build.ninja || \
+	  cmake --preset release -DGRAZE_BUILD_TESTS=OFF -DGRAZE_BUILD_EXAMPLES=OFF $(CMAKE_ARGS)
+	$(call build,release) --target graze_cli
+	@mkdir -p build/demo
+	build/release/bin/graze collide examples/scenes/demo.gltf --out build/demo/contacts.glb --svg build/demo/contacts.svg
+	@echo "The picture:           $(CURDIR)/build/demo/contacts.svg  (any web browser)"
+	@echo "The scene in 3D:       $(CURDIR)/build/demo/contacts.glb  (any glTF viewer)"
+
+.PHONY: test
+test: ## build everything and run all tests
+	@scripts/setup.sh test
+	$(call configure,release)
+	$(call build,release)
+	$(call check,release)
+
+.PHONY: asan
+asan: ## the tests again, with address and undefined-behaviour sanitizers
+	@scripts/setup.sh test
+	$(call configure,asan)
+	$(call build,asan)
+	$(call check,asan)
+
+.PHONY: tsan
+tsan: ## the tests again, with the thread sanitizer
+	@scripts/setup.sh test
+	$(call configure,tsan)
+	$(call build,tsan)
+	$(call check,tsan)
+
+.PHONY: clang
+clang: ## the tests again, built by clang
+	@scripts/setup.sh test fuzz
+	$(call configure,clang)
+	$(call build,clang)
+	$(call check,clang)
+
+.PHONY: fuzz
+fuzz: ## run each fuzzer for a short while
+	@scripts/setup.sh fuzz
+	$(call configure,fuzz)
+	$(call build,fuzz)
+	$(call check,fuzz)
+
+.PHONY: bench
+bench: ## build and run the benchmarks, beside Bullet, ODE and FCL
+	@scripts/setup.sh bench
+	$(call configure,bench)
+	$(call build,bench)
+	@for program in build/bench/bin/bench_*; do echo "== $$program"; $$program || exit 1; done
+
+.PHONY: format
+format: ## format all sources in place
+	@scripts/setup.sh lint
+	clang-format -i $(sources)
+
+# clang-tidy reads the flags from the tree of the clang preset, since it does not know all of g++'s.
+.PHONY: lint
+lint: ## check the format, and the library and programs with clang-tidy
+	@scripts/setup.sh lint
+	clang-format --dry-run -Werror $(sources)
+	$(call configure,clang)
+	run-clang-tidy -quiet -p build/clang -j $(JOBS) '$(CURDIR)/(src|apps)/'
+
+.PHONY: install
+install: ## install library, headers and program below PREFIX (default /usr/local)
+	@scripts/setup.sh demo
+	@test -f build/release/build.ninja || \
+	  cmake --preset release -DGRAZE_BUILD_TESTS=OFF -DGRAZE_BUILD_EXAMPLES=OFF $(CMAKE_ARGS)
+	$(call build,release) --target graze graze_io graze_cli
+	cmake --install build/release --prefix $(PREFIX)
+
+.PHONY: clean
+clean: ## remove everything that was built
+	rm -rf build

@@ -1,0 +1,33 @@
+# The install tree: libraries, headers, the package for find_package(graze) and the one for pkg-config.
+# Every path in it is relative, so that the tree can be moved after the installation.
+include(CMakePackageConfigHelpers)
+
+set(graze_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
+
+install(TARGETS graze EXPORT grazeTargets)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze" TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp" PATTERN "io" EXCLUDE)
+install(EXPORT grazeTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" TYPE DOC)
+
+# A component of its own, since whoever uses only the core must not need the packages behind this one.
+if(TARGET graze_io)
+  install(TARGETS graze_io EXPORT grazeIoTargets)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze/io" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze")
+  install(EXPORT grazeIoTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}")
+endif()
+if(TARGET graze_cli)
+  set_target_properties(graze_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}") # for shared builds
+  install(TARGETS graze_cli)
+endif()
+
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/grazeConfig.cmake.in" "${PROJECT_BINARY_DIR}/grazeConfig.cmake"
+  INSTALL_DESTINATION "${graze_cmake_dir}")
+# Before 1.0 every minor version may break its users.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/grazeConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/grazeConfig.cmake" "${PROJECT_BINARY_DIR}/grazeConfigVersion.cmake"
+        DESTINATION "${graze_cmake_dir}")
+
+file(RELATIVE_PATH graze_pc_to_prefix "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/graze.pc.in" "${PROJECT_BINARY_DIR}/graze.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/graze.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

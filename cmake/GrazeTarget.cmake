@@ -1,0 +1,51 @@
+# graze_target(<target>): the compiler flags that every target of ours has in common.
+#
+# A function and not an interface library, because a static library would have to export and install the latter.
+# The flags are private: they say how Graze is compiled, not how its users must compile.
+
+# Answers are the same bits with every compiler, at every optimisation level and in every lane width only if no
+# compiler fuses a*b+c on its own (g++ does by default, clang within an expression). errno after sqrt keeps the
+# compiler from vectorising it. -ffast-math is never right here: it reorders sums and assumes NaN away.
+set(graze_floating_point -ffp-contract=off -fno-math-errno)
+
+set(graze_warnings
+    -Wall
+    -Wextra
+    -Wshadow
+    -Wconversion # float from double above all: the scalars come from one source
+    -Wno-sign-conversion # clang counts it in -Wconversion, g++ does not; every index would need a cast
+    -Wold-style-cast
+    -Wnon-virtual-dtor
+    -Woverloaded-virtual
+    -Wcast-align
+    -Wundef)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # -Wno-psabi: vector types are passed differently than by g++ 4, and nobody links Graze to such code.
+  # -Wdouble-promotion: double from float unasked costs speed; clang's also counts `double h(some_float)`.
+  list(APPEND graze_warnings -Wno-psabi -Wlogical-op -Wdouble-promotion)
+endif()
+
+set(graze_sanitize "")
+if(GRAZE_SANITIZE)
+  # Without recovery, so that undefined behaviour fails a test instead of adding a line to its log.
+  set(graze_sanitize -fsanitize=${GRAZE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND graze_warnings -Wno-maybe-uninitialized) # g++ takes the sanitizers' own branches for ours
+  endif()
+endif()
+
+function(graze_target target)
+  target_compile_options(${target} PRIVATE ${graze_warnings} ${graze_floating_point} ${graze_sanitize})
+  target_link_options(${target} PRIVATE ${graze_sanitize})
+  if(GRAZE_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(GRAZE_BUILD_FUZZ)
+    # libFuzzer is steered by the branches taken in the code under test, so that has to report them as well.
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")
+      target_link_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
+  endif()
+endfunction()

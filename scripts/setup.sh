@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
+#
+#   scripts/setup.sh demo|test|bench|fuzz|lint [more groups...]
+#   scripts/setup.sh --list <group>...        print the packages, install nothing
+#
+# The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
+# the Makefile can call it before every build. GRAZE_NO_SETUP=1 skips it (other distributions, locked-down machines).
+set -euo pipefail
+
+# The tools that build the library itself; every group starts from these.
+base=(g++ make cmake ninja-build pkg-config)
+
+# What the command-line program adds: scenes (tinygltf), mesh files (assimp), JSON, arguments, formatting.
+demo=(libtinygltf-dev libassimp-dev nlohmann-json3-dev libcli11-dev libfmt-dev)
+
+# GoogleTest and the property tests of RapidCheck.
+test=(libgtest-dev librapidcheck-dev)
+
+# Google Benchmark, and the libraries that we measure ourselves against.
+bench=(libbenchmark-dev libbullet-dev libode-dev libfcl-dev libccd-dev libeigen3-dev)
+
+# libFuzzer comes with clang; its runtime is only a recommendation of the clang package, hence named here.
+fuzz=(clang libclang-rt-14-dev)
+
+lint=(clang clang-format clang-tidy)
+
+usage() {
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint ..." >&2
+  exit 2
+}
+
+list_only=no
+wanted=()
+(($# > 0)) || usage
+for arg in "$@"; do
+  case "$arg" in
+    --list) list_only=yes ;;
+    demo) wanted+=("${base[@]}" "${demo[@]}") ;;
+    test) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}") ;;
+    bench) wanted+=("${base[@]}" "${bench[@]}") ;;
+    fuzz) wanted+=("${base[@]}" "${demo[@]}" "${fuzz[@]}") ;;
+    lint) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${lint[@]}") ;; # clang-tidy has to find every header
+    *) usage ;;
+  esac
+done
+((${#wanted[@]} > 0)) || usage
+
+if [[ $list_only == yes ]]; then
+  printf '%s\n' "${wanted[@]}" | sort -u
+  exit 0
+fi
+
+[[ -n ${GRAZE_NO_SETUP:-} ]] && exit 0
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  cat >&2 <<MESSAGE
+scripts/setup.sh: this is not a Debian-like system, so nothing was installed.
+Install the equivalents of these packages yourself and run again with GRAZE_NO_SETUP=1:
+  $(printf '%s\n' "${wanted[@]}" | sort -u | tr '\n' ' ')
+MESSAGE
+  exit 1
+fi
+
+# One query for all of them; a package that dpkg has never heard of is reported on stderr and is simply absent here.
+# Keys are plain names: a multi-arch package is listed as `name` by ${Package}.
+declare -A present=()
+while read -r package status; do
+  [[ $status == installed ]] && present[$package]=1
+done < <(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
+
+missing=()
+for package in "${wanted[@]}"; do
+  [[ -n ${present[$package]:-} ]] || { missing+=("$package"); present[$package]=1; } # marked, so named only once
+done
+((${#missing[@]} == 0)) && exit 0
+
+echo "scripts/setup.sh: '$*' needs ${#missing[@]} Debian package(s) that are not installed:"
+echo "  ${missing[*]}"
+echo "They come from the distribution with apt-get and are used only to build, test or measure Graze."
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    cat >&2 <<MESSAGE
+scripts/setup.sh: installing needs root, and you are neither root nor is there a 'sudo' here. Ask an administrator for
+  apt-get install --no-install-recommends ${missing[*]}
+MESSAGE
+    exit 1
+  fi
+  echo "You are not root: sudo is used, and may ask for your password."
+  as_root=(sudo)
+fi
+
+# `env` after sudo, because sudo drops the environment of its caller.
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 "$@"; }
+
+# The package lists are fetched only where the installation would not work without: on a bare machine they are not
+# there at all, on an old one they name versions that the mirror no longer has.
+install() { apt install --yes --quiet --no-install-recommends "${missing[@]}"; }
+
+simulate() { apt-get install --simulate --no-install-recommends "${missing[@]}" >/dev/null 2>&1; }
+if ! simulate; then
+  echo "The package lists are missing or too old: apt-get update"
+  apt update --quiet
+fi
+if ! install; then
+  echo "The installation failed; once more with fresh package lists: apt-get update"
+  apt update --quiet
+  install
+fi

@@ -1,0 +1,37 @@
+# Installs the build tree BUILD below WORK, moves the result elsewhere (an install tree must not know its place), and
+# builds and runs the consumer against it: first by find_package, then by pkg-config.
+cmake_minimum_required(VERSION 3.22)
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# Left-overs of an earlier run would hide a file that is no longer installed.
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+
+set(config "")
+if(CONFIG)
+  set(config --config "${CONFIG}")
+endif()
+run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installed" ${config})
+file(RENAME "${WORK}/installed" "${WORK}/moved")
+
+# graze_ROOT is searched before every other place, so a Graze that is installed on this machine is not taken.
+run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/cmake" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}"
+    "-DCMAKE_BUILD_TYPE=${CONFIG}" "-Dgraze_ROOT=${WORK}/moved")
+run("${CMAKE_COMMAND}" --build "${WORK}/cmake" ${config})
+run("${WORK}/cmake/consumer")
+if(EXISTS "${WORK}/cmake/consumer_io")
+  run("${WORK}/cmake/consumer_io")
+endif()
+
+find_program(make NAMES gmake make REQUIRED)
+set(ENV{PKG_CONFIG_PATH} "${WORK}/moved/${LIBDIR}/pkgconfig")
+set(ENV{LD_LIBRARY_PATH} "${WORK}/moved/${LIBDIR}") # for shared builds
+run("${make}" -C "${SOURCE}" "CXX=${CXX}" "OUT=${WORK}/consumer_pkgconfig")
+run("${WORK}/consumer_pkgconfig")
+
+if(EXISTS "${WORK}/moved/bin/graze")
+  run("${WORK}/moved/bin/graze" --help)
+endif()
