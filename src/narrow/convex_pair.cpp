@@ -55,13 +55,32 @@ Distance<T> mirrored(Distance<T> d) {
   return d;
 }
 
+/// The same for what was computed in double: only the answer is rounded to T.
+template <class T>
+Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
+  const Posed pose{cast<double>(pose_a.translation), normalized(cast<double>(pose_a.rotation))};
+  const Distance<double> d = finished<double>(core, radius_a, radius_b, pose);
+  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
+}
+
 template <class T>
 Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, Trace* trace) {
   const GeneralDistance g = general_distance(a.shape, b.shape, relative_in_double(a.pose, b.pose), trace);
-  // Finished in double as well: only the answer is rounded to T.
-  const Distance<double> d = finished<double>(g.core, radius_a, radius_b,
-                                              {cast<double>(a.pose.translation), normalized(cast<double>(a.pose.rotation))});
-  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b), g.status, static_cast<T>(g.error)};
+  Distance<T> d = finished_in_double(g.core, radius_a, radius_b, a.pose);
+  d.status = g.status;
+  d.error = static_cast<T>(g.error);
+  return d;
+}
+
+template <class T, class A, class B>
+Distance<T> closed_form(const A& core_a, T radius_a, const Pose<T>& pose_a, const B& core_b, T radius_b,
+                        const Pose<T>& pose_b) {
+  if constexpr (evaluated_in_double<A, B>) {
+    const auto b_in_a = moved(cast<double>(core_b), relative_in_double(pose_a, pose_b));
+    return finished_in_double(core_distance(cast<double>(core_a), b_in_a), radius_a, radius_b, pose_a);
+  } else {
+    return finished(core_distance(core_a, moved(core_b, relative(pose_a, pose_b))), radius_a, radius_b, pose_a);
+  }
 }
 
 template <class T>
@@ -93,7 +112,7 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
   } else {
     if constexpr (ClosedForm<A, B, T>)
       if (has_core(ca) && has_core(cb))
-        return finished(core_distance(core_of(ca), moved(core_of(cb), relative(a.pose, b.pose))), ra, rb, a.pose);
+        return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
     return general(a, ra, b, rb, trace);
   }
 }

@@ -24,6 +24,19 @@ struct BoxCore {
 /// Any other core: the general path answers for it.
 struct NoCore {};
 
+template <class S, class T>
+PointCore<S> cast(const PointCore<T>& core) {
+  return {cast<S>(core.point)};
+}
+template <class S, class T>
+SegmentCore<S> cast(const SegmentCore<T>& core) {
+  return {{cast<S>(core.segment.a), cast<S>(core.segment.b)}};
+}
+template <class S, class T>
+BoxCore<S> cast(const BoxCore<T>& core) {
+  return {cast<S>(core.half)};
+}
+
 template <class T>
 PointCore<T> core_of(const Sphere<T>& sphere) {
   return {sphere.center()};
@@ -83,6 +96,10 @@ template <class S>
 CoreDistance<S> mirrored(const CoreDistance<S>& d) {
   return {d.distance, -d.normal, d.b, d.a};
 }
+
+/// Whether the closed form of two cores has to be evaluated in double to meet float's tolerance.
+template <class A, class B>
+inline constexpr bool evaluated_in_double = false;
 
 /// The answer for two points of cores that do not overlap: along the line between them, or along the unit vector
 /// `known` where that is the same line up to `noise`, the error of `b - a`: `known` has all its digits.

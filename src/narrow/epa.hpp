@@ -123,8 +123,8 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
   }
   r.lower = least(r.lower, r.upper);
   r.normal = -outward;
-  polytope.witness(outward, r.a, r.b);
-  if (r.upper - r.lower > tolerance) slide(difference, noise, r);
+  const bool held = polytope.witness(outward, r.a, r.b);
+  if (!held || r.upper - r.lower > tolerance) slide(difference, noise, r);
   if (trace) polytope.describe(*trace);
   return r;
 }

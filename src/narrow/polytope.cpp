@@ -116,7 +116,7 @@ std::size_t Polytope::live_count() const {
                                                 [](const Facet& f) { return f.live; }));
 }
 
-bool Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const {
+double Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const {
   // The facet whose smallest barycentric coordinate of the ray is largest: exactly one holds it but for rounding.
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < facet_count_; ++i) {
@@ -134,12 +134,15 @@ bool Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b)
     a = (p.a * u + q.a * v + r.a * w) / whole;
     b = (p.b * u + q.b * v + r.b * w) / whole;
   }
-  return best > -std::numeric_limits<double>::infinity();
+  return best;
 }
 
-void Polytope::witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
-  // Facets seen edge-on say nothing where the origin lies in their plane, so those that face the ray come first.
-  if (!pierce(direction, 0.99, a, b)) pierce(direction, 0.0, a, b);
+bool Polytope::witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
+  // Facets seen edge-on say nothing where the origin lies in their plane: only what faces the ray counts as a hit, and
+  // the others are there so that some points are returned.
+  const double missed = pierce(direction, 0.9, a, b);
+  if (missed == -std::numeric_limits<double>::infinity()) pierce(direction, 0.0, a, b);
+  return missed >= 0;
 }
 
 void Polytope::describe(Trace& trace) const {

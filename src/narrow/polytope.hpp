@@ -44,8 +44,9 @@ class Polytope {
   std::span<Facet> facets() { return {facets_.data(), facet_count_}; }
   std::size_t live_count() const;
 
-  /// The two shapes' points where the ray from the origin along `direction` leaves the polytope.
-  void witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const;
+  /// The two shapes' points where the ray from the origin along `direction` leaves the polytope. False when rounding
+  /// lets the ray miss every facet: they are then those of the facet that it misses least.
+  bool witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const;
   /// Writes vertices and triangles for an explanation.
   void describe(Trace& trace) const;
 
@@ -63,7 +64,7 @@ class Polytope {
   bool sees(const Facet& f, const Vec3d& w) const { return dot(f.normal, w) - f.offset > noise_; }
   bool find_horizon(std::uint16_t seed, const Vec3d& w);
   bool horizon_is_loop() const;
-  bool pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const;
+  double pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const;
 
   double noise_;
   std::array<SupportPoint, max_vertices> vertices_;
