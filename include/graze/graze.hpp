@@ -6,6 +6,7 @@
 #include "graze/error.hpp"
 #include "graze/filter.hpp"
 #include "graze/geometry.hpp"
+#include "graze/pairs.hpp"
 #include "graze/query.hpp"
 #include "graze/shape.hpp"
 #include "graze/trace.hpp"
