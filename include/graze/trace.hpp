@@ -1,7 +1,7 @@
 // What a query did, step by step: the data behind every explanation.
 //
-// Guarantee: filled only when asked for; asking changes no bit of the answer. Vectors are in the frame in which the
-// query works: that of shape A, with the two shapes in the order in which the caller gave them.
+// Guarantee: filled only when asked for; asking changes no bit of the answer. Vectors are in world space, with the two
+// shapes in the order in which the caller gave them; simplices and polytopes are of the shapes' cores, rounding aside.
 #pragma once
 
 #include <array>

@@ -58,14 +58,14 @@ Distance<T> mirrored(Distance<T> d) {
 /// The same for what was computed in double: only the answer is rounded to T.
 template <class T>
 Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
-  const Posed pose{cast<double>(pose_a.translation), normalized(cast<double>(pose_a.rotation))};
-  const Distance<double> d = finished<double>(core, radius_a, radius_b, pose);
+  const Distance<double> d = finished<double>(core, radius_a, radius_b, in_double(pose_a));
   return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
 }
 
 template <class T>
 Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, Trace* trace) {
   const GeneralDistance g = general_distance(a.shape, b.shape, relative_in_double(a.pose, b.pose), trace);
+  if (trace) to_world(*trace, in_double(a.pose));
   Distance<T> d = finished_in_double(g.core, radius_a, radius_b, a.pose);
   d.status = g.status;
   d.error = static_cast<T>(g.error);
@@ -107,12 +107,14 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
     return half_spaces(a, ra, b, rb);
   } else if constexpr (half_a) {
     return finished(half_space_distance(cb, relative(a.pose, b.pose)), ra, rb, a.pose);
-  } else if constexpr (half_b || ClosedForm<B, A, T> > ClosedForm<A, B, T>) {
+  } else if constexpr (half_b) {
     return mirrored(pair_distance<B, A>(b, a, trace));
   } else {
-    if constexpr (ClosedForm<A, B, T>)
-      if (has_core(ca) && has_core(cb))
-        return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
+    if constexpr (ClosedForm<A, B, T>) {
+      if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
+    } else if constexpr (ClosedForm<B, A, T>) {
+      if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
+    }
     return general(a, ra, b, rb, trace);
   }
 }
@@ -130,9 +132,27 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
     return pair_distance<A, B>(a, b, trace).distance <= T(0);
   } else {
-    return general_overlap(a.shape, b.shape, relative_in_double(a.pose, b.pose),
-                           static_cast<double>(ra) + static_cast<double>(rb), trace);
+    const bool touch = general_overlap(a.shape, b.shape, relative_in_double(a.pose, b.pose),
+                                       static_cast<double>(ra) + static_cast<double>(rb), trace);
+    if (trace) to_world(*trace, in_double(a.pose));
+    return touch;
   }
+}
+
+/// What the two shapes cover on the axis of the answer, for an explanation.
+template <class T>
+void trace_normal(const Body<T>& a, const Body<T>& b, const Distance<T>& d, Trace& trace) {
+  const auto furthest = [](const Body<T>& body, const Vec3<T>& direction) {
+    if (body.shape.template as<HalfSpace<T>>()) {
+      const Vec3<T> up = rotate(body.pose.rotation, Vec3<T>{T(0), T(1), T(0)});
+      const bool along = dot(up, direction) > T(0.5);
+      return along ? dot(body.pose.translation, direction) + body.shape.margin() : std::numeric_limits<T>::infinity();
+    }
+    return dot(transform(body.pose, support(body.shape, rotate(conjugate(body.pose.rotation), direction))), direction);
+  };
+  trace.axes.push_back({"normal", cast<double>(d.normal), static_cast<double>(-furthest(a, -d.normal)),
+                        static_cast<double>(furthest(a, d.normal)), static_cast<double>(-furthest(b, -d.normal)),
+                        static_cast<double>(furthest(b, d.normal))});
 }
 
 template <class T>
@@ -207,7 +227,9 @@ T position_weight(const Shape<T>& a, const Shape<T>& b) {
 template <class T>
 Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                             Trace* trace) {
-  return routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
+  const Distance<T> d = routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
+  if (trace) trace_normal<T>({a, pose_a}, {b, pose_b}, d, *trace);
+  return d;
 }
 
 template <class T>

@@ -47,7 +47,9 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
     trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
   }
   const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
-  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower);
+  // A depth that rounding cannot tell from none is none: the shapes touch.
+  const double distance = std::abs(e.upper) <= noise ? 0.0 : -e.upper;
+  return judged<T>(difference, centered(distance, e.normal, e.a, e.b), e.upper - e.lower);
 }
 
 template <class T>
@@ -58,6 +60,21 @@ bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, 
   const GjkGoal goal{distance_goal * difference.size() + rounding * difference.reach(), reach, reach};
   const GjkResult g = gjk(difference, goal, trace);
   return g.end == GjkEnd::touching || g.upper <= reach;
+}
+
+void to_world(Trace& trace, const Posed& pose_a) {
+  const auto point = [&](TraceSupport& p) { p = {transform(pose_a, p.a), transform(pose_a, p.b)}; };
+  const auto direction = [&](Vec3d& d) { d = rotate(pose_a.rotation, d); };
+  for (TraceGjk& step : trace.gjk) {
+    for (TraceSupport& p : step.simplex) point(p);
+    direction(step.direction);
+    point(step.found);
+  }
+  for (TraceEpa& step : trace.epa) {
+    direction(step.normal);
+    point(step.found);
+  }
+  for (TraceSupport& p : trace.polytope) point(p);
 }
 
 template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, Trace*);

@@ -20,11 +20,17 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
 template <class T>
 bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace);
 
-/// The relative pose in double, whatever the scalar, its rotation of unit length to double's precision.
+/// Takes what the general path wrote into a trace, in A's frame, to the world.
+void to_world(Trace& trace, const Posed& pose_a);
+
+/// A pose in double, whatever the scalar, its rotation of unit length to double's precision.
+template <class T>
+Posed in_double(const Pose<T>& pose) {
+  return {cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
+}
 template <class T>
 Posed relative_in_double(const Pose<T>& a, const Pose<T>& b) {
-  const Quatd qa = normalized(cast<double>(a.rotation)), qb = normalized(cast<double>(b.rotation));
-  return relative(Posed{cast<double>(a.translation), qa}, Posed{cast<double>(b.translation), qb});
+  return relative(in_double(a), in_double(b));
 }
 
 }  // namespace graze
