@@ -187,41 +187,6 @@ const Routines<T>& routines(const Shape<T>& a, const Shape<T>& b) {
   return table[a.index() * Shape<T>::count + b.index()];
 }
 
-/// The support face of a shape that lies on a half-space: each vertex with its own height.
-template <class T>
-void rest_on_half_space(const Body<T>& plane, const Body<T>& body, T margin, bool plane_is_a, Manifold<T>& manifold) {
-  const Pose<T> pose = relative(plane.pose, body.pose);
-  const Vec3<T> up{T(0), T(1), T(0)};
-  const Vec3<T> normal = rotate(plane.pose.rotation, up);
-  const T lift = plane.shape.margin();
-  body.shape.visit([&](const auto& c) {
-    if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) {
-      Face<T> face;
-      c.core_face(rotate(conjugate(pose.rotation), -up), face);
-      const T radius = rounding_radius(c, body.shape.margin());
-      for (std::size_t i = 0; i < face.vertices.size(); ++i) {
-        const Vec3<T> p = transform(pose, face.vertices[i]);
-        const T d = p.y - radius - lift;
-        if (!(d <= margin)) continue;
-        const Vec3<T> low = transform(plane.pose, Vec3<T>{p.x, lift, p.z}), high = transform(plane.pose, p - up * radius);
-        ContactPoint<T> point{low, high, d, face.ids[i]};
-        if (!plane_is_a) std::swap(point.a, point.b);
-        manifold.points.push_back(point);
-      }
-    }
-  });
-  manifold.normal = plane_is_a ? normal : -normal;
-}
-
-/// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
-template <class T>
-T position_weight(const Shape<T>& a, const Shape<T>& b) {
-  const auto *sa = a.template as<Sphere<T>>(), *sb = b.template as<Sphere<T>>();
-  if (!sa || !sb) return T(0.5);
-  const T ra = sa->radius() + a.margin(), rb = sb->radius() + b.margin();
-  return ra + rb > T(0) ? ra / (ra + rb) : T(0.5);
-}
-
 }  // namespace
 
 template <class T>
@@ -237,28 +202,9 @@ bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
   return routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
 }
 
-template <class T>
-Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                            Manifold<T>& manifold, Trace* trace) {
-  const Body<T> body_a{a, pose_a}, body_b{b, pose_b};
-  const Distance<T> d = convex_distance(a, pose_a, b, pose_b, trace);
-  if (d.status == Status::unbounded || !(d.distance <= margin)) return d;
-  const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;
-  if (half_a != half_b) {
-    half_a ? rest_on_half_space(body_a, body_b, margin, true, manifold)
-           : rest_on_half_space(body_b, body_a, margin, false, manifold);
-    if (!manifold.points.empty()) return d;
-  }
-  manifold.normal = d.normal;
-  manifold.points.push_back({d.a, d.b, d.distance, 0, position_weight(a, b)});
-  return d;
-}
-
 #define GRAZE_INSTANTIATE(T)                                                                                         \
   template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);    \
-  template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);            \
-  template Distance<T> convex_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T,          \
-                                       Manifold<T>&, Trace*);
+  template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

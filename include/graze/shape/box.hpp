@@ -47,7 +47,8 @@ class Box {
       face.push(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u) << u) |
                        (std::size_t(positive_v) << v));
     };
-    const bool flat_u = a[u] <= face_lean<T>, flat_v = a[v] <= face_lean<T>;
+    // A side of no length has but one end: what is left of the face is an edge or a corner.
+    const bool flat_u = a[u] <= face_lean<T> && half_[u] > T(0), flat_v = a[v] <= face_lean<T> && half_[v] > T(0);
     if (flat_u && flat_v) {
       face.id = static_cast<std::uint32_t>(2 * major + std::size_t(positive[major]));
       const bool forward = positive[major];  // u, v, major are right-handed

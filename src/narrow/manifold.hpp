@@ -1,0 +1,41 @@
+// The manifold of two faces: where they lie over each other along a normal.
+//
+// Guarantee: every point lies on both faces (prolonged along the normal), b - a is its distance along the normal, and
+// the points span the whole area in which the faces lie over each other.
+#pragma once
+
+#include "graze/contact.hpp"
+#include "graze/shape/face.hpp"
+
+namespace graze {
+
+/// A support face in the frame of the pair. One vertex, an edge or a convex polygon.
+struct PlacedFace {
+  SmallVector<Vec3d, 16> vertices;
+  SmallVector<std::uint32_t, 16> ids;
+  std::uint32_t id = 0;
+};
+
+/// A place where two faces touch, before rounding: heights along the normal.
+struct FaceContact {
+  Vec3d a, b;
+  std::uint32_t feature;
+};
+
+using FaceContacts = SmallVector<FaceContact, 16>;
+
+/// The outward unit normal of a polygon, by Newell's method; zero for anything less than a polygon with an area.
+Vec3d polygon_normal(const PlacedFace& face);
+
+/// Lays B's face over A's along the unit normal (from A to B) and appends the vertices of the area that they share:
+/// vertices of one inside the other, and crossings of edges; for two edges, the ends of the stretch they run along
+/// each other. Nothing when they only cross in a point or do not meet: the closest points serve better then.
+void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, FaceContacts& contacts);
+
+/// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.
+std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b);
+std::uint32_t vertex_feature(std::uint32_t vertex);
+std::uint32_t edge_feature(std::uint32_t vertex, std::uint32_t other);
+std::uint32_t face_feature(std::uint32_t face);
+
+}  // namespace graze
