@@ -22,8 +22,10 @@ template <class T>
 struct HullData {
   struct Edge {
     std::uint32_t vertex[2];
-    std::uint32_t face[2];  ///< left of vertex[0] -> vertex[1] seen from outside, then right
+    std::uint32_t face[2];  ///< left of vertex[0] -> vertex[1] seen from outside, then right; `no_face` of a segment
   };
+
+  static constexpr std::uint32_t no_face = 0xffffffffu;
 
   int dimension = 0;                         ///< 0 a point, 1 a segment, 2 a flat polygon, 3 a polyhedron
   T tolerance = T(0);                        ///< how far an input point may lie outside
@@ -35,10 +37,12 @@ struct HullData {
   std::vector<Edge> edges;                   ///< each once
   std::vector<std::uint32_t> neighbor_begin; ///< vertex v's neighbours are neighbors[neighbor_begin[v] .. [v + 1])
   std::vector<std::uint32_t> neighbors;
+  std::vector<std::uint32_t> incident_begin; ///< and its faces incident[incident_begin[v] .. [v + 1])
+  std::vector<std::uint32_t> incident;
   /// Dobkin and Kirkpatrick's hierarchy, coarsest level first; empty for hulls that a scan answers faster.
   struct Level {
     std::vector<std::uint32_t> vertices;        ///< indices into the hull's vertices
-    std::vector<std::uint32_t> finer;           ///< for each, its place in the next finer level
+    std::vector<std::uint32_t> finer;           ///< for each, its place in the next finer level (of the last: the hull)
     std::vector<std::uint32_t> neighbor_begin;
     std::vector<std::uint32_t> neighbors;       ///< places in this level
   };
@@ -49,6 +53,9 @@ struct HullData {
   }
   std::span<const std::uint32_t> around(std::size_t vertex) const {
     return std::span(neighbors).subspan(neighbor_begin[vertex], neighbor_begin[vertex + 1] - neighbor_begin[vertex]);
+  }
+  std::span<const std::uint32_t> faces_at(std::size_t vertex) const {
+    return std::span(incident).subspan(incident_begin[vertex], incident_begin[vertex + 1] - incident_begin[vertex]);
   }
 };
 

@@ -1,0 +1,160 @@
+#include "graze/shape/convex_hull.hpp"
+
+#include "graze/shape/triangle.hpp"
+#include "shape/hull_hierarchy.hpp"
+#include "shape/hull_polygons.hpp"
+
+namespace graze {
+
+namespace {
+
+template <class T>
+void fill_flat(HullData<T>& hull, const std::vector<std::uint32_t>& polygon, std::span<const Vec3<T>> points) {
+  const Loops both{polygon, {polygon.rbegin(), polygon.rend()}};
+  fill_faces(hull, both, points);
+}
+
+template <class T>
+void fill_segment(HullData<T>& hull, const std::vector<std::uint32_t>& ends, std::span<const Vec3<T>> points) {
+  for (const std::uint32_t v : ends) hull.vertices.push_back(points[v]);
+  hull.face_begin = {0};
+  hull.incident_begin.assign(ends.size() + 1, 0);
+  if (ends.size() == 1) {
+    hull.neighbor_begin = {0, 0};
+    return;
+  }
+  hull.edges.push_back({{0, 1}, {HullData<T>::no_face, HullData<T>::no_face}});
+  hull.neighbor_begin = {0, 1, 2};
+  hull.neighbors = {1, 0};
+}
+
+/// Climbs from `start` to a vertex with no better neighbour: on a convex polyhedron the best of all.
+template <class T, class S, class Vertex, class Around>
+std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::uint32_t start, const Vertex& vertex,
+                      const Around& around) {
+  std::uint32_t best = start;
+  S most = dot(cast<S>(hull.vertices[vertex(best)]), direction);
+  for (bool better = true; better;) {
+    better = false;
+    for (const std::uint32_t n : around(best)) {
+      const S along = dot(cast<S>(hull.vertices[vertex(n)]), direction);
+      if (along > most) {
+        most = along;
+        best = n;
+        better = true;
+        break;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+template <class T>
+ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> points) {
+  if (points.empty()) throw InvalidValue("points", "at least one point", "none");
+  std::vector<Vec3d> precise;
+  precise.reserve(points.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    validate::point(points[i], "points[" + std::to_string(i) + "]");
+    precise.push_back(cast<double>(points[i]));
+    largest = std::max(largest, max_abs(precise.back()));
+  }
+  auto hull = std::make_shared<HullData<T>>();
+  const Grid grid = to_grid(precise);
+  // What the coordinates' own rounding can do to a plane through three of them, and the grid's step.
+  const double merge = 4 * (grid.step + static_cast<double>(std::numeric_limits<T>::epsilon()) * largest);
+  hull->tolerance = static_cast<T>(2 * merge);
+
+  const HullSurface surface = hull_surface(grid.points);
+  hull->dimension = surface.dimension;
+  if (surface.dimension == 3) {
+    fill_faces(*hull, merged_loops(surface.triangles, precise, merge), points);
+    std::vector<Vec3d> kept;
+    for (const Vec3<T>& v : hull->vertices) kept.push_back(cast<double>(v));
+    build_hierarchy(*hull, to_grid(kept).points);
+  } else if (surface.dimension == 2) {
+    fill_flat(*hull, surface.polygon, points);
+  } else {
+    fill_segment(*hull, surface.polygon, points);
+  }
+  for (const Vec3<T>& v : hull->vertices) hull->extent = greatest(hull->extent, length(v));
+  data_ = std::move(hull);
+}
+
+template <class T>
+template <class S>
+std::size_t ConvexHull<T>::support_vertex(const Vec3<S>& direction) const {
+  const HullData<T>& hull = *data_;
+  if (hull.hierarchy.empty()) return detail::furthest(hull.vertices.data(), hull.vertices.size(), direction);
+  std::uint32_t at = 0;
+  for (const auto& level : hull.hierarchy) {
+    at = climbed(
+        hull, direction, at, [&](std::uint32_t i) { return level.vertices[i]; },
+        [&](std::uint32_t i) {
+          return std::span(level.neighbors)
+              .subspan(level.neighbor_begin[i], level.neighbor_begin[i + 1] - level.neighbor_begin[i]);
+        });
+    at = level.finer[at];
+  }
+  return climbed(
+      hull, direction, at, [](std::uint32_t i) { return i; }, [&](std::uint32_t i) { return hull.around(i); });
+}
+
+template <class T>
+void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face) const {
+  const HullData<T>& hull = *data_;
+  face.clear();
+  const Vec3<T> n = normalized(direction);
+  const auto top = static_cast<std::uint32_t>(support_vertex(n));
+  const auto faces = static_cast<std::uint32_t>(hull.planes.size());
+
+  std::uint32_t best = HullData<T>::no_face;
+  T least_lean = face_lean<T>;
+  for (const std::uint32_t f : hull.faces_at(top)) {
+    const Vec3<T>& m = hull.planes[f].normal;
+    const T lean = length(cross(m, n));
+    if (!(dot(m, n) > T(0)) || lean > least_lean) continue;
+    least_lean = lean;
+    best = f;
+  }
+  if (best != HullData<T>::no_face) {
+    for (const std::uint32_t v : hull.loop(best)) face.push(hull.vertices[v], v);
+    face.id = best;
+    return;
+  }
+  least_lean = face_lean<T>;
+  for (const std::uint32_t v : hull.around(top)) {
+    const Vec3<T> edge = hull.vertices[top] - hull.vertices[v];
+    const T lean = dot(edge, n) / length(edge);
+    if (lean > least_lean) continue;
+    least_lean = lean;
+    best = v;
+  }
+  face.push(hull.vertices[top], top);
+  face.id = faces + top;
+  if (best == HullData<T>::no_face) return;
+  face.push(hull.vertices[best], best);
+  face.id = faces + static_cast<std::uint32_t>(hull.vertices.size()) + least(top, best);
+}
+
+template <class T>
+Aabb<T> ConvexHull<T>::core_bounds(const Pose<T>& pose) const {
+  const Mat3<T> m = rotation_matrix(pose.rotation);
+  Vec3<T> lower, upper;
+  for (std::size_t i = 0; i < 3; ++i) {
+    upper[i] = dot(m.row[i], data_->vertices[support_vertex(m.row[i])]);
+    lower[i] = dot(m.row[i], data_->vertices[support_vertex(-m.row[i])]);
+  }
+  return {pose.translation + lower, pose.translation + upper};
+}
+
+template class ConvexHull<float>;
+template class ConvexHull<double>;
+template std::size_t ConvexHull<float>::support_vertex(const Vec3<float>&) const;
+template std::size_t ConvexHull<float>::support_vertex(const Vec3<double>&) const;
+template std::size_t ConvexHull<double>::support_vertex(const Vec3<double>&) const;
+
+}  // namespace graze
