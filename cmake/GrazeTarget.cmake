@@ -23,6 +23,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # -Wno-psabi: vector types are passed differently than by g++ 4, and nobody links Graze to such code.
   # -Wdouble-promotion: double from float unasked costs speed; clang's also counts `double h(some_float)`.
   list(APPEND graze_warnings -Wno-psabi -Wlogical-op -Wdouble-promotion)
+else()
+  # Kernels join conditions by & because a lane's are masks; for a single scalar they are bools.
+  list(APPEND graze_warnings -Wno-bitwise-instead-of-logical)
 endif()
 
 set(graze_sanitize "")

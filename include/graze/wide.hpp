@@ -60,21 +60,22 @@ struct Wide {
   Wide& operator-=(const Wide& b) { return *this = *this - b; }
   Wide& operator*=(const Wide& b) { return *this = *this * b; }
 
-  friend Mask operator<(const Wide& a, const Wide& b) { return {(BitVector)(a.v < b.v)}; }
-  friend Mask operator<=(const Wide& a, const Wide& b) { return {(BitVector)(a.v <= b.v)}; }
-  friend Mask operator>(const Wide& a, const Wide& b) { return {(BitVector)(a.v > b.v)}; }
-  friend Mask operator>=(const Wide& a, const Wide& b) { return {(BitVector)(a.v >= b.v)}; }
-  friend Mask operator==(const Wide& a, const Wide& b) { return {(BitVector)(a.v == b.v)}; }
-  friend Mask operator!=(const Wide& a, const Wide& b) { return {(BitVector)(a.v != b.v)}; }
+  friend Mask operator<(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v < b.v)}; }
+  friend Mask operator<=(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v <= b.v)}; }
+  friend Mask operator>(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v > b.v)}; }
+  friend Mask operator>=(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v >= b.v)}; }
+  friend Mask operator==(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v == b.v)}; }
+  friend Mask operator!=(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v != b.v)}; }
 
   friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
-    return of((Vector)(((BitVector)yes.v & condition.bits) | ((BitVector)no.v & ~condition.bits)));
+    return of(reinterpret_cast<Vector>((reinterpret_cast<BitVector>(yes.v) & condition.bits) |
+                                       (reinterpret_cast<BitVector>(no.v) & ~condition.bits)));
   }
   friend Wide least(const Wide& a, const Wide& b) { return select(b < a, b, a); }
   friend Wide greatest(const Wide& a, const Wide& b) { return select(a < b, b, a); }
   friend Wide abs(const Wide& a) {
     constexpr Bits sign = sizeof(T) == 4 ? Bits(0x80000000u) : Bits(0x8000000000000000u);
-    return of((Vector)((BitVector)a.v & ~(BitVector{} + sign)));
+    return of(reinterpret_cast<Vector>(reinterpret_cast<BitVector>(a.v) & ~(BitVector{} + sign)));
   }
   /// Lane by lane: both compilers make one vector instruction of the loop.
   friend Wide sqrt(const Wide& a) {

@@ -1,0 +1,15 @@
+// The commands of the program, one file each. Each adds itself to the command line and returns what runs it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace graze::cli {
+
+/// What a command does when it was chosen; returns the exit code.
+using Run = std::function<int()>;
+
+Run add_query(CLI::App& app);
+
+}  // namespace graze::cli

@@ -1,0 +1,29 @@
+// The query protocol: one JSON question a line, one JSON answer a line.
+//
+// Guarantee: every line that is not blank gets exactly one answer, in order; whatever its bytes, it can neither crash
+// nor hang the process, nor make it hold more than a small multiple of the line itself. What cannot be answered is
+// answered by an error that names the path of the value at fault, what was expected there and what was found.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace graze::io {
+
+enum class Precision { single_precision, double_precision };
+
+struct AnswerLine {
+  std::string text;    ///< one JSON object, without a line end
+  bool error = false;
+};
+
+/// Answers one question.
+AnswerLine answer_line(std::string_view line, Precision precision);
+
+/// Answers all lines of `in`, one at a time; flushes before it would wait for more input. Returns how many answers were
+/// errors.
+std::size_t answer_stream(std::istream& in, std::ostream& out, Precision precision);
+
+}  // namespace graze::io

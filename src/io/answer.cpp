@@ -1,0 +1,139 @@
+#include "io/answer.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "graze/query.hpp"
+
+namespace graze::io {
+
+namespace {
+
+/// An answer in the plane has no z, and its normal none either: what rounding left of it is taken off.
+template <class T>
+Vec3<T> in_plane(const Vec3<T>& normal, int dimension) {
+  return dimension == 3 ? normal : normalized(Vec3<T>{normal.x, normal.y, T(0)});
+}
+
+void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
+  out.open('[');
+  for (const TraceSupport& p : points) out.open('{').key("a").vector(p.a).key("b").vector(p.b).close('}');
+  out.close(']');
+}
+
+void write_trace(const Trace& trace, JsonWriter& out) {
+  out.key("trace").open('{').key("method").raw(Json(trace.method).dump());
+  if (!trace.reason.empty()) out.key("reason").raw(Json(trace.reason).dump());
+  out.key("axes").open('[');
+  for (const TraceAxis& axis : trace.axes) {
+    out.open('{').key("name").raw(Json(axis.name).dump()).key("direction").vector(axis.direction);
+    out.key("a").open('[').number(axis.a_lower).number(axis.a_upper).close(']');
+    out.key("b").open('[').number(axis.b_lower).number(axis.b_upper).close(']');
+    out.key("overlap").number(axis.overlap()).close('}');
+  }
+  out.close(']').key("gjk").open('[');
+  for (const TraceGjk& step : trace.gjk) {
+    out.open('{').key("simplex");
+    write_points(step.simplex, out);
+    out.key("direction").vector(step.direction).key("found").open('{');
+    out.key("a").vector(step.found.a).key("b").vector(step.found.b).close('}');
+    out.key("lower").number(step.lower).key("upper").number(step.upper).close('}');
+  }
+  out.close(']').key("epa").open('[');
+  for (const TraceEpa& step : trace.epa) {
+    out.open('{').key("normal").vector(step.normal).key("faceDepth").number(step.face_depth);
+    out.key("foundDepth").number(step.found_depth).key("faces").number(static_cast<double>(step.faces)).close('}');
+  }
+  out.close(']');
+  if (!trace.polytope.empty()) {
+    out.key("polytope").open('{').key("points");
+    write_points(trace.polytope, out);
+    out.key("triangles").open('[');
+    for (const auto& t : trace.triangles) {
+      out.open('[');
+      for (const std::size_t i : t) out.number(static_cast<double>(i));
+      out.close(']');
+    }
+    out.close(']').close('}');
+  }
+  out.close('}');
+}
+
+template <class T>
+void write_distance(const Question<T>& q, Trace* trace, JsonWriter& out) {
+  const Distance<T> d = distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, trace);
+  if (d.status == Status::unbounded)
+    throw InvalidValue("a, b", "shapes of finite depth", "two half-spaces that are not opposite");
+  out.key("distance").number(d.distance).key("normal").vector(in_plane(d.normal, q.dimension), q.dimension);
+  out.key("a").vector(d.a, q.dimension).key("b").vector(d.b, q.dimension);
+}
+
+/// The points of a prism's manifold stand twice, at both depths.
+template <class T>
+std::vector<ContactPoint<T>> points_of(const Manifold<T>& manifold, int dimension) {
+  std::vector<ContactPoint<T>> points(manifold.points.begin(), manifold.points.end());
+  if (dimension == 3) return points;
+  T size(0);
+  for (const auto& p : points) size = greatest(size, greatest(max_abs(p.a), max_abs(p.b)));
+  const T same = T(64) * std::numeric_limits<T>::epsilon() * size;
+  std::vector<ContactPoint<T>> flat;
+  for (ContactPoint<T> p : points) {
+    p.a.z = p.b.z = T(0);
+    const bool known = std::any_of(flat.begin(), flat.end(), [&](const ContactPoint<T>& other) {
+      return max_abs(other.a - p.a) <= same && max_abs(other.b - p.b) <= same;
+    });
+    if (!known) flat.push_back(p);
+  }
+  return flat;
+}
+
+template <class T>
+void write_contacts(const Question<T>& q, Trace* trace, JsonWriter& out) {
+  Manifolds<T> manifolds;
+  const bool touch = contacts(q.a->shape, q.a->pose, q.b->shape, q.b->pose, q.margin, manifolds, trace);
+  out.key("overlap").value(touch).key("manifolds").open('[');
+  for (const Manifold<T>& manifold : manifolds) {
+    out.open('{').key("normal").vector(in_plane(manifold.normal, q.dimension), q.dimension).key("points").open('[');
+    for (const ContactPoint<T>& p : points_of(manifold, q.dimension)) {
+      char feature[16];
+      std::snprintf(feature, sizeof feature, "\"%08x\"", p.feature);
+      out.open('{').key("a").vector(p.a, q.dimension).key("b").vector(p.b, q.dimension);
+      out.key("distance").number(p.distance).key("feature").raw(feature).close('}');
+    }
+    out.close(']').close('}');
+  }
+  out.close(']');
+}
+
+template <class T>
+void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
+  const Closest<T> c = closest(q.a->shape, q.a->pose, *q.point, trace);
+  out.key("distance").number(c.distance).key("point").vector(c.point, q.dimension);
+  out.key("normal").vector(in_plane(c.normal, q.dimension), q.dimension);
+}
+
+}  // namespace
+
+template <class T>
+void write_answer(const Question<T>& q, JsonWriter& out) {
+  Trace trace;
+  Trace* asked = q.explain ? &trace : nullptr;
+  switch (q.query) {
+    case QueryKind::overlap:
+      out.key("overlap").value(overlap(q.a->shape, q.a->pose, q.b->shape, q.b->pose, asked));
+      break;
+    case QueryKind::distance: write_distance(q, asked, out); break;
+    case QueryKind::contacts: write_contacts(q, asked, out); break;
+    case QueryKind::closest: write_closest(q, asked, out); break;
+    case QueryKind::raycast:
+    case QueryKind::cast:
+      throw InvalidValue("query", "one of overlap, distance, contacts, closest (rays and casts are not in this version)",
+                         q.query == QueryKind::cast ? "\"cast\"" : "\"raycast\"");
+  }
+  if (asked) write_trace(trace, out);
+}
+
+template void write_answer(const Question<float>&, JsonWriter&);
+template void write_answer(const Question<double>&, JsonWriter&);
+
+}  // namespace graze::io

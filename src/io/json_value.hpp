@@ -1,0 +1,92 @@
+// JSON values that know their path, so that every complaint names the place.
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "graze/error.hpp"
+#include "graze/pose.hpp"
+
+namespace graze::io {
+
+using Json = nlohmann::json;
+
+/// Parses one JSON text. Throws `InvalidValue` (without a path) for what is not one, or is nested deeper than
+/// `max_json_depth`. A number too large for a double becomes a marked string, so that it can be named where it stands.
+Json parse_json(std::string_view text);
+
+/// Bounds recursion over a parsed value to a fraction of the usual eight megabytes of stack.
+inline constexpr int max_json_depth = 2000;
+
+/// A value as it appears in an error: compact, and shortened when long.
+std::string shown(const Json& value);
+
+/// A value of a question and its path.
+class JsonValue {
+ public:
+  JsonValue(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
+
+  const Json& json() const { return *json_; }
+  const std::string& path() const { return path_; }
+
+  [[noreturn]] void fail(const std::string& expectation) const { throw InvalidValue(path_, expectation, shown(*json_)); }
+
+  /// Checks that this is an object with no keys but these (and `comment`).
+  const JsonValue& keys(std::initializer_list<std::string_view> known) const;
+
+  bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
+  /// The value of a key that must be there.
+  JsonValue at(const char* key) const;
+  /// The value of a key, or nothing.
+  std::optional<JsonValue> find(const char* key) const;
+
+  /// The elements of an array, of exactly `count` when that is given.
+  std::vector<JsonValue> elements(std::optional<std::size_t> count = {}) const;
+
+  std::string string() const;
+  bool boolean() const;
+  std::size_t whole_number() const;  ///< >= 0
+
+  /// A number that is finite in T.
+  template <class T>
+  T number() const {
+    if (!json_->is_number()) fail("a finite number");
+    const T value = static_cast<T>(json_->get<double>());
+    if (!std::isfinite(value)) fail("a finite number");
+    return value;
+  }
+  template <class T>
+  T length() const {
+    const T value = json_->is_number() ? static_cast<T>(json_->get<double>()) : T(-1);
+    if (!(value >= T(0) && std::isfinite(value))) fail("a finite number >= 0");
+    return value;
+  }
+  template <class T>
+  Vec3<T> vector() const {
+    const auto parts = elements(3);
+    return {parts[0].number<T>(), parts[1].number<T>(), parts[2].number<T>()};
+  }
+  /// Two coordinates, in the plane z = 0.
+  template <class T>
+  Vec3<T> plane_vector() const {
+    const auto parts = elements(2);
+    return {parts[0].number<T>(), parts[1].number<T>(), T(0)};
+  }
+  template <class T>
+  Vec3<T> lengths() const {
+    const auto parts = elements(3);
+    return {parts[0].length<T>(), parts[1].length<T>(), parts[2].length<T>()};
+  }
+
+ private:
+  const Json* json_;
+  std::string path_;
+};
+
+}  // namespace graze::io

@@ -1,0 +1,48 @@
+// A question of the protocol, as data.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "graze/lines.hpp"
+#include "graze/shape.hpp"
+#include "io/json_value.hpp"
+
+namespace graze::io {
+
+enum class QueryKind { overlap, distance, contacts, raycast, cast, closest };
+
+template <class T>
+struct MovingBody {
+  Shape<T> shape;
+  Pose<T> pose{};
+  Vec3<T> linear{}, angular{};
+};
+
+template <class T>
+struct Question {
+  QueryKind query = QueryKind::overlap;
+  int dimension = 3;
+  std::optional<MovingBody<T>> a, b;
+  T margin = T(0);
+  std::optional<Ray<T>> ray;
+  T ray_length = std::numeric_limits<T>::infinity();
+  std::optional<Vec3<T>> point;
+  T duration = T(1);
+  bool explain = false;
+};
+
+/// Reads a whole question; throws `InvalidValue` with the path of the first value at fault.
+template <class T>
+Question<T> read_question(const JsonValue& json);
+
+/// The shape of a body in space.
+template <class T>
+Shape<T> read_shape(const JsonValue& json);
+
+/// The two bodies of a question in the plane, as prisms. Both at once, since each must be deeper than the other can
+/// reach into it.
+template <class T>
+void read_plane_bodies(const JsonValue& json, Question<T>& question);
+
+}  // namespace graze::io

@@ -1,0 +1,177 @@
+// The query protocol, rule by rule.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "graze/io/protocol.hpp"
+
+namespace graze::io {
+namespace {
+
+using Json = nlohmann::json;
+
+Json ask(const std::string& line, Precision precision = Precision::double_precision) {
+  const AnswerLine answer = answer_line(line, precision);
+  const Json json = Json::parse(answer.text);
+  EXPECT_EQ(json.contains("error"), answer.error);
+  return json;
+}
+
+std::string error(const std::string& line, Precision precision = Precision::double_precision) {
+  const Json json = ask(line, precision);
+  return json.contains("error") ? json["error"].get<std::string>() : "no error: " + json.dump();
+}
+
+/// A distance from a shape to a ball of radius 0.5 at (3, 0, 0).
+std::string to_ball(const std::string& shape, const std::string& more = "") {
+  return R"({"query": "distance", "a": {"shape": )" + shape +
+         R"(}, "b": {"shape": {"type": "sphere", "sphere": {"radius": 0.5}}, "translation": [3, 0, 0]})" + more + "}";
+}
+
+TEST(Protocol, TheExampleOfEveryShape) {
+  const std::pair<const char*, double> cases[] = {
+      {R"({"type": "sphere", "sphere": {"radius": 1}})", 1.5},
+      {R"({"type": "sphere"})", 2},  // the default radius is one half
+      {R"({"type": "box", "box": {"size": [2, 2, 2]}})", 1.5},
+      {R"({"type": "box", "box": {"size": [2, 2, 2]}, "margin": 0.25})", 1.25},
+      {R"({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 1, "radiusTop": 1}})", 1.5},
+      {R"({"type": "cylinder", "cylinder": {"height": 2, "radiusBottom": 1, "radiusTop": 1}})", 1.5},
+      {R"({"type": "cylinder", "cylinder": {"height": 2, "radiusBottom": 1, "radiusTop": 0}, "comment": "a cone"})",
+       std::sqrt(5.0) - 0.5},  // to the rim at (1, -1, 0)
+      {R"({"type": "ellipsoid", "ellipsoid": {"radii": [1, 2, 3]}})", 1.5},
+      {R"({"type": "convex", "convex": {"points": [[1, 0, 0]]}})", 1.5},
+      {R"({"type": "convex", "convex": {"points": [[1, -1, 0], [1, 1, 0]]}})", 1.5},
+      {R"({"type": "triangle", "triangle": {"points": [[1, -1, -1], [1, 1, -1], [1, 0, 2]]}})", 1.5},
+      {R"({"type": "plane"})", -0.5},
+      {R"({"type": "plane", "plane": {"sizeX": 2, "sizeZ": 2}})", 1.5},
+      {R"({"type": "mesh", "mesh": {"points": [[1, -1, -1], [1, 1, -1], [1, 0, 2]], "triangles": [[0, 1, 2]]}})", 1.5},
+      {R"({"type": "heightfield", "heightfield": {"columns": 2, "rows": 2, "spacing": [2, 2], "heights": [0, 0, 0, 0]}})",
+       1.5},
+      {R"({"type": "compound", "compound": {"children": [{"shape": {"type": "sphere"}, "translation": [0.5, 0, 0]}]}})",
+       1.5},
+  };
+  for (const auto& [shape, expected] : cases) {
+    const Json answer = ask(to_ball(shape));
+    ASSERT_TRUE(answer.contains("distance")) << shape << answer;
+    EXPECT_NEAR(answer["distance"].get<double>(), expected, 1e-9) << shape;
+  }
+}
+
+TEST(Protocol, NamesTheValueAtFault) {
+  EXPECT_EQ(error(to_ball(R"({"type": "box", "box": {"size": [1, -2, 1]}})")),
+            "a.shape.box.size[1]: expected a finite number >= 0, got -2");
+  EXPECT_EQ(error(to_ball(R"({"type": "box", "box": {"size": null}})")),
+            "a.shape.box.size: expected an array of 3, got null");
+  EXPECT_EQ(error(to_ball(R"({"type": "sphere", "sphere": {"radius": 1e400}})")),
+            "a.shape.sphere.radius: expected a finite number >= 0, got 1e400");
+  EXPECT_EQ(error(to_ball(R"({"type": "sphere", "sphere": {"radius": "1"}})")),
+            "a.shape.sphere.radius: expected a finite number >= 0, got \"1\"");
+  EXPECT_EQ(error(to_ball(R"({"type": "convex", "convex": {"points": []}})")),
+            "a.shape.convex.points: expected at least one point, got none");
+  EXPECT_EQ(error(to_ball(R"({"type": "plane", "plane": {"sizeX": 1}})")),
+            "a.shape.plane.sizeZ: expected a value, got nothing");
+  EXPECT_EQ(error(to_ball(R"({"type": "mesh", "mesh": {"points": [[0, 0, 0]], "triangles": [[0, 0, 1]]}})")),
+            "a.shape.mesh.triangles[0][2]: expected an index below 1, got 1");
+  EXPECT_EQ(error(to_ball(R"({"type": "compound", "compound": {"children": [{"shape": {"type": "ball"}}]}})")),
+            "a.shape.compound.children[0].shape.type: expected one of sphere, box, capsule, cylinder, plane, ellipsoid, "
+            "convex, triangle, mesh, heightfield, compound, got \"ball\"");
+  EXPECT_EQ(error(R"({"query": "distance", "a": {"shape": {"type": "sphere"}}})"), "b: expected a value, got nothing");
+  EXPECT_EQ(error(to_ball(R"({"type": "sphere"})", R"(, "margin": -1)")), "margin: expected a finite number >= 0, got -1");
+}
+
+TEST(Protocol, NumbersAreFiniteInThePrecisionAskedFor) {
+  const std::string big = to_ball(R"({"type": "sphere", "sphere": {"radius": 1e39}})");
+  EXPECT_EQ(error(big, Precision::single_precision), "a.shape.sphere.radius: expected a finite number >= 0, got 1e+39");
+  EXPECT_TRUE(ask(big).contains("distance"));
+}
+
+TEST(Protocol, UnknownKeysAreErrorsAndCommentsAreNot) {
+  EXPECT_EQ(error(to_ball(R"({"type": "sphere", "sphere": {"radios": 1}})")),
+            "a.shape.sphere.radios: expected one of the keys radius, got an unknown key");
+  EXPECT_EQ(error(to_ball(R"({"type": "sphere", "box": {}})")),
+            "a.shape.box: expected one of the keys type, sphere, margin, got an unknown key");
+  EXPECT_TRUE(ask(to_ball(R"({"type": "sphere", "comment": [1]})", R"(, "comment": null)")).contains("distance"));
+}
+
+TEST(Protocol, OfDuplicateKeysTheLastCounts) {
+  EXPECT_NEAR(ask(to_ball(R"({"type": "sphere", "sphere": {"radius": -1, "radius": 1}})"))["distance"].get<double>(), 1.5,
+              1e-12);
+}
+
+TEST(Protocol, EchoesTheIdInAnswersAndErrors) {
+  EXPECT_EQ(ask(R"({"id": {"n": [1, null]}, "query": "x"})")["id"], Json::parse(R"({"n": [1, null]})"));
+  EXPECT_EQ(ask(to_ball(R"({"type": "sphere"})", R"(, "id": null)"))["id"], nullptr);
+  EXPECT_FALSE(ask(to_ball(R"({"type": "sphere"})")).contains("id"));
+  for (const char* bad : {"", "{", "[]", "1", "{} {}", "{\"id\": 1} x", "\xff"}) EXPECT_FALSE(ask(bad).contains("id"));
+}
+
+TEST(Protocol, ContactsGiveTheWholeManifold) {
+  const Json answer = ask(
+      R"({"query": "contacts", "a": {"shape": {"type": "box", "box": {"size": [2, 2, 2]}}},
+          "b": {"shape": {"type": "box"}, "translation": [0, 1.55, 0]}, "margin": 0.1})");
+  EXPECT_EQ(answer["overlap"], false);
+  ASSERT_EQ(answer["manifolds"].size(), 1u);
+  EXPECT_EQ(answer["manifolds"][0]["points"].size(), 4u);
+  for (const Json& p : answer["manifolds"][0]["points"]) EXPECT_NEAR(p["distance"].get<double>(), 0.05, 1e-12);
+}
+
+TEST(Protocol, HalfSpacesThatAreNotOpposite) {
+  const std::string pair = R"("a": {"shape": {"type": "plane"}}, "b": {"shape": {"type": "plane"}}})";
+  EXPECT_EQ(ask(R"({"query": "overlap", )" + pair)["overlap"], true);
+  EXPECT_EQ(error(R"({"query": "distance", )" + pair),
+            "a, b: expected shapes of finite depth, got two half-spaces that are not opposite");
+}
+
+TEST(Protocol, TwoDimensions) {
+  const auto plane = [](const std::string& query, const std::string& a, const std::string& b) {
+    return ask(R"({"dimension": 2, "query": ")" + query + R"(", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + b + "}");
+  };
+  const std::string box = R"({"type": "box", "box": {"size": [2, 2]}})";
+  Json answer = plane("distance", box, R"({"type": "circle", "circle": {"radius": 0.5}}, "translation": [1.4, 0]})");
+  EXPECT_NEAR(answer["distance"].get<double>(), -0.1, 1e-9);
+  EXPECT_EQ(answer["normal"].size(), 2u);
+  EXPECT_NEAR(answer["b"][0].get<double>(), 0.9, 1e-9);
+  answer = plane("contacts", box, R"({"type": "box", "box": {"size": [1, 1]}}, "translation": [0.2, 1.4]})");
+  EXPECT_EQ(answer["manifolds"][0]["points"].size(), 2u);
+  answer = plane("distance", R"({"type": "plane"})", R"({"type": "circle", "circle": {"radius": 1}}, "translation": [5, 3]})");
+  EXPECT_NEAR(answer["distance"].get<double>(), 2, 1e-9);
+  // A deep overlap is left by the plane's shortest way, never along the axis that is not there.
+  answer = plane("distance", R"({"type": "circle", "circle": {"radius": 1}})",
+                 R"({"type": "circle", "circle": {"radius": 2}}, "translation": [0.5, 0]})");
+  EXPECT_NEAR(answer["distance"].get<double>(), -2.5, 1e-9);
+  answer = plane("distance", R"({"type": "capsule", "capsule": {"height": 2, "radiusBottom": 0.5, "radiusTop": 0.25}})",
+                 R"({"type": "segment", "segment": {"points": [[1, -3], [1, 3]]}}})");
+  EXPECT_NEAR(answer["distance"].get<double>(), 0.5, 1e-9);
+}
+
+TEST(Protocol, ExplainAddsTheTrace) {
+  const Json answer = ask(to_ball(R"({"type": "ellipsoid", "ellipsoid": {"radii": [1, 2, 3]}})", R"(, "explain": true)"));
+  EXPECT_EQ(answer["trace"]["method"], "gjk");
+  EXPECT_FALSE(answer["trace"]["gjk"].empty());
+}
+
+TEST(Protocol, DeepNestingIsAnErrorAndNotACrash) {
+  EXPECT_EQ(error(std::string(1000000, '[')), "expected JSON nested at most 2000 deep, got deeper nesting");
+  std::string shape = R"({"type": "sphere"})";
+  for (int i = 0; i < 400; ++i) shape = R"({"type": "compound", "compound": {"children": [{"shape": )" + shape + "}]}}";
+  EXPECT_NEAR(ask(to_ball(shape))["distance"].get<double>(), 2, 1e-12);
+}
+
+TEST(Protocol, StreamsInOrderAndSkipsBlankLines) {
+  std::istringstream in("{\"id\": 1, \"query\": \"x\"}\r\n\n  \n" + to_ball(R"({"type": "sphere"})", R"(, "id": 2)"));
+  std::ostringstream out;
+  EXPECT_EQ(answer_stream(in, out, Precision::double_precision), 1u);
+  std::istringstream lines(out.str());
+  std::string line;
+  for (int id = 1; id <= 2; ++id) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(Json::parse(line)["id"], id);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+}  // namespace
+}  // namespace graze::io
