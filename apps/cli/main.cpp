@@ -12,6 +12,8 @@ int main(int argc, char** argv) {
   app.footer("graze COMMAND --help explains a command, with an example.");
 
   const std::pair<const char*, graze::cli::Run> commands[] = {
+      {"collide", graze::cli::add_collide(app)},
+      {"info", graze::cli::add_info(app)},
       {"query", graze::cli::add_query(app)},
   };
   try {

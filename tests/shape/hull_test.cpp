@@ -153,7 +153,8 @@ TEST(ConvexHull, AgreesWithBruteForceOnSmallSets) {
   Random random(3);
   for (int round = 0; round < 100; ++round) {
     const std::vector<Vec3d> points = ball<double>(5 + random() % 12, random, false);
-    const HullData<double>& data = ConvexHull<double>(points).data();
+    const ConvexHull<double> hull(points);
+    const HullData<double>& data = hull.data();
     std::size_t faces = 0;
     const std::size_t n = points.size();
     for (std::size_t i = 0; i < n; ++i)

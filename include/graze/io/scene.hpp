@@ -54,7 +54,6 @@ struct Collider {
   std::optional<Material> material;
 };
 
-/// The triangles of a node as they are drawn, in world space, for pictures.
 struct Scene {
   std::string source;
   std::vector<Body> bodies;
@@ -68,10 +67,10 @@ enum class MeshColliders : std::uint8_t { hull, mesh, box, sphere };
 
 struct LoadOptions {
   MeshColliders mesh_colliders = MeshColliders::mesh;
-  bool force_mesh_colliders = false;  ///< make colliders of meshes even if the file has colliders of its own
+  bool chosen = false;  ///< `mesh_colliders` was asked for: meshes collide even where the file has colliders of its own
 };
 
-/// glTF 2.0 (.gltf, .glb) with KHR_implicit_shapes and KHR_physics_rigid_bodies; OBJ, STL and PLY as one mesh each.
+/// Reads a scene file. glTF 2.0 (.gltf, .glb) with KHR_implicit_shapes and KHR_physics_rigid_bodies; OBJ, STL and PLY as one mesh each.
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// As `load_scene`, from memory (for tests and fuzzing); external files are not opened.

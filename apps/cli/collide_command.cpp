@@ -1,0 +1,128 @@
+// graze collide: the contacts of a scene.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "graze/io/collide.hpp"
+#include "graze/io/picture.hpp"
+#include "graze/io/scene_writer.hpp"
+#include "scene_options.hpp"
+
+namespace graze::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  SceneOptions scene;
+  bool json = false;
+  double margin = 0;
+  std::string precision = "double", out, svg;
+  std::vector<double> direction{1, 0.7, 1.2};
+};
+
+Json array(const Vec3d& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+
+void print_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
+  Json out = Json::array();
+  for (const io::TouchingPair& pair : pairs) {
+    Json manifolds = Json::array();
+    for (const auto& m : pair.manifolds) {
+      Json points = Json::array();
+      for (const auto& p : m.points)
+        points.push_back({{"a", array(p.a)}, {"b", array(p.b)}, {"distance", p.distance}, {"feature", fmt::format("{:08x}", p.feature)}});
+      manifolds.push_back({{"normal", array(m.normal)}, {"points", points}});
+    }
+    out.push_back({{"a", scene.colliders[pair.a].name}, {"b", scene.colliders[pair.b].name}, {"colliderA", pair.a},
+                   {"colliderB", pair.b}, {"overlap", pair.overlap}, {"trigger", pair.trigger}, {"manifolds", manifolds}});
+  }
+  const Json whole{{"scene", scene.source}, {"colliders", scene.colliders.size()}, {"pairs", out}, {"notices", scene.notices}};
+  fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
+  for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
+  fmt::print("{}: {} colliders in {} bodies, {} pairs in contact\n", scene.source, scene.colliders.size(),
+             scene.bodies.size(), pairs.size());
+  if (pairs.empty()) return;
+  std::size_t a = 1, b = 1;
+  for (const io::TouchingPair& p : pairs) {
+    a = std::max(a, scene.colliders[p.a].name.size());
+    b = std::max(b, scene.colliders[p.b].name.size());
+  }
+  fmt::print("\n{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", "A", a, "B", b, "", "normal from A to B", "points");
+  for (const io::TouchingPair& p : pairs) {
+    const double d = p.manifolds.empty() ? 0 : p.distance();
+    const Vec3d n = p.normal();
+    const std::string state = p.trigger ? (p.overlap ? "in trigger" : "near trigger")
+                                        : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
+    const std::string normal = fmt::format("{:7.4f} {:7.4f} {:7.4f}", n.x + 0.0, n.y + 0.0, n.z + 0.0);
+    fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b, state,
+               normal, p.point_count());
+  }
+}
+
+/// A line that counts up on a terminal, and nothing elsewhere.
+class Progress {
+ public:
+  void operator()(std::size_t done, std::size_t all) {
+    if (!isatty(STDERR_FILENO)) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (done < all && now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    if (done < all) fmt::print(stderr, "\r{} of {} pairs", done, all);
+    if (done < all) shown_ = true;
+    if (done == all && shown_) fmt::print(stderr, "\r{:40}\r", "");
+    std::fflush(stderr);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  bool shown_ = false;
+};
+
+int run(const Options& options) {
+  const io::Scene scene = options.scene.load();
+  io::CollideOptions how;
+  how.margin = options.margin;
+  how.precision = options.precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
+  how.progress = [progress = Progress()](std::size_t done, std::size_t all) mutable { progress(done, all); };
+  const auto pairs = io::collide(scene, how);
+  options.json ? print_json(scene, pairs) : print_table(scene, pairs);
+  if (!options.svg.empty())
+    io::write_picture(options.svg, scene, pairs, {options.direction[0], options.direction[1], options.direction[2]});
+  if (!options.out.empty()) io::write_contacts(options.out, scene, pairs);
+  return 0;
+}
+
+}  // namespace
+
+Run add_collide(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("collide", "Find the contacts of a scene");
+  options->scene.add_to(*command);
+  command->add_flag("--json", options->json, "Print all manifolds as JSON");
+  command->add_option("--margin", options->margin, "Also report what is up to this far apart")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--precision", options->precision, "Compute in double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Write the scene with the contacts drawn into it (.glb)");
+  command->add_option("--svg", options->svg, "Draw a picture of the scene and its contacts (.svg)");
+  command->add_option("--direction", options->direction, "Where the picture is seen from: x,y,z")
+      ->delimiter(',')
+      ->expected(3)
+      ->capture_default_str();
+  command->footer(
+      "Pairs of one body and pairs that collision filters forbid are left out; where anything can move, so are pairs of\n"
+      "which neither can. Exit code: 0, or 2 when a file cannot be read.\n\n"
+      "Example:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb");
+  return [options] { return run(*options); };
+}
+
+}  // namespace graze::cli

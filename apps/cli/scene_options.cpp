@@ -1,0 +1,68 @@
+#include "scene_options.hpp"
+
+#include <fmt/format.h>
+
+namespace graze::cli {
+
+void SceneOptions::add_to(CLI::App& command) {
+  command.add_option("SCENE", files, "Scenes: .gltf, .glb, .obj, .stl, .ply; several are put together at the origin")
+      ->required();
+  command
+      .add_option("--colliders", colliders,
+                  "Make colliders of the meshes: their triangles, their convex hull, a tight box, a bounding sphere "
+                  "(default: mesh, where a file has no colliders of its own)")
+      ->check(CLI::IsMember({"hull", "mesh", "box", "sphere"}));
+}
+
+io::Scene SceneOptions::load() const {
+  io::LoadOptions options;
+  options.chosen = !colliders.empty();
+  if (colliders == "hull") options.mesh_colliders = io::MeshColliders::hull;
+  if (colliders == "box") options.mesh_colliders = io::MeshColliders::box;
+  if (colliders == "sphere") options.mesh_colliders = io::MeshColliders::sphere;
+  io::Scene scene;
+  for (const std::string& file : files) io::append(scene, io::load_scene(file, options));
+  return scene;
+}
+
+namespace {
+
+std::string words(const Sphere<double>& s) { return fmt::format("radius {:.6g}", s.radius()); }
+std::string words(const Capsule<double>& c) {
+  return fmt::format("height {:.6g}, radii {:.6g} and {:.6g}", 2 * c.half_height(), c.radius_bottom(), c.radius_top());
+}
+std::string words(const Cylinder<double>& c) {
+  return fmt::format("height {:.6g}, radii {:.6g} and {:.6g}", 2 * c.half_height(), c.radius_bottom(), c.radius_top());
+}
+std::string words(const Box<double>& b) {
+  const Vec3d s = b.half_extents() * 2.0;
+  return fmt::format("{:.6g} x {:.6g} x {:.6g}", s.x, s.y, s.z);
+}
+std::string words(const Rectangle<double>& r) {
+  const Vec3d s = r.as_box().half_extents() * 2.0;
+  return fmt::format("{:.6g} x {:.6g}", s.x, s.z);
+}
+std::string words(const Ellipsoid<double>& e) {
+  return fmt::format("radii {:.6g}, {:.6g}, {:.6g}", e.radii().x, e.radii().y, e.radii().z);
+}
+std::string words(const ConvexHull<double>& h) {
+  return fmt::format("{} vertices, {} faces", h.data().vertices.size(), h.data().planes.size());
+}
+std::string words(const Mesh<double>& m) { return fmt::format("{} triangles", m.triangles().size()); }
+std::string words(const Compound<double>& c) {
+  return c.children().size() == 1 ? "of one " + told(c.children()[0].shape)
+                                  : fmt::format("{} children", c.children().size());
+}
+template <class C>
+std::string words(const C&) {
+  return "";
+}
+
+}  // namespace
+
+std::string told(const Shaped& shape) {
+  const std::string detail = shape.visit([](const auto& c) { return words(c); });
+  return detail.empty() ? shape.name() : fmt::format("{} ({})", shape.name(), detail);
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,25 @@
+// What commands that read scenes have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+#include "graze/io/scene.hpp"
+
+namespace graze::cli {
+
+struct SceneOptions {
+  std::vector<std::string> files;
+  std::string colliders;
+
+  void add_to(CLI::App& command);
+  /// All files in one scene, each at the origin. Throws `InvalidValue`.
+  io::Scene load() const;
+};
+
+/// How a shape is told in a table: its name and its numbers.
+std::string told(const Shaped& shape);
+
+}  // namespace graze::cli

@@ -1,0 +1,39 @@
+// The main job: which colliders of a scene touch, where, how deep and in which direction.
+//
+// Guarantee: every allowed pair whose shapes come within the margin, in the order of the colliders; the answer is a
+// function of the scene and the options alone. Pairs of one body, pairs that the filters forbid and, in a scene where
+// anything can move, pairs of which neither can, are left out.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "graze/contact.hpp"
+#include "graze/io/protocol.hpp"
+#include "graze/io/scene.hpp"
+
+namespace graze::io {
+
+struct CollideOptions {
+  double margin = 0;
+  Precision precision = Precision::double_precision;
+  /// Called from time to time with how many pairs are done, of how many.
+  std::function<void(std::size_t, std::size_t)> progress;
+};
+
+/// Two colliders within the margin.
+struct TouchingPair {
+  std::uint32_t a, b;           ///< indices of colliders, a < b
+  bool overlap = false;
+  bool trigger = false;         ///< one of them is a trigger
+  Manifolds<double> manifolds;  ///< normals from a to b
+
+  /// The deepest point's signed distance, and the normal of its manifold.
+  double distance() const;
+  Vec3d normal() const;
+  std::size_t point_count() const;
+};
+
+std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options = {});
+
+}  // namespace graze::io

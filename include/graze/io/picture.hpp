@@ -1,0 +1,22 @@
+// Pictures of a scene and its contacts, as SVG.
+//
+// Guarantee: any scene gives a picture; what touches is tinted, every contact point is a dot and every normal an arrow,
+// drawn over the shapes so that none is hidden.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "graze/io/collide.hpp"
+
+namespace graze::io {
+
+/// The picture as seen against `direction` (towards the viewer; not zero), orthographic, Y up.
+std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pairs, const Vec3d& direction);
+
+/// Writes it to a file. Throws `InvalidValue` when that cannot be written or the direction is zero.
+void write_picture(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs,
+                   const Vec3d& direction);
+
+}  // namespace graze::io

@@ -1,0 +1,45 @@
+// Affine maps, as the nodes of a scene carry them: a linear part, which may scale and shear, and a translation.
+#pragma once
+
+#include <optional>
+
+#include "graze/geometry.hpp"
+#include "graze/pose.hpp"
+
+namespace graze::io {
+
+struct Affine {
+  Mat3d linear = Mat3d::identity();
+  Vec3d translation{};
+
+  Vec3d operator()(const Vec3d& p) const { return linear * p + translation; }
+  friend Affine operator*(const Affine& a, const Affine& b) { return {a.linear * b.linear, a(b.translation)}; }
+};
+
+/// A map without shear: scale along its own axes, then a rigid motion. A mirror is taken out of the X axis.
+struct ScaledPose {
+  Pose<double> pose;
+  Vec3d scale;
+  bool mirrored = false;
+};
+
+/// What files hold of a right angle is good to single precision.
+inline constexpr double file_precision = 1e-5;
+
+/// Nothing when the axes of the map are not perpendicular up to `file_precision`.
+inline std::optional<ScaledPose> without_shear(const Affine& map) {
+  Vec3d axis[3] = {map.linear.column(0), map.linear.column(1), map.linear.column(2)};
+  const Vec3d scale{length(axis[0]), length(axis[1]), length(axis[2])};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (std::abs(dot(axis[i], axis[j])) > file_precision * scale[i] * scale[j]) return std::nullopt;
+  }
+  const bool mirrored = determinant(map.linear) < 0;
+  if (mirrored) axis[0] = -axis[0];
+  const Mat3d rotation = Mat3d::from_columns(axis[0] / scale.x, axis[1] / scale.y, axis[2] / scale.z);
+  return ScaledPose{{map.translation, rotation_quaternion(rotation)}, scale, mirrored};
+}
+
+inline bool equal_scales(double a, double b) { return std::abs(a - b) <= file_precision * greatest(a, b); }
+
+}  // namespace graze::io

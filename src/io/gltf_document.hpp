@@ -1,0 +1,35 @@
+// A glTF file opened: its JSON, and its buffers through tinygltf.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "graze/shape.hpp"
+#include "io/json_value.hpp"
+
+namespace graze::io {
+
+struct TriangleSoup {
+  std::vector<Vec3d> points;
+  std::vector<Mesh<double>::Index> triangles;
+};
+
+class GltfDocument {
+ public:
+  /// `folder`: where buffers in files of their own may be read from; empty to read none. Throws `InvalidValue`.
+  GltfDocument(const std::string& bytes, const std::filesystem::path& folder);
+  ~GltfDocument();
+
+  const Json& json() const { return json_; }
+  /// The triangles of a mesh; other primitives are left out and counted in `skipped`.
+  TriangleSoup triangles(std::size_t mesh, int& skipped) const;
+
+ private:
+  struct Buffers;
+  Json json_;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+}  // namespace graze::io

@@ -1,0 +1,320 @@
+// From a glTF file to bodies and colliders: nodes, KHR_implicit_shapes and KHR_physics_rigid_bodies.
+#include <algorithm>
+#include <map>
+
+#include "graze/io/scene.hpp"
+#include "io/gltf_document.hpp"
+#include "io/mesh_collider.hpp"
+#include "io/question.hpp"
+#include "io/scaled_shape.hpp"
+#include "io/scene_file.hpp"
+
+namespace graze::io {
+
+namespace {
+
+constexpr const char* physics_extension = "KHR_physics_rigid_bodies";
+constexpr const char* shapes_extension = "KHR_implicit_shapes";
+
+/// The index of a list's element, checked against the length of the list.
+std::size_t index_below(const JsonValue& json, std::size_t count) {
+  const std::size_t i = json.whole_number();
+  if (i >= count) json.fail("an index below " + std::to_string(count));
+  return i;
+}
+
+std::vector<JsonValue> list(const JsonValue& json, const char* key) {
+  const auto found = json.find(key);
+  return found ? found->elements() : std::vector<JsonValue>{};
+}
+
+std::optional<JsonValue> extension(const JsonValue& json, const char* name) {
+  const auto all = json.find("extensions");
+  return all ? all->find(name) : std::nullopt;
+}
+
+Vec3d vector_or(const JsonValue& json, const char* key, const Vec3d& otherwise) {
+  const auto found = json.find(key);
+  return found ? found->vector<double>() : otherwise;
+}
+
+Quatd read_quaternion(const JsonValue& json) {
+  const auto p = json.elements(4);
+  const Quatd q{p[0].number<double>(), p[1].number<double>(), p[2].number<double>(), p[3].number<double>()};
+  if (q == Quatd{0, 0, 0, 0}) json.fail("a quaternion that is not zero");
+  return normalized(q);
+}
+
+Affine node_transform(const JsonValue& node) {
+  Affine map;
+  if (const auto matrix = node.find("matrix")) {
+    const auto m = matrix->elements(16);
+    const auto at = [&](std::size_t column, std::size_t row) { return m[4 * column + row].number<double>(); };
+    for (std::size_t r = 0; r < 3; ++r) map.linear.row[r] = {at(0, r), at(1, r), at(2, r)};
+    map.translation = {at(3, 0), at(3, 1), at(3, 2)};
+    return map;
+  }
+  const auto rotation = node.find("rotation");
+  const Mat3d turn = rotation ? rotation_matrix(read_quaternion(*rotation)) : Mat3d::identity();
+  return {turn * Mat3d::diagonal(vector_or(node, "scale", {1, 1, 1})), vector_or(node, "translation", {})};
+}
+
+/// Zero volume up to rounding, relative to the map's own size: then no shape keeps its dimension.
+void require_regular(const JsonValue& node, const Affine& map) {
+  double product = 1;
+  for (std::size_t i = 0; i < 3; ++i) product *= length(map.linear.column(i));
+  if (std::abs(determinant(map.linear)) > 1e-12 * product && std::isfinite(product) && product > 0) return;
+  throw InvalidValue(node.path(), "a transform with a scale that is neither zero nor singular", "one of determinant " +
+                     validate::number(determinant(map.linear)));
+}
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
+              const LoadOptions& options)
+      : document_(bytes, folder), root_(document_.json(), ""), options_(options), nodes_(list(root_, "nodes")) {
+    scene_.source = name;
+  }
+
+  Scene run() {
+    if (const auto shared = extension(root_, shapes_extension)) shapes_ = list(*shared, "shapes");
+    if (const auto physics = extension(root_, physics_extension)) {
+      read_materials(list(*physics, "physicsMaterials"));
+      filters_ = list(*physics, "collisionFilters");
+      for (std::size_t i = 0; i < filters_.size(); ++i) read_filter(filters_[i]);
+      if (!list(*physics, "physicsJoints").empty()) notice("physicsJoints are skipped: joints are for a solver");
+    }
+    walk();
+    if (scene_.colliders.empty() || options_.chosen) meshes_collide();
+    if (skipped_primitives_ > 0)
+      notice(std::to_string(skipped_primitives_) + " primitives of points or lines are skipped");
+    return std::move(scene_);
+  }
+
+ private:
+  struct Visit {
+    std::size_t node;
+    Affine parent;
+    int body;  ///< of the nearest ancestor with a motion, or -1
+  };
+
+  void notice(const std::string& text) { scene_.notices.push_back(text); }
+
+  void read_materials(const std::vector<JsonValue>& materials) {
+    for (const JsonValue& m : materials) {
+      Material material;
+      const auto number = [&](const char* key, double& value) {
+        if (const auto v = m.find(key)) value = v->length<double>();
+      };
+      number("staticFriction", material.static_friction);
+      number("dynamicFriction", material.dynamic_friction);
+      number("restitution", material.restitution);
+      if (const auto v = m.find("frictionCombine")) material.friction_combine = v->string();
+      if (const auto v = m.find("restitutionCombine")) material.restitution_combine = v->string();
+      materials_.push_back(material);
+    }
+  }
+
+  std::uint64_t system_bit(const JsonValue& name) {
+    const std::string text = name.string();
+    auto& names = scene_.collision_systems;
+    const auto found = std::find(names.begin(), names.end(), text);
+    const auto place = static_cast<std::size_t>(found - names.begin());
+    // The last bit is for colliders that name no system.
+    if (place >= 63) name.fail("one of at most 63 collision systems");
+    if (found == names.end()) names.push_back(text);
+    return std::uint64_t{1} << place;
+  }
+
+  std::uint64_t systems(const JsonValue& filter, const char* key) {
+    std::uint64_t bits = 0;
+    for (const JsonValue& name : list(filter, key)) bits |= system_bit(name);
+    return bits;
+  }
+
+  static constexpr std::uint64_t unnamed = std::uint64_t{1} << 63;
+
+  /// A filter's systems as bits. Whoever names none belongs to the unnamed system; a list of what to collide with
+  /// leaves everything else out, a list of what not to leaves everything else in.
+  Filter read_filter(const JsonValue& json) {
+    Filter filter;
+    const std::uint64_t own = systems(json, "collisionSystems");
+    filter.category = own != 0 ? own : unnamed;
+    if (json.has("collideWithSystems"))
+      filter.mask = systems(json, "collideWithSystems");
+    else
+      filter.mask = ~systems(json, "notCollideWithSystems");
+    return filter;
+  }
+
+  void walk() {
+    std::vector<char> visited(nodes_.size(), 0);
+    std::vector<Visit> stack;
+    std::vector<std::size_t> roots = root_nodes();
+    for (auto r = roots.rbegin(); r != roots.rend(); ++r) stack.push_back({*r, {}, -1});
+    while (!stack.empty()) {
+      const Visit visit = stack.back();
+      stack.pop_back();
+      const JsonValue& node = nodes_[visit.node];
+      if (visited[visit.node]++)
+        throw InvalidValue(node.path(), "a node with one parent, in a tree", "a node that is reached twice");
+      const Affine map = visit.parent * node_transform(node);
+      const int body = read_node(visit, node, map);
+      const auto children = list(node, "children");
+      for (auto c = children.rbegin(); c != children.rend(); ++c)
+        stack.push_back({index_below(*c, nodes_.size()), map, body});
+    }
+  }
+
+  /// Those of the scene to show; in a file without scenes, the nodes that are nobody's child.
+  std::vector<std::size_t> root_nodes() {
+    std::vector<std::size_t> roots;
+    const auto scenes = list(root_, "scenes");
+    if (!scenes.empty()) {
+      const auto chosen = root_.find("scene");
+      for (const JsonValue& r : list(scenes[chosen ? index_below(*chosen, scenes.size()) : 0], "nodes"))
+        roots.push_back(index_below(r, nodes_.size()));
+      return roots;
+    }
+    std::vector<char> child(nodes_.size(), 0);
+    for (const JsonValue& node : nodes_)
+      for (const JsonValue& c : list(node, "children")) child[index_below(c, nodes_.size())] = 1;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!child[i]) roots.push_back(i);
+    return roots;
+  }
+
+  std::string name_of(std::size_t index) const {
+    const auto name = nodes_[index].find("name");
+    return name ? name->string() : "node " + std::to_string(index);
+  }
+
+  /// Reads a node's physics; returns the body that its children belong to.
+  int read_node(const Visit& visit, const JsonValue& node, const Affine& map) {
+    int body = visit.body;
+    const auto mesh = node.find("mesh");
+    if (mesh) mesh_nodes_.push_back({visit.node, map, body});
+    const auto physics = extension(node, physics_extension);
+    if (!physics) return body;
+    if (const auto motion = physics->find("motion")) {
+      const Motion m = read_motion(*motion);
+      scene_.bodies.push_back({name_of(visit.node), static_cast<int>(visit.node),
+                               m.kinematic ? MotionType::kinematic : MotionType::dynamic, m});
+      body = static_cast<int>(scene_.bodies.size()) - 1;
+    }
+    for (const char* kind : {"collider", "trigger"})
+      if (const auto collider = physics->find(kind)) read_collider(visit.node, *collider, map, body, kind[0] == 't');
+    if (physics->has("joint")) notice(name_of(visit.node) + ": a joint is skipped");
+    return body;
+  }
+
+  static Motion read_motion(const JsonValue& json) {
+    Motion m;
+    if (const auto v = json.find("isKinematic")) m.kinematic = v->boolean();
+    if (const auto v = json.find("mass")) m.mass = v->length<double>();
+    m.center_of_mass = vector_or(json, "centerOfMass", {});
+    m.inertia_diagonal = vector_or(json, "inertiaDiagonal", {});
+    m.linear_velocity = vector_or(json, "linearVelocity", {});
+    m.angular_velocity = vector_or(json, "angularVelocity", {});
+    if (const auto v = json.find("inertiaOrientation")) m.inertia_orientation = read_quaternion(*v);
+    if (const auto v = json.find("gravityFactor")) m.gravity_factor = v->number<double>();
+    return m;
+  }
+
+  void read_collider(std::size_t node, const JsonValue& json, const Affine& map, int body, bool trigger) {
+    const auto geometry = json.find("geometry");
+    if (!geometry && json.has("nodes")) {
+      notice(name_of(node) + ": a trigger made of other nodes' triggers is those triggers");
+      return;
+    }
+    const Shaped shape = read_geometry(json.at("geometry"));
+    require_regular(nodes_[node], map);
+    Collider collider = placed(node, shape, map, body);
+    collider.trigger = trigger;
+    if (const auto f = json.find("collisionFilter"))
+      collider.filter = read_filter(filters_[index_below(*f, filters_.size())]);
+    else
+      collider.filter.category = unnamed;
+    if (const auto m = json.find("physicsMaterial")) collider.material = materials_[index_below(*m, materials_.size())];
+    scene_.colliders.push_back(std::move(collider));
+  }
+
+  Collider placed(std::size_t node, const Shaped& shape, const Affine& map, int body) {
+    if (body < 0) {
+      scene_.bodies.push_back({name_of(node), static_cast<int>(node), MotionType::fixed, {}});
+      body = static_cast<int>(scene_.bodies.size()) - 1;
+    }
+    const MappedShape result = mapped(shape, map);
+    if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);
+    return {name_of(node), static_cast<int>(node), static_cast<std::uint32_t>(body), result.shape, result.pose, {}, false, {}};
+  }
+
+  /// `shape` is an index of KHR_implicit_shapes; `node` (of older drafts) or `mesh` name triangles.
+  Shaped read_geometry(const JsonValue& json) {
+    if (const auto s = json.find("shape")) return read_implicit(shapes_[index_below(*s, shapes_.size())]);
+    const auto hull = json.find("convexHull");
+    const MeshColliders kind = hull && hull->boolean() ? MeshColliders::hull : MeshColliders::mesh;
+    if (const auto m = json.find("mesh")) return mesh_shape(*m, kind);
+    const JsonValue n = json.at("node");
+    return mesh_shape(nodes_[index_below(n, nodes_.size())].at("mesh"), kind);
+  }
+
+  Shaped mesh_shape(const JsonValue& mesh, MeshColliders kind) {
+    const std::size_t index = index_below(mesh, list(root_, "meshes").size());
+    const TriangleSoup soup = document_.triangles(index, skipped_primitives_);
+    if (soup.triangles.empty()) mesh.fail("a mesh with triangles");
+    return mesh_collider(soup, kind);
+  }
+
+  /// The shapes of the extension are written as those of the query protocol, plus what other extensions add to them.
+  static Shaped read_implicit(const JsonValue& json) {
+    const std::string type = json.at("type").string();
+    static constexpr const char* known[] = {"sphere", "box", "capsule", "cylinder", "plane"};
+    if (std::find(std::begin(known), std::end(known), type) == std::end(known))
+      json.at("type").fail("one of sphere, box, capsule, cylinder, plane");
+    Json plain{{"type", type}};
+    if (const auto own = json.find(type.c_str())) plain[type] = own->json();
+    return read_shape<double>(JsonValue(plain, json.path()));
+  }
+
+  void meshes_collide() {
+    scene_.bodies.clear();
+    scene_.colliders.clear();
+    for (const Visit& v : mesh_nodes_) {
+      const auto mesh = nodes_[v.node].at("mesh");
+      const std::size_t index = index_below(mesh, list(root_, "meshes").size());
+      const TriangleSoup soup = document_.triangles(index, skipped_primitives_);
+      if (soup.triangles.empty()) continue;
+      require_regular(nodes_[v.node], v.parent);
+      scene_.colliders.push_back(placed(v.node, mesh_collider(soup, options_.mesh_colliders), v.parent, -1));
+    }
+  }
+
+  GltfDocument document_;
+  JsonValue root_;
+  LoadOptions options_;
+  std::vector<JsonValue> nodes_, shapes_, filters_;
+  std::vector<Material> materials_;
+  std::vector<Visit> mesh_nodes_;  ///< with the node's own map in `parent`
+  Scene scene_;
+  int skipped_primitives_ = 0;
+};
+
+}  // namespace
+
+Scene load_gltf_from(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
+                     const LoadOptions& options) {
+  try {
+    return SceneReader(bytes, name, folder, options).run();
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(e.path().empty() ? name : name + ": " + e.path(), e.expectation(), e.found());
+  } catch (const std::bad_alloc&) {
+    throw InvalidValue(name, "a scene that fits into memory", "a larger one");
+  }
+}
+
+Scene load_gltf(const std::string& bytes, const std::string& source_name, const LoadOptions& options) {
+  return load_gltf_from(bytes, source_name, {}, options);
+}
+
+}  // namespace graze::io

@@ -1,0 +1,13 @@
+// What becomes of triangles that collide: themselves, their hull, a box or a ball.
+#pragma once
+
+#include "graze/io/scene.hpp"
+#include "io/gltf_document.hpp"
+
+namespace graze::io {
+
+/// Equal points are made one first. The box is tight along the mesh's own axes; the ball is Ritter's (1990, "An
+/// efficient bounding sphere"), at most a few percent larger than the smallest.
+Shaped mesh_collider(const TriangleSoup& soup, MeshColliders kind);
+
+}  // namespace graze::io

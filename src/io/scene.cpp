@@ -1,0 +1,92 @@
+#include "graze/io/scene.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "io/mesh_collider.hpp"
+#include "io/mesh_file.hpp"
+#include "io/scene_file.hpp"
+
+namespace graze::io {
+
+namespace {
+
+std::string read_file(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed))
+    throw InvalidValue(file.string(), "a file that can be read", std::filesystem::exists(file, failed) ? "something else" : "nothing");
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  if (!in && !in.eof()) throw InvalidValue(file.string(), "a file that can be read", "an error");
+  return bytes;
+}
+
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending.empty() ? ending : ending.substr(1);
+}
+
+Scene load_mesh(const std::string& bytes, const std::filesystem::path& file, const LoadOptions& options) {
+  const std::string name = file.stem().string();
+  Scene scene;
+  scene.source = file.filename().string();
+  try {
+    const Shaped shape = mesh_collider(read_mesh_file(bytes, ending_of(file)), options.mesh_colliders);
+    scene.bodies.push_back({name, -1, MotionType::fixed, {}});
+    scene.colliders.push_back({name, -1, 0, shape, {}, {}, false, {}});
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(e.path().empty() ? scene.source : scene.source + ": " + e.path(), e.expectation(), e.found());
+  }
+  return scene;
+}
+
+/// The bits of `mask` moved to where `append` puts the systems of another scene.
+std::uint64_t moved_bits(std::uint64_t mask, const std::vector<std::size_t>& place) {
+  constexpr std::uint64_t named = ~(std::uint64_t{1} << 63);
+  // A mask that leaves some systems out, and so holds all bits above them, goes on holding all others.
+  const bool complement = (mask & named) >> place.size() != 0;
+  std::uint64_t bits = complement ? ~std::uint64_t{0} : mask & ~named;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const std::uint64_t bit = std::uint64_t{1} << place[i];
+    const bool set = ((mask >> i) & 1) != 0;
+    if (complement && !set) bits &= ~bit;
+    if (!complement && set) bits |= bit;
+  }
+  return bits;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  const std::string ending = ending_of(file);
+  const std::string bytes = read_file(file);
+  if (ending == "glb" || ending == "gltf")
+    return load_gltf_from(bytes, file.filename().string(), file.has_parent_path() ? file.parent_path() : ".", options);
+  if (ending == "obj" || ending == "stl" || ending == "ply") return load_mesh(bytes, file, options);
+  throw InvalidValue(file.string(), "a file that ends in .gltf, .glb, .obj, .stl or .ply", "\"." + ending + "\"");
+}
+
+void append(Scene& scene, Scene other) {
+  std::vector<std::size_t> place;
+  for (const std::string& name : other.collision_systems) {
+    auto& names = scene.collision_systems;
+    const auto found = std::find(names.begin(), names.end(), name);
+    place.push_back(static_cast<std::size_t>(found - names.begin()));
+    if (place.back() >= 63) throw InvalidValue(other.source, "at most 63 collision systems in all", "more");
+    if (found == names.end()) names.push_back(name);
+  }
+  const auto first_body = static_cast<std::uint32_t>(scene.bodies.size());
+  for (Body& body : other.bodies) scene.bodies.push_back(std::move(body));
+  for (Collider& collider : other.colliders) {
+    collider.body += first_body;
+    collider.filter.category = moved_bits(collider.filter.category, place);
+    collider.filter.mask = moved_bits(collider.filter.mask, place);
+    scene.colliders.push_back(std::move(collider));
+  }
+  for (std::string& text : other.notices) scene.notices.push_back(std::move(text));
+  if (!scene.source.empty()) scene.source += " + ";
+  scene.source += other.source;
+}
+
+}  // namespace graze::io
