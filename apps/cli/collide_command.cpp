@@ -44,6 +44,9 @@ void print_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pai
   fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+/// What four digits show as zero is shown without a sign.
+double shown(double v) { return std::abs(v) < 5e-5 ? 0.0 : v; }
+
 void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
   for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
   fmt::print("{}: {} colliders in {} bodies, {} pairs in contact\n", scene.source, scene.colliders.size(),
@@ -60,7 +63,7 @@ void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pa
     const Vec3d n = p.normal();
     const std::string state = p.trigger ? (p.overlap ? "in trigger" : "near trigger")
                                         : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
-    const std::string normal = fmt::format("{:7.4f} {:7.4f} {:7.4f}", n.x + 0.0, n.y + 0.0, n.z + 0.0);
+    const std::string normal = fmt::format("{:7.4f} {:7.4f} {:7.4f}", shown(n.x), shown(n.y), shown(n.z));
     fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b, state,
                normal, p.point_count());
   }

@@ -7,7 +7,7 @@
 namespace graze::io {
 
 /// Equal points are made one first. The box is tight along the mesh's own axes; the ball is Ritter's (1990, "An
-/// efficient bounding sphere"), at most a few percent larger than the smallest.
+/// efficient bounding sphere"), 5 to 20 % larger than the smallest.
 Shaped mesh_collider(const TriangleSoup& soup, MeshColliders kind);
 
 }  // namespace graze::io

@@ -115,11 +115,11 @@ std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
       y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
 }
 
-/// Contacts: an arrow a manifold, from the middle of its points, and a dot a point.
+/// Contacts of what overlaps: an arrow a manifold, from the middle of its points, and a dot a point.
 std::string draw_contacts(const View& view, const std::vector<TouchingPair>& pairs) {
   std::string arrows, dots;
   for (const TouchingPair& pair : pairs) {
-    if (pair.trigger) continue;
+    if (pair.trigger || !pair.overlap) continue;
     for (const auto& m : pair.manifolds) {
       Vec3d middle;
       for (const auto& p : m.points) {

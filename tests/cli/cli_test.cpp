@@ -1,0 +1,80 @@
+// The program as a person runs it: what it prints, writes and returns.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+struct Result {
+  int code;
+  std::string output;
+};
+
+Result run(const std::string& arguments) {
+  const std::string command = std::string(GRAZE_CLI_PATH) + " " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::string output;
+  std::array<char, 4096> part{};
+  for (std::size_t n = 0; (n = fread(part.data(), 1, part.size(), pipe)) > 0;) output.append(part.data(), n);
+  return {WEXITSTATUS(pclose(pipe)), output};
+}
+
+const std::string demo = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
+
+TEST(Cli, CollidePrintsATableAndWritesPictures) {
+  const auto folder = std::filesystem::temp_directory_path() / "graze_cli_test";
+  std::filesystem::create_directories(folder);
+  const Result r = run("collide " + demo + " --svg " + (folder / "a.svg").string() + " --out " + (folder / "a.glb").string());
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.output.find("crate 1"), std::string::npos);
+  EXPECT_GT(std::filesystem::file_size(folder / "a.svg"), 1000u);
+  EXPECT_EQ(run("info " + (folder / "a.glb").string()).code, 0);  // what we write we read
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Cli, CollideAsJsonIsTheSameInBothPrecisions) {
+  const auto pairs = [](const std::string& precision) {
+    return nlohmann::json::parse(run("collide " + demo + " --json --precision " + precision).output)["pairs"];
+  };
+  const auto d = pairs("double"), f = pairs("float");
+  ASSERT_EQ(d.size(), f.size());
+  EXPECT_GE(d.size(), 10u);
+  for (std::size_t i = 0; i < d.size(); ++i) EXPECT_EQ(d[i]["a"], f[i]["a"]);
+}
+
+TEST(Cli, BadInputIsNamedAndExitsWithTwo) {
+  Result r = run("collide /nonexistent.glb");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.output.find("/nonexistent.glb"), std::string::npos);
+  EXPECT_EQ(run("collide").code, 2);
+  EXPECT_EQ(run("nonsense").code, 2);
+  EXPECT_EQ(run("collide " + demo + " --margin -1").code, 2);
+  EXPECT_EQ(run("query /nonexistent").code, 2);
+}
+
+TEST(Cli, QueryExitsWithOneWhenAnAnswerIsAnError) {
+  EXPECT_EQ(run("query < /dev/null").code, 0);
+  const auto file = std::filesystem::temp_directory_path() / "graze_cli_test.jsonl";
+  std::ofstream(file) << "{\"id\": 1}\n";
+  const Result r = run("query " + file.string());
+  EXPECT_EQ(r.code, 1);
+  EXPECT_EQ(r.output, "{\"id\":1,\"error\":\"query: expected a value, got nothing\"}\n");
+  std::filesystem::remove(file);
+}
+
+TEST(Cli, HelpHasAnExampleForEachCommand) {
+  EXPECT_EQ(run("--help").code, 0);
+  for (const char* command : {"collide", "info", "query"}) {
+    const Result r = run(std::string(command) + " --help");
+    EXPECT_EQ(r.code, 0);
+    EXPECT_NE(r.output.find("Example"), std::string::npos) << command;
+  }
+}
+
+}  // namespace
