@@ -34,13 +34,22 @@ void print_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pai
     for (const auto& m : pair.manifolds) {
       Json points = Json::array();
       for (const auto& p : m.points)
-        points.push_back({{"a", array(p.a)}, {"b", array(p.b)}, {"distance", p.distance}, {"feature", fmt::format("{:08x}", p.feature)}});
+        points.push_back({{"a", array(p.a)},
+                          {"b", array(p.b)},
+                          {"distance", p.distance},
+                          {"feature", fmt::format("{:08x}", p.feature)}});
       manifolds.push_back({{"normal", array(m.normal)}, {"points", points}});
     }
-    out.push_back({{"a", scene.colliders[pair.a].name}, {"b", scene.colliders[pair.b].name}, {"colliderA", pair.a},
-                   {"colliderB", pair.b}, {"overlap", pair.overlap}, {"trigger", pair.trigger}, {"manifolds", manifolds}});
+    out.push_back({{"a", scene.colliders[pair.a].name},
+                   {"b", scene.colliders[pair.b].name},
+                   {"colliderA", pair.a},
+                   {"colliderB", pair.b},
+                   {"overlap", pair.overlap},
+                   {"trigger", pair.trigger},
+                   {"manifolds", manifolds}});
   }
-  const Json whole{{"scene", scene.source}, {"colliders", scene.colliders.size()}, {"pairs", out}, {"notices", scene.notices}};
+  const Json whole{
+      {"scene", scene.source}, {"colliders", scene.colliders.size()}, {"pairs", out}, {"notices", scene.notices}};
   fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -64,8 +73,8 @@ void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pa
     const std::string state = p.trigger ? (p.overlap ? "in trigger" : "near trigger")
                                         : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
     const std::string normal = fmt::format("{:7.4f} {:7.4f} {:7.4f}", shown(n.x), shown(n.y), shown(n.z));
-    fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b, state,
-               normal, p.point_count());
+    fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b,
+               state, normal, p.point_count());
   }
 }
 
@@ -121,10 +130,10 @@ Run add_collide(CLI::App& app) {
       ->delimiter(',')
       ->expected(3)
       ->capture_default_str();
-  command->footer(
-      "Pairs of one body and pairs that collision filters forbid are left out; where anything can move, so are pairs of\n"
-      "which neither can. Exit code: 0, or 2 when a file cannot be read.\n\n"
-      "Example:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb");
+  command->footer("Pairs of one body and pairs that collision filters forbid are left out; where anything can move, so "
+                  "are pairs of\n"
+                  "which neither can. Exit code: 0, or 2 when a file cannot be read.\n\n"
+                  "Example:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb");
   return [options] { return run(*options); };
 }
 

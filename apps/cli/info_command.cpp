@@ -23,12 +23,21 @@ void print_json(const io::Scene& scene) {
   for (const io::Collider& c : scene.colliders) {
     const Aabbd box = bounds(c.shape, c.pose);
     const Quatd& q = c.pose.rotation;
-    colliders.push_back({{"name", c.name}, {"body", scene.bodies[c.body].name}, {"motion", word(scene.bodies[c.body].type)},
-                         {"trigger", c.trigger}, {"shape", told(c.shape)}, {"translation", array(c.pose.translation)},
-                         {"rotation", {q.x, q.y, q.z, q.w}}, {"lower", array(box.lower)}, {"upper", array(box.upper)},
-                         {"category", c.filter.category}, {"mask", c.filter.mask}});
+    colliders.push_back({{"name", c.name},
+                         {"body", scene.bodies[c.body].name},
+                         {"motion", word(scene.bodies[c.body].type)},
+                         {"trigger", c.trigger},
+                         {"shape", told(c.shape)},
+                         {"translation", array(c.pose.translation)},
+                         {"rotation", {q.x, q.y, q.z, q.w}},
+                         {"lower", array(box.lower)},
+                         {"upper", array(box.upper)},
+                         {"category", c.filter.category},
+                         {"mask", c.filter.mask}});
   }
-  const Json whole{{"scene", scene.source}, {"colliders", colliders}, {"collisionSystems", scene.collision_systems},
+  const Json whole{{"scene", scene.source},
+                   {"colliders", colliders},
+                   {"collisionSystems", scene.collision_systems},
                    {"notices", scene.notices}};
   fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
 }

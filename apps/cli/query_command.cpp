@@ -24,7 +24,8 @@ Run add_query(CLI::App& app) {
       "Example:\n"
       "  echo '{\"query\": \"closest\", \"a\": {\"shape\": {\"type\": \"box\"}}, \"point\": [2, 0, 0]}' | graze query");
   return [options] {
-    const auto precision = options->precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
+    const auto precision =
+        options->precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
     if (options->file.empty() || options->file == "-")

@@ -15,10 +15,10 @@ namespace graze {
 /// One point of contact, in world space.
 template <class T>
 struct ContactPoint {
-  Vec3<T> a{}, b{};          ///< on the surface of A, and of B
-  T distance{};              ///< signed: negative is penetration
-  std::uint32_t feature{};   ///< names the features of A and B that touch
-  T weight = T(0.5);         ///< how far from a to b `position()` lies
+  Vec3<T> a{}, b{};         ///< on the surface of A, and of B
+  T distance{};             ///< signed: negative is penetration
+  std::uint32_t feature{};  ///< names the features of A and B that touch
+  T weight = T(0.5);        ///< how far from a to b `position()` lies
 
   /// The point between the two that a solver wants: the middle; for two spheres the radius-weighted point P with
   /// |P - c1| / |P - c2| = r1 / r2.

@@ -9,9 +9,9 @@ namespace graze {
 
 /// What a body is and what it collides with.
 struct Filter {
-  std::uint64_t category = 1;             ///< the bits that this body belongs to
+  std::uint64_t category = 1;              ///< the bits that this body belongs to
   std::uint64_t mask = ~std::uint64_t{0};  ///< the bits that it collides with
-  std::int32_t group = 0;                 ///< of equal groups: positive always collide, negative never; 0 is no group
+  std::int32_t group = 0;                  ///< of equal groups: positive always collide, negative never; 0 is no group
 
   friend constexpr bool operator==(const Filter&, const Filter&) = default;
 };

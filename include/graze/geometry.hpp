@@ -78,7 +78,8 @@ TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, c
   const TrianglePoint<T> in_face{a * (u / whole) + b * (v / whole) + c * (w / whole),
                                  {u / whole, v / whole, w / whole}};
 
-  const T ab = closest_parameter<T>({a, b}, p), bc = closest_parameter<T>({b, c}, p), ca = closest_parameter<T>({c, a}, p);
+  const T ab = closest_parameter<T>({a, b}, p), bc = closest_parameter<T>({b, c}, p),
+          ca = closest_parameter<T>({c, a}, p);
   const Vec3<T> on_ab = point_at<T>({a, b}, ab), on_bc = point_at<T>({b, c}, bc), on_ca = point_at<T>({c, a}, ca);
   const T d_ab = length_squared(on_ab - p), d_bc = length_squared(on_bc - p), d_ca = length_squared(on_ca - p);
   const auto take_bc = d_bc < d_ab;

@@ -12,9 +12,7 @@ template <class T>
 struct Mat3 {
   Vec3<T> row[3];
 
-  static constexpr Mat3 identity() {
-    return {{{T(1), T(0), T(0)}, {T(0), T(1), T(0)}, {T(0), T(0), T(1)}}};
-  }
+  static constexpr Mat3 identity() { return {{{T(1), T(0), T(0)}, {T(0), T(1), T(0)}, {T(0), T(0), T(1)}}}; }
   static constexpr Mat3 diagonal(const Vec3<T>& d) {
     return {{{d.x, T(0), T(0)}, {T(0), d.y, T(0)}, {T(0), T(0), d.z}}};
   }

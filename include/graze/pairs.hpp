@@ -16,9 +16,8 @@ namespace graze {
 /// Drops from `pairs` those that their filters (`filters[id]`) or `predicate(a, b)` forbid; keeps the order.
 template <class Predicate>
 void keep_allowed(std::vector<IdPair>& pairs, std::span<const Filter> filters, const Predicate& predicate) {
-  std::erase_if(pairs, [&](const IdPair& p) {
-    return !may_collide(filters[p.a], filters[p.b]) || !predicate(p.a, p.b);
-  });
+  std::erase_if(pairs,
+                [&](const IdPair& p) { return !may_collide(filters[p.a], filters[p.b]) || !predicate(p.a, p.b); });
 }
 
 /// The allowed pairs of boxes that overlap: sort and sweep, then filters. Ids are places in `boxes` and `filters`.

@@ -36,7 +36,7 @@ struct Distance {
   Vec3<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
   Vec3<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
   Status status = Status::converged;
-  T error{};         ///< a proven bound of |distance - truth| when the status is `bounded`
+  T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
 };
 
 /// Whether the shapes touch: distance <= 0. Cheaper than the distance.

@@ -31,7 +31,9 @@ using ShapeList = std::variant<Sphere<T>, Capsule<T>, Box<T>, Rectangle<T>, Cyli
 
 /// Bounded convex shapes: those with a support function.
 template <class C>
-concept BoundedConvex = requires(const C& c) { c.core_support(Vec3<double>{}); };
+concept BoundedConvex = requires(const C& c) {
+  c.core_support(Vec3<double>{});
+};
 
 template <class T>
 class Shape {
@@ -41,8 +43,8 @@ class Shape {
   /// `concrete`, rounded by `margin`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a margin
   /// that is negative, not finite, or given to a composite.
   template <class C>
-    requires std::is_constructible_v<ShapeList<T>, C>
-  Shape(C concrete, T margin = T(0)) : list_(std::move(concrete)), margin_(validate::extent(margin, "margin")) {
+  requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T margin = T(0))
+      : list_(std::move(concrete)), margin_(validate::extent(margin, "margin")) {
     if constexpr (!BoundedConvex<C> && !std::is_same_v<C, HalfSpace<T>>)
       if (margin != T(0)) validate::fail("margin", "0 (only convex shapes are rounded)", static_cast<double>(margin));
   }

@@ -31,7 +31,7 @@ struct TraceGjk {
   std::vector<TraceSupport> simplex;  ///< at the beginning of the iteration
   Vec3d direction;                    ///< the search direction, from A to B
   TraceSupport found;
-  double lower, upper;                ///< bounds of the distance of the cores after it
+  double lower, upper;  ///< bounds of the distance of the cores after it
 };
 
 /// One expansion of EPA's polytope.
@@ -40,18 +40,18 @@ struct TraceEpa {
   double face_depth;   ///< the depth if that face were final: a lower bound
   double found_depth;  ///< the depth along that normal: an upper bound
   TraceSupport found;
-  std::size_t faces;   ///< of the polytope, after the expansion
+  std::size_t faces;  ///< of the polytope, after the expansion
 };
 
 /// Everything that one query did.
 struct Trace {
-  std::string method;             ///< "closed form", "separating axes", "gjk", "gjk + epa"
+  std::string method;  ///< "closed form", "separating axes", "gjk", "gjk + epa"
   std::vector<TraceAxis> axes;
   std::vector<TraceGjk> gjk;
   std::vector<TraceEpa> epa;
-  std::vector<TraceSupport> polytope;                ///< EPA's final vertices
+  std::vector<TraceSupport> polytope;                 ///< EPA's final vertices
   std::vector<std::array<std::size_t, 3>> triangles;  ///< and its triangles
-  std::string reason;             ///< why the winner won, in one sentence
+  std::string reason;                                 ///< why the winner won, in one sentence
 };
 
 }  // namespace graze

@@ -37,8 +37,7 @@ Vec3<T> extents(const Vec3<T>& v, const std::string& path) {
 template <class T>
 Vec3<T> point(const Vec3<T>& v, const std::string& path) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (!std::isfinite(v[i]))
-      fail(path + "[" + std::to_string(i) + "]", "a finite number", static_cast<double>(v[i]));
+    if (!std::isfinite(v[i])) fail(path + "[" + std::to_string(i) + "]", "a finite number", static_cast<double>(v[i]));
   return v;
 }
 

@@ -78,10 +78,8 @@ constexpr T greatest(const T& a, const T& b) {
 }
 /// `condition ? yes : no`; overloaded for lanes.
 template <class T>
-  requires std::is_arithmetic_v<T>
-constexpr T select(bool condition, const T& yes, const T& no) {
-  return condition ? yes : no;
-}
+requires std::is_arithmetic_v<T>
+constexpr T select(bool condition, const T& yes, const T& no) { return condition ? yes : no; }
 template <class M, class T>
 constexpr Vec3<T> select(const M& condition, const Vec3<T>& yes, const Vec3<T>& no) {
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
@@ -131,8 +129,8 @@ Vec3<T> any_perpendicular(const Vec3<T>& n) {
   const Vec3<T> a = abs(n);
   const auto x_least = a.x < least(a.y, a.z);
   const auto y_least = a.y < a.z;
-  const Vec3<T> axis = select(x_least, Vec3<T>{T(1), T(0), T(0)},
-                              select(y_least, Vec3<T>{T(0), T(1), T(0)}, Vec3<T>{T(0), T(0), T(1)}));
+  const Vec3<T> axis =
+      select(x_least, Vec3<T>{T(1), T(0), T(0)}, select(y_least, Vec3<T>{T(0), T(1), T(0)}, Vec3<T>{T(0), T(0), T(1)}));
   return normalized(cross(n, axis));
 }
 

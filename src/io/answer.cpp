@@ -119,16 +119,16 @@ void write_answer(const Question<T>& q, JsonWriter& out) {
   Trace trace;
   Trace* asked = q.explain ? &trace : nullptr;
   switch (q.query) {
-    case QueryKind::overlap:
-      out.key("overlap").value(overlap(q.a->shape, q.a->pose, q.b->shape, q.b->pose, asked));
-      break;
-    case QueryKind::distance: write_distance(q, asked, out); break;
-    case QueryKind::contacts: write_contacts(q, asked, out); break;
-    case QueryKind::closest: write_closest(q, asked, out); break;
-    case QueryKind::raycast:
-    case QueryKind::cast:
-      throw InvalidValue("query", "one of overlap, distance, contacts, closest (rays and casts are not in this version)",
-                         q.query == QueryKind::cast ? "\"cast\"" : "\"raycast\"");
+  case QueryKind::overlap:
+    out.key("overlap").value(overlap(q.a->shape, q.a->pose, q.b->shape, q.b->pose, asked));
+    break;
+  case QueryKind::distance: write_distance(q, asked, out); break;
+  case QueryKind::contacts: write_contacts(q, asked, out); break;
+  case QueryKind::closest: write_closest(q, asked, out); break;
+  case QueryKind::raycast:
+  case QueryKind::cast:
+    throw InvalidValue("query", "one of overlap, distance, contacts, closest (rays and casts are not in this version)",
+                       q.query == QueryKind::cast ? "\"cast\"" : "\"raycast\"");
   }
   if (asked) write_trace(trace, out);
 }

@@ -42,8 +42,8 @@ std::vector<IdPair> candidates(const Scene& scene, const Prepared<T>& prepared, 
     boxes.push_back(inflated(bounds(prepared.shapes[i], prepared.poses[i]), margin / T(2)));
     filters.push_back(scene.colliders[i].filter);
   }
-  const bool moves = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                 [](const Body& b) { return b.type != MotionType::fixed; });
+  const bool moves =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.type != MotionType::fixed; });
   const auto allowed = [&](std::uint32_t a, std::uint32_t b) {
     return scene.colliders[a].body != scene.colliders[b].body && (!moves || movable(scene, a) || movable(scene, b));
   };

@@ -46,7 +46,8 @@ inline Mesh<float> single(const Mesh<double>& m) {
 }
 inline Compound<float> single(const Compound<double>& c) {
   std::vector<Placed<float>> children;
-  for (const Placed<double>& child : c.children()) children.push_back({to_single(child.shape), cast<float>(child.pose)});
+  for (const Placed<double>& child : c.children())
+    children.push_back({to_single(child.shape), cast<float>(child.pose)});
   return Compound<float>(std::move(children));
 }
 
@@ -69,8 +70,7 @@ inline UserConvex<float> single(const UserConvex<double>& u) {
 
 /// The same shape with its numbers rounded to float. Throws `InvalidValue` for one that floats cannot hold.
 inline Shapef to_single(const Shaped& shape) {
-  return shape.visit(
-      [&](const auto& c) -> Shapef { return {detail::single(c), static_cast<float>(shape.margin())}; });
+  return shape.visit([&](const auto& c) -> Shapef { return {detail::single(c), static_cast<float>(shape.margin())}; });
 }
 
 }  // namespace graze::io

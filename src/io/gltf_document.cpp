@@ -21,7 +21,8 @@ std::uint32_t word(const std::string& bytes, std::size_t at) {
 /// The JSON of a .gltf, or of the first chunk of a .glb.
 std::string_view json_text(const std::string& bytes) {
   if (!bytes.starts_with("glTF")) return bytes;
-  if (bytes.size() < 20) throw InvalidValue("header", "a GLB header of 20 bytes", std::to_string(bytes.size()) + " bytes");
+  if (bytes.size() < 20)
+    throw InvalidValue("header", "a GLB header of 20 bytes", std::to_string(bytes.size()) + " bytes");
   if (word(bytes, 4) != 2) throw InvalidValue("header.version", "2", std::to_string(word(bytes, 4)));
   if (word(bytes, 8) > bytes.size())
     throw InvalidValue("header.length", "at most the " + std::to_string(bytes.size()) + " bytes of the file",
@@ -81,7 +82,8 @@ GltfDocument::~GltfDocument() = default;
 
 GltfDocument::GltfDocument(const std::string& bytes, const std::filesystem::path& folder)
     : buffers_(std::make_unique<Buffers>()) {
-  if (bytes.size() > largest_file) throw InvalidValue("", "a file below 2 GiB", std::to_string(bytes.size()) + " bytes");
+  if (bytes.size() > largest_file)
+    throw InvalidValue("", "a file below 2 GiB", std::to_string(bytes.size()) + " bytes");
   const std::string_view text = json_text(bytes);
   json_ = parse_json(text);  // bounds the nesting, which tinygltf does not
   if (!json_.is_object()) throw InvalidValue("", "a glTF object", shown(json_));
@@ -141,8 +143,7 @@ class Elements {
     const std::size_t room = view.byteLength;
     const bool fits = count_ == 0 || (accessor.byteOffset <= room && element_ <= room - accessor.byteOffset &&
                                       (count_ - 1) <= (room - accessor.byteOffset - element_) / stride_);
-    if (!fits)
-      throw InvalidValue(name + ".count", "as many elements as its buffer view holds", std::to_string(count_));
+    if (!fits) throw InvalidValue(name + ".count", "as many elements as its buffer view holds", std::to_string(count_));
     begin_ = data.data() + view.byteOffset + accessor.byteOffset;
   }
 
@@ -190,12 +191,14 @@ std::vector<Mesh<double>::Index> corners_of(int mode, const std::vector<std::uin
 void append_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& path,
                       TriangleSoup& soup) {
   const auto position = primitive.attributes.find("POSITION");
-  if (position == primitive.attributes.end()) throw InvalidValue(path + ".attributes.POSITION", "an accessor", "nothing");
+  if (position == primitive.attributes.end())
+    throw InvalidValue(path + ".attributes.POSITION", "an accessor", "nothing");
   if (primitive.extensions.count("KHR_draco_mesh_compression") != 0)
     throw InvalidValue(path + ".extensions", "plain triangles", "KHR_draco_mesh_compression, which is not supported");
   const Elements points(model, position->second, TINYGLTF_TYPE_VEC3, path + ".attributes.POSITION");
   if (points.component() != TINYGLTF_COMPONENT_TYPE_FLOAT)
-    throw InvalidValue(path + ".attributes.POSITION", "float positions", "component type " + std::to_string(points.component()));
+    throw InvalidValue(path + ".attributes.POSITION", "float positions",
+                       "component type " + std::to_string(points.component()));
   const auto first = static_cast<std::uint32_t>(soup.points.size());
   for (std::size_t i = 0; i < points.count(); ++i)
     soup.points.push_back(validate::point(points.vector(i), path + ".POSITION[" + std::to_string(i) + "]"));
@@ -206,8 +209,8 @@ void append_primitive(const tinygltf::Model& model, const tinygltf::Primitive& p
     for (std::size_t i = 0; i < indices.count(); ++i) {
       const std::uint32_t index = indices.whole(i);
       if (index >= points.count())
-        throw InvalidValue(path + ".indices[" + std::to_string(i) + "]", "an index below " + std::to_string(points.count()),
-                           std::to_string(index));
+        throw InvalidValue(path + ".indices[" + std::to_string(i) + "]",
+                           "an index below " + std::to_string(points.count()), std::to_string(index));
       order.push_back(first + index);
     }
   } else {
@@ -230,7 +233,8 @@ TriangleSoup GltfDocument::triangles(std::size_t mesh, int& skipped) const {
       ++skipped;
       continue;
     }
-    append_primitive(model, primitive, "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(i) + "]", soup);
+    append_primitive(model, primitive, "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(i) + "]",
+                     soup);
   }
   return soup;
 }

@@ -64,8 +64,8 @@ void require_regular(const JsonValue& node, const Affine& map) {
   double product = 1;
   for (std::size_t i = 0; i < 3; ++i) product *= length(map.linear.column(i));
   if (std::abs(determinant(map.linear)) > 1e-12 * product && std::isfinite(product) && product > 0) return;
-  throw InvalidValue(node.path(), "a transform with a scale that is neither zero nor singular", "one of determinant " +
-                     validate::number(determinant(map.linear)));
+  throw InvalidValue(node.path(), "a transform with a scale that is neither zero nor singular",
+                     "one of determinant " + validate::number(determinant(map.linear)));
 }
 
 class SceneReader {
@@ -246,7 +246,14 @@ class SceneReader {
     }
     const MappedShape result = mapped(shape, map);
     if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);
-    return {name_of(node), static_cast<int>(node), static_cast<std::uint32_t>(body), result.shape, result.pose, {}, false, {}};
+    return {name_of(node),
+            static_cast<int>(node),
+            static_cast<std::uint32_t>(body),
+            result.shape,
+            result.pose,
+            {},
+            false,
+            {}};
   }
 
   /// `shape` is an index of KHR_implicit_shapes; `node` (of older drafts) or `mesh` name triangles.

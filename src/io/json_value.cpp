@@ -118,7 +118,8 @@ std::vector<JsonValue> JsonValue::elements(std::optional<std::size_t> count) con
   if (!json_->is_array() || (count && json_->size() != *count)) fail(expected);
   std::vector<JsonValue> parts;
   parts.reserve(json_->size());
-  for (std::size_t i = 0; i < json_->size(); ++i) parts.emplace_back((*json_)[i], path_ + "[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < json_->size(); ++i)
+    parts.emplace_back((*json_)[i], path_ + "[" + std::to_string(i) + "]");
   return parts;
 }
 

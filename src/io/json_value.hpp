@@ -35,7 +35,9 @@ class JsonValue {
   const Json& json() const { return *json_; }
   const std::string& path() const { return path_; }
 
-  [[noreturn]] void fail(const std::string& expectation) const { throw InvalidValue(path_, expectation, shown(*json_)); }
+  [[noreturn]] void fail(const std::string& expectation) const {
+    throw InvalidValue(path_, expectation, shown(*json_));
+  }
 
   /// Checks that this is an object with no keys but these (and `comment`).
   const JsonValue& keys(std::initializer_list<std::string_view> known) const;

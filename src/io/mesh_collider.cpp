@@ -12,8 +12,7 @@ TriangleSoup welded(const TriangleSoup& soup) {
   std::map<std::tuple<double, double, double>, std::uint32_t> place;
   std::vector<std::uint32_t> renamed;
   for (const Vec3d& p : soup.points) {
-    const auto [found, fresh] =
-        place.emplace(std::tuple{p.x, p.y, p.z}, static_cast<std::uint32_t>(out.points.size()));
+    const auto [found, fresh] = place.emplace(std::tuple{p.x, p.y, p.z}, static_cast<std::uint32_t>(out.points.size()));
     if (fresh) out.points.push_back(p);
     renamed.push_back(found->second);
   }
@@ -55,10 +54,10 @@ Shaped bounding_ball(const std::vector<Vec3d>& points) {
 Shaped mesh_collider(const TriangleSoup& soup, MeshColliders kind) {
   TriangleSoup mesh = welded(soup);
   switch (kind) {
-    case MeshColliders::hull: return ConvexHull<double>(mesh.points);
-    case MeshColliders::box: return bounding_box(mesh.points);
-    case MeshColliders::sphere: return bounding_ball(mesh.points);
-    default: return Mesh<double>(std::move(mesh.points), std::move(mesh.triangles));
+  case MeshColliders::hull: return ConvexHull<double>(mesh.points);
+  case MeshColliders::box: return bounding_box(mesh.points);
+  case MeshColliders::sphere: return bounding_ball(mesh.points);
+  default: return Mesh<double>(std::move(mesh.points), std::move(mesh.triangles));
   }
 }
 

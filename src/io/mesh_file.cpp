@@ -13,9 +13,9 @@ void append_mesh(const aiMesh& mesh, const aiMatrix4x4& map, TriangleSoup& soup)
   const auto first = static_cast<std::uint32_t>(soup.points.size());
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
     const aiVector3D v = map * mesh.mVertices[i];
-    soup.points.push_back(validate::point(
-        Vec3d{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)},
-        "points[" + std::to_string(soup.points.size()) + "]"));
+    soup.points.push_back(
+        validate::point(Vec3d{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)},
+                        "points[" + std::to_string(soup.points.size()) + "]"));
   }
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     const aiFace& face = mesh.mFaces[i];

@@ -38,7 +38,8 @@ class View {
     up_ = cross(toward_, right_);
     double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
     for (int i = 0; i < 8; ++i) {
-      const Vec3d p{i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y, i & 4 ? box.upper.z : box.lower.z};
+      const Vec3d p{i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y,
+                    i & 4 ? box.upper.z : box.lower.z};
       low_x = std::min(low_x, dot(p, right_)), high_x = std::max(high_x, dot(p, right_));
       low_y = std::min(low_y, dot(p, up_)), high_y = std::max(high_y, dot(p, up_));
     }
@@ -108,11 +109,11 @@ std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
   const double dx = view.x(to) - view.x(from), dy = view.y(to) - view.y(from), l = std::hypot(dx, dy);
   if (l < 1) return "";
   const double ux = dx / l, uy = dy / l, x = view.x(to), y = view.y(to);
-  return fmt::format(
-      "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke-width=\"1.8\"/><path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\" "
-      "fill=\"#1d3557\"/>\n",
-      view.x(from), view.y(from), x - 4 * ux, y - 4 * uy, x + 2 * ux, y + 2 * uy, x - 7 * ux - 3.5 * uy,
-      y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
+  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke-width=\"1.8\"/><path d=\"M{:.1f} {:.1f}L{:.1f} "
+                     "{:.1f}L{:.1f} {:.1f}Z\" "
+                     "fill=\"#1d3557\"/>\n",
+                     view.x(from), view.y(from), x - 4 * ux, y - 4 * uy, x + 2 * ux, y + 2 * uy, x - 7 * ux - 3.5 * uy,
+                     y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
 }
 
 /// Contacts of what overlaps: an arrow a manifold, from the middle of its points, and a dot a point.
@@ -124,21 +125,25 @@ std::string draw_contacts(const View& view, const std::vector<TouchingPair>& pai
       Vec3d middle;
       for (const auto& p : m.points) {
         middle += p.position() / static_cast<double>(m.points.size());
-        dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>\n", view.x(p.position()), view.y(p.position()));
+        dots +=
+            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>\n", view.x(p.position()), view.y(p.position()));
       }
       arrows += arrow(view, middle, m.normal);
     }
   }
-  return "<g stroke=\"#1d3557\" fill=\"none\">\n" + arrows + "</g>\n<g fill=\"#c1121f\" stroke=\"#fff\" stroke-width=\".8\">\n" +
-         dots + "</g>\n";
+  return "<g stroke=\"#1d3557\" fill=\"none\">\n" + arrows +
+         "</g>\n<g fill=\"#c1121f\" stroke=\"#fff\" stroke-width=\".8\">\n" + dots + "</g>\n";
 }
 
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '<') out += "&lt;";
-    else if (c == '&') out += "&amp;";
-    else if (static_cast<unsigned char>(c) >= 0x20) out += c;
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;
   }
   return out;
 }
@@ -152,19 +157,21 @@ Aabbd scene_bounds(const Scene& scene) {
 }
 
 std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs) {
-  std::string out = fmt::format(
-      "<g font-family=\"system-ui, sans-serif\" font-size=\"14\" fill=\"#495057\"><text x=\"24\" y=\"32\" font-size=\"17\" "
-      "fill=\"#212529\">{}: {} colliders, {} pairs in contact</text>\n",
-      escaped(scene.source), scene.colliders.size(), pairs.size());
+  std::string out = fmt::format("<g font-family=\"system-ui, sans-serif\" font-size=\"14\" fill=\"#495057\"><text "
+                                "x=\"24\" y=\"32\" font-size=\"17\" "
+                                "fill=\"#212529\">{}: {} colliders, {} pairs in contact</text>\n",
+                                escaped(scene.source), scene.colliders.size(), pairs.size());
   const std::pair<const char*, Color> entries[] = {
       {"static", still}, {"moving", moving}, {"touching", tint}, {"trigger", trigger}};
   double x = 24;
   for (const auto& [name, color] : entries) {
-    out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
-                       x, height - 30, hex(color, 1), x + 19, height - 18.5, name);
+    out += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
+        x, height - 30, hex(color, 1), x + 19, height - 18.5, name);
     x += 92;
   }
-  return out + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"#c1121f\"/><text x=\"{}\" y=\"{}\">contact point, with its normal</text></g>\n",
+  return out + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"#c1121f\"/><text x=\"{}\" y=\"{}\">contact "
+                           "point, with its normal</text></g>\n",
                            x + 4, height - 23.5, x + 15, height - 18.5);
 }
 
@@ -190,10 +197,11 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
     return a.background != b.background ? a.background : a.depth < b.depth;
   });
 
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" fill=\"#f8f9fa\"/>\n<g stroke-width=\".8\" stroke-linejoin=\"round\">\n",
-      width, height);
+  std::string out =
+      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+                  "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" fill=\"#f8f9fa\"/>\n<g stroke-width=\".8\" "
+                  "stroke-linejoin=\"round\">\n",
+                  width, height);
   for (const DrawnFace& face : faces) out += face.text;
   return out + "</g>\n" + draw_contacts(view, pairs) + legend(scene, pairs) + "</svg>\n";
 }

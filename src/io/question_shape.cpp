@@ -136,8 +136,8 @@ template <class T>
 Shape<T> read_shape(const JsonValue& json) {
   if (!json.json().is_object()) json.fail("an object");
   const JsonValue type = json.at("type");
-  static constexpr const char* names[] = {"sphere",    "box",    "capsule",  "cylinder", "plane",
-                                          "ellipsoid", "convex", "triangle", "mesh",     "heightfield", "compound"};
+  static constexpr const char* names[] = {"sphere", "box",      "capsule", "cylinder",    "plane",   "ellipsoid",
+                                          "convex", "triangle", "mesh",    "heightfield", "compound"};
   const auto* known = std::find_if(std::begin(names), std::end(names), [&](const char* n) { return type.json() == n; });
   if (known == std::end(names))
     type.fail("one of sphere, box, capsule, cylinder, plane, ellipsoid, convex, triangle, mesh, heightfield, compound");
@@ -154,7 +154,8 @@ Shape<T> read_shape(const JsonValue& json) {
   }
   if (name == "box") {
     if (own) own->keys({"size"});
-    return {Box<T>(own && own->has("size") ? own->at("size").template lengths<T>() : Vec3<T>{T(1), T(1), T(1)}), margin};
+    return {Box<T>(own && own->has("size") ? own->at("size").template lengths<T>() : Vec3<T>{T(1), T(1), T(1)}),
+            margin};
   }
   if (name == "capsule" || name == "cylinder") {
     if (own) own->keys({"height", "radiusBottom", "radiusTop"});

@@ -33,8 +33,8 @@ MappedShape sampled_hull(const Shaped& shape, const Affine& map) {
     size = std::max(size, reach);
   }
   char text[160];
-  std::snprintf(text, sizeof text, "a scaled %s became the hull of %zu points, %.2g of its size too small", shape.name(),
-                hull.as<ConvexHull<double>>()->data().vertices.size(), size > 0 ? off / size : 0.0);
+  std::snprintf(text, sizeof text, "a scaled %s became the hull of %zu points, %.2g of its size too small",
+                shape.name(), hull.as<ConvexHull<double>>()->data().vertices.size(), size > 0 ? off / size : 0.0);
   return {hull, {map.translation, {}}, text};
 }
 
@@ -62,7 +62,8 @@ MappedShape mapped_half_space(const Affine& map) {
   const Vec3d x = map.linear.column(0), z = map.linear.column(2);
   const Vec3d up = normalized(cross(z, x) * (determinant(map.linear) < 0 ? -1.0 : 1.0));
   const Vec3d side = normalized(x);
-  return {HalfSpace<double>(), {map.translation, rotation_quaternion(Mat3d::from_columns(side, up, cross(side, up)))}, ""};
+  return {
+      HalfSpace<double>(), {map.translation, rotation_quaternion(Mat3d::from_columns(side, up, cross(side, up)))}, ""};
 }
 
 /// What keeps its kind under a scale without shear, or nothing.

@@ -14,7 +14,8 @@ namespace {
 std::string read_file(const std::filesystem::path& file) {
   std::error_code failed;
   if (!std::filesystem::is_regular_file(file, failed))
-    throw InvalidValue(file.string(), "a file that can be read", std::filesystem::exists(file, failed) ? "something else" : "nothing");
+    throw InvalidValue(file.string(), "a file that can be read",
+                       std::filesystem::exists(file, failed) ? "something else" : "nothing");
   std::ifstream in(file, std::ios::binary);
   std::string bytes((std::istreambuf_iterator<char>(in)), {});
   if (!in && !in.eof()) throw InvalidValue(file.string(), "a file that can be read", "an error");
@@ -23,7 +24,8 @@ std::string read_file(const std::filesystem::path& file) {
 
 std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending.empty() ? ending : ending.substr(1);
 }
 

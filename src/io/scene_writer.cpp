@@ -72,7 +72,8 @@ class Writer {
     Aabbd box = Aabbd::empty();
     data.resize(data.size() + view.byteLength);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const float v[3] = {static_cast<float>(points[i].x), static_cast<float>(points[i].y), static_cast<float>(points[i].z)};
+      const float v[3] = {static_cast<float>(points[i].x), static_cast<float>(points[i].y),
+                          static_cast<float>(points[i].z)};
       std::memcpy(data.data() + view.byteOffset + i * 12, v, 12);
       box = merged(box, cast<double>(Vec3f{v[0], v[1], v[2]}));
     }
@@ -92,8 +93,8 @@ class Writer {
 };
 
 Polygons octahedron(const Vec3d& center, double r) {
-  const Shaped shape = ConvexHull<double>(
-      std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});
+  const Shaped shape =
+      ConvexHull<double>(std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});
   return tessellate(shape, {center, {}}, {}, 0);
 }
 
@@ -123,10 +124,11 @@ void write_contacts(const std::filesystem::path& file, const Scene& scene, const
   const double size = max_abs(all.extent());
 
   Writer writer;
-  const int still = writer.material("static", 0.75, 0.78, 0.82, 1), moving = writer.material("moving", 0.4, 0.55, 0.72, 1),
+  const int still = writer.material("static", 0.75, 0.78, 0.82, 1),
+            moving = writer.material("moving", 0.4, 0.55, 0.72, 1),
             touching = writer.material("touching", 0.85, 0.35, 0.25, 0.8),
-            trigger = writer.material("trigger", 0.4, 0.7, 0.5, 0.3), dot = writer.material("contact", 0.75, 0.05, 0.1, 1),
-            arrow = writer.material("normal", 0.1, 0.2, 0.35, 1);
+            trigger = writer.material("trigger", 0.4, 0.7, 0.5, 0.3),
+            dot = writer.material("contact", 0.75, 0.05, 0.1, 1), arrow = writer.material("normal", 0.1, 0.2, 0.35, 1);
   std::set<std::uint32_t> touched;
   for (const TouchingPair& p : pairs)
     if (p.overlap && !p.trigger) touched.insert({p.a, p.b});

@@ -90,9 +90,9 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   return least_distance;
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                       \
-  template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
-  template bool any_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);             \
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);         \
+  template bool any_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);                 \
   template T any_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

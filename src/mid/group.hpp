@@ -31,7 +31,8 @@ void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
     if (leader[order[i]] != none) continue;
     std::vector<std::size_t> group;
     for (std::size_t j = i; j < count && key(order[j]).x - key(order[i]).x <= same_normal<T>; ++j)
-      if (leader[order[j]] == none && max_abs(key(order[j]) - key(order[i])) <= same_normal<T>) group.push_back(order[j]);
+      if (leader[order[j]] == none && max_abs(key(order[j]) - key(order[i])) <= same_normal<T>)
+        group.push_back(order[j]);
     const std::size_t front = *std::min_element(group.begin(), group.end());
     for (const std::size_t member : group) leader[member] = front;
   }

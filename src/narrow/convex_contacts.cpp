@@ -113,8 +113,8 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
     nearest = std::min(nearest, apart);
     if (apart > limit) continue;
     const Vec3d on_a = c.a + normal * side_a.radius(), on_b = on_a + normal * apart;
-    manifold.points.push_back({cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)),
-                               static_cast<T>(apart), c.feature});
+    manifold.points.push_back(
+        {cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature});
   }
   manifold.normal = cast<T>(rotate(frame.rotation, normal));
   // Faces that miss what is nearest serve worse than the closest points.
@@ -156,8 +156,8 @@ void mirror(Manifold<T>& manifold) {
 }  // namespace
 
 template <class T>
-Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                            Manifold<T>& manifold, Trace* trace) {
+Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                            T margin, Manifold<T>& manifold, Trace* trace) {
   const Distance<T> d = convex_distance(a, pose_a, b, pose_b, trace);
   if (d.status == Status::unbounded || !(d.distance <= margin)) return d;
   const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;

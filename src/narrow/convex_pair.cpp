@@ -87,8 +87,9 @@ template <class T>
 Distance<T> half_spaces(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b) {
   const Pose<T> pose = relative(a.pose, b.pose);
   const Vec3<T> up{T(0), T(1), T(0)};
-  Distance<T> d = finished<T>({pose.translation.y, up, {pose.translation.x, T(0), pose.translation.z}, pose.translation},
-                              radius_a, radius_b, a.pose);
+  Distance<T> d =
+      finished<T>({pose.translation.y, up, {pose.translation.x, T(0), pose.translation.z}, pose.translation}, radius_a,
+                  radius_b, a.pose);
   if (opposite(rotate(pose.rotation, up))) return d;
   d.distance = -std::numeric_limits<T>::infinity();
   d.status = Status::unbounded;
@@ -202,8 +203,8 @@ bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
   return routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                         \
-  template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);    \
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);      \
   template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

@@ -19,7 +19,7 @@ bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
 /// `contacts` of two convex shapes: fills the manifold; returns its smallest signed distance, or infinity when there is
 /// nothing within `margin`.
 template <class T>
-Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                            Manifold<T>& manifold, Trace* trace);
+Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                            T margin, Manifold<T>& manifold, Trace* trace);
 
 }  // namespace graze

@@ -78,7 +78,7 @@ struct LaneOf {
   using type = S;
 };
 template <class S>
-  requires requires { typename S::Lane; }
+requires requires { typename S::Lane; }
 struct LaneOf<S> {
   using type = typename S::Lane;
 };

@@ -18,9 +18,9 @@ inline constexpr int slide_steps = 256;
 inline constexpr double slide_stretch = 65536, slide_clearance = 1.0 / 64;
 
 struct EpaResult {
-  Vec3d normal;            ///< unit, from A to B
-  Vec3d a, b;              ///< the deepest points: b - a = -upper * normal up to the tolerance
-  double lower, upper;     ///< bounds of the depth; about zero where the cores merely touch
+  Vec3d normal;         ///< unit, from A to B
+  Vec3d a, b;           ///< the deepest points: b - a = -upper * normal up to the tolerance
+  double lower, upper;  ///< bounds of the depth; about zero where the cores merely touch
 };
 
 /// A difference whose B is moved aside.

@@ -33,9 +33,9 @@ struct GjkResult {
 
 /// What a caller wants to know, and so when GJK may stop.
 struct GjkGoal {
-  double tolerance;         ///< of `upper - lower`
-  double separation = -1;   ///< stop as soon as the distance is known to exceed this (if >= 0) ...
-  double proximity = -1;    ///< ... or not to exceed this (if >= 0)
+  double tolerance;        ///< of `upper - lower`
+  double separation = -1;  ///< stop as soon as the distance is known to exceed this (if >= 0) ...
+  double proximity = -1;   ///< ... or not to exceed this (if >= 0)
 };
 
 template <class Difference>

@@ -173,9 +173,9 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, Fac
       corners = cut(corners, clip, i, subject.size() > 2, subject.whole());
   }
   for (const Corner& c : corners) {
-    const std::uint32_t feature =
-        swapped ? feature_id(c.feature_b, c.feature_a) : feature_id(c.feature_a, c.feature_b);
-    contacts.push_back({basis.point(c.x, c.y, fa.height(c.x, c.y)), basis.point(c.x, c.y, fb.height(c.x, c.y)), feature});
+    const std::uint32_t feature = swapped ? feature_id(c.feature_b, c.feature_a) : feature_id(c.feature_a, c.feature_b);
+    contacts.push_back(
+        {basis.point(c.x, c.y, fa.height(c.x, c.y)), basis.point(c.x, c.y, fb.height(c.x, c.y)), feature});
   }
 }
 

@@ -59,8 +59,8 @@ bool Polytope::find_horizon(std::uint16_t seed, const Vec3d& w) {
     --top.left;
     const std::uint16_t n = f.neighbor[e];
     Facet& next = facets_[n];
-    const auto entry = static_cast<std::uint8_t>(
-        std::find(next.neighbor.begin(), next.neighbor.end(), top.facet) - next.neighbor.begin());
+    const auto entry = static_cast<std::uint8_t>(std::find(next.neighbor.begin(), next.neighbor.end(), top.facet) -
+                                                 next.neighbor.begin());
     if (entry == 3) return false;
     if (next.live && sees(next, w)) {
       next.live = false;
@@ -112,7 +112,8 @@ bool Polytope::expand(const Facet& seen_first, const SupportPoint& point) {
 }
 
 std::size_t Polytope::live_count() const {
-  return static_cast<std::size_t>(std::count_if(facets_.begin(), facets_.begin() + static_cast<std::ptrdiff_t>(facet_count_),
+  return static_cast<std::size_t>(std::count_if(facets_.begin(),
+                                                facets_.begin() + static_cast<std::ptrdiff_t>(facet_count_),
                                                 [](const Facet& f) { return f.live; }));
 }
 
@@ -123,7 +124,8 @@ double Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& 
     const Facet& f = facets_[i];
     if (!f.live || !(dot(f.normal, direction) > facing)) continue;
     const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
-    double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)), w = dot(direction, cross(p.w, q.w));
+    double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)),
+           w = dot(direction, cross(p.w, q.w));
     const double sum = u + v + w;
     if (!(sum > 0)) continue;
     const double inside = least(u, least(v, w)) / sum;

@@ -19,7 +19,7 @@ struct Facet {
   std::array<std::uint16_t, 3> vertex;    ///< counter-clockwise seen from outside
   std::array<std::uint16_t, 3> neighbor;  ///< across the edge from vertex i to vertex i + 1
   bool live = false;
-  bool final = false;                     ///< known to lie on the boundary of the difference
+  bool final = false;  ///< known to lie on the boundary of the difference
 };
 
 /// What is found instead of a tetrahedron when the difference is flat: its normal separates the cores at no depth.

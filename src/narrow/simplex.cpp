@@ -77,10 +77,10 @@ Nearest reduce_tetrahedron(Simplex& s) {
 
 Nearest reduce_to_nearest(Simplex& s) {
   switch (s.size) {
-    case 1: return reduce_to(s, vertex(s, 0));
-    case 2: return reduce_to(s, edge(s, 0, 1));
-    case 3: return reduce_to(s, triangle(s, 0, 1, 2));
-    default: return reduce_tetrahedron(s);
+  case 1: return reduce_to(s, vertex(s, 0));
+  case 2: return reduce_to(s, edge(s, 0, 1));
+  case 3: return reduce_to(s, triangle(s, 0, 1, 2));
+  default: return reduce_tetrahedron(s);
   }
 }
 

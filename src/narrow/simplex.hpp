@@ -27,7 +27,7 @@ struct Simplex {
   Vec3d point_b() const { return weighted(&SupportPoint::b); }
 
  private:
-  Vec3d weighted(Vec3d SupportPoint::* member) const {
+  Vec3d weighted(Vec3d SupportPoint::*member) const {
     Vec3d sum;
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) sum += point[i].*member * weight[i];
     return sum;

@@ -26,11 +26,10 @@ Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& po
   return {d.distance, d.a, d.normal, d.status};
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                   \
-  template bool overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);             \
-  template Distance<T> distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
-  template bool contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&,   \
-                         Trace*);                                                                              \
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template bool overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);                     \
+  template Distance<T> distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);             \
+  template bool contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*);  \
   template Closest<T> closest(const Shape<T>&, const Pose<T>&, const Vec3<T>&, Trace*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

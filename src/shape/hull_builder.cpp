@@ -32,7 +32,7 @@ struct Triangle3 {
   std::array<std::uint32_t, 3> vertex;
   std::array<std::uint32_t, 3> neighbor;  ///< across the edge from vertex i to i + 1
   GridNormal normal;
-  std::vector<std::uint32_t> outside;     ///< points that see this triangle and are assigned to no other
+  std::vector<std::uint32_t> outside;  ///< points that see this triangle and are assigned to no other
   bool live = true;
 };
 
@@ -232,7 +232,8 @@ HullSurface hull_surface(std::span<const GridPoint> points) {
   const auto length_from = [&](const GridPoint& o) {
     return [o](const GridPoint& p) {
       const GridPoint d = minus(p, o);
-      return static_cast<double>(d[0]) * static_cast<double>(d[0]) + static_cast<double>(d[1]) * static_cast<double>(d[1]) +
+      return static_cast<double>(d[0]) * static_cast<double>(d[0]) +
+             static_cast<double>(d[1]) * static_cast<double>(d[1]) +
              static_cast<double>(d[2]) * static_cast<double>(d[2]);
     };
   };
@@ -246,8 +247,8 @@ HullSurface hull_surface(std::span<const GridPoint> points) {
     return surface;
   }
   const GridPoint along = minus(points[second], points[first]);
-  const std::uint32_t third = extreme(
-      points, [&](const GridPoint& p) { return magnitude(product(along, minus(p, points[first]))); });
+  const std::uint32_t third =
+      extreme(points, [&](const GridPoint& p) { return magnitude(product(along, minus(p, points[first]))); });
   if (third == none) {
     surface.dimension = 1;
     surface.polygon = {first, second};
@@ -267,8 +268,7 @@ HullSurface hull_surface(std::span<const GridPoint> points) {
   surface.dimension = 3;
   // The first triangle must not see the fourth point.
   const bool above = height(points[fourth]) > 0;
-  surface.triangles =
-      Quickhull(points, {first, above ? third : second, above ? second : third, fourth}).run();
+  surface.triangles = Quickhull(points, {first, above ? third : second, above ? second : third, fourth}).run();
   return surface;
 }
 

@@ -327,7 +327,8 @@ template <class T>
 Moments of(const Compound<T>& compound, double) {
   Moments m;
   for (const Placed<T>& child : compound.children())
-    m = m + moved(of_shape(child.shape), {cast<double>(child.pose.translation), normalized(cast<double>(child.pose.rotation))});
+    m = m + moved(of_shape(child.shape),
+                  {cast<double>(child.pose.translation), normalized(cast<double>(child.pose.rotation))});
   return m;
 }
 template <class T>

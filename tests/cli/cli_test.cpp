@@ -30,7 +30,8 @@ const std::string demo = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.
 TEST(Cli, CollidePrintsATableAndWritesPictures) {
   const auto folder = std::filesystem::temp_directory_path() / "graze_cli_test";
   std::filesystem::create_directories(folder);
-  const Result r = run("collide " + demo + " --svg " + (folder / "a.svg").string() + " --out " + (folder / "a.glb").string());
+  const Result r =
+      run("collide " + demo + " --svg " + (folder / "a.svg").string() + " --out " + (folder / "a.glb").string());
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.output.find("crate 1"), std::string::npos);
   EXPECT_GT(std::filesystem::file_size(folder / "a.svg"), 1000u);

@@ -6,9 +6,9 @@ namespace graze::testing {
 
 namespace {
 
-constexpr const char* names[kind_count] = {"sphere",         "capsule",   "tapered_capsule", "box",     "rectangle",
-                                           "cylinder",       "cone",      "truncated_cone",  "ellipsoid", "segment",
-                                           "triangle",       "hull",      "user",            "half_space"};
+constexpr const char* names[kind_count] = {
+    "sphere",         "capsule",   "tapered_capsule", "box",      "rectangle", "cylinder", "cone",
+    "truncated_cone", "ellipsoid", "segment",         "triangle", "hull",      "user",     "half_space"};
 
 /// An ellipsoid as a user would write it.
 template <class T>
@@ -35,13 +35,13 @@ const char* name_of(Kind kind) { return names[static_cast<int>(kind)]; }
 
 bool curved(Kind kind) {
   switch (kind) {
-    case Kind::tapered_capsule:
-    case Kind::cylinder:
-    case Kind::cone:
-    case Kind::truncated_cone:
-    case Kind::ellipsoid:
-    case Kind::user: return true;
-    default: return false;
+  case Kind::tapered_capsule:
+  case Kind::cylinder:
+  case Kind::cone:
+  case Kind::truncated_cone:
+  case Kind::ellipsoid:
+  case Kind::user: return true;
+  default: return false;
   }
 }
 
@@ -106,20 +106,20 @@ Shape<T> build(const Specimen& s) {
   std::vector<Vec3<T>> points;
   for (const Vec3f& p : s.points) points.push_back(cast<T>(p));
   switch (s.kind) {
-    case Kind::sphere: return {Sphere<T>(a), margin};
-    case Kind::capsule: return {Capsule<T>(a, b), margin};
-    case Kind::tapered_capsule: return {Capsule<T>(a, b, c), margin};
-    case Kind::box: return {Box<T>({a, b, c}), margin};
-    case Kind::rectangle: return {Rectangle<T>(a, b), margin};
-    case Kind::cylinder: return {Cylinder<T>(a, b), margin};
-    case Kind::cone: return {Cylinder<T>(a, b, T(0)), margin};
-    case Kind::truncated_cone: return {Cylinder<T>(a, b, c), margin};
-    case Kind::ellipsoid: return {Ellipsoid<T>({a, b, c}), margin};
-    case Kind::segment: return {LineSegment<T>(points[0], points[1]), margin};
-    case Kind::triangle: return {Triangle<T>(points[0], points[1], points[2]), margin};
-    case Kind::hull: return {ConvexHull<T>(points), margin};
-    case Kind::user: return {UserConvex<T>(std::make_shared<UserEllipsoid<T>>(Vec3<T>{a, b, c})), margin};
-    default: return {HalfSpace<T>(), margin};
+  case Kind::sphere: return {Sphere<T>(a), margin};
+  case Kind::capsule: return {Capsule<T>(a, b), margin};
+  case Kind::tapered_capsule: return {Capsule<T>(a, b, c), margin};
+  case Kind::box: return {Box<T>({a, b, c}), margin};
+  case Kind::rectangle: return {Rectangle<T>(a, b), margin};
+  case Kind::cylinder: return {Cylinder<T>(a, b), margin};
+  case Kind::cone: return {Cylinder<T>(a, b, T(0)), margin};
+  case Kind::truncated_cone: return {Cylinder<T>(a, b, c), margin};
+  case Kind::ellipsoid: return {Ellipsoid<T>({a, b, c}), margin};
+  case Kind::segment: return {LineSegment<T>(points[0], points[1]), margin};
+  case Kind::triangle: return {Triangle<T>(points[0], points[1], points[2]), margin};
+  case Kind::hull: return {ConvexHull<T>(points), margin};
+  case Kind::user: return {UserConvex<T>(std::make_shared<UserEllipsoid<T>>(Vec3<T>{a, b, c})), margin};
+  default: return {HalfSpace<T>(), margin};
   }
 }
 template Shape<float> build(const Specimen&);
@@ -140,18 +140,18 @@ reference::Placed reference_of(const PlacedSpecimen& p) {
   for (const Vec3f& v : s.points) points.push_back(vector_of(v));
   const auto shape = [&]() -> reference::Shape {
     switch (s.kind) {
-      case testing::Kind::sphere: return sphere(a + margin);
-      case testing::Kind::capsule: return capsule(a, b, b, margin);
-      case testing::Kind::tapered_capsule: return capsule(a, b, c, margin);
-      case testing::Kind::box: return box({a, b, c}, margin);
-      case testing::Kind::rectangle: return box({a, 0, b}, margin);
-      case testing::Kind::cylinder: return cylinder(a, b, b, margin);
-      case testing::Kind::cone: return cylinder(a, b, 0, margin);
-      case testing::Kind::truncated_cone: return cylinder(a, b, c, margin);
-      case testing::Kind::ellipsoid:
-      case testing::Kind::user: return ellipsoid({a, b, c}, margin);
-      case testing::Kind::half_space: return halfspace(margin);
-      default: return polytope(points, margin);
+    case testing::Kind::sphere: return sphere(a + margin);
+    case testing::Kind::capsule: return capsule(a, b, b, margin);
+    case testing::Kind::tapered_capsule: return capsule(a, b, c, margin);
+    case testing::Kind::box: return box({a, b, c}, margin);
+    case testing::Kind::rectangle: return box({a, 0, b}, margin);
+    case testing::Kind::cylinder: return cylinder(a, b, b, margin);
+    case testing::Kind::cone: return cylinder(a, b, 0, margin);
+    case testing::Kind::truncated_cone: return cylinder(a, b, c, margin);
+    case testing::Kind::ellipsoid:
+    case testing::Kind::user: return ellipsoid({a, b, c}, margin);
+    case testing::Kind::half_space: return halfspace(margin);
+    default: return polytope(points, margin);
     }
   };
   const Quatf& q = p.rotation;
@@ -166,8 +166,8 @@ std::string describe(const PlacedSpecimen& p) {
                 name_of(s.kind), static_cast<double>(s.size[0]), static_cast<double>(s.size[1]),
                 static_cast<double>(s.size[2]), static_cast<double>(s.margin), static_cast<double>(p.translation.x),
                 static_cast<double>(p.translation.y), static_cast<double>(p.translation.z),
-                static_cast<double>(p.rotation.x), static_cast<double>(p.rotation.y),
-                static_cast<double>(p.rotation.z), static_cast<double>(p.rotation.w));
+                static_cast<double>(p.rotation.x), static_cast<double>(p.rotation.y), static_cast<double>(p.rotation.z),
+                static_cast<double>(p.rotation.w));
   std::string all = text;
   for (const Vec3f& v : s.points) {
     std::snprintf(text, sizeof text, " (%.9g %.9g %.9g)", static_cast<double>(v.x), static_cast<double>(v.y),

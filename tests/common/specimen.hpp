@@ -14,8 +14,20 @@
 namespace graze::testing {
 
 enum class Kind {
-  sphere, capsule, tapered_capsule, box, rectangle, cylinder, cone, truncated_cone, ellipsoid, segment, triangle, hull,
-  user, half_space
+  sphere,
+  capsule,
+  tapered_capsule,
+  box,
+  rectangle,
+  cylinder,
+  cone,
+  truncated_cone,
+  ellipsoid,
+  segment,
+  triangle,
+  hull,
+  user,
+  half_space
 };
 inline constexpr int kind_count = 14;
 inline constexpr int bounded_kinds = 13;

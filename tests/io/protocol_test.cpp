@@ -75,11 +75,13 @@ TEST(Protocol, NamesTheValueAtFault) {
             "a.shape.plane.sizeZ: expected a value, got nothing");
   EXPECT_EQ(error(to_ball(R"({"type": "mesh", "mesh": {"points": [[0, 0, 0]], "triangles": [[0, 0, 1]]}})")),
             "a.shape.mesh.triangles[0][2]: expected an index below 1, got 1");
-  EXPECT_EQ(error(to_ball(R"({"type": "compound", "compound": {"children": [{"shape": {"type": "ball"}}]}})")),
-            "a.shape.compound.children[0].shape.type: expected one of sphere, box, capsule, cylinder, plane, ellipsoid, "
-            "convex, triangle, mesh, heightfield, compound, got \"ball\"");
+  EXPECT_EQ(
+      error(to_ball(R"({"type": "compound", "compound": {"children": [{"shape": {"type": "ball"}}]}})")),
+      "a.shape.compound.children[0].shape.type: expected one of sphere, box, capsule, cylinder, plane, ellipsoid, "
+      "convex, triangle, mesh, heightfield, compound, got \"ball\"");
   EXPECT_EQ(error(R"({"query": "distance", "a": {"shape": {"type": "sphere"}}})"), "b: expected a value, got nothing");
-  EXPECT_EQ(error(to_ball(R"({"type": "sphere"})", R"(, "margin": -1)")), "margin: expected a finite number >= 0, got -1");
+  EXPECT_EQ(error(to_ball(R"({"type": "sphere"})", R"(, "margin": -1)")),
+            "margin: expected a finite number >= 0, got -1");
 }
 
 TEST(Protocol, NumbersAreFiniteInThePrecisionAskedFor) {
@@ -97,8 +99,8 @@ TEST(Protocol, UnknownKeysAreErrorsAndCommentsAreNot) {
 }
 
 TEST(Protocol, OfDuplicateKeysTheLastCounts) {
-  EXPECT_NEAR(ask(to_ball(R"({"type": "sphere", "sphere": {"radius": -1, "radius": 1}})"))["distance"].get<double>(), 1.5,
-              1e-12);
+  EXPECT_NEAR(ask(to_ball(R"({"type": "sphere", "sphere": {"radius": -1, "radius": 1}})"))["distance"].get<double>(),
+              1.5, 1e-12);
 }
 
 TEST(Protocol, EchoesTheIdInAnswersAndErrors) {
@@ -127,7 +129,8 @@ TEST(Protocol, HalfSpacesThatAreNotOpposite) {
 
 TEST(Protocol, TwoDimensions) {
   const auto plane = [](const std::string& query, const std::string& a, const std::string& b) {
-    return ask(R"({"dimension": 2, "query": ")" + query + R"(", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + b + "}");
+    return ask(R"({"dimension": 2, "query": ")" + query + R"(", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + b +
+               "}");
   };
   const std::string box = R"({"type": "box", "box": {"size": [2, 2]}})";
   Json answer = plane("distance", box, R"({"type": "circle", "circle": {"radius": 0.5}}, "translation": [1.4, 0]})");
@@ -136,7 +139,8 @@ TEST(Protocol, TwoDimensions) {
   EXPECT_NEAR(answer["b"][0].get<double>(), 0.9, 1e-9);
   answer = plane("contacts", box, R"({"type": "box", "box": {"size": [1, 1]}}, "translation": [0.2, 1.4]})");
   EXPECT_EQ(answer["manifolds"][0]["points"].size(), 2u);
-  answer = plane("distance", R"({"type": "plane"})", R"({"type": "circle", "circle": {"radius": 1}}, "translation": [5, 3]})");
+  answer = plane("distance", R"({"type": "plane"})",
+                 R"({"type": "circle", "circle": {"radius": 1}}, "translation": [5, 3]})");
   EXPECT_NEAR(answer["distance"].get<double>(), 2, 1e-9);
   // A deep overlap is left by the plane's shortest way, never along the axis that is not there.
   answer = plane("distance", R"({"type": "circle", "circle": {"radius": 1}})",
@@ -148,7 +152,8 @@ TEST(Protocol, TwoDimensions) {
 }
 
 TEST(Protocol, ExplainAddsTheTrace) {
-  const Json answer = ask(to_ball(R"({"type": "ellipsoid", "ellipsoid": {"radii": [1, 2, 3]}})", R"(, "explain": true)"));
+  const Json answer =
+      ask(to_ball(R"({"type": "ellipsoid", "ellipsoid": {"radii": [1, 2, 3]}})", R"(, "explain": true)"));
   EXPECT_EQ(answer["trace"]["method"], "gjk");
   EXPECT_FALSE(answer["trace"]["gjk"].empty());
 }

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <fstream>
+#include <functional>
 
 #include <nlohmann/json.hpp>
 
@@ -136,14 +136,20 @@ TEST(GltfScene, EveryFaultIsNamed) {
     change(json);
     return refusal(json);
   };
-  EXPECT_EQ(with([](Json& j) { physics(j, 0)["collider"]["geometry"]["shape"] = 12; }),
-            "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.collider.geometry.shape: expected an index below 2, "
-            "got 12");
+  EXPECT_EQ(
+      with([](Json& j) { physics(j, 0)["collider"]["geometry"]["shape"] = 12; }),
+      "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.collider.geometry.shape: expected an index below 2, "
+      "got 12");
   EXPECT_EQ(with([](Json& j) { j["extensions"]["KHR_implicit_shapes"]["shapes"][0]["box"]["size"][1] = -2; }),
             "test.gltf: extensions.KHR_implicit_shapes.shapes[0].box.size[1]: expected a finite number >= 0, got -2");
-  EXPECT_EQ(with([](Json& j) { j["nodes"][0]["rotation"] = {0, 0, 0, 0}; }),
+  EXPECT_EQ(with([](Json& j) {
+              j["nodes"][0]["rotation"] = {0, 0, 0, 0};
+            }),
             "test.gltf: nodes[0].rotation: expected a quaternion that is not zero, got [0,0,0,0]");
-  EXPECT_NE(with([](Json& j) { j["nodes"][0]["scale"] = {1, 0, 1}; }).find("neither zero nor singular"), std::string::npos);
+  EXPECT_NE(with([](Json& j) {
+              j["nodes"][0]["scale"] = {1, 0, 1};
+            }).find("neither zero nor singular"),
+            std::string::npos);
   EXPECT_NE(with([](Json& j) { j["nodes"][0]["children"] = {1}; }).find("reached twice"), std::string::npos);
   EXPECT_NE(with([](Json& j) { j["nodes"][0]["children"] = {0}; }).find("reached twice"), std::string::npos);
   EXPECT_NE(with([](Json& j) { j["nodes"][0]["children"] = {7}; }).find("children[0]"), std::string::npos);
@@ -151,7 +157,8 @@ TEST(GltfScene, EveryFaultIsNamed) {
 }
 
 TEST(GltfScene, BrokenFilesAreRefused) {
-  for (const char* bytes : {"", "{", "glTF", "glTF\2\0\0\0", "[]", "nonsense"}) EXPECT_NE(refusal(std::string(bytes)), "loaded");
+  for (const char* bytes : {"", "{", "glTF", "glTF\2\0\0\0", "[]", "nonsense"})
+    EXPECT_NE(refusal(std::string(bytes)), "loaded");
   std::string glb("glTF\2\0\0\0\xff\xff\xff\x7f\xff\xff\xff\x7fJSON", 20);
   EXPECT_NE(refusal(glb).find("header.length"), std::string::npos);
   EXPECT_NE(refusal(std::string(100000, '[')).find("nested"), std::string::npos);

@@ -106,7 +106,8 @@ TEST(ClosedForms, AgreeWithTheGeneralPath) {
         };
         const GeneralDistance g = general_distance(sa, sb, relative_in_double(pa, pb), nullptr);
         EXPECT_NEAR(distance(sa, pa, sb, pb).distance, g.core.distance - radius(sa) - radius(sb), 1e-10)
-            << describe(a) << "\n" << describe(b);
+            << describe(a) << "\n"
+            << describe(b);
       }
 }
 

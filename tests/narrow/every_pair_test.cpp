@@ -56,8 +56,8 @@ std::pair<PlacedSpecimen, PlacedSpecimen> random_pair(Kind ka, Kind kb, float sc
 
 class EveryPair : public ::testing::TestWithParam<std::pair<Kind, Kind>> {
  protected:
-  Random random{static_cast<std::uint64_t>(static_cast<int>(GetParam().first) * 100 +
-                                           static_cast<int>(GetParam().second))};
+  Random random{
+      static_cast<std::uint64_t>(static_cast<int>(GetParam().first) * 100 + static_cast<int>(GetParam().second))};
 
   template <class T>
   void check_against_reference(float scale) {

@@ -92,7 +92,8 @@ TEST(Epa, PolytopeIsConvexAndHoldsTheOrigin) {
   for (int i = 0; i < 50; ++i) {
     const Shaped a = build<double>(random_specimen(Kind::hull, 1, random)), b = Box<double>({1, 0.7, 0.4});
     const ShapeCore<double> ca(a), cb(b);
-    const MinkowskiDifference difference(ca, cb, {vector(random, 0.1f), normalized(cast<double>(random_rotation(random)))});
+    const MinkowskiDifference difference(ca, cb,
+                                         {vector(random, 0.1f), normalized(cast<double>(random_rotation(random)))});
     const GjkResult g = gjk(difference, {1e-13});
     if (g.end != GjkEnd::touching) continue;
     Trace trace;

@@ -14,9 +14,9 @@
 namespace graze::reference {
 
 struct Answer {
-    Real distance;
-    Vector normal;  // unit, from A to B
-    Vector a, b;    // witness points in world space, b - a = distance * normal
+  Real distance;
+  Vector normal;  // unit, from A to B
+  Vector a, b;    // witness points in world space, b - a = distance * normal
 };
 
 // How far |normal| may be from 1: some roundings of double precision.

@@ -28,8 +28,8 @@
 namespace graze::reference {
 
 struct Signed {
-    Real distance;
-    Vector normal;  // unit, from A to B; one of them where several are best
+  Real distance;
+  Vector normal;  // unit, from A to B; one of them where several are best
 };
 
 // s(n), with n normalised inside. -infinity where a halfspace is unbounded.

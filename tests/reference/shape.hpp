@@ -17,7 +17,7 @@ namespace graze::reference {
 using Real = long double;
 
 struct Vector {
-    Real x = 0, y = 0, z = 0;
+  Real x = 0, y = 0, z = 0;
 };
 
 inline Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -27,7 +27,7 @@ inline Vector operator*(const Vector& a, Real s) { return {a.x * s, a.y * s, a.z
 inline Vector operator*(Real s, const Vector& a) { return a * s; }
 inline Real dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vector cross(const Vector& a, const Vector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 Real length(const Vector& a);
 // The zero vector comes back unchanged.
@@ -36,26 +36,26 @@ Vector normalized(const Vector& a);
 std::pair<Vector, Vector> tangents(const Vector& n);
 
 struct Quaternion {
-    Real x = 0, y = 0, z = 0, w = 1;
+  Real x = 0, y = 0, z = 0, w = 1;
 };
 
 enum class Kind { Polytope, Capsule, Cylinder, Ellipsoid, Halfspace };
 
 struct Edge {
-    std::size_t first, second;
+  std::size_t first, second;
 };
 
 struct Shape {
-    Kind kind = Kind::Polytope;
-    Real height = 0, radius_bottom = 0, radius_top = 0;  // capsule, cylinder
-    Vector radii;                                        // ellipsoid
-    Real margin = 0;
-    // Polytope only. Faces and edges are supersets (see hull_features): they
-    // supply candidate directions, where one too many costs only time.
-    std::vector<Vector> vertices;
-    std::vector<Vector> face_normals;     // up to sign
-    std::vector<Edge> edges;
-    std::vector<Vector> edge_directions;  // unit, up to sign, without repeats
+  Kind kind = Kind::Polytope;
+  Real height = 0, radius_bottom = 0, radius_top = 0;  // capsule, cylinder
+  Vector radii;                                        // ellipsoid
+  Real margin = 0;
+  // Polytope only. Faces and edges are supersets (see hull_features): they
+  // supply candidate directions, where one too many costs only time.
+  std::vector<Vector> vertices;
+  std::vector<Vector> face_normals;  // up to sign
+  std::vector<Edge> edges;
+  std::vector<Vector> edge_directions;  // unit, up to sign, without repeats
 };
 
 Shape polytope(std::vector<Vector> vertices, Real margin = 0);
@@ -71,14 +71,14 @@ Shape ellipsoid(const Vector& radii, Real margin = 0);
 Shape halfspace(Real margin = 0);
 
 struct Placed {
-    Shape shape;
-    Vector translation;
-    Vector axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};  // columns of the rotation
+  Shape shape;
+  Vector translation;
+  Vector axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};  // columns of the rotation
 
-    Vector to_world_direction(const Vector& v) const { return v.x * axis_x + v.y * axis_y + v.z * axis_z; }
-    Vector to_world(const Vector& p) const { return translation + to_world_direction(p); }
-    Vector to_local_direction(const Vector& v) const { return {dot(axis_x, v), dot(axis_y, v), dot(axis_z, v)}; }
-    Vector to_local(const Vector& p) const { return to_local_direction(p - translation); }
+  Vector to_world_direction(const Vector& v) const { return v.x * axis_x + v.y * axis_y + v.z * axis_z; }
+  Vector to_world(const Vector& p) const { return translation + to_world_direction(p); }
+  Vector to_local_direction(const Vector& v) const { return {dot(axis_x, v), dot(axis_y, v), dot(axis_z, v)}; }
+  Vector to_local(const Vector& p) const { return to_local_direction(p - translation); }
 };
 
 // The quaternion is normalised in extended precision; a zero one means none.

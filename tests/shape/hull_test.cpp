@@ -119,25 +119,25 @@ TEST(ConvexHull, HoldsEveryKindOfPoints) {
   for (int round = 0; round < 60; ++round) {
     std::vector<Vec3d> points = ball<double>(4 + random() % 300, random, round % 3 == 0);
     switch (round % 6) {
-      case 1:  // every point twice, and once more nearby
-        for (std::size_t i = 0, n = points.size(); i < n; ++i) {
-          points.push_back(points[i]);
-          points.push_back(points[i] + cast<double>(random_vector(random, 1e-15f)));
-        }
-        break;
-      case 2:  // a lattice: many coplanar and collinear
-        for (Vec3d& p : points) p = {std::round(p.x * 3), std::round(p.y * 3), std::round(p.z * 3)};
-        break;
-      case 3:
-        for (Vec3d& p : points) p = p * 1e-12 + Vec3d{1, 1, 1};
-        break;
-      case 4:
-        for (Vec3d& p : points) p = p * std::ldexp(1.0, static_cast<int>(random() % 200) - 100);
-        break;
-      case 5:  // flat up to rounding
-        for (Vec3d& p : points) p = Vec3d{p.x, p.y, 0.3 * p.x - 0.7 * p.y};
-        break;
-      default: break;
+    case 1:  // every point twice, and once more nearby
+      for (std::size_t i = 0, n = points.size(); i < n; ++i) {
+        points.push_back(points[i]);
+        points.push_back(points[i] + cast<double>(random_vector(random, 1e-15f)));
+      }
+      break;
+    case 2:  // a lattice: many coplanar and collinear
+      for (Vec3d& p : points) p = {std::round(p.x * 3), std::round(p.y * 3), std::round(p.z * 3)};
+      break;
+    case 3:
+      for (Vec3d& p : points) p = p * 1e-12 + Vec3d{1, 1, 1};
+      break;
+    case 4:
+      for (Vec3d& p : points) p = p * std::ldexp(1.0, static_cast<int>(random() % 200) - 100);
+      break;
+    case 5:  // flat up to rounding
+      for (Vec3d& p : points) p = Vec3d{p.x, p.y, 0.3 * p.x - 0.7 * p.y};
+      break;
+    default: break;
     }
     const ConvexHull<double> hull(points);
     check(points, hull);

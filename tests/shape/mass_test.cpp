@@ -104,12 +104,14 @@ TEST(Mass, CompoundsAddAndSurfacesHaveNone) {
   const auto whole = mass_properties<double>(Box<double>({2, 2, 3}));
   EXPECT_NEAR(both.volume, whole.volume, 1e-12);
   EXPECT_NEAR(both.inertia.row[2].z, whole.inertia.row[2].z, 1e-11);
-  for (const Shaped& surface : {Shaped(Rectangle<double>(1, 2)), Shaped(HalfSpace<double>()), Shaped(Box<double>({0, 1, 1})),
-                                Shaped(Triangle<double>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), Shaped(Sphere<double>(0))}) {
+  for (const Shaped& surface :
+       {Shaped(Rectangle<double>(1, 2)), Shaped(HalfSpace<double>()), Shaped(Box<double>({0, 1, 1})),
+        Shaped(Triangle<double>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), Shaped(Sphere<double>(0))}) {
     EXPECT_EQ(mass_properties(surface).volume, 0);
   }
   const std::vector<Vec3d> p{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_NEAR(mass_properties<double>(Mesh<double>(p, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})).volume, 1.0 / 6, 1e-14);
+  EXPECT_NEAR(mass_properties<double>(Mesh<double>(p, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})).volume, 1.0 / 6,
+              1e-14);
   EXPECT_EQ(mass_properties<double>(Mesh<double>(p, {{0, 2, 1}})).volume, 0);
 }
 

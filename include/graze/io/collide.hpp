@@ -23,7 +23,7 @@ struct CollideOptions {
 
 /// Two colliders within the margin.
 struct TouchingPair {
-  std::uint32_t a, b;           ///< indices of colliders, a < b
+  std::uint32_t a, b;  ///< indices of colliders, a < b
   bool overlap = false;
   bool trigger = false;         ///< one of them is a trigger
   Manifolds<double> manifolds;  ///< normals from a to b

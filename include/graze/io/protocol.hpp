@@ -15,7 +15,7 @@ namespace graze::io {
 enum class Precision { single_precision, double_precision };
 
 struct AnswerLine {
-  std::string text;    ///< one JSON object, without a line end
+  std::string text;  ///< one JSON object, without a line end
   bool error = false;
 };
 

@@ -46,7 +46,7 @@ struct Body {
 struct Collider {
   std::string name;
   int node = -1;
-  std::uint32_t body = 0;   ///< index into `Scene::bodies`
+  std::uint32_t body = 0;  ///< index into `Scene::bodies`
   Shaped shape;
   Posed pose{};
   Filter filter{};

@@ -12,10 +12,10 @@
 namespace graze::io {
 
 struct Polygons {
-  std::vector<Vec3d> points;                         ///< in world space
-  std::vector<std::vector<std::uint32_t>> loops;     ///< counter-clockwise seen from outside
-  bool smooth = false;                               ///< its edges are of the sampling, not of the shape
-  bool closed = true;                                ///< has an inside, so that faces seen from behind are hidden
+  std::vector<Vec3d> points;                      ///< in world space
+  std::vector<std::vector<std::uint32_t>> loops;  ///< counter-clockwise seen from outside
+  bool smooth = false;                            ///< its edges are of the sampling, not of the shape
+  bool closed = true;                             ///< has an inside, so that faces seen from behind are hidden
 };
 
 /// A half-space is drawn as a square of `half_space_size` about the foot of `center`.

@@ -27,24 +27,24 @@ struct HullData {
 
   static constexpr std::uint32_t no_face = 0xffffffffu;
 
-  int dimension = 0;                         ///< 0 a point, 1 a segment, 2 a flat polygon, 3 a polyhedron
-  T tolerance = T(0);                        ///< how far an input point may lie outside
-  T extent = T(0);                           ///< the greatest distance of a vertex from the frame's origin
+  int dimension = 0;   ///< 0 a point, 1 a segment, 2 a flat polygon, 3 a polyhedron
+  T tolerance = T(0);  ///< how far an input point may lie outside
+  T extent = T(0);     ///< the greatest distance of a vertex from the frame's origin
   std::vector<Vec3<T>> vertices;
-  std::vector<Plane<T>> planes;              ///< one a face, outward; a flat polygon has two, back to back
-  std::vector<std::uint32_t> face_begin;     ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])
-  std::vector<std::uint32_t> loops;          ///< vertex indices, counter-clockwise seen from outside
-  std::vector<Edge> edges;                   ///< each once
-  std::vector<std::uint32_t> neighbor_begin; ///< vertex v's neighbours are neighbors[neighbor_begin[v] .. [v + 1])
+  std::vector<Plane<T>> planes;               ///< one a face, outward; a flat polygon has two, back to back
+  std::vector<std::uint32_t> face_begin;      ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])
+  std::vector<std::uint32_t> loops;           ///< vertex indices, counter-clockwise seen from outside
+  std::vector<Edge> edges;                    ///< each once
+  std::vector<std::uint32_t> neighbor_begin;  ///< vertex v's neighbours are neighbors[neighbor_begin[v] .. [v + 1])
   std::vector<std::uint32_t> neighbors;
-  std::vector<std::uint32_t> incident_begin; ///< and its faces incident[incident_begin[v] .. [v + 1])
+  std::vector<std::uint32_t> incident_begin;  ///< and its faces incident[incident_begin[v] .. [v + 1])
   std::vector<std::uint32_t> incident;
   /// Dobkin and Kirkpatrick's hierarchy, coarsest level first; empty for hulls that a scan answers faster.
   struct Level {
-    std::vector<std::uint32_t> vertices;        ///< indices into the hull's vertices
-    std::vector<std::uint32_t> finer;           ///< for each, its place in the next finer level (of the last: the hull)
+    std::vector<std::uint32_t> vertices;  ///< indices into the hull's vertices
+    std::vector<std::uint32_t> finer;     ///< for each, its place in the next finer level (of the last: the hull)
     std::vector<std::uint32_t> neighbor_begin;
-    std::vector<std::uint32_t> neighbors;       ///< places in this level
+    std::vector<std::uint32_t> neighbors;  ///< places in this level
   };
   std::vector<Level> hierarchy;
 

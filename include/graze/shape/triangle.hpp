@@ -48,9 +48,7 @@ class Triangle {
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 
   T core_radius() const { return T(0); }
-  T core_extent() const {
-    return greatest(length(points_[0]), greatest(length(points_[1]), length(points_[2])));
-  }
+  T core_extent() const { return greatest(length(points_[0]), greatest(length(points_[1]), length(points_[2]))); }
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
     return cast<S>(points_[detail::furthest(points_, 3, direction)]);
