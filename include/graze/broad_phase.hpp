@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graze/aabb.hpp"
+#include "graze/error.hpp"
 
 namespace graze {
 
