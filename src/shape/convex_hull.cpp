@@ -9,9 +9,10 @@ namespace graze {
 namespace {
 
 template <class T>
-void fill_flat(HullData<T>& hull, const std::vector<std::uint32_t>& polygon, std::span<const Vec3<T>> points) {
+void fill_flat(HullData<T>& hull, const std::vector<std::uint32_t>& polygon, std::span<const Vec3<T>> points,
+               std::span<const GridPoint> grid) {
   const Loops both{polygon, {polygon.rbegin(), polygon.rend()}};
-  fill_faces(hull, both, points);
+  fill_faces(hull, both, points, grid);
 }
 
 template <class T>
@@ -71,12 +72,12 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> points) {
   const HullSurface surface = hull_surface(grid.points);
   hull->dimension = surface.dimension;
   if (surface.dimension == 3) {
-    fill_faces(*hull, merged_loops(surface.triangles, precise, merge), points);
+    fill_faces(*hull, merged_loops(surface.triangles, precise, merge), points, grid.points);
     std::vector<Vec3d> kept;
     for (const Vec3<T>& v : hull->vertices) kept.push_back(cast<double>(v));
     build_hierarchy(*hull, to_grid(kept).points);
   } else if (surface.dimension == 2) {
-    fill_flat(*hull, surface.polygon, points);
+    fill_flat(*hull, surface.polygon, points, grid.points);
   } else {
     fill_segment(*hull, surface.polygon, points);
   }

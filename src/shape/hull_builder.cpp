@@ -227,6 +227,16 @@ Grid to_grid(std::span<const Vec3d> points) {
   return grid;
 }
 
+Vec3d grid_normal(std::span<const GridPoint> points, std::span<const std::uint32_t> loop) {
+  GridNormal sum{};
+  const GridPoint& origin = points[loop[0]];
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const GridNormal n = product(minus(points[loop[i]], origin), minus(points[loop[i + 1]], origin));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
+  }
+  return {static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
+}
+
 HullSurface hull_surface(std::span<const GridPoint> points) {
   HullSurface surface;
   const auto length_from = [&](const GridPoint& o) {

@@ -33,6 +33,9 @@ struct Grid {
 };
 Grid to_grid(std::span<const Vec3d> points);
 
+/// The normal of a polygon of the grid, exact before it is rounded; of any length.
+Vec3d grid_normal(std::span<const GridPoint> points, std::span<const std::uint32_t> loop);
+
 HullSurface hull_surface(std::span<const GridPoint> points);
 
 }  // namespace graze

@@ -147,15 +147,11 @@ void fill_lists(const std::vector<std::vector<std::uint32_t>>& lists, std::vecto
   }
 }
 
-/// The plane of a loop by Newell's method, moved out until no vertex of the loop lies outside.
+/// The plane with this normal, moved out until no vertex of the loop lies outside.
 template <class T>
-Plane<T> plane_of(const HullData<T>& hull, std::span<const std::uint32_t> loop) {
-  const Vec3d origin = cast<double>(hull.vertices[loop[0]]);
-  Vec3d sum;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    sum += cross(cast<double>(hull.vertices[loop[i]]) - origin, cast<double>(hull.vertices[loop[i + 1]]) - origin);
-  const Vec3d n = normalized(sum);
-  double offset = dot(n, origin);
+Plane<T> plane_of(const HullData<T>& hull, std::span<const std::uint32_t> loop, const Vec3d& normal) {
+  const Vec3d n = normalized(normal);
+  double offset = dot(n, cast<double>(hull.vertices[loop[0]]));
   for (const std::uint32_t v : loop) offset = std::max(offset, dot(n, cast<double>(hull.vertices[v])));
   return {cast<T>(n), static_cast<T>(offset)};
 }
@@ -171,7 +167,8 @@ Loops merged_loops(const Triangles& triangles, std::span<const Vec3d> points, do
 }
 
 template <class T>
-void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> points) {
+void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> points,
+                std::span<const GridPoint> grid) {
   std::vector<std::uint32_t> place(points.size(), HullData<T>::no_face);
   Loops renumbered = loops;
   for (auto& loop : renumbered)
@@ -183,7 +180,8 @@ void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> 
       v = place[v];
     }
   fill_lists(renumbered, hull.face_begin, hull.loops);
-  for (std::size_t f = 0; f < renumbered.size(); ++f) hull.planes.push_back(plane_of(hull, hull.loop(f)));
+  for (std::size_t f = 0; f < renumbered.size(); ++f)
+    hull.planes.push_back(plane_of(hull, hull.loop(f), grid_normal(grid, loops[f])));
 
   const auto edges = directed_edges(renumbered);
   std::vector<std::vector<std::uint32_t>> neighbors(hull.vertices.size()), incident(hull.vertices.size());
@@ -197,7 +195,7 @@ void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> 
   fill_lists(incident, hull.incident_begin, hull.incident);
 }
 
-template void fill_faces(HullData<float>&, const Loops&, std::span<const Vec3<float>>);
-template void fill_faces(HullData<double>&, const Loops&, std::span<const Vec3<double>>);
+template void fill_faces(HullData<float>&, const Loops&, std::span<const Vec3<float>>, std::span<const GridPoint>);
+template void fill_faces(HullData<double>&, const Loops&, std::span<const Vec3<double>>, std::span<const GridPoint>);
 
 }  // namespace graze

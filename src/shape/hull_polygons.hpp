@@ -15,8 +15,10 @@ using Loops = std::vector<std::vector<std::uint32_t>>;
 Loops merged_loops(const std::vector<std::array<std::uint32_t, 3>>& triangles, std::span<const Vec3d> points,
                    double tolerance);
 
-/// Writes vertices, planes, loops, edges and neighbours of a closed surface into a hull.
+/// Writes vertices, planes, loops, edges and neighbours of a closed surface into a hull. Planes take their normals from
+/// the grid, on which the surface is convex: those of faces much smaller than the hull would else cut off its far end.
 template <class T>
-void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> points);
+void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> points,
+                std::span<const GridPoint> grid);
 
 }  // namespace graze
