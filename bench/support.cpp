@@ -1,0 +1,41 @@
+// How the cost of a hull's support query grows with its vertices: the hierarchy answers in logarithmic time.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "graze/shape.hpp"
+
+namespace {
+
+using graze::Vec3d;
+
+Vec3d on_sphere(int i, int count) {
+  const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y), turn = 2.399963229728653 * i;
+  return {r * std::cos(turn), y, r * std::sin(turn)};
+}
+
+graze::ConvexHull<double> ball_of(int vertices) {
+  std::vector<Vec3d> points;
+  for (int i = 0; i < vertices; ++i) points.push_back(on_sphere(i, vertices));
+  return graze::ConvexHull<double>(points);
+}
+
+void support(benchmark::State& state) {
+  const auto hull = ball_of(static_cast<int>(state.range(0)));
+  constexpr int directions = 1000;
+  int i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(hull.support_vertex(on_sphere(i, directions)));
+    i = (i + 379) % directions;
+  }
+}
+BENCHMARK(support)->Arg(16)->Arg(64)->Arg(100)->Arg(1000)->Arg(10000)->Arg(100000);
+
+void build(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(ball_of(static_cast<int>(state.range(0))));
+}
+BENCHMARK(build)->Arg(100)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
