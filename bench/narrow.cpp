@@ -237,16 +237,18 @@ class Bullet final : public Library {
     const auto &a = *objects_[2 * i], &b = *objects_[2 * i + 1];
     btCollisionObjectWrapper wa(nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1);
     btCollisionObjectWrapper wb(nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
-    btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(&wa, &wb, nullptr, BT_CLOSEST_POINT_ALGORITHMS);
+    btCollisionAlgorithm* algorithm = dispatcher_.findAlgorithm(&wa, &wb, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     btManifoldResult result(&wa, &wb);
-    btPersistentManifold manifold(&a, &b, 0, btScalar(0.02), btScalar(0.02));
-    result.setPersistentManifold(&manifold);
     algorithm->processCollision(&wa, &wb, info_, &result);
+    btManifoldArray manifolds;
+    algorithm->getAllContactManifolds(manifolds);
+    bool touch = false;
+    for (int m = 0; m < manifolds.size(); ++m)
+      for (int k = 0; k < manifolds[m]->getNumContacts(); ++k)
+        touch = touch || manifolds[m]->getContactPoint(k).getDistance() <= 0;
     algorithm->~btCollisionAlgorithm();
     dispatcher_.freeCollisionAlgorithm(algorithm);
-    for (int k = 0; k < manifold.getNumContacts(); ++k)
-      if (manifold.getContactPoint(k).getDistance() <= 0) return true;
-    return false;
+    return touch;
   }
   static bool has(Kind kind) { return kind != Kind::ellipsoid; }
 
