@@ -1,0 +1,29 @@
+// A body of the comparison as a shape of Graze.
+#pragma once
+
+#include "graze/shape.hpp"
+#include "pairs.hpp"
+
+namespace graze::bench {
+
+template <class T>
+Shape<T> graze_shape(const Body& body) {
+  const Vec3<T> s = cast<T>(body.size);
+  switch (body.kind) {
+  case Kind::sphere: return Sphere<T>(s.x);
+  case Kind::capsule: return Capsule<T>(s.y, s.x);
+  case Kind::box: return Box<T>(s);
+  case Kind::cylinder: return Cylinder<T>(s.y, s.x);
+  case Kind::cone: return Cylinder<T>(s.y, s.x, T(0));
+  case Kind::ellipsoid: return Ellipsoid<T>(s);
+  case Kind::half_space: return HalfSpace<T>();
+  case Kind::hull:
+  case Kind::triangle: break;
+  }
+  std::vector<Vec3<T>> points;
+  for (const Vec3d& p : body.points) points.push_back(cast<T>(p));
+  if (body.kind == Kind::triangle) return Triangle<T>(points[0], points[1], points[2]);
+  return ConvexHull<T>(points);
+}
+
+}  // namespace graze::bench

@@ -1,0 +1,147 @@
+// ODE, in the precision it was built with. It has contacts and no distance; overlap is a request for one contact. A
+// triangle is a mesh of one, of which it takes only the front: a quarter of its answers about triangles are wrong by our
+// count. For a pair that it has no function for it says, without a word, "no contact".
+#ifdef GRAZE_BENCH_ODE
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+
+#include "peer.hpp"
+
+namespace graze::bench {
+
+namespace {
+
+dReal number(double v) { return static_cast<dReal>(v); }
+
+/// What a geometry points to and does not copy.
+struct Data {
+  std::vector<dReal> points, planes;
+  std::vector<unsigned> polygons;
+  std::vector<dTriIndex> indices;
+  dTriMeshDataID mesh = nullptr;
+};
+
+class Ode {
+ public:
+  static constexpr const char* name = "ode";
+  static constexpr bool single_precision = sizeof(dReal) == sizeof(float);
+  static std::string version() { return GRAZE_BENCH_ODE_VERSION; }
+
+  Ode() { static_cast<void>(started()); }
+  Ode(const Ode&) = delete;
+  Ode& operator=(const Ode&) = delete;
+  ~Ode() { clear(); }
+
+  bool prepare(std::span<const Pair> pairs) {
+    clear();
+    for (const Pair& pair : pairs)
+      for (const Body* body : {&pair.a, &pair.b}) {
+        const dGeomID geom = make(*body);
+        if (!geom) return false;
+        geoms_.push_back(geom);
+      }
+    return !crashes();
+  }
+  bool overlap(std::size_t i) {
+    dContactGeom contact;
+    return dCollide(geoms_[2 * i], geoms_[2 * i + 1], 1, &contact, sizeof contact) > 0;
+  }
+  Contacts contacts(std::size_t i) {
+    std::array<dContactGeom, 8> points;
+    const int count = dCollide(geoms_[2 * i], geoms_[2 * i + 1], static_cast<int>(points.size()), points.data(),
+                               sizeof(dContactGeom));
+    Contacts found{static_cast<std::size_t>(count), 0};
+    for (int k = 0; k < count; ++k) found.deepest = std::min(found.deepest, -static_cast<double>(points[k].depth));
+    return found;
+  }
+
+ private:
+  /// A mesh of one triangle has no tree, which ODE's functions for hull and mesh follow all the same.
+  bool crashes() const {
+    const auto is = [&](std::size_t k, int type) { return dGeomGetClass(geoms_[k]) == type; };
+    return is(1, dTriMeshClass) && (is(0, dTriMeshClass) || is(0, dConvexClass));
+  }
+  static bool started() {
+    static const bool done = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+    dSetMessageHandler([](int, const char*, va_list) {});
+    return done;
+  }
+  void clear() {
+    for (const dGeomID geom : geoms_) dGeomDestroy(geom);
+    for (const Data& data : data_)
+      if (data.mesh) dGeomTriMeshDataDestroy(data.mesh);
+    geoms_.clear();
+    data_.clear();
+  }
+
+  dGeomID make(const Body& body) {
+    const Vec3d& s = body.size;
+    const Vec3d& t = body.pose.translation;
+    dGeomID geom = nullptr;
+    switch (body.kind) {
+    case Kind::sphere: geom = dCreateSphere(nullptr, number(s.x)); break;
+    case Kind::capsule: geom = dCreateCapsule(nullptr, number(s.x), number(s.y)); break;
+    case Kind::box: geom = dCreateBox(nullptr, number(s.x), number(s.y), number(s.z)); break;
+    case Kind::cylinder: geom = dCreateCylinder(nullptr, number(s.x), number(s.y)); break;
+    case Kind::hull: geom = convex(body); break;
+    case Kind::triangle: geom = triangle(body); break;
+    case Kind::half_space: {
+      const Vec3d n = normalized(rotate(body.pose.rotation, Vec3d{0, 1, 0}));
+      return dCreatePlane(nullptr, number(n.x), number(n.y), number(n.z), number(dot(n, t)));
+    }
+    case Kind::cone:
+    case Kind::ellipsoid: return nullptr;
+    }
+    const Quatd q = rotation_from_z(body);
+    const dQuaternion turn = {number(q.w), number(q.x), number(q.y), number(q.z)};
+    dGeomSetPosition(geom, number(t.x), number(t.y), number(t.z));
+    dGeomSetQuaternion(geom, turn);
+    return geom;
+  }
+  Data& data_of(const Body& body) {
+    Data& data = data_.emplace_back();
+    for (const Vec3d& p : body.points)
+      for (std::size_t axis = 0; axis < 3; ++axis) data.points.push_back(number(p[axis]));
+    return data;
+  }
+  dGeomID convex(const Body& body) {
+    Data& data = data_of(body);
+    for (const auto& face : body.faces) {
+      const Vec3d &p = body.points[face[0]], &q = body.points[face[1]], &r = body.points[face[2]];
+      const Vec3d n = normalized(cross(q - p, r - p));
+      for (const double v : {n.x, n.y, n.z, dot(n, p)}) data.planes.push_back(number(v));
+      data.polygons.push_back(3);
+      for (const int index : face) data.polygons.push_back(static_cast<unsigned>(index));
+    }
+    return dCreateConvex(nullptr, data.planes.data(), static_cast<unsigned>(body.faces.size()), data.points.data(),
+                         static_cast<unsigned>(body.points.size()), data.polygons.data());
+  }
+  dGeomID triangle(const Body& body) {
+    Data& data = data_of(body);
+    data.indices = {0, 1, 2};
+    data.mesh = dGeomTriMeshDataCreate();
+    const int stride = 3 * sizeof(dReal);
+    if constexpr (single_precision)
+      dGeomTriMeshDataBuildSingle(data.mesh, data.points.data(), stride, 3, data.indices.data(), 3,
+                                  3 * sizeof(dTriIndex));
+    else
+      dGeomTriMeshDataBuildDouble(data.mesh, data.points.data(), stride, 3, data.indices.data(), 3,
+                                  3 * sizeof(dTriIndex));
+    return dCreateTriMesh(nullptr, data.mesh, nullptr, nullptr, nullptr);
+  }
+
+  std::deque<Data> data_;  // addresses stay
+  std::vector<dGeomID> geoms_;
+};
+
+const Registered<Ode> registered;
+
+}  // namespace
+
+}  // namespace graze::bench
+
+#endif

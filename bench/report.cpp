@@ -1,0 +1,184 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace graze::bench {
+
+namespace {
+
+std::string printed(const char* format, double v) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, v);
+  return text;
+}
+std::string nanoseconds(double v) { return printed(v < 9.95 ? "%.1f" : "%.0f", v); }
+std::string percent(std::size_t part, std::size_t whole) {
+  if (part == 0) return "0";
+  const double v = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return printed(v < 0.995 ? "%.2f" : v < 9.95 ? "%.1f" : "%.0f", v) + " %";
+}
+std::string error(double v) { return v == 0 ? "0" : printed("%.0e", v); }
+
+/// A table of Markdown, its columns padded so that it can be read as it stands.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> head) : lines_{std::move(head)} {}
+  void add(std::vector<std::string> line) { lines_.push_back(std::move(line)); }
+
+  std::string text() const {
+    std::vector<std::size_t> widths(lines_[0].size(), 3);
+    for (const auto& line : lines_)
+      for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], line[c].size());
+    std::string text;
+    for (std::size_t l = 0; l < lines_.size(); ++l) {
+      for (std::size_t c = 0; c < widths.size(); ++c) {
+        const std::string padding(widths[c] - lines_[l][c].size(), ' ');
+        text += c == 0 ? "| " + lines_[l][c] + padding + " |" : " " + padding + lines_[l][c] + " |";
+      }
+      text += "\n";
+      for (std::size_t c = 0; l == 0 && c < widths.size(); ++c)
+        text += c == 0 ? "|" + std::string(widths[c] + 2, '-') + "|" : std::string(widths[c] + 1, '-') + ":|";
+      if (l == 0) text += "\n";
+    }
+    return text + "\n";
+  }
+
+ private:
+  std::vector<std::vector<std::string>> lines_;
+};
+
+std::string pair_name(const Row& row) {
+  return std::string(kind_names[static_cast<std::size_t>(row.a)]) + ", " + kind_names[static_cast<std::size_t>(row.b)];
+}
+
+/// The text of a cell that was measured, by `of`; a word for the others.
+template <class Of>
+std::string cell_text(const Cell& cell, Of of) {
+  switch (cell.state) {
+  case Cell::State::absent: return "-";
+  case Cell::State::silent: return "silent";
+  case Cell::State::measured: break;
+  }
+  return of(cell);
+}
+
+std::string correctness(const Cell& cell, Query query, bool reference) {
+  std::string text = percent(cell.wrong, cell.asked);
+  if (query == Query::overlap || reference) return text;
+  return text + ", " + error(quantile(cell.errors, 0.5)) + ", " + error(quantile(cell.errors, 1));
+}
+
+template <class Text>
+std::string table_of(const std::vector<Column>& columns, const std::vector<Row>& rows, Query query, Text text) {
+  std::vector<std::string> head{std::string(query_names[static_cast<int>(query)])};
+  for (const Column& column : columns) head.push_back(column.name);
+  Table table(head);
+  for (const Row& row : rows) {
+    if (row.query != query) continue;
+    std::vector<std::string> line{pair_name(row)};
+    for (std::size_t c = 0; c < columns.size(); ++c) line.push_back(text(row.cells[c], columns[c]));
+    table.add(line);
+  }
+  return table.text();
+}
+
+/// The Graze that a library is compared with: the one of its precision.
+std::size_t rival(const std::vector<Column>& columns, const Column& column) {
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (columns[c].name.starts_with("graze") && columns[c].single_precision == column.single_precision) return c;
+  return columns.size();
+}
+
+std::string summary(const std::vector<Column>& columns, const std::vector<Row>& rows) {
+  Table table({"query", "library", "pairs of shapes", "silent", "time by Graze's", "slowest", "wrong", "no answer",
+               "median error", "worst error", "points"});
+  for (const Query query : queries)
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::size_t other = rival(columns, columns[c]);
+      std::size_t all = 0, answered = 0, silent = 0, compared = 0, asked = 0, wrong = 0, failed = 0, points = 0,
+                  touching = 0;
+      double log_ratio = 0, slowest = 0;
+      std::vector<double> errors;
+      for (const Row& row : rows) {
+        if (row.query != query) continue;
+        const Cell& cell = row.cells[c];
+        ++all;
+        silent += cell.state == Cell::State::silent;
+        if (cell.state != Cell::State::measured) continue;
+        ++answered;
+        asked += cell.asked, wrong += cell.wrong, failed += cell.failed;
+        points += cell.points, touching += cell.overlapping;
+        slowest = std::max(slowest, cell.nanoseconds);
+        errors.insert(errors.end(), cell.errors.begin(), cell.errors.end());
+        if (other < columns.size() && other != c && row.cells[other].state == Cell::State::measured) {
+          log_ratio += std::log(cell.nanoseconds / row.cells[other].nanoseconds);
+          ++compared;
+        }
+      }
+      if (answered + silent == 0) continue;
+      const bool exact = columns[c].reference || errors.empty();
+      table.add({query_names[static_cast<int>(query)], columns[c].name,
+                 std::to_string(answered) + " of " + std::to_string(all), std::to_string(silent),
+                 compared ? printed("x %.2f", std::exp(log_ratio / static_cast<double>(compared))) : "-",
+                 nanoseconds(slowest) + " ns", percent(wrong, asked), percent(failed, asked),
+                 exact ? "-" : error(quantile(errors, 0.5)), exact ? "-" : error(quantile(errors, 1)),
+                 query == Query::contacts && touching
+                     ? printed("%.1f", static_cast<double>(points) / static_cast<double>(touching))
+                     : "-"});
+    }
+  return table.text();
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows) {
+  std::string text = "# Graze beside other libraries\n\n";
+  for (const auto& [what, how] : conditions) text += "- " + what + ": " + how + "\n";
+  for (const Column& column : columns)
+    text += "- " + column.name + ": " + column.version + (column.single_precision ? ", single" : ", double") +
+            " precision\n";
+  std::vector<double> spreads;
+  for (const Row& row : rows)
+    for (const Cell& cell : row.cells)
+      if (cell.state == Cell::State::measured) spreads.push_back(cell.spread);
+  text += "- noise: half of a cell's repetitions lie within " + printed("%.0f", 100 * quantile(spreads, 0.5)) +
+          " % of its median (in the worst tenth of the cells, " + printed("%.0f", 100 * quantile(spreads, 0.9)) +
+          " %)\n";
+  text +=
+      "\nThe same pairs for all, each library with shapes it built beforehand, one library after the other in every\n"
+      "repetition. Half of the pairs overlap, by up to a quarter of the pair's size (the larger radius about a "
+      "shape's\n"
+      "origin); the others are as far apart. What is right is what Graze says in double precision, which its tests "
+      "hold\n"
+      "against an independent reference; pairs within 1e-4 of the size of touching are not judged. Errors are "
+      "relative\n"
+      "to the size: of the signed distance, and of the depth of the deepest contact where the pair overlaps.\n\n"
+      "`-`: the library has no such shape or query. `silent`: it takes the pair and finds none that overlap.\n\n"
+      "## In short\n\n"
+      "`time by Graze's`: the geometric mean over all pairs of shapes that both answer, against the Graze of the same\n"
+      "precision; above 1 Graze is faster. `slowest`: its slowest pair of shapes. `points`: of a pair in contact.\n\n";
+  text += summary(columns, rows);
+  for (const Query query : queries) {
+    if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.query == query; })) continue;
+    text += "## " + std::string(query_names[static_cast<int>(query)]) + "\n\nNanoseconds per pair:\n\n";
+    text += table_of(columns, rows, query, [](const Cell& cell, const Column&) {
+      return cell_text(cell, [](const Cell& c) { return nanoseconds(c.nanoseconds); });
+    });
+    text += query == Query::overlap ? "Wrong answers:\n\n" : "Wrong answers, median error, worst error:\n\n";
+    text += table_of(columns, rows, query, [&](const Cell& cell, const Column& column) {
+      return cell_text(cell, [&](const Cell& c) { return correctness(c, query, column.reference); });
+    });
+  }
+  return text;
+}
+
+}  // namespace graze::bench
