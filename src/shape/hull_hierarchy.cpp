@@ -1,6 +1,7 @@
 #include "shape/hull_hierarchy.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace graze {
 
@@ -10,6 +11,9 @@ namespace {
 /// so every level is smaller than the one below by a factor, and has as few steps to climb.
 constexpr std::size_t removable_degree = 8;
 constexpr std::size_t coarsest = 24;
+/// Of these levels only every few are kept: each a factor smaller than the next. A climb then takes two or three steps
+/// instead of one, but the levels are few and take little memory, and of a large hull memory is what a query waits for.
+constexpr std::size_t shrink = 4;
 
 /// One level in the making: vertices of the hull and, by place, their neighbours.
 struct Graph {
@@ -58,6 +62,16 @@ Graph hull_of(const Graph& fine, const std::vector<std::uint32_t>& kept, std::sp
   return coarse;
 }
 
+template <class T>
+typename HullData<T>::Level stored(const Graph& graph, std::vector<std::uint32_t> finer) {
+  typename HullData<T>::Level level{graph.vertices, std::move(finer), {0}, {}};
+  for (const auto& list : graph.neighbors) {
+    level.neighbors.insert(level.neighbors.end(), list.begin(), list.end());
+    level.neighbor_begin.push_back(static_cast<std::uint32_t>(level.neighbors.size()));
+  }
+  return level;
+}
+
 }  // namespace
 
 template <class T>
@@ -69,24 +83,26 @@ void build_hierarchy(HullData<T>& hull, std::span<const GridPoint> grid) {
     const auto around = hull.around(v);
     level.neighbors.emplace_back(around.begin(), around.end());
   }
+  std::vector<std::uint32_t> finer(level.vertices.size());  // a vertex of `level` in the last level that was kept
+  std::iota(finer.begin(), finer.end(), 0u);
+  std::size_t last_kept = level.vertices.size();
   while (level.vertices.size() > coarsest) {
     const std::vector<std::uint32_t> kept = thinned(level);
     if (kept.size() < 4 || kept.size() == level.vertices.size()) break;
-    typename HullData<T>::Level stored;
-    Graph coarse = hull_of(level, kept, grid, stored.finer);
+    std::vector<std::uint32_t> below;
+    Graph coarse = hull_of(level, kept, grid, below);
     if (coarse.vertices.size() < 4) break;
-    stored.vertices = coarse.vertices;
-    stored.neighbor_begin.assign(1, 0);
-    for (const auto& list : coarse.neighbors) {
-      stored.neighbors.insert(stored.neighbors.end(), list.begin(), list.end());
-      stored.neighbor_begin.push_back(static_cast<std::uint32_t>(stored.neighbors.size()));
-    }
-    hull.hierarchy.push_back(std::move(stored));
+    for (std::uint32_t& place : below) place = finer[place];
+    finer = std::move(below);
     level = std::move(coarse);
+    if (level.vertices.size() > coarsest && level.vertices.size() * shrink > last_kept) continue;
+    last_kept = level.vertices.size();
+    hull.hierarchy.push_back(stored<T>(level, std::move(finer)));
+    finer.resize(last_kept);
+    std::iota(finer.begin(), finer.end(), 0u);
   }
   std::reverse(hull.hierarchy.begin(), hull.hierarchy.end());
 }
-
 template void build_hierarchy(HullData<float>&, std::span<const GridPoint>);
 template void build_hierarchy(HullData<double>&, std::span<const GridPoint>);
 
