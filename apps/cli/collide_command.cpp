@@ -107,7 +107,12 @@ int run(const Options& options) {
   options.json ? print_json(scene, pairs) : print_table(scene, pairs);
   if (!options.svg.empty())
     io::write_picture(options.svg, scene, pairs, {options.direction[0], options.direction[1], options.direction[2]});
-  if (!options.out.empty()) io::write_contacts(options.out, scene, pairs);
+  if (!options.out.empty()) {
+    const auto& files = options.scene.files;
+    const std::string source = files.size() == 1 ? files[0] : "";  // several have no file to be drawn into
+    for (const std::string& notice : io::write_contacts(options.out, scene, pairs, source))
+      fmt::print(stderr, "note: {}\n", notice);
+  }
   return 0;
 }
 

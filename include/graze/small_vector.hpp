@@ -1,24 +1,44 @@
 // A vector that keeps its first elements in place.
 //
-// Guarantee: no allocation up to N elements; no limit beyond. Elements are trivially copyable.
+// Guarantee: no allocation up to N elements; no limit beyond. Elements are trivially copyable; a new vector touches
+// none of the memory that it keeps for them, and a copy costs what the elements take that are there.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace graze {
 
 template <class T, std::size_t N>
 class SmallVector {
-  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
+  SmallVector() {}
+  SmallVector(const SmallVector& other) { *this = other; }
+  SmallVector(SmallVector&& other) noexcept { *this = std::move(other); }
+  SmallVector& operator=(const SmallVector& other) {
+    if (this == &other) return *this;
+    outside_ = other.outside_;
+    take_inside(other);
+    return *this;
+  }
+  SmallVector& operator=(SmallVector&& other) noexcept {
+    if (this == &other) return *this;
+    outside_ = std::move(other.outside_);
+    take_inside(other);
+    other.clear();
+    return *this;
+  }
+  ~SmallVector() = default;
+
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  T* data() { return size_ <= N ? inside_.data() : outside_.data(); }
-  const T* data() const { return size_ <= N ? inside_.data() : outside_.data(); }
+  T* data() { return size_ <= N ? inside_ : outside_.data(); }
+  const T* data() const { return size_ <= N ? inside_ : outside_.data(); }
   T& operator[](std::size_t i) { return data()[i]; }
   const T& operator[](std::size_t i) const { return data()[i]; }
   T* begin() { return data(); }
@@ -27,27 +47,34 @@ class SmallVector {
   const T* end() const { return data() + size_; }
   T& back() { return data()[size_ - 1]; }
   const T& back() const { return data()[size_ - 1]; }
-
   void clear() { size_ = 0; }
+
   void push_back(const T& value) {
     if (size_ < N) {
       inside_[size_] = value;
     } else {
-      if (size_ == N) outside_.assign(inside_.begin(), inside_.end());
+      const T kept = value;  // it may be one of these elements
+      if (size_ == N) outside_.assign(inside_, inside_ + N);
       outside_.resize(size_);
-      outside_.push_back(value);
+      outside_.push_back(kept);
     }
     ++size_;
   }
   /// Drops all elements from position `count` on.
   void truncate(std::size_t count) {
-    if (size_ > N && count <= N)
-      for (std::size_t i = 0; i < count; ++i) inside_[i] = outside_[i];
+    if (size_ > N && count <= N) std::copy_n(outside_.begin(), count, inside_);
     size_ = count;
   }
 
  private:
-  std::array<T, N> inside_{};
+  void take_inside(const SmallVector& other) {
+    size_ = other.size_;
+    if (size_ <= N) std::copy_n(other.inside_, size_, inside_);
+  }
+
+  union {
+    T inside_[N];
+  };
   std::vector<T> outside_;
   std::size_t size_ = 0;
 };

@@ -2,8 +2,12 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <optional>
+
+#include "io/gltf_accessor.hpp"
 
 namespace graze::io {
 
@@ -31,6 +35,32 @@ std::string_view json_text(const std::string& bytes) {
   if (length > bytes.size() - 20)
     throw InvalidValue("chunk[0].length", "at most " + std::to_string(bytes.size() - 20), std::to_string(length));
   return std::string_view(bytes).substr(20, length);
+}
+
+/// Where there are sparse accessors without a buffer view, the file with some view for each: tinygltf refuses triangles
+/// that name such an accessor, which glTF allows. Any view will do, as that of a sparse accessor is read from the JSON.
+std::optional<std::string> with_stand_in_views(const std::string& bytes, std::string_view text, const Json& json) {
+  const auto lacks_view = [](const Json& accessor) {
+    return accessor.is_object() && accessor.contains("sparse") && !accessor.contains("bufferView");
+  };
+  const auto accessors = json.find("accessors");
+  if (accessors == json.end() || !accessors->is_array() ||
+      std::none_of(accessors->begin(), accessors->end(), lacks_view))
+    return std::nullopt;
+  Json changed = json;
+  for (Json& accessor : changed["accessors"])
+    if (lacks_view(accessor)) accessor["bufferView"] = 0;
+  std::string written = changed.dump();
+  if (written.size() > largest_file - bytes.size())
+    throw InvalidValue("", "a file below 2 GiB", std::to_string(bytes.size()) + " bytes, and more written in full");
+  if (!bytes.starts_with("glTF")) return written;
+  written.resize((written.size() + 3) / 4 * 4, ' ');
+  const std::size_t rest = 20 + text.size(), end = word(bytes, 8);
+  std::string glb = bytes.substr(0, 20) + written + (end > rest ? bytes.substr(rest, end - rest) : "");
+  const auto total = static_cast<std::uint32_t>(glb.size()), length = static_cast<std::uint32_t>(written.size());
+  std::memcpy(glb.data() + 8, &total, 4);
+  std::memcpy(glb.data() + 12, &length, 4);
+  return glb;
 }
 
 bool no_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
@@ -76,6 +106,7 @@ tinygltf::FsCallbacks callbacks(Files& files) {
 
 struct GltfDocument::Buffers {
   tinygltf::Model model;
+  std::size_t zeros_left = max_zero_elements;
 };
 
 GltfDocument::~GltfDocument() = default;
@@ -88,6 +119,8 @@ GltfDocument::GltfDocument(const std::string& bytes, const std::filesystem::path
   json_ = parse_json(text);  // bounds the nesting, which tinygltf does not
   if (!json_.is_object()) throw InvalidValue("", "a glTF object", shown(json_));
 
+  const auto changed = with_stand_in_views(bytes, text, json_);
+  const std::string& file = changed ? *changed : bytes;
   Files files{folder.empty() ? folder : std::filesystem::absolute(folder)};
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(no_image, nullptr);
@@ -95,12 +128,12 @@ GltfDocument::GltfDocument(const std::string& bytes, const std::filesystem::path
   std::string error, warning;
   bool loaded = false;
   try {
-    const auto size = static_cast<unsigned>(bytes.size());
+    const auto size = static_cast<unsigned>(file.size());
     const std::string base = files.folder.string();
-    loaded = bytes.starts_with("glTF")
+    loaded = file.starts_with("glTF")
                  ? loader.LoadBinaryFromMemory(&buffers_->model, &error, &warning,
-                                               reinterpret_cast<const unsigned char*>(bytes.data()), size, base)
-                 : loader.LoadASCIIFromString(&buffers_->model, &error, &warning, bytes.data(), size, base);
+                                               reinterpret_cast<const unsigned char*>(file.data()), size, base)
+                 : loader.LoadASCIIFromString(&buffers_->model, &error, &warning, file.data(), size, base);
   } catch (const std::exception& e) {
     error = e.what();
   }
@@ -109,66 +142,6 @@ GltfDocument::GltfDocument(const std::string& bytes, const std::filesystem::path
 }
 
 namespace {
-
-/// The bytes of an accessor, every bound checked.
-class Elements {
- public:
-  Elements(const tinygltf::Model& model, int index, int wanted_type, const std::string& path) {
-    if (index < 0 || static_cast<std::size_t>(index) >= model.accessors.size())
-      throw InvalidValue(path, "an index below " + std::to_string(model.accessors.size()), std::to_string(index));
-    const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
-    const std::string name = "accessors[" + std::to_string(index) + "]";
-    if (accessor.type != wanted_type)
-      throw InvalidValue(name + ".type", wanted_type == TINYGLTF_TYPE_VEC3 ? "\"VEC3\"" : "\"SCALAR\"", "another");
-    if (accessor.sparse.isSparse) throw InvalidValue(name + ".sparse", "nothing (not supported)", "a sparse accessor");
-    component_ = accessor.componentType;
-    count_ = accessor.count;
-    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_));
-    if (size <= 0) throw InvalidValue(name + ".componentType", "a component type of glTF", std::to_string(component_));
-    element_ = static_cast<std::size_t>(size) * (wanted_type == TINYGLTF_TYPE_VEC3 ? 3 : 1);
-    const std::string view_name = name + ".bufferView";
-    if (accessor.bufferView < 0 || static_cast<std::size_t>(accessor.bufferView) >= model.bufferViews.size())
-      throw InvalidValue(view_name, "an index below " + std::to_string(model.bufferViews.size()),
-                         std::to_string(accessor.bufferView));
-    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size())
-      throw InvalidValue(view_name + ".buffer", "an index below " + std::to_string(model.buffers.size()),
-                         std::to_string(view.buffer));
-    const auto& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
-    stride_ = view.byteStride != 0 ? view.byteStride : element_;
-    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-      throw InvalidValue(view_name, "a range within the " + std::to_string(data.size()) + " bytes of its buffer",
-                         std::to_string(view.byteOffset) + " + " + std::to_string(view.byteLength));
-    // count elements end at offset + (count - 1) stride + element; by division, since the product may overflow.
-    const std::size_t room = view.byteLength;
-    const bool fits = count_ == 0 || (accessor.byteOffset <= room && element_ <= room - accessor.byteOffset &&
-                                      (count_ - 1) <= (room - accessor.byteOffset - element_) / stride_);
-    if (!fits) throw InvalidValue(name + ".count", "as many elements as its buffer view holds", std::to_string(count_));
-    begin_ = data.data() + view.byteOffset + accessor.byteOffset;
-  }
-
-  std::size_t count() const { return count_; }
-  int component() const { return component_; }
-
-  Vec3d vector(std::size_t i) const {
-    float v[3];
-    std::memcpy(v, begin_ + i * stride_, sizeof v);
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-  }
-  std::uint32_t whole(std::size_t i) const {
-    const unsigned char* at = begin_ + i * stride_;
-    if (element_ == 1) return *at;
-    std::uint16_t half = 0;
-    std::uint32_t full = 0;
-    if (element_ == 2) return std::memcpy(&half, at, 2), half;
-    return std::memcpy(&full, at, 4), full;
-  }
-
- private:
-  const unsigned char* begin_ = nullptr;
-  std::size_t count_ = 0, stride_ = 0, element_ = 0;
-  int component_ = 0;
-};
 
 /// The corners of a primitive in threes: a list, a strip or a fan.
 std::vector<Mesh<double>::Index> corners_of(int mode, const std::vector<std::uint32_t>& order) {
@@ -188,14 +161,14 @@ std::vector<Mesh<double>::Index> corners_of(int mode, const std::vector<std::uin
   return triangles;
 }
 
-void append_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& path,
+void append_primitive(const AccessorSource& source, const tinygltf::Primitive& primitive, const std::string& path,
                       TriangleSoup& soup) {
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end())
     throw InvalidValue(path + ".attributes.POSITION", "an accessor", "nothing");
   if (primitive.extensions.count("KHR_draco_mesh_compression") != 0)
     throw InvalidValue(path + ".extensions", "plain triangles", "KHR_draco_mesh_compression, which is not supported");
-  const Elements points(model, position->second, TINYGLTF_TYPE_VEC3, path + ".attributes.POSITION");
+  const Elements points(source, position->second, TINYGLTF_TYPE_VEC3, path + ".attributes.POSITION");
   if (points.component() != TINYGLTF_COMPONENT_TYPE_FLOAT)
     throw InvalidValue(path + ".attributes.POSITION", "float positions",
                        "component type " + std::to_string(points.component()));
@@ -205,7 +178,7 @@ void append_primitive(const tinygltf::Model& model, const tinygltf::Primitive& p
 
   std::vector<std::uint32_t> order;
   if (primitive.indices >= 0) {
-    const Elements indices(model, primitive.indices, TINYGLTF_TYPE_SCALAR, path + ".indices");
+    const Elements indices(source, primitive.indices, TINYGLTF_TYPE_SCALAR, path + ".indices");
     for (std::size_t i = 0; i < indices.count(); ++i) {
       const std::uint32_t index = indices.whole(i);
       if (index >= points.count())
@@ -233,8 +206,8 @@ TriangleSoup GltfDocument::triangles(std::size_t mesh, int& skipped) const {
       ++skipped;
       continue;
     }
-    append_primitive(model, primitive, "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(i) + "]",
-                     soup);
+    append_primitive({model, json_, buffers_->zeros_left}, primitive,
+                     "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(i) + "]", soup);
   }
   return soup;
 }

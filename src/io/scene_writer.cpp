@@ -1,101 +1,120 @@
 #include "graze/io/scene_writer.hpp"
 
-#include <tiny_gltf.h>
-
+#include <algorithm>
+#include <cctype>
 #include <cstring>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "graze/io/tessellate.hpp"
+#include "io/gltf_model.hpp"
 
 namespace graze::io {
 
 namespace {
 
+struct Look {
+  const char* name;
+  double r, g, b, alpha;
+};
+
+constexpr Look contact_look{"contact", 0.75, 0.05, 0.1, 1}, normal_look{"normal", 0.1, 0.2, 0.35, 1},
+    trigger_look{"trigger", 0.4, 0.7, 0.5, 0.3};
+
+/// How colliders look: alone in the file, or over and beside what the file shows by itself.
+struct ColliderLooks {
+  Look still, moving, touching;
+};
+constexpr ColliderLooks alone{
+    {"static", 0.75, 0.78, 0.82, 1}, {"moving", 0.4, 0.55, 0.72, 1}, {"touching", 0.85, 0.35, 0.25, 0.8}};
+constexpr ColliderLooks over{
+    {"collider", 0.75, 0.78, 0.82, 0.3}, {"collider", 0.75, 0.78, 0.82, 0.3}, {"touching", 0.85, 0.35, 0.25, 0.45}};
+
+/// Draws polygons into a model.
 class Writer {
  public:
-  Writer() {
-    model_.asset.version = "2.0";
-    model_.asset.generator = "graze";
-    model_.buffers.emplace_back();
-    model_.scenes.emplace_back();
-    model_.defaultScene = 0;
-  }
+  explicit Writer(GltfModel& model) : model_(model) {}
 
-  int material(const char* name, double r, double g, double b, double alpha) {
-    tinygltf::Material m;
-    m.name = name;
-    m.pbrMetallicRoughness.baseColorFactor = {r, g, b, alpha};
-    m.pbrMetallicRoughness.metallicFactor = 0;
-    m.pbrMetallicRoughness.roughnessFactor = 0.8;
-    m.doubleSided = true;
-    if (alpha < 1) m.alphaMode = "BLEND";
-    model_.materials.push_back(m);
-    return static_cast<int>(model_.materials.size()) - 1;
+  /// One node with one mesh.
+  void add(const std::string& name, const Polygons& shape, const Look& look) {
+    if (const auto drawn = mesh(name, shape, look)) model_.add_root({{"name", name}, {"mesh", *drawn}});
   }
-
-  /// One node with one mesh, its polygons as triangles with corners of their own, so that faces look flat.
-  void add(const std::string& name, const Polygons& shape, int material) {
+  /// One more node with a mesh that is there.
+  void place(const std::string& name, std::size_t mesh, const Posed& pose) {
+    const auto& t = pose.translation;
+    const auto& q = pose.rotation;
+    model_.add_root(
+        {{"name", name}, {"mesh", mesh}, {"translation", {t.x, t.y, t.z}}, {"rotation", {q.x, q.y, q.z, q.w}}});
+  }
+  /// Polygons as triangles with corners of their own, so that faces look flat; no mesh when there are none.
+  std::optional<std::size_t> mesh(const std::string& name, const Polygons& shape, const Look& look) {
     std::vector<Vec3d> corners;
     for (const auto& loop : shape.loops)
       for (std::size_t i = 1; i + 1 < loop.size(); ++i)
         for (const std::uint32_t v : {loop[0], loop[i], loop[i + 1]}) corners.push_back(shape.points[v]);
-    if (corners.empty()) return;
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = material;
-    primitive.attributes["POSITION"] = positions(corners);
-    tinygltf::Mesh mesh;
-    mesh.name = name;
-    mesh.primitives.push_back(primitive);
-    model_.meshes.push_back(mesh);
-    tinygltf::Node node;
-    node.name = name;
-    node.mesh = static_cast<int>(model_.meshes.size()) - 1;
-    model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()));
-    model_.nodes.push_back(node);
-  }
-
-  void save(const std::filesystem::path& file) {
-    tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToFile(&model_, file.string(), true, true, false, true))
-      throw InvalidValue(file.string(), "a file that can be written", "an error");
+    if (corners.empty()) return std::nullopt;
+    const Json primitive{{"attributes", {{"POSITION", positions(corners)}}}, {"material", material(look)}};
+    return model_.add("meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
   }
 
  private:
-  int positions(const std::vector<Vec3d>& points) {
-    auto& data = model_.buffers[0].data;
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = data.size();
-    view.byteLength = points.size() * 12;
-    view.target = TINYGLTF_TARGET_ARRAY_BUFFER;
+  /// Made when first used: a file gets no materials that nothing has.
+  std::size_t material(const Look& look) {
+    const auto found = materials_.find(look.name);
+    if (found != materials_.end()) return found->second;
+    Json json{
+        {"name", look.name},
+        {"doubleSided", true},
+        {"pbrMetallicRoughness",
+         {{"baseColorFactor", {look.r, look.g, look.b, look.alpha}}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}}}};
+    if (look.alpha < 1) json["alphaMode"] = "BLEND";
+    return materials_[look.name] = model_.add("materials", json);
+  }
+
+  std::size_t positions(const std::vector<Vec3d>& points) {
+    std::vector<unsigned char> bytes(points.size() * 12);
     Aabbd box = Aabbd::empty();
-    data.resize(data.size() + view.byteLength);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const float v[3] = {static_cast<float>(points[i].x), static_cast<float>(points[i].y),
                           static_cast<float>(points[i].z)};
-      std::memcpy(data.data() + view.byteOffset + i * 12, v, 12);
+      std::memcpy(bytes.data() + i * 12, v, 12);
       box = merged(box, cast<double>(Vec3f{v[0], v[1], v[2]}));
     }
-    model_.bufferViews.push_back(view);
-    tinygltf::Accessor accessor;
-    accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
-    accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-    accessor.count = points.size();
-    accessor.type = TINYGLTF_TYPE_VEC3;
-    accessor.minValues = {box.lower.x, box.lower.y, box.lower.z};
-    accessor.maxValues = {box.upper.x, box.upper.y, box.upper.z};
-    model_.accessors.push_back(accessor);
-    return static_cast<int>(model_.accessors.size()) - 1;
+    constexpr int array_buffer = 34962, float_component = 5126;
+    return model_.add("accessors", {{"bufferView", model_.add_view(bytes, array_buffer)},
+                                    {"componentType", float_component},
+                                    {"count", points.size()},
+                                    {"type", "VEC3"},
+                                    {"min", {box.lower.x, box.lower.y, box.lower.z}},
+                                    {"max", {box.upper.x, box.upper.y, box.upper.z}}});
   }
 
-  tinygltf::Model model_;
+  GltfModel& model_;
+  std::map<std::string, std::size_t> materials_;
 };
 
-Polygons octahedron(const Vec3d& center, double r) {
+Polygons octahedron(double r) {
   const Shaped shape =
       ConvexHull<double>(std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});
-  return tessellate(shape, {center, {}}, {}, 0);
+  return tessellate(shape, {}, {}, 0);
+}
+
+/// An arrow from the origin along +Y.
+Polygons arrow(double length) {
+  Polygons whole;
+  const auto add = [&](double height, double bottom, double top, double middle) {
+    const auto first = static_cast<std::uint32_t>(whole.points.size());
+    Polygons part = tessellate(Cylinder<double>(height, bottom, top), {{0, middle, 0}, {}}, {}, 0);
+    whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
+    for (auto& loop : part.loops) {
+      for (std::uint32_t& v : loop) v += first;
+      whole.loops.push_back(std::move(loop));
+    }
+  };
+  add(length * 0.75, length * 0.03, length * 0.03, length * 0.375);
+  add(length * 0.25, length * 0.09, 0, length * 0.875);
+  return whole;
 }
 
 /// The turn that takes +Y to a unit vector: half of it, added and normalised.
@@ -104,50 +123,87 @@ Quatd turn_to(const Vec3d& direction) {
   return normalized(Quatd{direction.z, 0, -direction.x, 1 + direction.y});
 }
 
-void add_arrow(Writer& writer, const Vec3d& from, const Vec3d& direction, double length, int material) {
-  const Quatd turn = turn_to(direction);
-  const auto part = [&](double height, double bottom, double top, double middle) {
-    const Posed pose{from + direction * middle, turn};
-    writer.add("normal", tessellate(Cylinder<double>(height, bottom, top), pose, {}, 0), material);
-  };
-  part(length * 0.75, length * 0.03, length * 0.03, length * 0.375);
-  part(length * 0.25, length * 0.09, 0, length * 0.875);
+/// Moves a surface outwards, so that it does not flicker against another at the same place.
+void lift(Polygons& shape, double distance) {
+  std::vector<Vec3d> outward(shape.points.size());
+  for (const auto& loop : shape.loops)
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const Vec3d& corner = shape.points[loop[0]];
+      const Vec3d area = cross(shape.points[loop[i]] - corner, shape.points[loop[i + 1]] - corner);
+      for (const std::uint32_t v : {loop[0], loop[i], loop[i + 1]}) outward[v] += area;
+    }
+  for (std::size_t i = 0; i < outward.size(); ++i)
+    if (const double size = length(outward[i]); size > 0) shape.points[i] += outward[i] * (distance / size);
+}
+
+/// The colliders to tint: those that touch and can move, or, where nothing can, all that touch. Else every floor would
+/// be tinted at all times.
+std::set<std::uint32_t> touching_colliders(const Scene& scene, const std::vector<TouchingPair>& pairs) {
+  const auto fixed = [](const Body& body) { return body.type == MotionType::fixed; };
+  const bool still = std::all_of(scene.bodies.begin(), scene.bodies.end(), fixed);
+  std::set<std::uint32_t> touching;
+  for (const TouchingPair& p : pairs)
+    for (const std::uint32_t i : {p.a, p.b})
+      if (p.overlap && !p.trigger && (still || !fixed(scene.bodies[scene.colliders[i].body]))) touching.insert(i);
+  return touching;
+}
+
+Aabbd extent(const Scene& scene) {
+  Aabbd all = Aabbd::empty();
+  for (const Collider& c : scene.colliders)
+    if (const Aabbd box = bounds(c.shape, c.pose); max_abs(box.extent()) < 1e300) all = merged(all, box);
+  return all.lower.x <= all.upper.x ? all : Aabbd{{-1, -1, -1}, {1, 1, 1}};
+}
+
+bool is_gltf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".glb" || ending == ".gltf";
+}
+
+/// What shows a mesh of its own is drawn over only where there is something to say.
+void draw_colliders(Writer& writer, const GltfModel& model, const Scene& scene, const std::vector<TouchingPair>& pairs,
+                    const ColliderLooks& looks, double lifted) {
+  const Aabbd all = extent(scene);
+  const std::set<std::uint32_t> touching = touching_colliders(scene, pairs);
+  for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
+    const Collider& c = scene.colliders[i];
+    const bool fixed = scene.bodies[c.body].type == MotionType::fixed, tinted = !c.trigger && touching.count(i) != 0;
+    if (!tinted && model.has_mesh(c.node)) continue;
+    Polygons shape = tessellate(c.shape, c.pose, all.center(), max_abs(all.extent()));
+    if (lifted > 0) lift(shape, lifted);
+    writer.add(c.name, shape, c.trigger ? trigger_look : tinted ? looks.touching : fixed ? looks.still : looks.moving);
+  }
+}
+
+void draw_contacts(Writer& writer, const std::vector<TouchingPair>& pairs, double size) {
+  std::optional<std::size_t> dot_mesh, arrow_mesh;
+  for (const TouchingPair& pair : pairs)
+    for (const auto& m : pair.manifolds) {
+      if (!dot_mesh) dot_mesh = writer.mesh("contact", octahedron(size / 150), contact_look);
+      if (!arrow_mesh) arrow_mesh = writer.mesh("normal", arrow(size / 12), normal_look);
+      if (!dot_mesh || !arrow_mesh) return;  // a scene without extent: nothing would be seen
+      Vec3d middle;
+      for (const auto& p : m.points) {
+        middle += p.position() / static_cast<double>(m.points.size());
+        writer.place("contact", *dot_mesh, {p.position(), {}});
+      }
+      writer.place("normal", *arrow_mesh, {middle, turn_to(m.normal)});
+    }
 }
 
 }  // namespace
 
-void write_contacts(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs) {
-  Aabbd all = Aabbd::empty();
-  for (const Collider& c : scene.colliders)
-    if (const Aabbd box = bounds(c.shape, c.pose); max_abs(box.extent()) < 1e300) all = merged(all, box);
-  if (!(all.lower.x <= all.upper.x)) all = {{-1, -1, -1}, {1, 1, 1}};
-  const double size = max_abs(all.extent());
-
-  Writer writer;
-  const int still = writer.material("static", 0.75, 0.78, 0.82, 1),
-            moving = writer.material("moving", 0.4, 0.55, 0.72, 1),
-            touching = writer.material("touching", 0.85, 0.35, 0.25, 0.8),
-            trigger = writer.material("trigger", 0.4, 0.7, 0.5, 0.3),
-            dot = writer.material("contact", 0.75, 0.05, 0.1, 1), arrow = writer.material("normal", 0.1, 0.2, 0.35, 1);
-  std::set<std::uint32_t> touched;
-  for (const TouchingPair& p : pairs)
-    if (p.overlap && !p.trigger) touched.insert({p.a, p.b});
-  for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
-    const Collider& c = scene.colliders[i];
-    const bool fixed = scene.bodies[c.body].type == MotionType::fixed;
-    const int look = c.trigger ? trigger : touched.count(i) != 0 && !fixed ? touching : fixed ? still : moving;
-    writer.add(c.name, tessellate(c.shape, c.pose, all.center(), size), look);
-  }
-  for (const TouchingPair& pair : pairs)
-    for (const auto& m : pair.manifolds) {
-      Vec3d middle;
-      for (const auto& p : m.points) {
-        middle += p.position() / static_cast<double>(m.points.size());
-        writer.add("contact", octahedron(p.position(), size / 150), dot);
-      }
-      add_arrow(writer, middle, m.normal, size / 12, arrow);
-    }
-  writer.save(file);
+std::vector<std::string> write_contacts(const std::filesystem::path& file, const Scene& scene,
+                                        const std::vector<TouchingPair>& pairs, const std::filesystem::path& source) {
+  const bool kept = is_gltf(source);
+  GltfModel model = kept ? GltfModel(source) : GltfModel();
+  Writer writer(model);
+  const double size = max_abs(extent(scene).extent());
+  draw_colliders(writer, model, scene, pairs, kept ? over : alone, kept ? size / 1000 : 0);
+  draw_contacts(writer, pairs, size);
+  model.save(file);
+  return model.notices();
 }
 
 }  // namespace graze::io

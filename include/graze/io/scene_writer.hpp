@@ -1,17 +1,26 @@
-// A scene's colliders and contacts as a glTF file, for any viewer.
+// A scene with its contacts drawn into it, as a glTF file for any viewer.
 //
-// Guarantee: a valid binary glTF 2.0: every collider as a mesh of its own name, touching ones tinted and triggers
-// translucent; every contact point a small octahedron, every normal an arrow.
+// Guarantee: a valid binary glTF 2.0 that stands alone. A scene that was a glTF file stays as it was, down to the bytes
+// of its pictures and to extensions unknown to us; added are the touching colliders as a translucent tint over it, the
+// colliders and triggers that show nothing by themselves, every contact point as a small octahedron and every normal as
+// an arrow. Of any other scene every collider becomes a mesh of its own name.
+//
+// Tinted is what touches and can move; in a scene where nothing can move, all that touches.
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "graze/io/collide.hpp"
 
 namespace graze::io {
 
-/// Throws `InvalidValue` when the file cannot be written.
-void write_contacts(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs);
+/// `source` is the file that the scene was read from; without one, or if it is a mesh file, the colliders are drawn
+/// alone. Returns what could not be taken along, one sentence each. Throws `InvalidValue` when `source` cannot be read or
+/// `file` cannot be written.
+std::vector<std::string> write_contacts(const std::filesystem::path& file, const Scene& scene,
+                                        const std::vector<TouchingPair>& pairs,
+                                        const std::filesystem::path& source = {});
 
 }  // namespace graze::io

@@ -17,14 +17,15 @@
 
 namespace graze {
 
+/// An edge of a polyhedron, by numbers.
+struct HullEdge {
+  std::uint32_t vertex[2];
+  std::uint32_t face[2];  ///< left of vertex[0] -> vertex[1] seen from outside, then right; `no_face` of a segment
+};
+
 /// What a hull is made of. Faces are convex polygons: coplanar triangles are merged.
 template <class T>
 struct HullData {
-  struct Edge {
-    std::uint32_t vertex[2];
-    std::uint32_t face[2];  ///< left of vertex[0] -> vertex[1] seen from outside, then right; `no_face` of a segment
-  };
-
   static constexpr std::uint32_t no_face = 0xffffffffu;
 
   int dimension = 0;   ///< 0 a point, 1 a segment, 2 a flat polygon, 3 a polyhedron
@@ -34,7 +35,7 @@ struct HullData {
   std::vector<Plane<T>> planes;               ///< one a face, outward; a flat polygon has two, back to back
   std::vector<std::uint32_t> face_begin;      ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])
   std::vector<std::uint32_t> loops;           ///< vertex indices, counter-clockwise seen from outside
-  std::vector<Edge> edges;                    ///< each once
+  std::vector<HullEdge> edges;                ///< each once
   std::vector<std::uint32_t> neighbor_begin;  ///< vertex v's neighbours are neighbors[neighbor_begin[v] .. [v + 1])
   std::vector<std::uint32_t> neighbors;
   std::vector<std::uint32_t> incident_begin;  ///< and its faces incident[incident_begin[v] .. [v + 1])

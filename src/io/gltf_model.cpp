@@ -1,0 +1,270 @@
+#include "io/gltf_model.hpp"
+
+#include <tiny_gltf.h>
+
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "io/gltf_document.hpp"
+
+namespace graze::io {
+
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+
+/// The lists that things are added to.
+constexpr const char* added_lists[] = {"accessors", "buffers", "bufferViews", "materials", "meshes", "nodes"};
+
+std::optional<Bytes> read_bytes(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed)) return std::nullopt;
+  std::ifstream in(file, std::ios::binary);
+  Bytes bytes((std::istreambuf_iterator<char>(in)), {});
+  if (!in.good() && !in.eof()) return std::nullopt;
+  return bytes;
+}
+
+std::uint32_t word(const Bytes& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + at, 4);
+  return value;
+}
+
+/// The binary chunk of a .glb whose header and first chunk are known to be right; empty without one.
+std::span<const unsigned char> chunk_of(const Bytes& bytes) {
+  if (bytes.size() < 20 || std::memcmp(bytes.data(), "glTF", 4) != 0) return {};
+  const std::size_t at = std::size_t{20} + word(bytes, 12);
+  if (at > bytes.size() || bytes.size() - at < 8 || word(bytes, at + 4) != binary_chunk) return {};
+  return std::span(bytes).subspan(at + 8, std::min<std::size_t>(word(bytes, at), bytes.size() - at - 8));
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  const char lower = static_cast<char>(c | 0x20);
+  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+}
+
+std::string percent_decoded(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
+    const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
+    text += low >= 0 ? static_cast<char>(16 * high + low) : uri[i];
+    if (low >= 0) i += 2;
+  }
+  return text;
+}
+
+/// A file named by a scene: one below the scene's folder, so that a scene cannot make us copy any other.
+std::optional<Bytes> resource(const std::filesystem::path& folder, const std::string& uri) {
+  const auto file = (folder / percent_decoded(uri)).lexically_normal();
+  const auto inner = file.lexically_relative(folder.lexically_normal());
+  if (inner.empty() || *inner.begin() == "..") return std::nullopt;
+  return read_bytes(file);
+}
+
+std::string base64(const Bytes& bytes) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < n ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= n ? digits[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+/// The kind of a picture by its first bytes: its file's name may lie. Empty when unknown.
+std::string picture_type(const Bytes& bytes) {
+  const std::string head(bytes.begin(),
+                         bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(12, bytes.size())));
+  if (head.starts_with("\x89PNG")) return "image/png";
+  if (head.starts_with("\xff\xd8\xff")) return "image/jpeg";
+  if (head.starts_with("\xabKTX 20")) return "image/ktx2";
+  if (head.starts_with("RIFF") && head.ends_with("WEBP")) return "image/webp";
+  if (head.starts_with("DDS ")) return "image/vnd-ms.dds";
+  return "";
+}
+
+std::string string_at(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+/// A list of the file, made if it is not there.
+Json& list_at(Json& object, const char* key) {
+  Json& list = object[key];
+  if (list.is_null()) list = Json::array();
+  if (!list.is_array()) throw InvalidValue(key, "a list", shown(list));
+  return list;
+}
+
+/// The nodes that are nobody's child.
+Json root_nodes(const Json& nodes) {
+  std::vector<char> child(nodes.size(), 0);
+  for (const Json& node : nodes)
+    for (const Json& c : node.value("children", Json::array()))
+      if (c.is_number_unsigned() && c.get<std::size_t>() < child.size()) child[c.get<std::size_t>()] = 1;
+  Json roots = Json::array();
+  for (std::size_t i = 0; i < child.size(); ++i)
+    if (!child[i]) roots.push_back(i);
+  return roots;
+}
+
+void write_word(std::ostream& out, std::size_t value) {
+  const auto v = static_cast<std::uint32_t>(value);
+  out.write(reinterpret_cast<const char*>(&v), 4);
+}
+
+void write_chunk(std::ostream& out, std::uint32_t type, std::string_view bytes) {
+  write_word(out, bytes.size());
+  write_word(out, type);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace
+
+GltfModel::GltfModel() : json_{{"asset", {{"version", "2.0"}, {"generator", "graze"}}}} { shown_scene(); }
+
+GltfModel::GltfModel(const std::filesystem::path& file) {
+  const auto bytes = read_bytes(file);
+  if (!bytes) throw InvalidValue(file.string(), "a file that can be read", "nothing or something else");
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  try {
+    json_ = GltfDocument(std::string(bytes->begin(), bytes->end()), folder).json();
+    embed_buffers(folder, chunk_of(*bytes));
+    embed_images(folder);
+    // What is added later goes here: a fault of the file is named now, with the file.
+    for (const char* list : added_lists) list_at(json_, list);
+    list_at(shown_scene(), "nodes");
+  } catch (const Json::exception& e) {
+    throw InvalidValue(file.string(), "a glTF 2.0 scene", std::string("another: ") + e.what());
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(file.string() + (e.path().empty() ? "" : ": " + e.path()), e.expectation(), e.found());
+  }
+}
+
+/// The first buffer becomes the bytes of the .glb, which keeps everybody's indices; others stay or become text.
+void GltfModel::embed_buffers(const std::filesystem::path& folder, std::span<const unsigned char> chunk) {
+  Json& buffers = list_at(json_, "buffers");
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    const std::string uri = string_at(buffers[i], "uri");
+    const bool text = uri.starts_with("data:");
+    if (i > 0 && (uri.empty() || text)) continue;
+    Bytes bytes;
+    std::string type;
+    if (uri.empty()) {
+      bytes.assign(chunk.begin(), chunk.end());
+    } else if (text) {
+      tinygltf::DecodeDataURI(&bytes, type, uri, 0, false);
+    } else if (auto read = resource(folder, uri)) {
+      bytes = std::move(*read);
+    }
+    const auto length = buffers[i].value("byteLength", std::size_t{0});
+    if (bytes.size() < length)
+      throw InvalidValue("buffers[" + std::to_string(i) + "]", std::to_string(length) + " bytes",
+                         std::to_string(bytes.size()));
+    bytes.resize(length);  // a chunk may be padded
+    if (i == 0) {
+      data_ = std::move(bytes);
+      buffers[i].erase("uri");
+    } else {
+      buffers[i]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
+    }
+  }
+}
+
+/// Pictures in files of their own move into the .glb; nothing is decoded.
+void GltfModel::embed_images(const std::filesystem::path& folder) {
+  if (!json_.contains("images")) return;
+  for (Json& image : list_at(json_, "images")) {
+    const std::string uri = string_at(image, "uri");
+    if (uri.empty() || uri.starts_with("data:")) continue;
+    const auto bytes = resource(folder, uri);
+    const std::string type = bytes ? picture_type(*bytes) : "";
+    if (type.empty()) {
+      notices_.push_back("picture " + uri + " is " +
+                         (bytes ? "of an unknown kind" : "not a file below the scene's folder") +
+                         ": it stays outside of the written file");
+      continue;
+    }
+    image.erase("uri");
+    image["mimeType"] = type;
+    image["bufferView"] = add_view(*bytes);
+  }
+}
+
+bool GltfModel::has_mesh(int node) const {
+  const auto nodes = json_.find("nodes");
+  if (node < 0 || nodes == json_.end() || static_cast<std::size_t>(node) >= nodes->size()) return false;
+  return (*nodes)[static_cast<std::size_t>(node)].contains("mesh");
+}
+
+std::size_t GltfModel::add(const char* list, Json element) {
+  Json& elements = list_at(json_, list);
+  elements.push_back(std::move(element));
+  return elements.size() - 1;
+}
+
+std::size_t GltfModel::add_view(std::span<const unsigned char> bytes, int target) {
+  Json& buffers = list_at(json_, "buffers");
+  if (buffers.empty()) buffers.push_back(Json::object());
+  data_.resize((data_.size() + 3) / 4 * 4);  // accessors must begin at a multiple of their components' size
+  const std::size_t begin = data_.size();
+  data_.insert(data_.end(), bytes.begin(), bytes.end());
+  buffers[0]["byteLength"] = data_.size();
+  Json view{{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size()}};
+  if (target != 0) view["target"] = target;
+  return add("bufferViews", std::move(view));
+}
+
+/// A file without scenes shows every node, as our loader sees it; one that gets a scene must list them.
+Json& GltfModel::shown_scene() {
+  Json& scenes = list_at(json_, "scenes");
+  if (scenes.empty()) {
+    scenes.push_back({{"nodes", root_nodes(list_at(json_, "nodes"))}});
+    json_["scene"] = 0u;
+  }
+  const Json index = json_.value("scene", Json(0u));
+  if (!index.is_number_unsigned() || index.get<std::size_t>() >= scenes.size())
+    throw InvalidValue("scene", "an index below " + std::to_string(scenes.size()), shown(index));
+  return scenes[index.get<std::size_t>()];
+}
+
+void GltfModel::add_root(Json node) {
+  const std::size_t index = add("nodes", std::move(node));
+  list_at(shown_scene(), "nodes").push_back(index);
+}
+
+void GltfModel::save(const std::filesystem::path& file) const {
+  Json json = json_;
+  // The format has no empty lists.
+  for (const char* list : added_lists)
+    if (json.contains(list) && json[list].empty()) json.erase(list);
+  if (json.contains("scenes"))
+    for (Json& scene : json["scenes"])
+      if (scene.contains("nodes") && scene["nodes"].empty()) scene.erase("nodes");
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string binary(data_.begin(), data_.end());
+  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  const std::size_t size = 20 + text.size() + (binary.empty() ? 0 : 8 + binary.size());
+  if (size >> 32 != 0) throw InvalidValue(file.string(), "a file below 4 GiB", std::to_string(size) + " bytes");
+
+  std::ofstream out(file, std::ios::binary);
+  out.write("glTF", 4);
+  write_word(out, 2);
+  write_word(out, size);
+  write_chunk(out, json_chunk, text);
+  if (!binary.empty()) write_chunk(out, binary_chunk, binary);
+  out.close();
+  if (!out) throw InvalidValue(file.string(), "a file that can be written", "an error");
+}
+
+}  // namespace graze::io

@@ -1,0 +1,49 @@
+// A glTF file in memory that things are added to, and that is written as one binary file.
+//
+// Guarantee: what the file held stays as it was, known to us or not: every element at its index, every extension, every
+// picture byte for byte. That is why it is kept as the JSON that it is and not as some library's model of it, which
+// would drop what the library does not know.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/json_value.hpp"
+
+namespace graze::io {
+
+class GltfModel {
+ public:
+  /// Nothing but an empty scene.
+  GltfModel();
+  /// A .gltf or .glb file, with what it refers to below its own folder. Throws `InvalidValue`.
+  explicit GltfModel(const std::filesystem::path& file);
+
+  /// Whether a node of the file shows a mesh of its own.
+  bool has_mesh(int node) const;
+
+  /// Adds an element to one of the file's lists ("meshes", "nodes", ...); returns its index.
+  std::size_t add(const char* list, Json element);
+  /// Adds bytes of which accessors or pictures are made, as a buffer view; `target` as in the format, 0 for none.
+  std::size_t add_view(std::span<const unsigned char> bytes, int target = 0);
+  /// Adds a node to the scene that is shown.
+  void add_root(Json node);
+
+  void save(const std::filesystem::path& file) const;
+
+  /// What could not be taken along, one sentence each.
+  const std::vector<std::string>& notices() const { return notices_; }
+
+ private:
+  Json& shown_scene();
+  void embed_buffers(const std::filesystem::path& folder, std::span<const unsigned char> chunk);
+  void embed_images(const std::filesystem::path& folder);
+
+  Json json_;
+  std::vector<unsigned char> data_;  ///< of the first buffer, the only one that a .glb holds as bytes
+  std::vector<std::string> notices_;
+};
+
+}  // namespace graze::io
