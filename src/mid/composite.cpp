@@ -68,9 +68,9 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
                Manifolds<T>& manifolds, Trace* trace) {
   if (a.convex() && b.convex()) {
     Manifold<T> manifold;
-    const Distance<T> d = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+    const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
     if (!manifold.points.empty()) manifolds.push_back(manifold);
-    return d.distance;
+    return distance;
   }
   T least_distance = infinity<T>;
   const std::size_t first = manifolds.size();
@@ -80,8 +80,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     Manifold<T> manifold;
     manifold.piece_a = na;
     manifold.piece_b = nb;
-    const Distance<T> d = convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr);
-    least_distance = least(least_distance, d.distance);
+    least_distance = least(least_distance, convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr));
     if (!manifold.points.empty()) manifolds.push_back(manifold);
   };
   visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);

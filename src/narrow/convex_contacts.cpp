@@ -2,9 +2,10 @@
 #include <algorithm>
 
 #include "narrow/convex_pair.hpp"
-#include "narrow/general.hpp"
+#include "narrow/explain.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
+#include "narrow/polyhedral_pair.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -34,11 +35,17 @@ class Side {
   Vec3d core_support(const Vec3d& direction) const {
     return transform(pose_, ShapeCore<T>(shape_).core_support(rotate(conjugate(pose_.rotation), direction)));
   }
-  PlacedFace face(const Vec3d& direction) const {
+  /// The support face, leaning little from the direction; with `sides`, of a shape with flat sides the one that leans
+  /// least.
+  PlacedFace face(const Vec3d& direction, bool sides = false) const {
     Face<T> face;
+    const Vec3<T> local = cast<T>(rotate(conjugate(pose_.rotation), direction));
     shape_.visit([&](const auto& c) {
-      if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
-        c.core_face(cast<T>(rotate(conjugate(pose_.rotation), direction)), face);
+      using C = std::decay_t<decltype(c)>;
+      if constexpr (requires { c.core_face(local, face, T()); })
+        c.core_face(local, face, sides ? side_lean<T> : face_lean<T>);
+      else if constexpr (BoundedConvex<C>)
+        c.core_face(local, face);
     });
     PlacedFace placed;
     placed.id = face.id;
@@ -58,12 +65,72 @@ double separation(const Side<T>& a, const Side<T>& b, const Vec3d& normal) {
   return dot(b.core_support(-normal) - a.core_support(normal), normal) - a.radius() - b.radius();
 }
 
+/// The smaller of the two shapes, about their own origins.
+template <class T>
+double smaller_size(const Side<T>& a, const Side<T>& b) {
+  return least(a.size(), b.size());
+}
+
+/// How far a point may lie beside a sharp edge and count as on it, relative to the smaller shape: well below float's
+/// tolerance, and far above the rounding of its poses.
+constexpr double on_surface = 1e-6;
+
+/// The points on the two surfaces over a place where the cores' faces meet, one straight above the other. Two edges
+/// that are not quite parallel are also apart across the normal: the gap is shared in the ratio of the radii, so that
+/// both points lie on their rounded edges. False when the edges are too sharp for that.
+bool rounded(const FaceContact& c, double radius_a, double radius_b, double slack, const Vec3d& normal, Vec3d& on_a,
+             Vec3d& on_b) {
+  const double apart = dot(c.b - c.a, normal), radii = radius_a + radius_b;
+  const Vec3d across = c.b - c.a - normal * apart;
+  const double beside = length(across);
+  if (beside <= slack) {
+    on_a = c.a + normal * radius_a;
+    on_b = on_a + normal * (apart - radii);
+    return true;
+  }
+  if (!(beside < radii)) return false;
+  const double share = radius_a / radii;
+  const double rise_a = std::sqrt(radius_a * radius_a - beside * beside * share * share);
+  const double rise_b = std::sqrt(radius_b * radius_b - beside * beside * (1 - share) * (1 - share));
+  on_a = c.a + across * share + normal * rise_a;
+  on_b = on_a + normal * (apart - rise_a - rise_b);
+  return true;
+}
+
+/// The points of two faces laid over each other that are at most `limit` apart, appended to the manifold. Distances are
+/// measured before the points are rounded to T and to the world. Returns the smallest of all.
+template <class T>
+double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
+                  const Vec3d& normal, double limit, const Posed& frame, Manifold<T>& manifold) {
+  FaceContacts faces;
+  lay_over(face_a, face_b, normal, faces);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const FaceContact& c : faces) {
+    Vec3d on_a, on_b;
+    if (!rounded(c, a.radius(), b.radius(), on_surface * smaller_size(a, b), normal, on_a, on_b)) continue;
+    const double apart = dot(on_b - on_a, normal);
+    nearest = std::min(nearest, apart);
+    if (apart > limit) continue;
+    manifold.points.push_back(
+        {cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature});
+  }
+  manifold.normal = cast<T>(rotate(frame.rotation, normal));
+  return nearest;
+}
+
+/// What lies as near as the nearest point up to rounding is kept with it, so that touching faces touch whole.
+template <class T>
+double furthest_kept(const Side<T>& a, const Side<T>& b, T margin, double distance) {
+  return greatest(static_cast<double>(margin), distance + rounding * (a.size() + b.size() + std::abs(distance)));
+}
+
 /// The normal of one of the two support faces if it is about as good as the least depth's, else that one.
 template <class T>
-Vec3d preferred_normal(const Side<T>& a, const Side<T>& b, const Vec3d& normal, double distance) {
+Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
+                       const Vec3d& normal, double distance) {
   Vec3d best = normal;
-  double most = distance - face_preference * least(a.size(), b.size());
-  for (const Vec3d& candidate : {polygon_normal(a.face(normal)), -polygon_normal(b.face(-normal))}) {
+  double most = distance - face_preference * smaller_size(a, b);
+  for (const Vec3d& candidate : {polygon_normal(face_a), -polygon_normal(face_b)}) {
     if (candidate == Vec3d{}) continue;
     const double along = separation(a, b, candidate);
     if (along < most) continue;
@@ -73,14 +140,10 @@ Vec3d preferred_normal(const Side<T>& a, const Side<T>& b, const Vec3d& normal, 
   return best;
 }
 
-/// What is left to the closest points: a vertex, crossing edges, or faces that do not lie over each other.
-template <class T>
-std::uint32_t closest_feature(const Side<T>& a, const Side<T>& b, const Vec3d& normal) {
-  const auto name = [](const PlacedFace& f) {
-    if (f.vertices.size() == 1) return vertex_feature(f.ids[0]);
-    return f.vertices.size() == 2 ? edge_feature(f.ids[0], f.ids[1]) : face_feature(f.id);
-  };
-  return feature_id(name(a.face(normal)), name(b.face(-normal)));
+/// A vertex, an edge or a face, by what there is of it.
+std::uint32_t feature_of(const PlacedFace& f) {
+  if (f.vertices.size() == 1) return vertex_feature(f.ids[0]);
+  return f.vertices.size() == 2 ? edge_feature(f.ids[0], f.ids[1]) : face_feature(f.id);
 }
 
 /// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
@@ -92,7 +155,7 @@ T position_weight(const Shape<T>& a, const Shape<T>& b) {
   return ra + rb > T(0) ? ra / (ra + rb) : T(0.5);
 }
 
-/// The points of a bounded pair. Distances are measured before the points are rounded to T and to the world.
+/// The points of a bounded pair whose closest points are known.
 template <class T>
 void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                       const Distance<T>& d, Manifold<T>& manifold) {
@@ -100,29 +163,60 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
   const Vec3d closest_normal = normalized(rotate(conjugate(frame.rotation), cast<double>(d.normal)));
   const double distance = static_cast<double>(d.distance);
-  const Vec3d normal = preferred_normal(side_a, side_b, closest_normal, distance);
-
-  FaceContacts faces;
-  lay_over(side_a.face(normal), side_b.face(-normal), normal, faces);
-  // What lies as near as the nearest point up to rounding is kept with it, so that touching faces touch whole.
-  const double reach = side_a.size() + side_b.size() + std::abs(distance);
-  const double limit = greatest(static_cast<double>(margin), distance + rounding * reach);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const FaceContact& c : faces) {
-    const double apart = dot(c.b - c.a, normal) - side_a.radius() - side_b.radius();
-    nearest = std::min(nearest, apart);
-    if (apart > limit) continue;
-    const Vec3d on_a = c.a + normal * side_a.radius(), on_b = on_a + normal * apart;
-    manifold.points.push_back(
-        {cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature});
+  PlacedFace face_a = side_a.face(closest_normal, true), face_b = side_b.face(-closest_normal, true);
+  if (face_a.vertices.size() > 1 && face_b.vertices.size() > 1) {
+    const Vec3d normal = preferred_normal(side_a, face_a, side_b, face_b, closest_normal, distance);
+    if (normal != closest_normal) {
+      face_a = side_a.face(normal, true);
+      face_b = side_b.face(-normal, true);
+    }
+    const double nearest = add_points(side_a, face_a, side_b, face_b, normal,
+                                      furthest_kept(side_a, side_b, margin, distance), frame, manifold);
+    // Faces that miss what is nearest serve worse than the closest points.
+    if (nearest <= distance + face_preference * smaller_size(side_a, side_b) && !manifold.points.empty()) return;
+    manifold.points.clear();
   }
-  manifold.normal = cast<T>(rotate(frame.rotation, normal));
-  // Faces that miss what is nearest serve worse than the closest points.
-  if (nearest <= distance + face_preference * least(side_a.size(), side_b.size()) && !manifold.points.empty()) return;
-  manifold.points.clear();
+  const std::uint32_t feature =
+      feature_id(feature_of(side_a.face(closest_normal)), feature_of(side_b.face(-closest_normal)));
   manifold.normal = d.normal;
-  const std::uint32_t feature = closest_feature(side_a, side_b, closest_normal);
   manifold.points.push_back({d.a, d.b, d.distance, feature, position_weight(a, b)});
+}
+
+/// The axis that contacts stand on: that of a face, unless the edges' is clearly better.
+const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
+  const SeparatingAxis& face = axes.best_face();
+  return axes.edge.separation > face.separation + face_preference * smaller ? axes.edge : face;
+}
+
+/// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
+/// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
+/// nearest that no axis belongs to, or when the faces miss what is nearest.
+template <class T>
+std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                     T margin, Manifold<T>& manifold, Trace* trace) {
+  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
+  const PolyhedralPair pair(a, b, b_in_a);
+  const double noise = rounding * (side_a.size() + side_b.size() + max_abs(b_in_a.translation));
+  const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + side_a.radius() + side_b.radius() + noise);
+  const double separation = std::abs(axes.best().separation) <= noise ? 0 : axes.best().separation;
+  const double distance = separation - side_a.radius() - side_b.radius();
+  if (distance > static_cast<double>(margin)) return static_cast<T>(distance);
+
+  const double smaller = smaller_size(side_a, side_b);
+  const SeparatingAxis& axis = chosen_axis(axes, smaller);
+  const double nearest = add_points(side_a, pair.face_a(axis.normal), side_b, pair.face_b(axis.normal), axis.normal,
+                                    furthest_kept(side_a, side_b, margin, distance), frame, manifold);
+  const bool apart = separation > 0;
+  const double allowed = apart ? laid_slack * noise : face_preference * smaller;
+  if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &axes.best())) {
+    manifold.points.clear();
+    return std::nullopt;
+  }
+  if (trace) trace->method = "separating axes";
+  if (trace && &axis != &axes.best())
+    trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
+  return static_cast<T>(distance);
 }
 
 /// The support face of a body that lies on a half-space: each vertex with its own height.
@@ -153,31 +247,47 @@ void mirror(Manifold<T>& manifold) {
   }
 }
 
-}  // namespace
-
+/// Of two shapes in the order of the list.
 template <class T>
-Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                            T margin, Manifold<T>& manifold, Trace* trace) {
-  const Distance<T> d = convex_distance(a, pose_a, b, pose_b, trace);
-  if (d.status == Status::unbounded || !(d.distance <= margin)) return d;
+T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                   Manifold<T>& manifold, Trace* trace) {
+  if (has_separating_axes(a, b))
+    if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
+  const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, trace);
+  if (d.status == Status::unbounded || !(d.distance <= margin)) return d.distance;
   const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;
   if (half_a && half_b) {
     manifold.normal = d.normal;
     manifold.points.push_back({d.a, d.b, d.distance, feature_id(face_feature(0), face_feature(0))});
-  } else if (half_a) {
-    rest_on_half_space(a, pose_a, b, pose_b, margin, manifold);
   } else if (half_b) {
     rest_on_half_space(b, pose_b, a, pose_a, margin, manifold);
     mirror(manifold);
   } else {
     bounded_contacts(a, pose_a, b, pose_b, margin, d, manifold);
   }
-  return d;
+  return d.distance;
 }
 
-template Distance<float> convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&,
-                                         const Pose<float>&, float, Manifold<float>&, Trace*);
-template Distance<double> convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&,
-                                          const Pose<double>&, double, Manifold<double>&, Trace*);
+}  // namespace
+
+template <class T>
+T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                  Manifold<T>& manifold, Trace* trace) {
+  const bool swapped = against_order(a, b);
+  const T distance = swapped ? ordered_contacts(b, pose_b, a, pose_a, margin, manifold, trace)
+                             : ordered_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  if (swapped) mirror(manifold);
+  if (trace) {
+    if (swapped) mirror(*trace);
+    explain_axes(a, pose_a, b, pose_b, *trace);
+    if (!manifold.points.empty()) explain_normal(a, pose_a, b, pose_b, manifold.normal, *trace);
+  }
+  return distance;
+}
+
+template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
+                               Manifold<float>&, Trace*);
+template double convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
+                                double, Manifold<double>&, Trace*);
 
 }  // namespace graze

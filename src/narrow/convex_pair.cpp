@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "narrow/explain.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"
 
@@ -106,10 +107,8 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
   if (trace) trace->method = "closed form";
   if constexpr (half_a && half_b) {
     return half_spaces(a, ra, b, rb);
-  } else if constexpr (half_a) {
-    return finished(half_space_distance(cb, relative(a.pose, b.pose)), ra, rb, a.pose);
   } else if constexpr (half_b) {
-    return mirrored(pair_distance<B, A>(b, a, trace));
+    return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
     if constexpr (ClosedForm<A, B, T>) {
       if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
@@ -122,7 +121,7 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
 
 template <class A, class B, class T>
 bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
-  constexpr bool unbounded = std::is_same_v<A, HalfSpace<T>> || std::is_same_v<B, HalfSpace<T>>;
+  constexpr bool unbounded = std::is_same_v<B, HalfSpace<T>>;
   const A& ca = *a.shape.template as<A>();
   const B& cb = *b.shape.template as<B>();
   const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
@@ -140,29 +139,14 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   }
 }
 
-/// What the two shapes cover on the axis of the answer, for an explanation.
-template <class T>
-void trace_normal(const Body<T>& a, const Body<T>& b, const Distance<T>& d, Trace& trace) {
-  const auto furthest = [](const Body<T>& body, const Vec3<T>& direction) {
-    if (body.shape.template as<HalfSpace<T>>()) {
-      const Vec3<T> up = rotate(body.pose.rotation, Vec3<T>{T(0), T(1), T(0)});
-      const bool along = dot(up, direction) > T(0.5);
-      return along ? dot(body.pose.translation, direction) + body.shape.margin() : std::numeric_limits<T>::infinity();
-    }
-    return dot(transform(body.pose, support(body.shape, rotate(conjugate(body.pose.rotation), direction))), direction);
-  };
-  trace.axes.push_back({"normal", cast<double>(d.normal), static_cast<double>(-furthest(a, -d.normal)),
-                        static_cast<double>(furthest(a, d.normal)), static_cast<double>(-furthest(b, -d.normal)),
-                        static_cast<double>(furthest(b, d.normal))});
-}
-
 template <class T>
 struct Routines {
   Distance<T> (*distance)(const Body<T>&, const Body<T>&, Trace*);
   bool (*overlap)(const Body<T>&, const Body<T>&, Trace*);
 };
 
-/// Composites never come here: the mid phase takes them apart first.
+/// Composites never come here: the mid phase takes them apart first. Nor does a pair against the order of the list: it
+/// is asked the other way round.
 template <class T, class C>
 inline constexpr bool is_convex = BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>;
 
@@ -170,7 +154,7 @@ template <class T, std::size_t A, std::size_t B>
 constexpr Routines<T> routines_of() {
   using CA = std::variant_alternative_t<A, ShapeList<T>>;
   using CB = std::variant_alternative_t<B, ShapeList<T>>;
-  if constexpr (is_convex<T, CA> && is_convex<T, CB>)
+  if constexpr (A <= B && is_convex<T, CA> && is_convex<T, CB>)
     return {&pair_distance<CA, CB, T>, &pair_overlap<CA, CB, T>};
   else
     return {nullptr, nullptr};
@@ -191,19 +175,39 @@ const Routines<T>& routines(const Shape<T>& a, const Shape<T>& b) {
 }  // namespace
 
 template <class T>
+Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                             Trace* trace) {
+  return routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
+}
+
+template <class T>
 Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                             Trace* trace) {
-  const Distance<T> d = routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
-  if (trace) trace_normal<T>({a, pose_a}, {b, pose_b}, d, *trace);
+  const bool swapped = against_order(a, b);
+  const Distance<T> d =
+      swapped ? mirrored(ordered_distance(b, pose_b, a, pose_a, trace)) : ordered_distance(a, pose_a, b, pose_b, trace);
+  if (trace) {
+    if (swapped) mirror(*trace);
+    explain_axes(a, pose_a, b, pose_b, *trace);
+    explain_normal(a, pose_a, b, pose_b, d.normal, *trace);
+  }
   return d;
 }
 
 template <class T>
 bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  return routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
+  const bool swapped = against_order(a, b);
+  const bool touch = swapped ? routines(b, a).overlap({b, pose_b}, {a, pose_a}, trace)
+                             : routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
+  if (trace) {
+    if (swapped) mirror(*trace);
+    explain_axes(a, pose_a, b, pose_b, *trace);
+  }
+  return touch;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
+  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
   template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);      \
   template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);
 GRAZE_INSTANTIATE(float)

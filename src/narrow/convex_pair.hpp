@@ -7,6 +7,18 @@
 
 namespace graze {
 
+/// Whether two shapes stand in the question against the order of the list of shapes. They are then asked about the other
+/// way round and the answer mirrored, so that swapping shapes of two kinds changes not one bit.
+template <class T>
+bool against_order(const Shape<T>& a, const Shape<T>& b) {
+  return a.index() > b.index();
+}
+
+/// `distance` of two convex shapes that stand in order, without the axes of an explanation.
+template <class T>
+Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                             Trace* trace);
+
 /// `distance` of two convex shapes.
 template <class T>
 Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
@@ -16,10 +28,10 @@ Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shap
 template <class T>
 bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace);
 
-/// `contacts` of two convex shapes: fills the manifold; returns its smallest signed distance, or infinity when there is
-/// nothing within `margin`.
+/// `contacts` of two convex shapes: fills the manifold. Returns their signed distance, or where that is more than
+/// `margin`, something between the two.
 template <class T>
-Distance<T> convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                            T margin, Manifold<T>& manifold, Trace* trace);
+T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                  Manifold<T>& manifold, Trace* trace);
 
 }  // namespace graze

@@ -62,7 +62,7 @@ void slide(const Difference& difference, double noise, EpaResult& r) {
     double depth = r.upper;
     Vec3d normal = r.normal;
     for (double stretch = 1; stretch <= slide_stretch; stretch *= 2) {
-      const Vec3d further = normalized(outward + turn * stretch);
+      const Vec3d further = unit(outward + turn * stretch);
       const double found = depth_along(further);
       if (!(found < depth)) break;
       depth = found;

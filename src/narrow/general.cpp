@@ -2,6 +2,7 @@
 
 #include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/polyhedral_pair.hpp"
 
 namespace graze {
 
@@ -35,6 +36,14 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   const double noise = rounding * difference.reach();
+  // Two boxes' axes cost less than GJK.
+  if (as_boxes(a, b, b_in_a)) {
+    if (const auto core = PolyhedralPair(a, b, b_in_a).depth(noise)) {
+      if (trace) trace->method = "separating axes";
+      const double distance = std::abs(core->distance) <= noise ? 0.0 : core->distance;
+      return judged<T>(difference, centered(distance, core->normal, core->a, core->b), 0);
+    }
+  }
   if (trace) trace->method = "gjk";
   const GjkResult g = gjk(difference, {distance_goal * difference.size() + noise}, trace);
   if (g.end != GjkEnd::touching && g.lower > 0) {
@@ -56,8 +65,14 @@ template <class T>
 bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace) {
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
+  const double noise = rounding * difference.reach();
+  if (const auto boxes = as_boxes(a, b, b_in_a)) {
+    if (trace) trace->method = "separating axes";
+    const double separation = box_separation(*boxes, reach + noise);
+    if (separation > reach + noise || separation <= noise) return separation <= noise;
+  }
   if (trace) trace->method = "gjk";
-  const GjkGoal goal{distance_goal * difference.size() + rounding * difference.reach(), reach, reach};
+  const GjkGoal goal{distance_goal * difference.size() + noise, reach, reach};
   const GjkResult g = gjk(difference, goal, trace);
   return g.end == GjkEnd::touching || g.upper <= reach;
 }

@@ -26,7 +26,9 @@ void to_world(Trace& trace, const Posed& pose_a);
 /// A pose in double, whatever the scalar, its rotation of unit length to double's precision.
 template <class T>
 Posed in_double(const Pose<T>& pose) {
-  return {cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
+  const Quatd q = cast<double>(pose.rotation);
+  const double scale = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  return {cast<double>(pose.translation), {q.x * scale, q.y * scale, q.z * scale, q.w * scale}};
 }
 template <class T>
 Posed relative_in_double(const Pose<T>& a, const Pose<T>& b) {

@@ -45,9 +45,10 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
   r.lower = -std::numeric_limits<double>::infinity();
   const double touching = rounding * difference.reach();
 
-  const Vec3d start = normalized(difference.center_offset());
+  const Vec3d start = unit(difference.center_offset());
   r.simplex.push(difference.support(start));
-  r.nearest = reduce_to_nearest(r.simplex).point;
+  r.nearest = nearest_to_origin(r.simplex).point;
+  r.simplex.points[0].weight = 1;
   r.upper = length(r.nearest);
 
   int idle = 0;
@@ -65,8 +66,7 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
     r.lower = greatest(r.lower, separation);
     if (trace) {
       trace->gjk.push_back({{}, direction, traced(found), r.lower, r.upper});
-      for (int k = 0; k < r.simplex.size; ++k)
-        trace->gjk.back().simplex.push_back(traced(r.simplex.point[static_cast<std::size_t>(k)]));
+      for (const SupportPoint& p : r.simplex.points) trace->gjk.back().simplex.push_back(traced(p));
     }
     r.end = GjkEnd::apart;
     if (goal.separation >= 0 && r.lower > goal.separation) return r;
@@ -77,12 +77,13 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
     r.end = GjkEnd::stalled;
     if (r.simplex.contains(found)) return r;
 
-    Simplex next = r.simplex;
-    next.push(found);
-    const Nearest nearest = reduce_to_nearest(next);
+    r.simplex.push(found);
+    const Nearest nearest = nearest_to_origin(r.simplex);
     if (nearest.enclosed) {
-      if (r.lower > touching) return r;  // a flat tetrahedron deceives: the shapes are known to be apart
-      r.simplex = next;
+      if (r.lower > touching) {  // a flat tetrahedron deceives: the shapes are known to be apart
+        r.simplex.points.pop_back();
+        return r;
+      }
       r.nearest = {};
       r.lower = r.upper = 0;
       r.end = GjkEnd::touching;
@@ -91,8 +92,11 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
     const double upper = length(nearest.point);
     // A step along a long thin simplex may turn the direction and yet shorten it by less than rounding: a few such
     // steps are taken, more of them would be going in circles.
-    if (upper >= r.upper && (upper > r.upper + touching || ++idle > idle_steps)) return r;
-    r.simplex = next;
+    if (upper >= r.upper && (upper > r.upper + touching || ++idle > idle_steps)) {
+      r.simplex.points.pop_back();
+      return r;
+    }
+    reduce(r.simplex, nearest);
     r.nearest = nearest.point;
     r.upper = upper;
   }

@@ -115,23 +115,24 @@ Corners corners_of(const FlatFace& subject, const FlatFace& other) {
   return corners;
 }
 
-/// The stretch that two edges run along each other: empty unless they are parallel up to the lean that makes a face.
-Corners along_each_other(const FlatFace& a, const FlatFace& b) {
+/// The ends of the stretch that two edges run along each other, each end on both: nothing unless they are parallel up to
+/// the lean that makes a face.
+void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, FaceContacts& contacts) {
   const double ax = a[1].x - a[0].x, ay = a[1].y - a[0].y, bx = b[1].x - b[0].x, by = b[1].y - b[0].y;
-  const double la = ax * ax + ay * ay, lb = bx * bx + by * by, cross = ax * by - ay * bx;
-  Corners corners;
-  if (!(la > 0 && lb > 0) || cross * cross > face_lean<double> * face_lean<double> * la * lb) return corners;
-  const auto on_a = [&](const Flat& p) { return ((p.x - a[0].x) * ax + (p.y - a[0].y) * ay) / la; };
-  const auto at = [&](double t, std::uint32_t fa, std::uint32_t fb) {
-    corners.push_back({a[0].x + ax * t, a[0].y + ay * t, fa, fb, 0});
+  const double la = ax * ax + ay * ay, lb = bx * bx + by * by, cross = ax * by - ay * bx, along = ax * bx + ay * by;
+  if (!(la > 0 && lb > 0) || cross * cross > face_lean<double> * face_lean<double> * la * lb) return;
+  const auto add = [&](double s, double t, std::uint32_t feature_a, std::uint32_t feature_b) {
+    contacts.push_back({basis.point(a[0].x + ax * s, a[0].y + ay * s, a[0].height + (a[1].height - a[0].height) * s),
+                        basis.point(b[0].x + bx * t, b[0].y + by * t, b[0].height + (b[1].height - b[0].height) * t),
+                        feature_id(feature_a, feature_b)});
   };
-  const double first = on_a(b[0]), last = on_a(b[1]);
-  const std::size_t low = first <= last ? 0 : 1;
-  const double from = std::min(first, last), to = std::max(first, last);
-  if (from > 1 || to < 0) return corners;
-  from > 0 ? at(from, a.edge(0), b.vertex(low)) : at(0, a.vertex(0), b.edge(0));
-  to < 1 ? at(to, a.edge(0), b.vertex(1 - low)) : at(1, a.vertex(1), b.edge(0));
-  return corners;
+  const auto on_a = [&](std::size_t i) { return ((b[i].x - a[0].x) * ax + (b[i].y - a[0].y) * ay) / la; };
+  const auto on_b = [&](std::size_t i) { return ((a[i].x - b[0].x) * ax + (a[i].y - b[0].y) * ay) / along; };
+  const std::size_t low = on_a(0) <= on_a(1) ? 0 : 1, high = 1 - low;
+  const double from = on_a(low), to = on_a(high);
+  if (from > 1 || to < 0) return;
+  from > 0 ? add(from, static_cast<double>(low), a.edge(0), b.vertex(low)) : add(0, on_b(0), a.vertex(0), b.edge(0));
+  to < 1 ? add(to, static_cast<double>(high), a.edge(0), b.vertex(high)) : add(1, on_b(1), a.vertex(1), b.edge(0));
 }
 
 }  // namespace
@@ -149,7 +150,7 @@ Vec3d polygon_normal(const PlacedFace& face) {
   const std::size_t n = face.vertices.size();
   const Vec3d& origin = face.vertices[0];
   for (std::size_t i = 1; i + 1 < n; ++i) sum += cross(face.vertices[i] - origin, face.vertices[i + 1] - origin);
-  return normalized(sum, Vec3d{});
+  return unit(sum, Vec3d{});
 }
 
 void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, FaceContacts& contacts) {
@@ -158,20 +159,14 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, Fac
   const Basis basis{u, cross(normal, u), normal};
   // A's face is counter-clockwise seen against the normal, B's seen along it.
   const FlatFace fa(a, basis, false), fb(b, basis, true);
-  const bool edge_a = fa.size() == 2, edge_b = fb.size() == 2;
+  if (fa.size() == 2 && fb.size() == 2) return along_each_other(fa, fb, basis, contacts);
 
-  Corners corners;
-  bool swapped = false;
-  if (edge_a && edge_b) {
-    corners = along_each_other(fa, fb);
-  } else {
-    // The face with fewer sides is cut by the other: an edge by a polygon, never the reverse.
-    swapped = edge_b && !edge_a;
-    const FlatFace &subject = swapped ? fb : fa, &clip = swapped ? fa : fb;
-    corners = corners_of(subject, clip);
-    for (std::size_t i = 0; i < clip.size() && !corners.empty(); ++i)
-      corners = cut(corners, clip, i, subject.size() > 2, subject.whole());
-  }
+  // An edge is cut by a polygon, never the reverse.
+  const bool swapped = fb.size() == 2;
+  const FlatFace &subject = swapped ? fb : fa, &clip = swapped ? fa : fb;
+  Corners corners = corners_of(subject, clip);
+  for (std::size_t i = 0; i < clip.size() && !corners.empty(); ++i)
+    corners = cut(corners, clip, i, subject.size() > 2, subject.whole());
   for (const Corner& c : corners) {
     const std::uint32_t feature = swapped ? feature_id(c.feature_b, c.feature_a) : feature_id(c.feature_a, c.feature_b);
     contacts.push_back(

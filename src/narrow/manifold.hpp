@@ -6,6 +6,7 @@
 
 #include "graze/contact.hpp"
 #include "graze/shape/face.hpp"
+#include "narrow/minkowski.hpp"
 
 namespace graze {
 
@@ -16,7 +17,8 @@ struct PlacedFace {
   std::uint32_t id = 0;
 };
 
-/// A place where two faces touch, before rounding: heights along the normal.
+/// A place where two faces touch, before rounding: apart along the normal, and where two edges run along each other
+/// not quite in parallel, across it too.
 struct FaceContact {
   Vec3d a, b;
   std::uint32_t feature;
@@ -28,8 +30,9 @@ using FaceContacts = SmallVector<FaceContact, 16>;
 Vec3d polygon_normal(const PlacedFace& face);
 
 /// Lays B's face over A's along the unit normal (from A to B) and appends the vertices of the area that they share:
-/// vertices of one inside the other, and crossings of edges; for two edges, the ends of the stretch they run along
-/// each other. Nothing when they only cross in a point or do not meet: the closest points serve better then.
+/// vertices of one inside the other, and crossings of edges; for two edges that are about parallel, the ends of the
+/// stretch they run along each other, wherever they lie. Nothing when they cross in a point or do not meet: the closest
+/// points serve better then.
 void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, FaceContacts& contacts);
 
 /// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.

@@ -71,6 +71,13 @@ class ShapeCore {
   const Shape<T>& shape_;
 };
 
+/// `normalized` for scalar code: one square root and one division, but where a square would under- or overflow.
+inline Vec3d unit(const Vec3d& v, const Vec3d& fallback = {0, 1, 0}) {
+  const double squared = dot(v, v);
+  if (squared > 1e-200 && squared < 1e200) return v * (1 / std::sqrt(squared));
+  return normalized(v, fallback);
+}
+
 /// Rounding errors of the general path: some tens of operations on coordinates up to `reach`.
 inline constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
 

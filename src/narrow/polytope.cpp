@@ -5,8 +5,7 @@
 namespace graze {
 
 void Polytope::build_tetrahedron(const Simplex& s) {
-  for (std::size_t i = 0; i < 4; ++i) vertices_[i] = s.point[i];
-  vertex_count_ = 4;
+  for (const SupportPoint& p : s.points) vertices_.push_back(p);
   const Vec3d& p = vertices_[0].w;
   const double volume = dot(vertices_[3].w - p, cross(vertices_[1].w - p, vertices_[2].w - p));
   if (volume > 0) std::swap(vertices_[1], vertices_[2]);  // so that 0, 1, 2 is counter-clockwise seen from outside
@@ -21,10 +20,11 @@ void Polytope::build_tetrahedron(const Simplex& s) {
 }
 
 std::uint16_t Polytope::add_facet(std::uint16_t i, std::uint16_t j, std::uint16_t k) {
-  const std::size_t slot = free_count_ > 0 ? free_[--free_count_] : facet_count_++;
+  const std::size_t slot = free_.empty() ? facets_.size() : free_.back();
+  free_.empty() ? facets_.push_back({}) : free_.pop_back();
   Facet& f = facets_[slot];
   const Vec3d &a = vertices_[i].w, &b = vertices_[j].w, &c = vertices_[k].w;
-  f.normal = normalized(cross(b - a, c - a), Vec3d{});
+  f.normal = unit(cross(b - a, c - a), Vec3d{});
   // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error.
   const double la = length_squared(a), lb = length_squared(b), lc = length_squared(c);
   f.offset = dot(f.normal, la <= lb && la <= lc ? a : lb <= lc ? b : c);
@@ -41,16 +41,16 @@ bool Polytope::find_horizon(std::uint16_t seed, const Vec3d& w) {
     std::uint16_t facet;
     std::uint8_t edge, left;
   };
-  std::array<Visit, max_facets> stack;
-  std::size_t depth = 0;
-  horizon_count_ = seen_count_ = 0;
+  FixedVector<Visit, max_facets> stack;
+  horizon_.clear();
+  seen_.clear();
   facets_[seed].live = false;
-  seen_[seen_count_++] = seed;
-  stack[depth++] = {seed, 0, 3};
-  while (depth > 0) {
-    Visit& top = stack[depth - 1];
+  seen_.push_back(seed);
+  stack.push_back({seed, 0, 3});
+  while (!stack.empty()) {
+    Visit& top = stack.back();
     if (top.left == 0) {
-      --depth;
+      stack.pop_back();
       continue;
     }
     const Facet& f = facets_[top.facet];
@@ -64,36 +64,36 @@ bool Polytope::find_horizon(std::uint16_t seed, const Vec3d& w) {
     if (entry == 3) return false;
     if (next.live && sees(next, w)) {
       next.live = false;
-      seen_[seen_count_++] = n;
-      stack[depth++] = {n, static_cast<std::uint8_t>((entry + 1) % 3), 2};
+      seen_.push_back(n);
+      stack.push_back({n, static_cast<std::uint8_t>((entry + 1) % 3), 2});
     } else if (next.live) {
-      if (horizon_count_ == max_facets) return false;
-      horizon_[horizon_count_++] = {f.vertex[e], f.vertex[(e + 1u) % 3], n, entry};
+      if (horizon_.full()) return false;
+      horizon_.push_back({f.vertex[e], f.vertex[(e + 1u) % 3], n, entry});
     }
   }
   return horizon_is_loop();
 }
 
 bool Polytope::horizon_is_loop() const {
-  if (horizon_count_ < 3) return false;
-  for (std::size_t i = 0; i < horizon_count_; ++i)
-    if (horizon_[i].to != horizon_[(i + 1) % horizon_count_].from) return false;
+  if (horizon_.size() < 3) return false;
+  for (std::size_t i = 0; i < horizon_.size(); ++i)
+    if (horizon_[i].to != horizon_[(i + 1) % horizon_.size()].from) return false;
   return true;
 }
 
 bool Polytope::expand(const Facet& seen_first, const SupportPoint& point) {
-  if (vertex_count_ == max_vertices) return false;
-  const auto seed = static_cast<std::uint16_t>(&seen_first - facets_.data());
+  if (vertices_.full()) return false;
+  const auto seed = static_cast<std::uint16_t>(&seen_first - facets_.begin());
   if (!find_horizon(seed, point.w)) {
-    for (std::size_t i = 0; i < seen_count_; ++i) facets_[seen_[i]].live = true;
+    for (const std::uint16_t f : seen_) facets_[f].live = true;
     return false;
   }
-  const auto apex = static_cast<std::uint16_t>(vertex_count_);
-  vertices_[vertex_count_++] = point;
-  for (std::size_t i = 0; i < seen_count_; ++i) free_[free_count_++] = seen_[i];
+  const auto apex = static_cast<std::uint16_t>(vertices_.size());
+  vertices_.push_back(point);
+  for (const std::uint16_t f : seen_) free_.push_back(f);
 
   std::uint16_t first = 0, previous = 0;
-  for (std::size_t i = 0; i < horizon_count_; ++i) {
+  for (std::size_t i = 0; i < horizon_.size(); ++i) {
     const HorizonEdge& edge = horizon_[i];
     const std::uint16_t fan = add_facet(edge.from, edge.to, apex);
     facets_[fan].neighbor[0] = edge.outside;
@@ -112,16 +112,13 @@ bool Polytope::expand(const Facet& seen_first, const SupportPoint& point) {
 }
 
 std::size_t Polytope::live_count() const {
-  return static_cast<std::size_t>(std::count_if(facets_.begin(),
-                                                facets_.begin() + static_cast<std::ptrdiff_t>(facet_count_),
-                                                [](const Facet& f) { return f.live; }));
+  return static_cast<std::size_t>(std::count_if(facets_.begin(), facets_.end(), [](const Facet& f) { return f.live; }));
 }
 
 double Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const {
   // The facet whose smallest barycentric coordinate of the ray is largest: exactly one holds it but for rounding.
   double best = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < facet_count_; ++i) {
-    const Facet& f = facets_[i];
+  for (const Facet& f : facets_) {
     if (!f.live || !(dot(f.normal, direction) > facing)) continue;
     const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
     double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)),
@@ -148,9 +145,9 @@ bool Polytope::witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
 }
 
 void Polytope::describe(Trace& trace) const {
-  for (std::size_t i = 0; i < vertex_count_; ++i) trace.polytope.push_back(traced(vertices_[i]));
-  for (std::size_t i = 0; i < facet_count_; ++i)
-    if (facets_[i].live) trace.triangles.push_back({facets_[i].vertex[0], facets_[i].vertex[1], facets_[i].vertex[2]});
+  for (const SupportPoint& p : vertices_) trace.polytope.push_back(traced(p));
+  for (const Facet& f : facets_)
+    if (f.live) trace.triangles.push_back({f.vertex[0], f.vertex[1], f.vertex[2]});
 }
 
 }  // namespace graze

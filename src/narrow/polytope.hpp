@@ -41,7 +41,7 @@ class Polytope {
   /// Replaces all facets that see the new point by a fan from their silhouette. False when that cannot be done.
   bool expand(const Facet& seen_first, const SupportPoint& point);
 
-  std::span<Facet> facets() { return {facets_.data(), facet_count_}; }
+  std::span<Facet> facets() { return {facets_.begin(), facets_.size()}; }
   std::size_t live_count() const;
 
   /// The two shapes' points where the ray from the origin along `direction` leaves the polytope. False when rounding
@@ -67,11 +67,10 @@ class Polytope {
   double pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const;
 
   double noise_;
-  std::array<SupportPoint, max_vertices> vertices_;
-  std::array<Facet, max_facets> facets_;
-  std::array<HorizonEdge, max_facets> horizon_;
-  std::array<std::uint16_t, max_facets> seen_, free_;
-  std::size_t vertex_count_ = 0, facet_count_ = 0, horizon_count_ = 0, seen_count_ = 0, free_count_ = 0;
+  FixedVector<SupportPoint, max_vertices> vertices_;
+  FixedVector<Facet, max_facets> facets_;
+  FixedVector<HorizonEdge, max_facets> horizon_;
+  FixedVector<std::uint16_t, max_facets> seen_, free_;
 };
 
 namespace detail {
@@ -103,25 +102,25 @@ Flat Polytope::begin(const Difference& difference, Simplex s) {
     return Flat{true, above >= below ? n : -n, nearest.point_a(), nearest.point_b(), -greatest(above, below)};
   };
 
-  if (s.size == 1) {
+  if (s.size() == 1) {
     static constexpr Vec3d axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    const Vec3d p = s.point[0].w;
+    const Vec3d p = s.w(0);
     s.push(furthest_support(difference, axes, [&](const Vec3d& w) { return length(w - p); }));
-    if (length(s.point[1].w - p) <= noise_) return flat({0, 1, 0});
+    if (length(s.w(1) - p) <= noise_) return flat({0, 1, 0});
   }
-  if (s.size == 2) {
-    const Vec3d p = s.point[0].w, along = normalized(s.point[1].w - p);
+  if (s.size() == 2) {
+    const Vec3d p = s.w(0), along = unit(s.w(1) - p);
     const Vec3d u = any_perpendicular(along), v = cross(along, u);
     const Vec3d around[] = {u, -u, v, -v};
     s.push(furthest_support(difference, around, [&](const Vec3d& w) { return length(cross(w - p, along)); }));
-    if (length(cross(s.point[2].w - p, along)) <= noise_) return flat(u);
+    if (length(cross(s.w(2) - p, along)) <= noise_) return flat(u);
   }
-  if (s.size == 3) {
-    const Vec3d p = s.point[0].w;
-    const Vec3d n = normalized(cross(s.point[1].w - p, s.point[2].w - p));
+  if (s.size() == 3) {
+    const Vec3d p = s.w(0);
+    const Vec3d n = unit(cross(s.w(1) - p, s.w(2) - p));
     const Vec3d sides[] = {n, -n};
     s.push(furthest_support(difference, sides, [&](const Vec3d& w) { return std::abs(dot(w - p, n)); }));
-    if (std::abs(dot(s.point[3].w - p, n)) <= noise_) return flat(n);
+    if (std::abs(dot(s.w(3) - p, n)) <= noise_) return flat(n);
   }
   build_tetrahedron(s);
   return {};

@@ -7,21 +7,23 @@
 
 #include <array>
 
+#include "narrow/fixed_vector.hpp"
 #include "narrow/minkowski.hpp"
 
 namespace graze {
 
 /// Up to four points of a Minkowski difference with the weights of the point nearest to the origin.
 struct Simplex {
-  std::array<SupportPoint, 4> point;
-  std::array<double, 4> weight{};
-  int size = 0;
+  struct Vertex : SupportPoint {
+    double weight = 0;
+  };
+  FixedVector<Vertex, 4> points;
 
-  void push(const SupportPoint& p) { point[static_cast<std::size_t>(size++)] = p; }
+  std::size_t size() const { return points.size(); }
+  const Vec3d& w(std::size_t i) const { return points[i].w; }
+  void push(const SupportPoint& p) { points.push_back({p, 0}); }
   bool contains(const SupportPoint& p) const {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i)
-      if (point[i].w == p.w) return true;
-    return false;
+    return std::any_of(points.begin(), points.end(), [&](const Vertex& v) { return v.w == p.w; });
   }
   Vec3d point_a() const { return weighted(&SupportPoint::a); }
   Vec3d point_b() const { return weighted(&SupportPoint::b); }
@@ -29,18 +31,24 @@ struct Simplex {
  private:
   Vec3d weighted(Vec3d SupportPoint::*member) const {
     Vec3d sum;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) sum += point[i].*member * weight[i];
+    for (const Vertex& v : points) sum += v.*member * v.weight;
     return sum;
   }
 };
 
-/// The nearest point, and the face of the simplex that carries it: what `simplex` is reduced to.
-/// `enclosed` when the simplex is a tetrahedron that holds the origin; it is left whole then.
+/// The point of a simplex nearest to the origin, and the vertices that carry it, in ascending order, with its weights.
+/// `enclosed` when the simplex is a tetrahedron that holds the origin: all of it carries it then.
 struct Nearest {
   Vec3d point;
   bool enclosed = false;
+  std::size_t size = 0;
+  std::array<std::size_t, 3> index{};
+  std::array<double, 3> weight{};
 };
 
-Nearest reduce_to_nearest(Simplex& simplex);
+Nearest nearest_to_origin(const Simplex& simplex);
+
+/// Leaves of the simplex only what carries the point; a tetrahedron that holds the origin as it is.
+void reduce(Simplex& simplex, const Nearest& nearest);
 
 }  // namespace graze

@@ -105,7 +105,7 @@ std::size_t ConvexHull<T>::support_vertex(const Vec3<S>& direction) const {
 }
 
 template <class T>
-void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face) const {
+void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) const {
   const HullData<T>& hull = *data_;
   face.clear();
   const Vec3<T> n = normalized(direction);
@@ -113,12 +113,12 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face) const {
   const auto faces = static_cast<std::uint32_t>(hull.planes.size());
 
   std::uint32_t best = HullData<T>::no_face;
-  T least_lean = face_lean<T>;
+  T least_lean = lean;
   for (const std::uint32_t f : hull.faces_at(top)) {
     const Vec3<T>& m = hull.planes[f].normal;
-    const T lean = length(cross(m, n));
-    if (!(dot(m, n) > T(0)) || lean > least_lean) continue;
-    least_lean = lean;
+    const T sine = length(cross(m, n));
+    if (!(dot(m, n) > T(0)) || sine > least_lean) continue;
+    least_lean = sine;
     best = f;
   }
   if (best != HullData<T>::no_face) {
@@ -126,12 +126,12 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face) const {
     face.id = best;
     return;
   }
-  least_lean = face_lean<T>;
+  least_lean = lean;
   for (const std::uint32_t v : hull.around(top)) {
     const Vec3<T> edge = hull.vertices[top] - hull.vertices[v];
-    const T lean = dot(edge, n) / length(edge);
-    if (lean > least_lean) continue;
-    least_lean = lean;
+    const T fall = dot(edge, n) / length(edge);
+    if (fall > least_lean) continue;
+    least_lean = fall;
     best = v;
   }
   face.push(hull.vertices[top], top);

@@ -14,7 +14,7 @@ Vec3d vector(Random& random, float reach) { return cast<double>(random_vector(ra
 /// The nearest point to the origin by brute force: a fine grid of barycentric weights.
 double grid_distance(const Simplex& s, int steps) {
   double best = std::numeric_limits<double>::infinity();
-  const int n = s.size;
+  const int n = static_cast<int>(s.size());
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j <= (n > 1 ? steps - i : 0); ++j)
       for (int k = 0; k <= (n > 2 ? steps - i - j : 0); ++k) {
@@ -24,7 +24,7 @@ double grid_distance(const Simplex& s, int steps) {
         double rest = 1;
         for (int m = 0; m < n; ++m) {
           const double weight = m + 1 == n ? rest : w[m];
-          p += s.point[static_cast<std::size_t>(m)].w * weight;
+          p += s.w(static_cast<std::size_t>(m)) * weight;
           rest -= weight;
         }
         best = std::min(best, length(p));
@@ -42,17 +42,18 @@ TEST(Simplex, NearestPointAgreesWithAGrid) {
       s.push({{}, w, w});
     }
     const double grid = grid_distance(s, 40);
-    const Nearest nearest = reduce_to_nearest(s);
+    const Nearest nearest = nearest_to_origin(s);
+    reduce(s, nearest);
     const double found = nearest.enclosed ? 0 : length(nearest.point);
     EXPECT_LE(found, grid + 1e-12);
     EXPECT_GE(found, grid - 0.1);  // the grid's step
     if (!nearest.enclosed) {
       double sum = 0;
       Vec3d p;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(s.size); ++k) {
-        EXPECT_GE(s.weight[k], 0);
-        sum += s.weight[k];
-        p += s.point[k].w * s.weight[k];
+      for (const Simplex::Vertex& v : s.points) {
+        EXPECT_GE(v.weight, 0);
+        sum += v.weight;
+        p += v.w * v.weight;
       }
       EXPECT_NEAR(sum, 1, 1e-14);
       EXPECT_LT(length(p - nearest.point), 1e-12);
@@ -65,10 +66,10 @@ TEST(Simplex, DegenerateOnesReduceToWhatTheyAre) {
   Simplex twice;
   twice.push({{}, p, p});
   twice.push({{}, p, p});
-  EXPECT_EQ(reduce_to_nearest(twice).point, p);
+  EXPECT_EQ(nearest_to_origin(twice).point, p);
   Simplex line;
   for (const double x : {1.0, 2.0, 3.0}) line.push({{}, {x, 1, 0}, {x, 1, 0}});
-  EXPECT_EQ(reduce_to_nearest(line).point, (Vec3d{1, 1, 0}));
+  EXPECT_EQ(nearest_to_origin(line).point, (Vec3d{1, 1, 0}));
 }
 
 TEST(Gjk, BoundsHoldInEveryIteration) {

@@ -33,7 +33,7 @@ class Box {
 
   /// A face when `direction` leans little from an axis, an edge when it leans little from the plane across one, else
   /// a corner.
-  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
     face.clear();
     const Vec3<T> n = normalized(direction), a = abs(n);
     const std::size_t major = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
@@ -48,7 +48,7 @@ class Box {
                        (std::size_t(positive_v) << v));
     };
     // A side of no length has but one end: what is left of the face is an edge or a corner.
-    const bool flat_u = a[u] <= face_lean<T> && half_[u] > T(0), flat_v = a[v] <= face_lean<T> && half_[v] > T(0);
+    const bool flat_u = a[u] <= lean && half_[u] > T(0), flat_v = a[v] <= lean && half_[v] > T(0);
     if (flat_u && flat_v) {
       face.id = static_cast<std::uint32_t>(2 * major + std::size_t(positive[major]));
       const bool forward = positive[major];  // u, v, major are right-handed

@@ -84,7 +84,7 @@ class ConvexHull {
     return cast<S>(data_->vertices[support_vertex(direction)]);
   }
   /// The face, edge or vertex at the support vertex that leans least from `direction`.
-  void core_face(const Vec3<T>& direction, Face<T>& face) const;
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const;
   Aabb<T> core_bounds(const Pose<T>& pose) const;
 
  private:

@@ -24,7 +24,9 @@ class Rectangle {
   Vec3<S> core_support(const Vec3<S>& direction) const {
     return box_.core_support(direction);
   }
-  void core_face(const Vec3<T>& direction, Face<T>& face) const { box_.core_face(direction, face); }
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
+    box_.core_face(direction, face, lean);
+  }
   Aabb<T> core_bounds(const Pose<T>& pose) const { return box_.core_bounds(pose); }
 
  private:

@@ -54,13 +54,13 @@ class Triangle {
     return cast<S>(points_[detail::furthest(points_, 3, direction)]);
   }
   /// The whole triangle (from either side), an edge or a vertex.
-  void core_face(const Vec3<T>& direction, Face<T>& face) const {
+  void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
     face.clear();
     const Vec3<T> n = normalized(direction);
     const Vec3<T> m = normalized(cross(points_[1] - points_[0], points_[2] - points_[0]), Vec3<T>{});
-    const T lean = length(cross(n, m));
+    const T sine = length(cross(n, m));
     const T facing = dot(n, m);
-    if (m != Vec3<T>{} && lean <= face_lean<T>) {
+    if (m != Vec3<T>{} && sine <= lean) {
       const bool front = facing > T(0);
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t k = front ? i : 2 - i;
@@ -72,7 +72,7 @@ class Triangle {
     const std::size_t top = detail::furthest(points_, 3, n);
     for (const std::size_t other : {(top + 1) % 3, (top + 2) % 3}) {
       const Vec3<T> edge = points_[top] - points_[other];
-      if (dot(edge, n) > face_lean<T> * length(edge)) continue;
+      if (dot(edge, n) > lean * length(edge)) continue;
       face.push(points_[least(top, other)], least(top, other));
       face.push(points_[greatest(top, other)], greatest(top, other));
       face.id = static_cast<std::uint32_t>(2 + top + other);

@@ -34,19 +34,35 @@ CoreDistance<S> apart(const Vec3<S>& half, const Segment<S>& segment) {
   return {select(least_squared > S(0), length(best_b - best_a), S(0)), normalized(best_b - best_a), best_a, best_b};
 }
 
-/// The axis along which a segment and a box are furthest apart or least deep: the box's three, and their products
-/// with the segment.
+/// The axis along which a segment and a box are furthest apart or least deep.
 template <class S>
 struct SegmentBoxAxis {
   S separation;
   Vec3<S> normal;  ///< from the box to the segment
 };
 
+/// Calls `f(unit axis, whether it is one, axis number of the box, whether a product with the segment)` for the box's
+/// three axes and their products with the segment.
+template <class S, class F>
+void visit_axes(const Vec3<S>& half, const Segment<S>& segment, F&& f) {
+  const S one(1), zero(0);
+  const Vec3<S> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+  for (std::size_t i = 0; i < 3; ++i) f(axes[i], half.x >= zero, i, false);
+  const Vec3<S> u = normalized((segment.b - segment.a) * S(0.5), Vec3<S>{});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3<S> n = cross(axes[i], u);
+    // Nearly parallel: the product's direction is rounding, and the face axes answer within it.
+    const S sine = length(n);
+    const auto distinct = sine > S(16) * epsilon<S>;
+    f(n / select(distinct, sine, one), distinct, i, true);
+  }
+}
+
 template <class S>
 SegmentBoxAxis<S> best_axis(const Vec3<S>& half, const Segment<S>& segment) {
   const Vec3<S> middle = (segment.a + segment.b) * S(0.5), reach = (segment.b - segment.a) * S(0.5);
   SegmentBoxAxis<S> best{S(-std::numeric_limits<float>::infinity()), {}};
-  const auto consider = [&](const Vec3<S>& n, const auto& valid) {
+  visit_axes(half, segment, [&](const Vec3<S>& n, const auto& valid, std::size_t, bool) {
     const S along = dot(n, middle);
     const Vec3<S> toward = select(along < S(0), -n, n);
     using std::abs;
@@ -54,18 +70,7 @@ SegmentBoxAxis<S> best_axis(const Vec3<S>& half, const Segment<S>& segment) {
     const auto better = valid & (separation > best.separation);
     best.separation = select(better, separation, best.separation);
     best.normal = select(better, toward, best.normal);
-  };
-  const S one(1), zero(0);
-  const Vec3<S> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-  for (const Vec3<S>& axis : axes) consider(axis, one > zero);
-  const Vec3<S> u = normalized(reach, Vec3<S>{});
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<S> n = cross(axes[i], u);
-    // Nearly parallel: the product's direction is rounding, and the face axes answer within it.
-    const S sine = length(n);
-    const auto distinct = sine > S(16) * epsilon<S>;
-    consider(n / select(distinct, sine, one), distinct);
-  }
+  });
   return best;
 }
 

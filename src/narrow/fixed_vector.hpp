@@ -1,0 +1,49 @@
+// A vector of bounded length in place.
+//
+// Guarantee: no allocation, and memory of elements that are not there is neither written nor copied: an empty vector of
+// thousands costs nothing. The caller keeps within N.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace graze {
+
+template <class T, std::size_t N>
+class FixedVector {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+ public:
+  FixedVector() {}
+  FixedVector(const FixedVector& other) { *this = other; }
+  FixedVector& operator=(const FixedVector& other) {
+    size_ = other.size_;
+    std::copy_n(other.items_, size_, items_);
+    return *this;
+  }
+  ~FixedVector() = default;
+
+  static constexpr std::size_t capacity() { return N; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  bool full() const { return size_ == N; }
+  T& operator[](std::size_t i) { return items_[i]; }
+  const T& operator[](std::size_t i) const { return items_[i]; }
+  T* begin() { return items_; }
+  T* end() { return items_ + size_; }
+  const T* begin() const { return items_; }
+  const T* end() const { return items_ + size_; }
+  T& back() { return items_[size_ - 1]; }
+  void push_back(const T& value) { items_[size_++] = value; }
+  void pop_back() { --size_; }
+  void clear() { size_ = 0; }
+
+ private:
+  std::size_t size_ = 0;
+  union {
+    T items_[N];
+  };
+};
+
+}  // namespace graze

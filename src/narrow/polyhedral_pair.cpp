@@ -1,0 +1,147 @@
+#include "narrow/polyhedral_pair.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Pairs of edges up to which the separating axes give contacts sooner than GJK with EPA (measured: triangles and boxes
+/// take 10 to 20 % less, a box against a hull of 32 points 50 % more, two such hulls three times as much).
+constexpr std::size_t most_edge_pairs = 200;
+
+template <class T>
+const Box<T>* as_box(const Shape<T>& shape) {
+  if (const auto* box = shape.template as<Box<T>>()) return box;
+  const auto* rectangle = shape.template as<Rectangle<T>>();
+  return rectangle ? &rectangle->as_box() : nullptr;
+}
+
+/// The face of a box that leans least from a direction given in the box's own frame; without length along one of its
+/// sides, an edge, along both a corner.
+PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
+  const Vec3d a = abs(direction);
+  const std::size_t major = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const std::size_t u = (major + 1) % 3, v = (major + 2) % 3;
+  const bool positive = direction[major] >= 0;
+  PlacedFace face;
+  face.id = static_cast<std::uint32_t>(2 * major + positive);
+  const auto corner = [&](bool at_u, bool at_v) {
+    if ((half[u] == 0 && at_u != (direction[u] >= 0)) || (half[v] == 0 && at_v != (direction[v] >= 0))) return;
+    Vec3d p;
+    p[major] = positive ? half[major] : -half[major];
+    p[u] = at_u ? half[u] : -half[u];
+    p[v] = at_v ? half[v] : -half[v];
+    face.vertices.push_back(p);
+    face.ids.push_back(static_cast<std::uint32_t>((positive << major) | (at_u << u) | (at_v << v)));
+  };
+  corner(false, false);
+  corner(positive, !positive);  // u, v, major are right-handed
+  corner(true, true);
+  corner(!positive, positive);
+  return face;
+}
+
+SeparatingAxis axis_of(AxisKind kind, const BoxAxis<double>& axis) {
+  const auto number = static_cast<std::size_t>(axis.number);
+  if (kind == AxisKind::edges) return {kind, axis.separation, axis.normal, (number - 6) / 3, (number - 6) % 3};
+  return {kind, axis.separation, axis.normal, number % 3, number % 3};
+}
+
+std::string box_axis_name(const SeparatingAxis& axis) {
+  if (axis.kind == AxisKind::edges) return numbered(numbered("A", axis.a) + "xB", axis.b);
+  return axis.kind == AxisKind::face_a ? numbered("A", axis.a) : numbered("B", axis.b);
+}
+
+void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
+  const auto add = [&](AxisKind kind, std::size_t a, std::size_t b, const Vec3d& direction) {
+    const double middle = dot(p.translation, direction);
+    const Vec3d n = middle < 0 ? -direction : direction;
+    const double reach_a = dot(abs(n), p.half_a), reach_b = dot(abs(transposed_times(p.rotation, n)), p.half_b);
+    trace.axes.push_back({box_axis_name({kind, 0, n, a, b}), n, -reach_a, reach_a, std::abs(middle) - reach_b,
+                          std::abs(middle) + reach_b});
+  };
+  for (std::size_t i = 0; i < 3; ++i) add(AxisKind::face_a, i, i, detail::unit_axis<double>(i));
+  for (std::size_t j = 0; j < 3; ++j) add(AxisKind::face_b, j, j, p.rotation.column(j));
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      BoxAxis<double> axis = detail::no_axis<double>();
+      box_edge_axis(p, abs(p.rotation), i, j, axis);
+      if (axis.normal != Vec3d{}) add(AxisKind::edges, i, j, axis.normal);  // parallel edges have none
+    }
+}
+
+}  // namespace
+
+template <class T>
+bool has_separating_axes(const Shape<T>& a, const Shape<T>& b) {
+  if (as_box(a) && as_box(b)) return true;
+  const std::size_t edges = Polyhedron::edge_count(a);
+  return edges > 0 && edges * Polyhedron::edge_count(b) - 1 < most_edge_pairs;
+}
+
+template <class T>
+std::optional<BoxPair<double>> as_boxes(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
+  const Box<T>*box_a = as_box(a), *box_b = as_box(b);
+  if (!box_a || !box_b) return std::nullopt;
+  return BoxPair<double>{cast<double>(box_a->half_extents()), cast<double>(box_b->half_extents()), b_in_a.translation,
+                         rotation_matrix(b_in_a.rotation)};
+}
+
+template <class T>
+PolyhedralPair::PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a)
+    : boxes_(as_boxes(a, b, b_in_a)) {
+  if (boxes_) return;
+  a_.set(a, Mat3d::identity(), {});
+  b_.set(b, rotation_matrix(b_in_a.rotation), b_in_a.translation);
+}
+
+SeparatingAxes PolyhedralPair::axes(double enough, Trace* trace) const {
+  if (!boxes_) return separating_axes(a_, b_, enough, trace);
+  if (trace) trace_box_axes(*boxes_, *trace);
+  const BoxAxes<double> axes = box_axes(*boxes_);
+  return {axis_of(AxisKind::face_a, axes.face_a), axis_of(AxisKind::face_b, axes.face_b),
+          axis_of(AxisKind::edges, axes.edge)};
+}
+
+std::string PolyhedralPair::name(const SeparatingAxis& axis) const {
+  return boxes_ ? box_axis_name(axis) : axis_name(axis);
+}
+
+PlacedFace PolyhedralPair::face_a(const Vec3d& normal) const {
+  return boxes_ ? box_face(boxes_->half_a, normal) : a_.support_face(normal);
+}
+
+PlacedFace PolyhedralPair::face_b(const Vec3d& normal) const {
+  if (!boxes_) return b_.support_face(-normal);
+  PlacedFace face = box_face(boxes_->half_b, -transposed_times(boxes_->rotation, normal));
+  for (Vec3d& v : face.vertices) v = boxes_->rotation * v + boxes_->translation;
+  return face;
+}
+
+std::optional<CoreDistance<double>> PolyhedralPair::depth(double noise) const {
+  const SeparatingAxes all = axes(noise);
+  const SeparatingAxis& best = all.best();
+  if (best.separation > noise) return std::nullopt;
+  // The facet of the difference that lies nearest to the origin holds its foot: somewhere the two faces (or the edges
+  // between them) lie over each other at just this depth.
+  FaceContacts contacts;
+  lay_over(face_a(best.normal), face_b(best.normal), best.normal, contacts);
+  const FaceContact* deepest = nullptr;
+  double least_apart = best.separation + laid_slack * noise;
+  for (const FaceContact& c : contacts) {
+    const double apart = dot(c.b - c.a, best.normal);
+    if (apart > least_apart || length(c.b - c.a - best.normal * apart) > laid_slack * noise) continue;
+    least_apart = apart;
+    deepest = &c;
+  }
+  if (!deepest) return std::nullopt;
+  return CoreDistance<double>{best.separation, best.normal, deepest->a, deepest->b};
+}
+
+template bool has_separating_axes(const Shape<float>&, const Shape<float>&);
+template bool has_separating_axes(const Shape<double>&, const Shape<double>&);
+template std::optional<BoxPair<double>> as_boxes(const Shape<float>&, const Shape<float>&, const Posed&);
+template std::optional<BoxPair<double>> as_boxes(const Shape<double>&, const Shape<double>&, const Posed&);
+template PolyhedralPair::PolyhedralPair(const Shape<float>&, const Shape<float>&, const Posed&);
+template PolyhedralPair::PolyhedralPair(const Shape<double>&, const Shape<double>&, const Posed&);
+
+}  // namespace graze

@@ -1,0 +1,49 @@
+// Two shapes with flat sides, in the frame of A: their separating axes, and the faces that meet along one.
+//
+// Two boxes take the fifteen-axis test and never become polyhedra; every other pair of box, rectangle, triangle and
+// hull takes the general one. Both answer the same questions, so what is built on them is written once.
+#pragma once
+
+#include <optional>
+
+#include "narrow/general.hpp"
+#include "narrow/pairs/box_box.hpp"
+#include "narrow/separating_axes.hpp"
+
+namespace graze {
+
+/// Whether the separating axes answer for these two shapes: both have flat sides, and so few edges that trying their
+/// products costs no more than what finds the depth otherwise (EPA).
+template <class T>
+bool has_separating_axes(const Shape<T>& a, const Shape<T>& b);
+
+/// The two as boxes, if they are.
+template <class T>
+std::optional<BoxPair<double>> as_boxes(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a);
+
+/// Faces laid over each other meet the separation along their axis within this many roundings of a coordinate.
+inline constexpr double laid_slack = 64;
+
+class PolyhedralPair {
+ public:
+  /// Two shapes that have separating axes.
+  template <class T>
+  PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a);
+
+  /// All axes, or fewer where one is found that separates the cores by more than `enough`.
+  SeparatingAxes axes(double enough, Trace* trace = nullptr) const;
+  std::string name(const SeparatingAxis& axis) const;
+  /// The face of each that meets the other along `normal` (from A to B).
+  PlacedFace face_a(const Vec3d& normal) const;
+  PlacedFace face_b(const Vec3d& normal) const;
+
+  /// The depth of cores that overlap, with the deepest points; nothing when they are more than `noise` apart, or when
+  /// rounding hides the deepest points.
+  std::optional<CoreDistance<double>> depth(double noise) const;
+
+ private:
+  std::optional<BoxPair<double>> boxes_;
+  Polyhedron a_, b_;
+};
+
+}  // namespace graze

@@ -1,0 +1,207 @@
+#include "narrow/polyhedron.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace graze {
+
+namespace {
+
+/// A triangle whose height is less than this part of its longest side is an edge to the separating-axis test: half of
+/// double's digits are left for the normal of a thicker one.
+constexpr double slenderest = 1e-6;
+/// A face that leans further than this from a direction (its cosine) is seen from the side: an edge or a vertex
+/// describes better what lies there. No corner of a box leans as far from all of its three faces.
+constexpr double furthest_lean = 0.5;
+
+/// A box's parts by their numbers, as `Box` gives them.
+struct BoxParts {
+  std::array<HullEdge, 12> edges{};
+  std::array<std::uint32_t, 7> begins{};
+  std::array<std::uint32_t, 24> loops{};
+  std::array<std::uint32_t, 9> incident_begins{};
+  std::array<std::uint32_t, 24> incident{};
+};
+
+constexpr BoxParts make_box_parts() {
+  BoxParts parts;
+  const auto corner = [](std::uint32_t u, bool at_u, std::uint32_t v, bool at_v, std::uint32_t w, bool at_w) {
+    return (std::uint32_t(at_u) << u) | (std::uint32_t(at_v) << v) | (std::uint32_t(at_w) << w);
+  };
+  std::size_t edge = 0;
+  for (std::uint32_t u = 0; u < 3; ++u) {
+    const std::uint32_t v = (u + 1) % 3, w = (u + 2) % 3;
+    for (int side = 0; side < 4; ++side) {
+      const bool at_v = side & 1, at_w = side & 2;
+      const std::uint32_t face_v = 2 * v + at_v, face_w = 2 * w + at_w;
+      const bool same = at_v == at_w;  // e_v x e_w = e_u: with both signs alike the face across v is on the left
+      parts.edges[edge++] = {{corner(u, false, v, at_v, w, at_w), corner(u, true, v, at_v, w, at_w)},
+                             {same ? face_v : face_w, same ? face_w : face_v}};
+    }
+    for (const bool positive : {false, true}) {
+      const std::size_t at = 4 * (2 * u + positive);
+      const bool around[4][2] = {{false, false}, {positive, !positive}, {true, true}, {!positive, positive}};
+      for (std::size_t k = 0; k < 4; ++k) parts.loops[at + k] = corner(u, positive, v, around[k][0], w, around[k][1]);
+    }
+  }
+  for (std::uint32_t f = 0; f <= 6; ++f) parts.begins[f] = 4 * f;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    parts.incident_begins[i + 1] = 3 * (i + 1);
+    for (std::uint32_t axis = 0; axis < 3; ++axis) parts.incident[3 * i + axis] = 2 * axis + ((i >> axis) & 1);
+  }
+  return parts;
+}
+constexpr BoxParts box_parts = make_box_parts();
+
+/// Every vertex of a flat polygon touches its front and its back.
+constexpr std::array<std::uint32_t, 2> front_and_back{0, 1};
+
+/// Not of unit length; zero for a sliver.
+template <class T>
+Vec3d triangle_normal(const Triangle<T>& t) {
+  const Vec3d p = cast<double>(t.point(0)), u = cast<double>(t.point(1)) - p, v = cast<double>(t.point(2)) - p;
+  const double longest = greatest(length_squared(u), greatest(length_squared(v), length_squared(v - u)));
+  const Vec3d n = cross(u, v);
+  return length_squared(n) > slenderest * slenderest * longest * longest ? n : Vec3d{};
+}
+
+}  // namespace
+
+template <class T>
+std::size_t Polyhedron::edge_count(const Shape<T>& shape) {
+  if (shape.template as<Box<T>>() || shape.template as<Rectangle<T>>()) return box_parts.edges.size();
+  if (const auto* triangle = shape.template as<Triangle<T>>()) return triangle_normal(*triangle) == Vec3d{} ? 0 : 6;
+  if (const auto* hull = shape.template as<ConvexHull<T>>()) {
+    const HullData<T>& data = hull->data();
+    return data.dimension == 3 ? data.edges.size() : data.dimension == 2 ? 2 * data.edges.size() : 0;
+  }
+  return 0;
+}
+
+template <class T>
+void Polyhedron::set(const Box<T>& box) {
+  const Vec3d h = cast<double>(box.half_extents());
+  for (int i = 0; i < 8; ++i) vertices_.push_back({i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z});
+  for (const Vec3d& n : {Vec3d{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}})
+    normals_.push_back(n);
+  edges_ = box_parts.edges;
+  begins_ = box_parts.begins;
+  loops_ = box_parts.loops;
+  incident_begins_ = box_parts.incident_begins;
+  incident_ = box_parts.incident;
+}
+
+template <class T>
+void Polyhedron::set(const Triangle<T>& triangle) {
+  const Vec3d n = unit(triangle_normal(triangle));
+  for (std::size_t i = 0; i < 3; ++i) vertices_.push_back(cast<double>(triangle.point(i)));
+  normals_.push_back(n);
+  normals_.push_back(-n);
+  for (const std::uint32_t v : {0u, 1u, 2u, 2u, 1u, 0u}) flat_loops_.push_back(v);
+  add_sides();
+}
+
+template <class T>
+void Polyhedron::set(const ConvexHull<T>& hull) {
+  const HullData<T>& data = hull.data();
+  for (const Vec3<T>& v : data.vertices) vertices_.push_back(cast<double>(v));
+  for (const Plane<T>& plane : data.planes) normals_.push_back(unit(cast<double>(plane.normal)));
+  if (data.dimension == 2) {
+    for (const std::uint32_t v : data.loops) flat_loops_.push_back(v);
+    add_sides();
+    return;
+  }
+  edges_ = data.edges;
+  begins_ = data.face_begin;
+  loops_ = data.loops;
+  incident_begins_ = data.incident_begin;
+  incident_ = data.incident;
+}
+
+/// The front's edges, each between the front and a side and again between the side and the back.
+void Polyhedron::add_sides() {
+  const auto count = static_cast<std::uint32_t>(flat_loops_.size() / 2);
+  flat_begins_.push_back(0);
+  flat_begins_.push_back(count);
+  flat_begins_.push_back(2 * count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t from = flat_loops_[i], to = flat_loops_[(i + 1) % count], side = 2 + i;
+    normals_.push_back(unit(cross(vertices_[to] - vertices_[from], normals_[0])));
+    flat_loops_.push_back(from);
+    flat_loops_.push_back(to);
+    flat_begins_.push_back(static_cast<std::uint32_t>(flat_loops_.size()));
+    flat_edges_.push_back({{from, to}, {0, side}});
+    flat_edges_.push_back({{from, to}, {side, 1}});
+  }
+  edges_ = {flat_edges_.data(), flat_edges_.size()};
+  begins_ = {flat_begins_.data(), flat_begins_.size()};
+  loops_ = {flat_loops_.data(), flat_loops_.size()};
+  incident_begins_ = {};
+  incident_ = front_and_back;
+}
+
+void Polyhedron::add_offsets() {
+  for (std::size_t f = 0; f < normals_.size(); ++f) offsets_.push_back(dot(normals_[f], vertices_[loop(f)[0]]));
+}
+
+template <class T>
+void Polyhedron::set(const Shape<T>& shape, const Mat3d& rotation, const Vec3d& translation) {
+  shape.visit([&](const auto& c) {
+    if constexpr (requires { c.as_box(); })
+      set(c.as_box());
+    else if constexpr (requires { set(c); })
+      set(c);
+  });
+  for (Vec3d& v : vertices_) v = rotation * v + translation;
+  for (Vec3d& n : normals_) n = rotation * n;
+  add_offsets();
+}
+
+std::size_t Polyhedron::support_vertex(const Vec3d& direction) const {
+  return detail::furthest(vertices_.data(), vertices_.size(), direction);
+}
+
+PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
+  const auto top = static_cast<std::uint32_t>(support_vertex(direction));
+  const auto faces = incident_begins_.empty()
+                         ? incident_
+                         : incident_.subspan(incident_begins_[top], incident_begins_[top + 1] - incident_begins_[top]);
+  double most = -1;
+  for (const std::uint32_t f : faces) most = greatest(most, dot(normals_[f], direction));
+
+  PlacedFace face;
+  const auto push = [&](std::uint32_t v) {
+    // Corners that a side of no length has made one: the face is less than a polygon.
+    if (!face.vertices.empty() && (vertices_[v] == face.vertices.back() || vertices_[v] == face.vertices[0])) return;
+    face.vertices.push_back(vertices_[v]);
+    face.ids.push_back(v);
+  };
+  if (most >= furthest_lean) {
+    face.id =
+        *std::find_if(faces.begin(), faces.end(), [&](std::uint32_t f) { return dot(normals_[f], direction) == most; });
+    for (const std::uint32_t v : loop(face.id)) push(v);
+    return face;
+  }
+  // The edge that falls off least.
+  double least_fall = 1 - furthest_lean;
+  std::uint32_t other = top;
+  for (const HullEdge& e : edges_) {
+    if (e.vertex[0] != top && e.vertex[1] != top) continue;
+    const std::uint32_t end = e.vertex[0] == top ? e.vertex[1] : e.vertex[0];
+    const Vec3d along = vertices_[top] - vertices_[end];
+    const double fall = dot(along, direction), l = length(along);
+    if (!(l > 0) || fall > least_fall * l) continue;
+    least_fall = fall / l;
+    other = end;
+  }
+  push(std::min(top, other));
+  push(std::max(top, other));
+  return face;
+}
+
+template std::size_t Polyhedron::edge_count(const Shape<float>&);
+template std::size_t Polyhedron::edge_count(const Shape<double>&);
+template void Polyhedron::set(const Shape<float>&, const Mat3d&, const Vec3d&);
+template void Polyhedron::set(const Shape<double>&, const Mat3d&, const Vec3d&);
+
+}  // namespace graze

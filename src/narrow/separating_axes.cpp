@@ -1,0 +1,150 @@
+#include "narrow/separating_axes.hpp"
+
+#include <algorithm>
+
+namespace graze {
+
+namespace {
+
+/// Two edges whose product is shorter than this, relative to their lengths, are parallel: its direction is rounding.
+/// The facet that they leave out of the difference is as thin.
+constexpr double parallel = 64 * std::numeric_limits<double>::epsilon();
+
+double lowest(std::span<const Vec3d> points, const Vec3d& direction) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const Vec3d& p : points) low = least(low, dot(p, direction));
+  return low;
+}
+
+/// How far B lies in front of each face of A, and B's vertex that is nearest to it.
+struct FaceSupports {
+  SmallVector<double, 96> separation;
+  SmallVector<std::uint32_t, 96> vertex;
+};
+
+SeparatingAxis best_face(AxisKind kind, const Polyhedron& a, const Polyhedron& b, FaceSupports& supports) {
+  SeparatingAxis best{kind};
+  for (std::size_t f = 0; f < a.normals().size(); ++f) {
+    const Vec3d& n = a.normals()[f];
+    const std::size_t v = b.support_vertex(-n);
+    const double separation = dot(b.vertices()[v], n) - a.offset(f);
+    supports.separation.push_back(separation);
+    supports.vertex.push_back(static_cast<std::uint32_t>(v));
+    if (separation > best.separation) best = {kind, separation, n, f, f};
+  }
+  return best;
+}
+
+/// The direction of an edge, from its first vertex to its second.
+Vec3d direction_of(const Polyhedron& p, const HullEdge& e) {
+  return p.vertices()[e.vertex[1]] - p.vertices()[e.vertex[0]];
+}
+
+/// The axis of two edges whose arcs cross: unit, out of A; zero when they are parallel.
+Vec3d edge_normal(const Vec3d& along_a, const Vec3d& along_b, const Vec3d& outward) {
+  const Vec3d n = cross(along_a, along_b);
+  const double l = length(n);
+  if (!(l > parallel * length(along_a) * length(along_b))) return {};
+  return n * ((dot(n, outward) < 0 ? -1 : 1) / l);
+}
+
+/// Whether n . q exceeds `best` for some unit vector n of the arc from `a` to `b`, by x = a . q and y = b . q: at one of
+/// its ends, or where q's projection falls inside it, which it never does where both are negative.
+bool exceeds_on_arc(double x, double y, const Vec3d& a, const Vec3d& b, double best) {
+  if (x > best || y > best) return true;
+  if (x <= 0 && y <= 0) return false;
+  const double c = dot(a, b);
+  if (!(y > c * x && x > c * y)) return false;
+  return x * x + y * y - 2 * c * x * y > best * best * (1 - c * c);
+}
+
+/// The edges of A on whose arcs some axis may show a larger separation than `best`. B is no further away along an axis
+/// than its vertices that are nearest to the two faces, so that most edges are out of the question.
+SmallVector<std::uint32_t, 128> promising_edges(const Polyhedron& a, const FaceSupports& supports, const Polyhedron& b,
+                                                double best) {
+  SmallVector<std::uint32_t, 128> promising;
+  for (std::size_t i = 0; i < a.edges().size(); ++i) {
+    const HullEdge& e = a.edges()[i];
+    const std::uint32_t left = e.face[0], right = e.face[1];
+    const Vec3d &m = a.normals()[left], &n = a.normals()[right], &on_edge = a.vertices()[e.vertex[0]];
+    const Vec3d q = b.vertices()[supports.vertex[left]] - on_edge;
+    if (!exceeds_on_arc(supports.separation[left], dot(n, q), m, n, best)) continue;
+    const Vec3d r = b.vertices()[supports.vertex[right]] - on_edge;
+    if (!exceeds_on_arc(dot(m, r), supports.separation[right], m, n, best)) continue;
+    promising.push_back(static_cast<std::uint32_t>(i));
+  }
+  return promising;
+}
+
+SmallVector<std::uint32_t, 128> all_edges(const Polyhedron& p) {
+  SmallVector<std::uint32_t, 128> all;
+  for (std::size_t i = 0; i < p.edges().size(); ++i) all.push_back(static_cast<std::uint32_t>(i));
+  return all;
+}
+
+/// Calls `f(normal, edge_a, edge_b)` for each pair of these edges that makes a facet of the difference: A's arc from
+/// its left to its right face crosses the arc of -B's. An edge points along left x right, so that of the four
+/// determinants of the crossing test each is a dot product of an edge and a face normal.
+template <class Edges, class F>
+void visit_crossing_edges(const Polyhedron& a, const Edges& edges_a, const Polyhedron& b, const Edges& edges_b, F&& f) {
+  for (const std::uint32_t i : edges_a) {
+    const HullEdge& ea = a.edges()[i];
+    const Vec3d along_a = direction_of(a, ea);
+    const Vec3d &left_a = a.normals()[ea.face[0]], &right_a = a.normals()[ea.face[1]];
+    for (const std::uint32_t j : edges_b) {
+      const HullEdge& eb = b.edges()[j];
+      const double left = dot(b.normals()[eb.face[0]], along_a), right = dot(b.normals()[eb.face[1]], along_a);
+      if (!(left * right < 0)) continue;
+      const Vec3d along_b = direction_of(b, eb);
+      const double of_left = dot(left_a, along_b), of_right = dot(right_a, along_b);
+      if (!(of_left * of_right < 0 && left * of_right < 0)) continue;
+      const Vec3d normal = edge_normal(along_a, along_b, left_a + right_a);
+      if (normal != Vec3d{}) f(normal, i, j);
+    }
+  }
+}
+
+void trace_axis(Trace& trace, const SeparatingAxis& axis, const Polyhedron& a, const Polyhedron& b) {
+  const Vec3d& n = axis.normal;
+  trace.axes.push_back({axis_name(axis), n, lowest(a.vertices(), n), -lowest(a.vertices(), -n), lowest(b.vertices(), n),
+                        -lowest(b.vertices(), -n)});
+}
+
+}  // namespace
+
+std::string numbered(std::string name, std::size_t number) {
+  name += std::to_string(number);
+  return name;
+}
+
+std::string axis_name(const SeparatingAxis& axis) {
+  if (axis.kind == AxisKind::edges) return numbered(numbered("A edge ", axis.a) + " x B edge ", axis.b);
+  return axis.kind == AxisKind::face_a ? numbered("A face ", axis.a) : numbered("B face ", axis.b);
+}
+
+SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double enough, Trace* trace) {
+  SeparatingAxes axes;
+  FaceSupports of_a, of_b;
+  axes.face_a = best_face(AxisKind::face_a, a, b, of_a);
+  if (axes.face_a.separation > enough && !trace) return axes;
+  axes.face_b = best_face(AxisKind::face_b, b, a, of_b);
+  axes.face_b.normal = -axes.face_b.normal;
+  for (std::size_t f = 0; trace && f < a.normals().size(); ++f)
+    trace_axis(*trace, {AxisKind::face_a, 0, a.normals()[f], f, f}, a, b);
+  for (std::size_t f = 0; trace && f < b.normals().size(); ++f)
+    trace_axis(*trace, {AxisKind::face_b, 0, -b.normals()[f], f, f}, a, b);
+  const double best = axes.best_face().separation;
+  if (best > enough && !trace) return axes;
+  // An explanation lists the axes of all crossing edges.
+  const auto edges_a = trace ? all_edges(a) : promising_edges(a, of_a, b, best);
+  const auto edges_b = trace ? all_edges(b) : promising_edges(b, of_b, a, best);
+  visit_crossing_edges(a, edges_a, b, edges_b, [&](const Vec3d& normal, std::size_t i, std::size_t j) {
+    const Vec3d &on_a = a.vertices()[a.edges()[i].vertex[0]], &on_b = b.vertices()[b.edges()[j].vertex[0]];
+    const SeparatingAxis axis{AxisKind::edges, dot(on_b - on_a, normal), normal, i, j};
+    if (axis.separation > axes.edge.separation) axes.edge = axis;
+    if (trace) trace_axis(*trace, axis, a, b);
+  });
+  return axes;
+}
+
+}  // namespace graze

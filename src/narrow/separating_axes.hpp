@@ -1,0 +1,45 @@
+// The separating-axis test of any two polyhedra: face normals by support, and products of those edges only whose arcs
+// cross on the Gauss map (Gregorius 2013, "The separating axis test between convex polyhedra", Game Developers
+// Conference): exactly the facets of the Minkowski difference.
+//
+// Guarantee: the largest separation of all is a lower bound of the distance, and for overlapping polyhedra exactly
+// minus their depth. Nothing but the intervals decides it: which axis is then chosen for contacts is another question.
+#pragma once
+
+#include <string>
+
+#include "graze/trace.hpp"
+#include "narrow/polyhedron.hpp"
+
+namespace graze {
+
+enum class AxisKind { face_a, face_b, edges };
+
+/// An axis and how far apart the polyhedra are along it; negative when their intervals overlap.
+struct SeparatingAxis {
+  AxisKind kind;
+  double separation = -std::numeric_limits<double>::infinity();
+  Vec3d normal{};            ///< unit, from A to B
+  std::size_t a = 0, b = 0;  ///< numbers of A's and B's face or edge
+};
+
+/// The best axis of each kind; an edge's separation is minus infinity where no arcs cross.
+struct SeparatingAxes {
+  SeparatingAxis face_a{AxisKind::face_a}, face_b{AxisKind::face_b}, edge{AxisKind::edges};
+
+  const SeparatingAxis& best_face() const { return face_b.separation > face_a.separation ? face_b : face_a; }
+  /// The one of all; a face before an edge that is no better.
+  const SeparatingAxis& best() const { return edge.separation > best_face().separation ? edge : best_face(); }
+};
+
+/// All axes; or, where a face already separates them by more than `enough`, those of faces only. Costs faces of A times
+/// vertices of B and the reverse, and little more: few edges can show a larger separation than the faces. `trace` is
+/// given every axis.
+SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double enough, Trace* trace = nullptr);
+
+/// `name` with a number behind it.
+std::string numbered(std::string name, std::size_t number);
+/// What an axis of two polyhedra is called: "A face 3", "B face 12", "A edge 1 x B edge 7".
+std::string axis_name(const SeparatingAxis& axis);
+
+}  // namespace graze
