@@ -3,6 +3,7 @@
 
 #include "graze/broad_phase.hpp"
 #include "graze/contact.hpp"
+#include "graze/contact_motion.hpp"
 #include "graze/error.hpp"
 #include "graze/filter.hpp"
 #include "graze/geometry.hpp"

@@ -140,12 +140,6 @@ Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>
   return best;
 }
 
-/// A vertex, an edge or a face, by what there is of it.
-std::uint32_t feature_of(const PlacedFace& f) {
-  if (f.vertices.size() == 1) return vertex_feature(f.ids[0]);
-  return f.vertices.size() == 2 ? edge_feature(f.ids[0], f.ids[1]) : face_feature(f.id);
-}
-
 /// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
 template <class T>
 T position_weight(const Shape<T>& a, const Shape<T>& b) {
@@ -163,21 +157,19 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
   const Vec3d closest_normal = normalized(rotate(conjugate(frame.rotation), cast<double>(d.normal)));
   const double distance = static_cast<double>(d.distance);
-  PlacedFace face_a = side_a.face(closest_normal, true), face_b = side_b.face(-closest_normal, true);
-  if (face_a.vertices.size() > 1 && face_b.vertices.size() > 1) {
-    const Vec3d normal = preferred_normal(side_a, face_a, side_b, face_b, closest_normal, distance);
-    if (normal != closest_normal) {
-      face_a = side_a.face(normal, true);
-      face_b = side_b.face(-normal, true);
-    }
-    const double nearest = add_points(side_a, face_a, side_b, face_b, normal,
+  const PlacedFace closest_a = side_a.face(closest_normal, true), closest_b = side_b.face(-closest_normal, true);
+  if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
+    const Vec3d normal = preferred_normal(side_a, closest_a, side_b, closest_b, closest_normal, distance);
+    const bool same = normal == closest_normal;
+    const double nearest = add_points(side_a, same ? closest_a : side_a.face(normal, true), side_b,
+                                      same ? closest_b : side_b.face(-normal, true), normal,
                                       furthest_kept(side_a, side_b, margin, distance), frame, manifold);
     // Faces that miss what is nearest serve worse than the closest points.
     if (nearest <= distance + face_preference * smaller_size(side_a, side_b) && !manifold.points.empty()) return;
     manifold.points.clear();
   }
-  const std::uint32_t feature =
-      feature_id(feature_of(side_a.face(closest_normal)), feature_of(side_b.face(-closest_normal)));
+  const std::uint32_t feature = feature_at(closest_a, inverse_transform(frame, cast<double>(d.a)), closest_b,
+                                           inverse_transform(frame, cast<double>(d.b)), closest_normal);
   manifold.normal = d.normal;
   manifold.points.push_back({d.a, d.b, d.distance, feature, position_weight(a, b)});
 }
@@ -197,17 +189,17 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
   const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
   const PolyhedralPair pair(a, b, b_in_a);
-  const double noise = rounding * (side_a.size() + side_b.size() + max_abs(b_in_a.translation));
+  const double noise = noise_of(a, b, b_in_a.translation);
   const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + side_a.radius() + side_b.radius() + noise);
-  const double separation = std::abs(axes.best().separation) <= noise ? 0 : axes.best().separation;
-  const double distance = separation - side_a.radius() - side_b.radius();
+  const double separation = axes.best().separation, signed_distance = separation - side_a.radius() - side_b.radius();
+  const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
   if (distance > static_cast<double>(margin)) return static_cast<T>(distance);
 
   const double smaller = smaller_size(side_a, side_b);
   const SeparatingAxis& axis = chosen_axis(axes, smaller);
   const double nearest = add_points(side_a, pair.face_a(axis.normal), side_b, pair.face_b(axis.normal), axis.normal,
                                     furthest_kept(side_a, side_b, margin, distance), frame, manifold);
-  const bool apart = separation > 0;
+  const bool apart = separation > noise;
   const double allowed = apart ? laid_slack * noise : face_preference * smaller;
   if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &axes.best())) {
     manifold.points.clear();

@@ -65,8 +65,12 @@ Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T r
 
 template <class T>
 Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, Trace* trace) {
-  const GeneralDistance g = general_distance(a.shape, b.shape, relative_in_double(a.pose, b.pose), trace);
+  const Posed b_in_a = relative_in_double(a.pose, b.pose);
+  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace);
   if (trace) to_world(*trace, in_double(a.pose));
+  // A distance that rounding cannot tell from none is none: the shapes touch.
+  const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
+  if (std::abs(g.core.distance - radii) <= noise_of(a.shape, b.shape, b_in_a.translation)) g.core.distance = radii;
   Distance<T> d = finished_in_double(g.core, radius_a, radius_b, a.pose);
   d.status = g.status;
   d.error = static_cast<T>(g.error);

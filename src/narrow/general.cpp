@@ -35,13 +35,12 @@ template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace) {
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
-  const double noise = rounding * difference.reach();
+  const double noise = noise_of(a, b, b_in_a.translation);
   // Two boxes' axes cost less than GJK.
   if (as_boxes(a, b, b_in_a)) {
     if (const auto core = PolyhedralPair(a, b, b_in_a).depth(noise)) {
       if (trace) trace->method = "separating axes";
-      const double distance = std::abs(core->distance) <= noise ? 0.0 : core->distance;
-      return judged<T>(difference, centered(distance, core->normal, core->a, core->b), 0);
+      return judged<T>(difference, centered(core->distance, core->normal, core->a, core->b), 0);
     }
   }
   if (trace) trace->method = "gjk";
@@ -56,25 +55,25 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
     trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
   }
   const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
-  // A depth that rounding cannot tell from none is none: the shapes touch.
-  const double distance = std::abs(e.upper) <= noise ? 0.0 : -e.upper;
-  return judged<T>(difference, centered(distance, e.normal, e.a, e.b), e.upper - e.lower);
+  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower);
 }
 
 template <class T>
 bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace) {
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
-  const double noise = rounding * difference.reach();
+  const double noise = noise_of(a, b, b_in_a.translation);
   if (const auto boxes = as_boxes(a, b, b_in_a)) {
     if (trace) trace->method = "separating axes";
     const double separation = box_separation(*boxes, reach + noise);
-    if (separation > reach + noise || separation <= noise) return separation <= noise;
+    if (separation > reach + noise) return false;
+    if (separation <= noise) return true;
   }
   if (trace) trace->method = "gjk";
-  const GjkGoal goal{distance_goal * difference.size() + noise, reach, reach};
+  // What rounding cannot tell from touching touches, here as in the distance.
+  const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};
   const GjkResult g = gjk(difference, goal, trace);
-  return g.end == GjkEnd::touching || g.upper <= reach;
+  return g.end == GjkEnd::touching || g.upper <= reach + noise;
 }
 
 void to_world(Trace& trace, const Posed& pose_a) {

@@ -3,8 +3,24 @@
 
 #include "graze/query.hpp"
 #include "narrow/core.hpp"
+#include "narrow/minkowski.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
+
+/// What rounding may do to the distance of a pair: relative to its largest coordinate, in the frame of A.
+template <class T>
+double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) {
+  const auto extent = [](const Shape<T>& shape) {
+    return shape.visit([&](const auto& c) {
+      if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
+        return static_cast<double>(c.core_extent()) + static_cast<double>(rounding_radius(c, shape.margin()));
+      else
+        return 0.0;
+    });
+  };
+  return rounding * (greatest(extent(a), extent(b)) + max_abs(translation));
+}
 
 /// A signed distance of cores with its honesty.
 struct GeneralDistance {

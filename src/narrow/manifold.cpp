@@ -14,25 +14,35 @@ constexpr std::uint32_t of_kind(std::uint32_t kind, std::uint32_t number) {
   return (kind << number_bits) | (number & number_mask);
 }
 
-/// Coordinates across the normal and along it.
+/// How near a point must come to the edge of a face to be named after it, relative to the shortest edge at hand. Boxes
+/// stacked on each other have edges and corners in about the same place: which lies inside which changes from frame to
+/// frame by the rounding of a solver, and the names must not.
+constexpr double same_place = 1.0 / 100;
+/// And how near two points must come to be one that rounding has split: squared, relative to that.
+constexpr double same_point = 1e-12;
+constexpr double same_cost = 1e-6;
+/// How much of the area that the faces share may be lost with corners that stand out by less than that.
+constexpr double spared_area = 1.0 / 40;
+
+/// Coordinates across the normal.
 struct Flat {
-  double x, y, height;
+  double x, y;
 };
+using Outline = SmallVector<Flat, 32>;
+
+double cross(const Flat& o, const Flat& p, const Flat& q) {
+  return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+}
+double distance_squared(const Flat& p, const Flat& q) {
+  const double x = q.x - p.x, y = q.y - p.y;
+  return x * x + y * y;
+}
 
 struct Basis {
   Vec3d u, v, n;
-  Flat flat(const Vec3d& p) const { return {dot(p, u), dot(p, v), dot(p, n)}; }
-  Vec3d point(double x, double y, double height) const { return u * x + v * y + n * height; }
+  Flat flat(const Vec3d& p) const { return {dot(p, u), dot(p, v)}; }
+  Vec3d point(const Flat& p, double height) const { return u * p.x + v * p.y + n * height; }
 };
-
-/// The polygon of an intersection in the making. `edge` is the feature that the side from this vertex to the next
-/// lies on. "A" is the face that is cut here, "B" the one that cuts.
-struct Corner {
-  double x, y;
-  std::uint32_t feature_a, feature_b;
-  std::uint32_t edge_a;  ///< A's edge that leaves this corner; 0 when the side is one of B's
-};
-using Corners = SmallVector<Corner, 32>;
 
 /// A face seen along the normal, counter-clockwise, with the height of its plane or line over any point.
 class FlatFace {
@@ -44,23 +54,49 @@ class FlatFace {
       flat_.push_back(basis.flat(face.vertices[k]));
       ids_.push_back(face.ids[k]);
     }
-    slope(basis);
+    base_ = dot(face.vertices[reversed ? n - 1 : 0], basis.n);
+    slope(basis, dot(face.vertices[reversed ? 0 : n - 1], basis.n));
   }
 
   std::size_t size() const { return flat_.size(); }
   const Flat& operator[](std::size_t i) const { return flat_[i]; }
-  std::uint32_t vertex(std::size_t i) const { return vertex_feature(ids_[i]); }
-  std::uint32_t edge(std::size_t i) const { return edge_feature(ids_[i], ids_[(i + 1) % size()]); }
-  std::uint32_t whole() const { return size() == 2 ? edge(0) : face_feature(face_.id); }
-  double height(double x, double y) const {
-    return flat_[0].height + slope_x_ * (x - flat_[0].x) + slope_y_ * (y - flat_[0].y);
+  const Flat& next(std::size_t i) const { return flat_[i + 1 == size() ? 0 : i + 1]; }
+  double height(const Flat& p) const { return base_ + slope_x_ * (p.x - flat_[0].x) + slope_y_ * (p.y - flat_[0].y); }
+  /// Infinite of a vertex.
+  double shortest_edge_squared() const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size() && size() > 1; ++i)
+      shortest = least(shortest, distance_squared(flat_[i], next(i)));
+    return shortest;
+  }
+
+  /// What of the face a point on it lies on, within `near`: a vertex, an edge or the face.
+  std::uint32_t feature(const Flat& p, double near) const {
+    if (size() == 1) return vertex_feature(ids_[0]);
+    if (size() == 2) {
+      for (std::size_t i = 0; i < 2; ++i)
+        if (distance_squared(p, flat_[i]) <= near * near) return vertex_feature(ids_[i]);
+      return edge_feature(ids_[0], ids_[1]);
+    }
+    const auto on_edge = [&](std::size_t i) {
+      const double outside = -cross(flat_[i], next(i), p);
+      return outside >= 0 || outside * outside <= near * near * distance_squared(flat_[i], next(i));
+    };
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (!on_edge(i)) continue;
+      const std::size_t before = i == 0 ? size() - 1 : i - 1, after = i + 1 == size() ? 0 : i + 1;
+      if (on_edge(after)) return vertex_feature(ids_[after]);
+      return i == 0 && on_edge(before) ? vertex_feature(ids_[0]) : edge_feature(ids_[i], ids_[after]);
+    }
+    return face_feature(face_.id);
   }
 
  private:
-  void slope(const Basis& basis) {
+  void slope(const Basis& basis, double last) {
+    if (size() == 1) return;
     if (size() == 2) {
       const double dx = flat_[1].x - flat_[0].x, dy = flat_[1].y - flat_[0].y, l = dx * dx + dy * dy;
-      const double rise = l > 0 ? (flat_[1].height - flat_[0].height) / l : 0;
+      const double rise = l > 0 ? (last - base_) / l : 0;
       slope_x_ = rise * dx;
       slope_y_ = rise * dy;
       return;
@@ -75,64 +111,95 @@ class FlatFace {
   const PlacedFace& face_;
   SmallVector<Flat, 16> flat_;
   SmallVector<std::uint32_t, 16> ids_;
-  double slope_x_ = 0, slope_y_ = 0;
+  double base_, slope_x_ = 0, slope_y_ = 0;
 };
 
-/// Keeps what lies left of `clip`'s edge i (Sutherland, Hodgman 1974, "Reentrant polygon clipping").
-Corners cut(const Corners& subject, const FlatFace& clip, std::size_t i, bool closed, std::uint32_t whole) {
-  const Flat &p = clip[i], &q = clip[(i + 1) % clip.size()];
-  const double ex = q.x - p.x, ey = q.y - p.y;
-  const auto side = [&](const Corner& c) { return ex * (c.y - p.y) - ey * (c.x - p.x); };
-  Corners kept;
+/// Keeps what lies left of the line from p to q (Sutherland, Hodgman 1974, "Reentrant polygon clipping").
+Outline cut(const Outline& subject, const Flat& p, const Flat& q, bool closed) {
+  Outline kept;
   const std::size_t n = subject.size();
+  double at = cross(p, q, subject[0]);
   for (std::size_t k = 0; k < n; ++k) {
-    const Corner& from = subject[k];
-    const double at = side(from);
+    const Flat& from = subject[k];
     if (at >= 0) kept.push_back(from);
     if (k + 1 == n && !closed) break;
-    const Corner& to = subject[(k + 1) % n];
-    const double next = side(to);
-    if ((at >= 0) == (next >= 0)) continue;
-    const double t = at / (at - next);
-    Corner crossing{from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t, from.edge_a, 0, 0};
-    // A's edge crosses B's, or a side that is B's already ends at the corner where two of B's edges meet.
-    if (from.edge_a != 0) {
-      crossing.feature_b = clip.edge(i);
-    } else {
-      crossing.feature_a = whole;
-      crossing.feature_b = clip.vertex(at >= 0 ? i : (i + 1) % clip.size());
+    const Flat& to = subject[k + 1 == n ? 0 : k + 1];
+    const double next = cross(p, q, to);
+    if ((at >= 0) != (next >= 0)) {
+      const double t = at / (at - next);
+      kept.push_back({from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t});
     }
-    if (at < 0) crossing.edge_a = from.edge_a;  // entering: the rest of the side; leaving, the next side is B's edge
-    kept.push_back(crossing);
+    at = next;
   }
   return kept;
 }
 
-Corners corners_of(const FlatFace& subject, const FlatFace& other) {
-  Corners corners;
-  for (std::size_t i = 0; i < subject.size(); ++i)
-    corners.push_back({subject[i].x, subject[i].y, subject.vertex(i), other.whole(), subject.edge(i)});
-  return corners;
+double twice_area(const Outline& outline) {
+  double area = 0;
+  for (std::size_t i = 2; i < outline.size(); ++i) area += cross(outline[0], outline[i - 1], outline[i]);
+  return area;
+}
+
+/// Drops corners that stand out by less than `near` from the line between their neighbours, least area first, while no
+/// more than `spared_area` is lost: those of edges that about coincide. The deepest point always stays.
+template <class Apart>
+void simplify(Outline& outline, double near, const Apart& apart) {
+  if (outline.empty()) return;
+  std::size_t deepest = 0;
+  for (std::size_t i = 1; i < outline.size(); ++i)
+    if (apart(outline[i]) < apart(outline[deepest])) deepest = i;
+  double budget = spared_area * std::abs(twice_area(outline));
+  while (outline.size() > 1) {
+    const std::size_t n = outline.size();
+    std::size_t least_corner = n;
+    double least_lost = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == deepest) continue;
+      const Flat &before = outline[i == 0 ? n - 1 : i - 1], &p = outline[i], &after = outline[i + 1 == n ? 0 : i + 1];
+      const bool again = std::min(distance_squared(before, p), distance_squared(p, after)) <= same_point * near * near;
+      const double lost = again ? 0 : std::abs(cross(before, p, after));
+      if (lost > budget || lost * lost > near * near * distance_squared(before, after) || (n == 2 && !again)) continue;
+      if (least_corner < n) {
+        // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
+        const bool same = std::abs(lost - least_lost) <= same_cost * least_lost;
+        if (same ? apart(p) <= apart(outline[least_corner]) : lost > least_lost) continue;
+      }
+      least_lost = lost;
+      least_corner = i;
+    }
+    if (least_corner == n) return;
+    budget -= least_lost;
+    for (std::size_t i = least_corner; i + 1 < n; ++i) outline[i] = outline[i + 1];
+    outline.truncate(n - 1);
+    if (deepest > least_corner) --deepest;
+  }
 }
 
 /// The ends of the stretch that two edges run along each other, each end on both: nothing unless they are parallel up to
 /// the lean that makes a face.
-void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, FaceContacts& contacts) {
+void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, double near, FaceContacts& contacts) {
   const double ax = a[1].x - a[0].x, ay = a[1].y - a[0].y, bx = b[1].x - b[0].x, by = b[1].y - b[0].y;
-  const double la = ax * ax + ay * ay, lb = bx * bx + by * by, cross = ax * by - ay * bx, along = ax * bx + ay * by;
-  if (!(la > 0 && lb > 0) || cross * cross > face_lean<double> * face_lean<double> * la * lb) return;
-  const auto add = [&](double s, double t, std::uint32_t feature_a, std::uint32_t feature_b) {
-    contacts.push_back({basis.point(a[0].x + ax * s, a[0].y + ay * s, a[0].height + (a[1].height - a[0].height) * s),
-                        basis.point(b[0].x + bx * t, b[0].y + by * t, b[0].height + (b[1].height - b[0].height) * t),
-                        feature_id(feature_a, feature_b)});
+  const double la = ax * ax + ay * ay, lb = bx * bx + by * by, across = ax * by - ay * bx, along = ax * bx + ay * by;
+  if (!(la > 0 && lb > 0) || across * across > face_lean<double> * face_lean<double> * la * lb) return;
+  const auto add = [&](const Flat& p, const Flat& q) {
+    contacts.push_back(
+        {basis.point(p, a.height(p)), basis.point(q, b.height(q)), feature_id(a.feature(p, near), b.feature(q, near))});
   };
-  const auto on_a = [&](std::size_t i) { return ((b[i].x - a[0].x) * ax + (b[i].y - a[0].y) * ay) / la; };
-  const auto on_b = [&](std::size_t i) { return ((a[i].x - b[0].x) * ax + (a[i].y - b[0].y) * ay) / along; };
-  const std::size_t low = on_a(0) <= on_a(1) ? 0 : 1, high = 1 - low;
-  const double from = on_a(low), to = on_a(high);
+  const auto point_of_a = [&](double s) { return Flat{a[0].x + ax * s, a[0].y + ay * s}; };
+  const auto point_of_b = [&](const Flat& p) {
+    const double t = ((p.x - b[0].x) * ax + (p.y - b[0].y) * ay) / along;
+    return Flat{b[0].x + bx * t, b[0].y + by * t};
+  };
+  const auto place = [&](const Flat& q) { return ((q.x - a[0].x) * ax + (q.y - a[0].y) * ay) / la; };
+  const std::size_t low = place(b[0]) <= place(b[1]) ? 0 : 1, high = 1 - low;
+  const double from = place(b[low]), to = place(b[high]);
   if (from > 1 || to < 0) return;
-  from > 0 ? add(from, static_cast<double>(low), a.edge(0), b.vertex(low)) : add(0, on_b(0), a.vertex(0), b.edge(0));
-  to < 1 ? add(to, static_cast<double>(high), a.edge(0), b.vertex(high)) : add(1, on_b(1), a.vertex(1), b.edge(0));
+  from > 0 ? add(point_of_a(from), b[low]) : add(a[0], point_of_b(a[0]));
+  to < 1 ? add(point_of_a(to), b[high]) : add(a[1], point_of_b(a[1]));
+}
+
+double nearness(const FlatFace& a, const FlatFace& b) {
+  return same_place * std::sqrt(least(a.shortest_edge_squared(), b.shortest_edge_squared()));
 }
 
 }  // namespace
@@ -153,25 +220,34 @@ Vec3d polygon_normal(const PlacedFace& face) {
   return unit(sum, Vec3d{});
 }
 
+std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFace& b, const Vec3d& on_b,
+                         const Vec3d& normal) {
+  const Vec3d u = any_perpendicular(normal);
+  const Basis basis{u, cross(normal, u), normal};
+  const FlatFace fa(a, basis, false), fb(b, basis, true);
+  const double near = nearness(fa, fb);
+  return feature_id(fa.feature(basis.flat(on_a), near), fb.feature(basis.flat(on_b), near));
+}
+
 void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, FaceContacts& contacts) {
   if (a.vertices.size() < 2 || b.vertices.size() < 2) return;
   const Vec3d u = any_perpendicular(normal);
   const Basis basis{u, cross(normal, u), normal};
   // A's face is counter-clockwise seen against the normal, B's seen along it.
   const FlatFace fa(a, basis, false), fb(b, basis, true);
-  if (fa.size() == 2 && fb.size() == 2) return along_each_other(fa, fb, basis, contacts);
+  const double near = nearness(fa, fb);
+  if (fa.size() == 2 && fb.size() == 2) return along_each_other(fa, fb, basis, near, contacts);
 
   // An edge is cut by a polygon, never the reverse.
-  const bool swapped = fb.size() == 2;
-  const FlatFace &subject = swapped ? fb : fa, &clip = swapped ? fa : fb;
-  Corners corners = corners_of(subject, clip);
-  for (std::size_t i = 0; i < clip.size() && !corners.empty(); ++i)
-    corners = cut(corners, clip, i, subject.size() > 2, subject.whole());
-  for (const Corner& c : corners) {
-    const std::uint32_t feature = swapped ? feature_id(c.feature_b, c.feature_a) : feature_id(c.feature_a, c.feature_b);
-    contacts.push_back(
-        {basis.point(c.x, c.y, fa.height(c.x, c.y)), basis.point(c.x, c.y, fb.height(c.x, c.y)), feature});
-  }
+  const FlatFace &subject = fb.size() == 2 ? fb : fa, &clip = fb.size() == 2 ? fa : fb;
+  Outline outline;
+  for (std::size_t i = 0; i < subject.size(); ++i) outline.push_back(subject[i]);
+  for (std::size_t i = 0; i < clip.size() && !outline.empty(); ++i)
+    outline = cut(outline, clip[i], clip.next(i), subject.size() > 2);
+  simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });
+  for (const Flat& p : outline)
+    contacts.push_back({basis.point(p, fa.height(p)), basis.point(p, fb.height(p)),
+                        feature_id(fa.feature(p, near), fb.feature(p, near))});
 }
 
 }  // namespace graze

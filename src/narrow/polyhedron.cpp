@@ -14,6 +14,9 @@ constexpr double slenderest = 1e-6;
 /// describes better what lies there. No corner of a box leans as far from all of its three faces.
 constexpr double furthest_lean = 0.5;
 
+/// Vertices are as high as each other within this, relative to their coordinates: some roundings.
+constexpr double same_height = 64 * std::numeric_limits<double>::epsilon();
+
 /// A box's parts by their numbers, as `Box` gives them.
 struct BoxParts {
   std::array<HullEdge, 12> edges{};
@@ -166,8 +169,21 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
   const auto faces = incident_begins_.empty()
                          ? incident_
                          : incident_.subspan(incident_begins_[top], incident_begins_[top + 1] - incident_begins_[top]);
+  // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
+  const double level = dot(vertices_[top], direction) - same_height * max_abs(vertices_[top]);
+  std::ptrdiff_t most_tied = 0;
   double most = -1;
-  for (const std::uint32_t f : faces) most = greatest(most, dot(normals_[f], direction));
+  std::uint32_t best = 0;
+  for (const std::uint32_t f : faces) {
+    const double along = dot(normals_[f], direction);
+    const auto corners = loop(f);
+    const auto tied = std::count_if(corners.begin(), corners.end(),
+                                    [&](std::uint32_t v) { return dot(vertices_[v], direction) >= level; });
+    if (along < furthest_lean || tied < most_tied || (tied == most_tied && along <= most)) continue;
+    most_tied = tied;
+    most = along;
+    best = f;
+  }
 
   PlacedFace face;
   const auto push = [&](std::uint32_t v) {
@@ -177,8 +193,7 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
     face.ids.push_back(v);
   };
   if (most >= furthest_lean) {
-    face.id =
-        *std::find_if(faces.begin(), faces.end(), [&](std::uint32_t f) { return dot(normals_[f], direction) == most; });
+    face.id = best;
     for (const std::uint32_t v : loop(face.id)) push(v);
     return face;
   }

@@ -20,7 +20,7 @@ class Polyhedron {
   template <class T>
   static std::size_t edge_count(const Shape<T>& shape);
 
-  /// Takes on the core of `shape`, which has edges, moved by a rotation and a translation.
+  /// Takes on the core of `shape`, which has edges and outlives this, moved by a rotation and a translation.
   template <class T>
   void set(const Shape<T>& shape, const Mat3d& rotation, const Vec3d& translation);
 

@@ -1,12 +1,38 @@
 #include "graze/query.hpp"
 
 #include "mid/composite.hpp"
+#include "narrow/polyhedral_pair.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
 
 template <class T>
 bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
   return any_overlap(a, pose_a, b, pose_b, trace);
+}
+
+template <class T>
+bool may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  if (const auto boxes = as_boxes(a, b, relative_in_double(pose_a, pose_b))) {
+    const double reach = static_cast<double>(a.margin()) + static_cast<double>(b.margin());
+    const double size = max_abs(boxes->half_a) + max_abs(boxes->half_b) + max_abs(boxes->translation);
+    return box_separation(*boxes, reach, true) <= reach + rounding * size;
+  }
+  return overlap(a, pose_a, b, pose_b);
+}
+
+template <class T>
+T contact_margin(const Shape<T>& a, const Shape<T>& b) {
+  const auto size = [](const Shape<T>& shape) {
+    return shape.visit([&](const auto& c) -> T {
+      using C = std::decay_t<decltype(c)>;
+      if constexpr (BoundedConvex<C>) return c.core_extent() + rounding_radius(c, shape.margin());
+      if constexpr (std::is_same_v<C, HalfSpace<T>>) return std::numeric_limits<T>::infinity();
+      return length(bounds(shape, Pose<T>{}).extent()) / T(2);
+    });
+  };
+  const T smaller = least(size(a), size(b));
+  return smaller < std::numeric_limits<T>::infinity() ? smaller / T(100) : T(0);
 }
 
 template <class T>
@@ -28,6 +54,8 @@ Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& po
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template bool overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);                     \
+  template bool may_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                         \
+  template T contact_margin(const Shape<T>&, const Shape<T>&);                                                         \
   template Distance<T> distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);             \
   template bool contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*);  \
   template Closest<T> closest(const Shape<T>&, const Pose<T>&, const Vec3<T>&, Trace*);

@@ -1,5 +1,7 @@
 #include "graze/shape/convex_hull.hpp"
 
+#include <algorithm>
+
 #include "graze/shape/triangle.hpp"
 #include "shape/hull_hierarchy.hpp"
 #include "shape/hull_polygons.hpp"
@@ -112,12 +114,20 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
   const auto top = static_cast<std::uint32_t>(support_vertex(n));
   const auto faces = static_cast<std::uint32_t>(hull.planes.size());
 
+  // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
+  const T level = dot(hull.vertices[top], n) - T(64) * std::numeric_limits<T>::epsilon() * hull.extent;
   std::uint32_t best = HullData<T>::no_face;
+  std::ptrdiff_t most_tied = 0;
   T least_lean = lean;
   for (const std::uint32_t f : hull.faces_at(top)) {
     const Vec3<T>& m = hull.planes[f].normal;
     const T sine = length(cross(m, n));
-    if (!(dot(m, n) > T(0)) || sine > least_lean) continue;
+    if (!(dot(m, n) > T(0)) || sine > lean) continue;
+    const auto loop = hull.loop(f);
+    const auto tied =
+        std::count_if(loop.begin(), loop.end(), [&](std::uint32_t v) { return dot(hull.vertices[v], n) >= level; });
+    if (tied < most_tied || (tied == most_tied && sine > least_lean)) continue;
+    most_tied = tied;
     least_lean = sine;
     best = f;
   }

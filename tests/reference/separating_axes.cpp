@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <limits>
 
-namespace graze::test {
+namespace graze::reference {
 namespace {
-
-using reference::Real;
-using reference::Vector;
 
 // Unit vectors closer than this are one axis. Taking one for the other moves a depth by less than this times the size,
 // which is below the rounding of double precision; the opposite faces of a moved box differ by less.
 constexpr Real same_axis = 1e-16L;
 // Sine of the angle below which two edges count as parallel: their cross product is mostly rounding error.
 constexpr Real parallel_edges = 1e-12L;
-
-Vector vector(const Vec3<Real>& v) { return {v.x, v.y, v.z}; }
-Vec3<Real> triple(const Vector& v) { return {v.x, v.y, v.z}; }
 
 void add_axis(std::vector<Vector>& axes, const Vector& direction) {
   const Vector unit = normalized(direction);
@@ -36,7 +30,7 @@ struct Features {
 // Vertices are seen from `origin`, so that depths of bodies far away keep their digits.
 Features features(const Polyhedron& p, const Vector& origin) {
   Features f;
-  for (const Vec3<Real>& v : p.vertices) f.vertices.push_back(vector(v) - origin);
+  for (const Vector& v : p.vertices) f.vertices.push_back(v - origin);
   for (const std::vector<int>& face : p.faces) {
     const auto at = [&](std::size_t i) { return f.vertices[static_cast<std::size_t>(face[i % face.size()])]; };
     Vector area;
@@ -77,7 +71,7 @@ struct WayOut {
 }  // namespace
 
 AxisResult separating_axes(const Polyhedron& a, const Polyhedron& b) {
-  const Vector origin = a.vertices.empty() ? Vector{} : vector(a.vertices.front());
+  const Vector origin = a.vertices.empty() ? Vector{} : (a.vertices.front());
   const Features fa = features(a, origin), fb = features(b, origin);
 
   std::vector<WayOut> ways;
@@ -104,10 +98,10 @@ AxisResult separating_axes(const Polyhedron& a, const Polyhedron& b) {
     if (way.depth < runner_up && dot(d, d) > same_direction * same_direction) runner_up = way.depth;
   }
   const bool overlap = best.depth >= 0;
-  return {best.depth, triple(best.normal), overlap, overlap ? 0 : -best.depth, runner_up};
+  return {best.depth, best.normal, overlap, overlap ? 0 : -best.depth, runner_up};
 }
 
-Polyhedron polyhedron_of_box(const Vec3<Real>& edge_lengths) {
+Polyhedron polyhedron_of_box(const Vector& edge_lengths) {
   // Bits 0, 1, 2 of a corner's number say on which side in x, y, z it is.
   Polyhedron p;
   for (int i = 0; i < 8; ++i) {
@@ -118,10 +112,10 @@ Polyhedron polyhedron_of_box(const Vec3<Real>& edge_lengths) {
   return p;
 }
 
-Polyhedron polyhedron_of_hull(const std::vector<Vec3<Real>>& points) {
+Polyhedron polyhedron_of_hull(const std::vector<Vector>& points) {
   Polyhedron p{points, {}};
   const int n = static_cast<int>(points.size());
-  const auto at = [&](int i) { return vector(points[static_cast<std::size_t>(i)]); };
+  const auto at = [&](int i) { return points[static_cast<std::size_t>(i)]; };
   Real extent = 0;
   for (int i = 1; i < n; ++i) extent = std::max(extent, length(at(i) - at(0)));
   // Points meant to be coplanar are so only to the rounding of single or double precision. Lenient, as a face too many
@@ -145,18 +139,18 @@ Polyhedron polyhedron_of_hull(const std::vector<Vec3<Real>>& points) {
   return p;
 }
 
-Polyhedron polyhedron_of_polygon(const std::vector<Vec3<Real>>& corners) {
+Polyhedron polyhedron_of_polygon(const std::vector<Vector>& corners) {
   Polyhedron p{corners, {{}, {}}};
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) p.faces[0].push_back(i);
   p.faces[1].assign(p.faces[0].rbegin(), p.faces[0].rend());
   return p;
 }
 
-Polyhedron moved(const Polyhedron& polyhedron, const Vector& translation, const reference::Quaternion& rotation) {
-  const reference::Placed placed = reference::place({}, translation, rotation);
+Polyhedron moved(const Polyhedron& polyhedron, const Vector& translation, const Quaternion& rotation) {
+  const Placed placed = place({}, translation, rotation);
   Polyhedron p = polyhedron;
-  for (Vec3<Real>& v : p.vertices) v = triple(placed.to_world(vector(v)));
+  for (Vector& v : p.vertices) v = placed.to_world(v);
   return p;
 }
 
-}  // namespace graze::test
+}  // namespace graze::reference

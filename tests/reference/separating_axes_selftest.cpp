@@ -7,18 +7,21 @@
 #include <random>
 
 #include "distance.hpp"
-#include "graze/pose.hpp"
 #include "separating_axes.hpp"
 
-namespace graze::test {
+namespace graze::reference {
 namespace {
 
-using Real = long double;
-using Point = Vec3<Real>;
+using Point = Vector;
 
 constexpr Real tight = 1e-17L;
 // The answers of the reference's two methods may differ where this one takes close axes for the same.
 constexpr Real loose = 1e-15L;
+
+struct Pose {
+  Vector translation;
+  Quaternion rotation;
+};
 
 // EXPECT_NEAR compares doubles.
 #define EXPECT_CLOSE(x, y, tolerance)                                                                                  \
@@ -34,19 +37,19 @@ void expect_along(const Point& n, const Point& expected, Real tolerance = tight)
 class Random {
  public:
   double uniform(double lo, double hi) { return lo + (hi - lo) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  Vec3d vector(double r) {
+  Vector vector(double r) {
     const double x = uniform(-r, r), y = uniform(-r, r), z = uniform(-r, r);
     return {x, y, z};
   }
   // Not of unit length: the reference is to see to that.
-  Posed pose(double r) {
-    const Vec3d t = vector(r), q = vector(1);
+  Pose pose(double r) {
+    const Vector t = vector(r), q = vector(1);
     return {t, {q.x, q.y, q.z, uniform(-1, 1)}};
   }
-  Point size() { return cast<Real>(vector(0.5)) + Point{1, 1, 1}; }
+  Point size() { return vector(0.5) + Point{1, 1, 1}; }
   std::vector<Point> points(int count) {
     std::vector<Point> p;
-    for (int i = 0; i < count; ++i) p.push_back(cast<Real>(vector(1)));
+    for (int i = 0; i < count; ++i) p.push_back(vector(1));
     return p;
   }
 
@@ -54,21 +57,14 @@ class Random {
   std::mt19937_64 engine_{20240607};
 };
 
-reference::Placed place(const reference::Shape& shape, const Posed& pose) {
-  const Point t = cast<Real>(pose.translation);
-  const Quat<double>& q = pose.rotation;
-  return reference::place(shape, {t.x, t.y, t.z}, {Real{q.x}, Real{q.y}, Real{q.z}, Real{q.w}});
-}
-
-reference::Shape shape_of(const std::vector<Point>& points) {
-  std::vector<reference::Vector> v;
-  for (const Point& p : points) v.push_back({p.x, p.y, p.z});
-  return reference::polytope(v);
+Placed place(const Shape& shape, const Pose& pose) { return place(shape, pose.translation, pose.rotation); }
+Polyhedron moved(const Polyhedron& polyhedron, const Pose& pose) {
+  return moved(polyhedron, pose.translation, pose.rotation);
 }
 
 std::vector<Point> octahedron(Real r) { return {{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}; }
 
-Polyhedron cube_turned(const reference::Vector& axis, const reference::Vector& translation) {
+Polyhedron cube_turned(const Vector& axis, const Vector& translation) {
   const Real half = std::numbers::pi_v<Real> / 8, s = std::sin(half);
   return moved(polyhedron_of_box({1, 1, 1}), translation, {s * axis.x, s * axis.y, s * axis.z, std::cos(half)});
 }
@@ -78,7 +74,7 @@ TEST(SeparatingAxes, FacesAreCounterClockwise) {
   for (const Polyhedron& p :
        {polyhedron_of_box({1, 2, 3}), polyhedron_of_hull(octahedron(1)), polyhedron_of_hull(random.points(20))}) {
     Point middle{};
-    for (const Point& v : p.vertices) middle += v / static_cast<Real>(p.vertices.size());
+    for (const Point& v : p.vertices) middle = middle + v * (1 / static_cast<Real>(p.vertices.size()));
     for (const std::vector<int>& face : p.faces) {
       const Point u = p.vertices[face[0]], v = p.vertices[face[1]], w = p.vertices[face[2]];
       EXPECT_GT(dot(cross(v - u, w - u), u - middle), 0);
@@ -101,9 +97,9 @@ TEST(SeparatingAxes, AlignedBoxes) {
   EXPECT_CLOSE(both.depth, 1, tight);
   EXPECT_CLOSE(both.runner_up, 1, tight);
 
-  // As Posed is filled in, with a quaternion that is not of unit length, and far away.
-  const Posed far{{1e6, -2e6, 3e6}, {0, 0, 3, 3}}, near{{1e6, -2e6 + 0.75, 3e6}, {0, 0, 3, 3}};
-  const AxisResult turned = separating_axes(moved(cube, far), polyhedron_of_box({1, 1, 1}, near));
+  // As Pose is filled in, with a quaternion that is not of unit length, and far away.
+  const Pose far{{1e6, -2e6, 3e6}, {0, 0, 3, 3}}, near{{1e6, -2e6 + 0.75, 3e6}, {0, 0, 3, 3}};
+  const AxisResult turned = separating_axes(moved(cube, far), moved(polyhedron_of_box({1, 1, 1}), near));
   EXPECT_CLOSE(turned.depth, 0.25L, 1e-12L);
   expect_along(turned.normal, {0, 1, 0}, 1e-12L);
 }
@@ -136,8 +132,7 @@ TEST(SeparatingAxes, FlatPolygons) {
   const Polyhedron rectangle = polyhedron_of_polygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
   const Polyhedron cube = polyhedron_of_box({1, 1, 1});
   // In one plane, apart across the slanted edge of the triangle only.
-  const reference::Quaternion eighth{0, 0, std::sin(std::numbers::pi_v<Real> / 8),
-                                     std::cos(std::numbers::pi_v<Real> / 8)};
+  const Quaternion eighth{0, 0, std::sin(std::numbers::pi_v<Real> / 8), std::cos(std::numbers::pi_v<Real> / 8)};
   const AxisResult coplanar = separating_axes(triangle, moved(rectangle, {1.5L, 1.5L, 0}, eighth));
   EXPECT_FALSE(coplanar.overlap);
   EXPECT_CLOSE(coplanar.gap, std::sqrt(2.0L) - 1, tight);
@@ -153,7 +148,7 @@ TEST(SeparatingAxes, FlatPolygons) {
   expect_along(solid.normal, {0, 0, 1});
   // A box without height is a rectangle.
   for (const Real x : {0.25L, 2.5L}) {
-    const reference::Vector t{x, 0.375L, 0.125L};
+    const Vector t{x, 0.375L, 0.125L};
     const AxisResult box = separating_axes(polyhedron_of_box({2, 2, 0}), moved(cube, t, eighth));
     const AxisResult flat = separating_axes(rectangle, moved(cube, t, eighth));
     EXPECT_CLOSE(box.depth, flat.depth, tight);
@@ -164,8 +159,8 @@ TEST(SeparatingAxes, FlatPolygons) {
 TEST(SeparatingAxes, SwapMirrors) {
   Random random;
   for (int i = 0; i < 500; ++i) {
-    const Polyhedron a = polyhedron_of_box(random.size(), random.pose(1));
-    const Polyhedron b = i % 2 ? polyhedron_of_box(random.size(), random.pose(1))
+    const Polyhedron a = moved(polyhedron_of_box(random.size()), random.pose(1));
+    const Polyhedron b = i % 2 ? moved(polyhedron_of_box(random.size()), random.pose(1))
                                : moved(polyhedron_of_hull(octahedron(1)), random.pose(1));
     const AxisResult ab = separating_axes(a, b), ba = separating_axes(b, a);
     EXPECT_EQ(ab.overlap, ba.overlap);
@@ -177,8 +172,8 @@ TEST(SeparatingAxes, SwapMirrors) {
 }
 
 // The largest separation along any axis at all is the distance, so along those tried it is no more.
-void compare(const AxisResult& r, const reference::Placed& a, const reference::Placed& b) {
-  const reference::Signed s = reference::signed_distance(a, b);
+void compare(const AxisResult& r, const Placed& a, const Placed& b) {
+  const Signed s = signed_distance(a, b);
   EXPECT_EQ(r.overlap, s.distance <= 0);
   if (!r.overlap) {
     EXPECT_GT(r.gap, 0);
@@ -186,9 +181,9 @@ void compare(const AxisResult& r, const reference::Placed& a, const reference::P
     return;
   }
   EXPECT_CLOSE(r.depth, -s.distance, loose);
-  const reference::Vector n{r.normal.x, r.normal.y, r.normal.z};
-  EXPECT_CLOSE(reference::length(n), 1, tight);
-  EXPECT_CLOSE(reference::separation(a, b, n), -r.depth, loose);
+  const Vector n{r.normal.x, r.normal.y, r.normal.z};
+  EXPECT_CLOSE(length(n), 1, tight);
+  EXPECT_CLOSE(separation(a, b, n), -r.depth, loose);
   if (r.runner_up > r.depth + 1e-6L) expect_along(r.normal, {s.normal.x, s.normal.y, s.normal.z}, 1e-9L);
 }
 
@@ -198,9 +193,9 @@ TEST(SeparatingAxes, AgreesWithSignedDistance) {
   for (int i = 0; i < 300; ++i, ++count) {
     const Point size = random.size();
     const std::vector<Point> points = i % 3 ? random.points(12) : octahedron(1);
-    const Posed p = random.pose(0.75), q = random.pose(0.75);
-    const AxisResult r = separating_axes(moved(polyhedron_of_hull(points), p), polyhedron_of_box(size, q));
-    compare(r, place(shape_of(points), p), place(reference::box({size.x, size.y, size.z}), q));
+    const Pose p = random.pose(0.75), q = random.pose(0.75);
+    const AxisResult r = separating_axes(moved(polyhedron_of_hull(points), p), moved(polyhedron_of_box(size), q));
+    compare(r, place(polytope(points), p), place(box({size.x, size.y, size.z}), q));
     overlaps += r.overlap;
   }
   EXPECT_GT(overlaps, count / 2);
@@ -212,14 +207,14 @@ TEST(SeparatingAxes, AgreesWithSignedDistanceOnFlatPolygons) {
   int overlaps = 0, count = 0;
   for (int i = 0; i < 300; ++i, ++count) {
     const Point size = random.size();
-    const Point e = size / 2;
+    const Point e = size * 0.5L;
     const std::vector<Point> corners =
         i % 2 ? random.points(3) : std::vector<Point>{{-e.x, -e.y, 0}, {e.x, -e.y, 0}, {e.x, e.y, 0}, {-e.x, e.y, 0}};
     const std::vector<Point> other = i % 3 ? random.points(8) : random.points(3);
-    const Posed p = random.pose(0.5), q = random.pose(0.5);
+    const Pose p = random.pose(0.5), q = random.pose(0.5);
     const AxisResult r = separating_axes(moved(polyhedron_of_polygon(corners), p),
                                          moved(i % 3 ? polyhedron_of_hull(other) : polyhedron_of_polygon(other), q));
-    compare(r, place(shape_of(corners), p), place(shape_of(other), q));
+    compare(r, place(polytope(corners), p), place(polytope(other), q));
     overlaps += r.overlap;
   }
   EXPECT_GT(overlaps, count / 4);
@@ -227,4 +222,4 @@ TEST(SeparatingAxes, AgreesWithSignedDistanceOnFlatPolygons) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::reference
