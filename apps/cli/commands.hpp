@@ -11,6 +11,7 @@ namespace graze::cli {
 using Run = std::function<int()>;
 
 Run add_collide(CLI::App& app);
+Run add_explain(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_query(CLI::App& app);
 

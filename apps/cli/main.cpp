@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
 
   const std::pair<const char*, graze::cli::Run> commands[] = {
       {"collide", graze::cli::add_collide(app)},
+      {"explain", graze::cli::add_explain(app)},
       {"info", graze::cli::add_info(app)},
       {"query", graze::cli::add_query(app)},
   };

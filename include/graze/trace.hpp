@@ -51,7 +51,8 @@ struct Trace {
   std::vector<TraceEpa> epa;
   std::vector<TraceSupport> polytope;                 ///< EPA's final vertices
   std::vector<std::array<std::size_t, 3>> triangles;  ///< and its triangles
-  std::string reason;                                 ///< why the winner won, in one sentence
+  std::string winner;                                 ///< the name of the axis that the answer stands on, if any
+  std::string reason;                                 ///< why it won, in one sentence
 };
 
 }  // namespace graze

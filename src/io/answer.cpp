@@ -23,6 +23,7 @@ void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
 
 void write_trace(const Trace& trace, JsonWriter& out) {
   out.key("trace").open('{').key("method").raw(Json(trace.method).dump());
+  if (!trace.winner.empty()) out.key("winner").raw(Json(trace.winner).dump());
   if (!trace.reason.empty()) out.key("reason").raw(Json(trace.reason).dump());
   out.key("axes").open('[');
   for (const TraceAxis& axis : trace.axes) {
@@ -68,33 +69,15 @@ void write_distance(const Question<T>& q, Trace* trace, JsonWriter& out) {
   out.key("a").vector(d.a, q.dimension).key("b").vector(d.b, q.dimension);
 }
 
-/// The points of a prism's manifold stand twice, at both depths.
-template <class T>
-std::vector<ContactPoint<T>> points_of(const Manifold<T>& manifold, int dimension) {
-  std::vector<ContactPoint<T>> points(manifold.points.begin(), manifold.points.end());
-  if (dimension == 3) return points;
-  T size(0);
-  for (const auto& p : points) size = greatest(size, greatest(max_abs(p.a), max_abs(p.b)));
-  const T same = T(64) * std::numeric_limits<T>::epsilon() * size;
-  std::vector<ContactPoint<T>> flat;
-  for (ContactPoint<T> p : points) {
-    p.a.z = p.b.z = T(0);
-    const bool known = std::any_of(flat.begin(), flat.end(), [&](const ContactPoint<T>& other) {
-      return max_abs(other.a - p.a) <= same && max_abs(other.b - p.b) <= same;
-    });
-    if (!known) flat.push_back(p);
-  }
-  return flat;
-}
-
 template <class T>
 void write_contacts(const Question<T>& q, Trace* trace, JsonWriter& out) {
   Manifolds<T> manifolds;
   const bool touch = contacts(q.a->shape, q.a->pose, q.b->shape, q.b->pose, q.margin, manifolds, trace);
   out.key("overlap").value(touch).key("manifolds").open('[');
-  for (const Manifold<T>& manifold : manifolds) {
+  for (Manifold<T>& manifold : manifolds) {
+    if (q.dimension == 2) leave_plane_points(manifold);
     out.open('{').key("normal").vector(in_plane(manifold.normal, q.dimension), q.dimension).key("points").open('[');
-    for (const ContactPoint<T>& p : points_of(manifold, q.dimension)) {
+    for (const ContactPoint<T>& p : manifold.points) {
       char feature[16];
       std::snprintf(feature, sizeof feature, "\"%08x\"", p.feature);
       out.open('{').key("a").vector(p.a, q.dimension).key("b").vector(p.b, q.dimension);
@@ -115,6 +98,39 @@ void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
 }  // namespace
 
 template <class T>
+void leave_plane_points(Manifold<T>& manifold) {
+  T size(0);
+  for (const auto& p : manifold.points) size = greatest(size, greatest(max_abs(p.a), max_abs(p.b)));
+  const T same = T(64) * std::numeric_limits<T>::epsilon() * size;
+  std::size_t kept = 0;
+  for (ContactPoint<T> p : manifold.points) {
+    p.a.z = p.b.z = T(0);
+    const bool known = std::any_of(manifold.points.begin(), manifold.points.begin() + kept, [&](const auto& other) {
+      return max_abs(other.a - p.a) <= same && max_abs(other.b - p.b) <= same;
+    });
+    if (!known) manifold.points[kept++] = p;
+  }
+  manifold.points.truncate(kept);
+}
+
+void leave_plane_axes(Trace& trace) {
+  constexpr double same = 1e-9;
+  std::vector<TraceAxis> kept;
+  for (TraceAxis& axis : trace.axes) {
+    if (std::abs(axis.direction.z) > same) continue;
+    const auto twin = std::find_if(kept.begin(), kept.end(), [&](const TraceAxis& k) {
+      return length(cross(k.direction, axis.direction)) <= same;
+    });
+    if (twin == kept.end() || axis.name == "normal") {
+      kept.push_back(std::move(axis));
+    } else if (axis.name == trace.winner) {
+      trace.winner = twin->name;
+    }
+  }
+  trace.axes = std::move(kept);
+}
+
+template <class T>
 void write_answer(const Question<T>& q, JsonWriter& out) {
   Trace trace;
   Trace* asked = q.explain ? &trace : nullptr;
@@ -130,9 +146,12 @@ void write_answer(const Question<T>& q, JsonWriter& out) {
     throw InvalidValue("query", "one of overlap, distance, contacts, closest (rays and casts are not in this version)",
                        q.query == QueryKind::cast ? "\"cast\"" : "\"raycast\"");
   }
+  if (q.dimension == 2) leave_plane_axes(trace);
   if (asked) write_trace(trace, out);
 }
 
+template void leave_plane_points(Manifold<float>&);
+template void leave_plane_points(Manifold<double>&);
 template void write_answer(const Question<float>&, JsonWriter&);
 template void write_answer(const Question<double>&, JsonWriter&);
 

@@ -186,12 +186,13 @@ const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
 template <class T>
 std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                                      T margin, Manifold<T>& manifold, Trace* trace) {
+  if (trace) trace->method = "separating axes";
   const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
   const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
   const PolyhedralPair pair(a, b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
   const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + side_a.radius() + side_b.radius() + noise);
-  const double separation = axes.best().separation, signed_distance = separation - side_a.radius() - side_b.radius();
+  const double separation = axes.best(noise).separation, signed_distance = separation - side_a.radius() - side_b.radius();
   const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
   if (distance > static_cast<double>(margin)) return static_cast<T>(distance);
 
@@ -201,12 +202,12 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
                                     furthest_kept(side_a, side_b, margin, distance), frame, manifold);
   const bool apart = separation > noise;
   const double allowed = apart ? laid_slack * noise : face_preference * smaller;
-  if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &axes.best())) {
+  if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &axes.best(noise))) {
     manifold.points.clear();
     return std::nullopt;
   }
-  if (trace) trace->method = "separating axes";
-  if (trace && &axis != &axes.best())
+  if (trace) trace->winner = pair.name(axis);
+  if (trace && &axis != &axes.best(noise))
     trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
   return static_cast<T>(distance);
 }

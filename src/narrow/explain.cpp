@@ -1,5 +1,7 @@
 #include "narrow/explain.hpp"
 
+#include <algorithm>
+
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "shape/rounding.hpp"
@@ -45,7 +47,11 @@ void trace_segment_box(const Vec3d& half, const Segment<double>& segment, const 
     if (edge) name = name + "x" + segment_name;
     trace.axes.push_back({name, toward, -reach, reach, least(from, to), greatest(from, to)});
   });
-  trace.reason = "of the box's axes and their products with the segment, the one with the largest separation";
+  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(), [](const TraceAxis& p, const TraceAxis& q) {
+    return p.overlap() < q.overlap();
+  });
+  trace.winner = best->name;
+  trace.reason = best->name + (best->overlap() > 0 ? " has the least overlap" : " shows the widest gap of all axes");
 }
 
 /// The same axes with A and B in each other's place.
@@ -94,13 +100,15 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
     return Segment<double>{transform(pose, core.segment.a), transform(pose, core.segment.b)};
   };
   if (has_separating_axes(a, b)) {
-    const PolyhedralPair pair(a, b, relative(frame_a, frame_b));
-    const SeparatingAxes axes = pair.axes(std::numeric_limits<double>::infinity(), &trace);
-    const bool apart = axes.best().separation > radius_of(a) + radius_of(b);
-    std::string reason = numbered("of ", trace.axes.size()) + " axes " + pair.name(axes.best()) +
-                         (apart ? " shows the widest gap" : " has the least overlap");
+    const Posed b_in_a = relative(frame_a, frame_b);
+    const PolyhedralPair pair(a, b, b_in_a);
+    const SeparatingAxis best =
+        pair.axes(std::numeric_limits<double>::infinity(), &trace).best(noise_of(a, b, b_in_a.translation));
+    const bool apart = best.separation > radius_of(a) + radius_of(b);
+    std::string reason = pair.name(best) + (apart ? " shows the widest gap of all axes" : " has the least overlap");
     if (!trace.reason.empty()) reason += "; " + trace.reason;
     trace.reason = reason;
+    if (trace.winner.empty()) trace.winner = pair.name(best);
     move(trace.axes, frame_a);
   } else if (box_a && segment_b) {
     trace_segment_box(box_a->half, moved(*segment_b, relative(frame_a, frame_b)), "A", "B", trace);
@@ -116,11 +124,13 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
 template <class T>
 void explain_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                     const Vec3<T>& normal, Trace& trace) {
+  if (trace.winner.empty()) trace.winner = "normal";
   trace.axes.push_back({"normal", cast<double>(normal), -furthest(a, pose_a, -normal), furthest(a, pose_a, normal),
                         -furthest(b, pose_b, -normal), furthest(b, pose_b, normal)});
 }
 
 void mirror(Trace& trace) {
+  trace.winner.clear();  // its name counts from the other side
   const auto swap_ends = [](TraceSupport& p) { std::swap(p.a, p.b); };
   for (TraceGjk& step : trace.gjk) {
     for (TraceSupport& p : step.simplex) swap_ends(p);

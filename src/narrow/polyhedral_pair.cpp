@@ -119,7 +119,7 @@ PlacedFace PolyhedralPair::face_b(const Vec3d& normal) const {
 
 std::optional<CoreDistance<double>> PolyhedralPair::depth(double noise) const {
   const SeparatingAxes all = axes(noise);
-  const SeparatingAxis& best = all.best();
+  const SeparatingAxis& best = all.best(noise);
   if (best.separation > noise) return std::nullopt;
   // The facet of the difference that lies nearest to the origin holds its foot: somewhere the two faces (or the edges
   // between them) lie over each other at just this depth.

@@ -28,8 +28,10 @@ struct SeparatingAxes {
   SeparatingAxis face_a{AxisKind::face_a}, face_b{AxisKind::face_b}, edge{AxisKind::edges};
 
   const SeparatingAxis& best_face() const { return face_b.separation > face_a.separation ? face_b : face_a; }
-  /// The one of all; a face before an edge that is no better.
-  const SeparatingAxis& best() const { return edge.separation > best_face().separation ? edge : best_face(); }
+  /// The one of all; a face before an edge that is better by no more than `noise`, as the product of parallel edges is.
+  const SeparatingAxis& best(double noise) const {
+    return edge.separation > best_face().separation + noise ? edge : best_face();
+  }
 };
 
 /// All axes; or, where a face already separates them by more than `enough`, those of faces only. Costs faces of A times

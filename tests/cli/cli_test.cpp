@@ -78,4 +78,40 @@ TEST(Cli, HelpHasAnExampleForEachCommand) {
   }
 }
 
+std::string content(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The page about separating axes promises that its pictures are drawn by the program.
+TEST(Cli, ExplainDrawsThePicturesOfTheDocumentation) {
+  const std::string docs = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes";
+  const auto picture = std::filesystem::temp_directory_path() / "graze_explain_test.svg";
+  for (const char* line : {"1", "2", "3", "4"}) {
+    const Result r = run("explain " + docs + ".jsonl --line " + line + " --svg " + picture.string());
+    EXPECT_EQ(r.code, 0);
+    EXPECT_NE(r.output.find("A0"), std::string::npos);
+    EXPECT_EQ(content(picture), content(docs + "-" + line + ".svg")) << "line " << line;
+  }
+  std::filesystem::remove(picture);
+}
+
+TEST(Cli, ExplainNamesTheWinnerAndTheFeatures) {
+  const Result r = run("explain " + std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl --precision float");
+  EXPECT_NE(r.output.find("> B0"), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("B0 has the least overlap"), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("A vertex 3, B edge 2"), std::string::npos) << r.output;
+}
+
+TEST(Cli, ExplainRefusesWhatIsNoQuestion) {
+  const std::string docs = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl";
+  EXPECT_EQ(run("explain " + docs + " --line 99").code, 2);
+  EXPECT_EQ(run("explain /nonexistent").code, 2);
+  EXPECT_EQ(run("explain " + docs + " --svg /nonexistent/a.svg").code, 2);
+  EXPECT_EQ(run("explain " + docs + " --direction 0,0,0").code, 2);
+  const Result r = run("explain " + std::string(GRAZE_SOURCE_DIR) + "/README.md");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.output.find("graze: "), std::string::npos);
+}
+
 }  // namespace

@@ -126,12 +126,12 @@ TEST(SeparatingAxes, PrunedEdgesAreThoseThatCannotWin) {
     Trace trace;
     const double all = std::numeric_limits<double>::infinity();
     const SeparatingAxes pruned = separating_axes(pa, pb, all), whole = separating_axes(pa, pb, all, &trace);
-    EXPECT_EQ(pruned.best().separation, whole.best().separation);
+    EXPECT_EQ(pruned.best(0).separation, whole.best(0).separation);
     if (truth.overlap) {
-      EXPECT_NEAR(pruned.best().separation, static_cast<double>(-truth.depth), 1e-9);
+      EXPECT_NEAR(pruned.best(0).separation, static_cast<double>(-truth.depth), 1e-9);
     }
     for (const TraceAxis& axis : trace.axes) {
-      EXPECT_GE(axis.overlap(), -whole.best().separation - 1e-12) << axis.name;
+      EXPECT_GE(axis.overlap(), -whole.best(0).separation - 1e-12) << axis.name;
       EXPECT_NEAR(length(axis.direction), 1, 1e-12);
     }
   }

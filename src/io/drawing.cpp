@@ -1,0 +1,128 @@
+#include "io/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+namespace graze::io {
+
+Color mixed(const Color& a, const Color& b, double part) {
+  Color c{};
+  for (std::size_t i = 0; i < 3; ++i) c[i] = a[i] + (b[i] - a[i]) * part;
+  return c;
+}
+
+std::string hex(const Color& c, double light) {
+  const auto part = [&](std::size_t i) { return static_cast<int>(std::clamp(c[i] * light, 0.0, 255.0)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;
+  }
+  return out;
+}
+
+View::View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const Frame& frame)
+    : toward_(normalized(toward_viewer)) {
+  const Vec3d up = std::abs(toward_.y) > 0.999 ? Vec3d{0, 0, -1} : Vec3d{0, 1, 0};
+  right_ = normalized(cross(up, toward_));
+  up_ = cross(toward_, right_);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low_x = infinity, high_x = -infinity, low_y = infinity, high_y = -infinity;
+  for (const Vec3d& p : points) {
+    low_x = std::min(low_x, dot(p, right_)), high_x = std::max(high_x, dot(p, right_));
+    low_y = std::min(low_y, dot(p, up_)), high_y = std::max(high_y, dot(p, up_));
+  }
+  const double wide = std::max(high_x - low_x, 1e-300), tall = std::max(high_y - low_y, 1e-300);
+  scale_ = std::min(frame.width / wide, frame.height / tall);
+  x_ = frame.x + frame.width / 2 - scale_ * (low_x + high_x) / 2;
+  y_ = frame.y + frame.height / 2 + scale_ * (low_y + high_y) / 2;
+}
+
+double View::light(const Vec3d& normal) const {
+  const Vec3d lamp = normalized(toward_ + up_ * 1.2 - right_ * 0.6);
+  return 0.62 + 0.42 * std::max(0.0, dot(normal, lamp));
+}
+
+namespace {
+
+Vec3d face_normal(const Polygons& shape, const std::vector<std::uint32_t>& loop) {
+  Vec3d sum;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    sum += cross(shape.points[loop[i]] - shape.points[loop[0]], shape.points[loop[i + 1]] - shape.points[loop[0]]);
+  return normalized(sum, Vec3d{});
+}
+
+}  // namespace
+
+void draw_shape(const View& view, const Polygons& shape, const Color& color, bool glass, double scene_size,
+                std::vector<DrawnFace>& faces) {
+  for (const auto& loop : shape.loops) {
+    Vec3d normal = face_normal(shape, loop);
+    const double facing = dot(normal, view.toward());
+    if (shape.closed && facing <= 0) continue;
+    if (facing < 0) normal = -normal;
+    Vec3d middle;
+    Aabbd box = Aabbd::empty();
+    std::string points;
+    for (const std::uint32_t i : loop) {
+      const Vec3d& p = shape.points[i];
+      middle += p / static_cast<double>(loop.size());
+      box = merged(box, p);
+      points += fmt::format("{:.1f},{:.1f} ", view.x(p), view.y(p));
+    }
+    points.pop_back();
+    const std::string fill = hex(color, view.light(normal));
+    // A smooth shape's facets are sealed in their own colour, a polyhedron's edges drawn.
+    const std::string stroke = shape.smooth ? fill : hex(color, 0.55);
+    faces.push_back({view.depth(middle), max_abs(box.extent()) > 0.45 * scene_size,
+                     fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"{}/>\n", points, fill, stroke,
+                                 glass ? " fill-opacity=\".3\" stroke-opacity=\".5\"" : "")});
+  }
+}
+
+std::string painted(std::vector<DrawnFace> faces) {
+  std::stable_sort(faces.begin(), faces.end(), [](const DrawnFace& a, const DrawnFace& b) {
+    return a.background != b.background ? a.background : a.depth < b.depth;
+  });
+  std::string out = "<g stroke-width=\".8\" stroke-linejoin=\"round\">\n";
+  for (const DrawnFace& face : faces) out += face.text;
+  return out + "</g>\n";
+}
+
+std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
+  const Vec3d to = from + along * (34 / view.scale());
+  const double dx = view.x(to) - view.x(from), dy = view.y(to) - view.y(from), l = std::hypot(dx, dy);
+  if (l < 1) return "";
+  const double ux = dx / l, uy = dy / l, x = view.x(to), y = view.y(to);
+  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke-width=\"1.8\"/><path d=\"M{:.1f} {:.1f}L{:.1f} "
+                     "{:.1f}L{:.1f} {:.1f}Z\" "
+                     "fill=\"#1d3557\"/>\n",
+                     view.x(from), view.y(from), x - 4 * ux, y - 4 * uy, x + 2 * ux, y + 2 * uy, x - 7 * ux - 3.5 * uy,
+                     y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
+}
+
+std::string svg_head(double width, double height) {
+  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+                     "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" fill=\"#f8f9fa\"/>\n",
+                     width, height);
+}
+
+void write_text(const std::string& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw InvalidValue(file, "a file that can be written", "an error");
+}
+
+}  // namespace graze::io

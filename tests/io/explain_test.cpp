@@ -1,0 +1,100 @@
+// Explanations: of every query and kind of pair, in text and as a picture.
+#include "graze/io/explain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "graze/error.hpp"
+
+namespace graze::io {
+namespace {
+
+constexpr const char* shapes[] = {
+    R"({"type": "sphere", "sphere": {"radius": 0.7}})",
+    R"({"type": "capsule", "capsule": {"height": 1, "radiusBottom": 0.4, "radiusTop": 0.4}})",
+    R"({"type": "capsule", "capsule": {"height": 1, "radiusBottom": 0.4, "radiusTop": 0.1}})",
+    R"({"type": "box", "box": {"size": [1, 1.5, 0.7]}, "margin": 0.1})",
+    R"({"type": "cylinder", "cylinder": {"height": 1, "radiusBottom": 0.5, "radiusTop": 0}})",
+    R"({"type": "plane"})",
+    R"({"type": "plane", "plane": {"sizeX": 2, "sizeZ": 1}})",
+    R"({"type": "ellipsoid", "ellipsoid": {"radii": [1, 0.5, 0.3]}})",
+    R"({"type": "convex", "convex": {"points": [[0,0,0],[1,0,0],[0,1,0],[0,0,1],[1,1,1]]}})",
+    R"({"type": "triangle", "triangle": {"points": [[0,0,0],[1,0,0],[0,1,0.2]]}})",
+};
+
+std::string question(const std::string& query, const std::string& a, const std::string& b, double away) {
+  const std::string margin = query == "contacts" ? R"("margin": 0.1, )" : "";
+  return R"({"query": ")" + query + R"(", )" + margin + R"("a": {"shape": )" + a + R"(}, "b": {"shape": )" + b +
+         R"(, "translation": [0.2, )" + std::to_string(away) + R"(, 0.1], "rotation": [0.1, 0.2, 0.3, 1]}})";
+}
+
+TEST(Explain, EveryPairHasItsTextAndItsPicture) {
+  for (const char* a : shapes)
+    for (const char* b : shapes)
+      for (const char* query : {"overlap", "distance", "contacts"})
+        for (const double away : {0.3, 4.0}) {
+          const std::string asked = question(query, a, b, away);
+          const bool endless = query != std::string("overlap") && a == b && a == shapes[5];
+          if (endless) continue;  // two half-spaces have no depth
+          const Explanation e = explain(asked, Precision::double_precision);
+          const std::string text = explanation_text(e), picture = draw_explanation(e, {1, 0.6, 1.4});
+          EXPECT_NE(text.find("method"), std::string::npos) << asked;
+          EXPECT_FALSE(e.trace.method.empty()) << asked;
+          EXPECT_TRUE(picture.ends_with("</svg>\n"));
+          EXPECT_EQ(picture.find("nan"), std::string::npos) << asked;
+          EXPECT_EQ(picture.find("inf"), std::string::npos) << asked;
+        }
+}
+
+TEST(Explain, TheWinnersOverlapIsTheDepth) {
+  for (const int away : {0, 1, 2, 3}) {
+    const Explanation e = explain(question("distance", shapes[3], shapes[8], 0.1 * away), Precision::double_precision);
+    if (!e.overlap) continue;
+    const auto winner = std::find_if(e.trace.axes.begin(), e.trace.axes.end(),
+                                     [&](const TraceAxis& axis) { return axis.name == e.trace.winner; });
+    ASSERT_NE(winner, e.trace.axes.end());
+    EXPECT_NEAR(winner->overlap(), -e.distance->distance, 1e-9);
+  }
+}
+
+TEST(Explain, InThePlaneTwoBoxesHaveFourAxes) {
+  const Explanation e = explain(
+      R"({"query": "contacts", "dimension": 2, "a": {"shape": {"type": "box", "box": {"size": [2, 2]}}},
+          "b": {"shape": {"type": "box", "box": {"size": [2, 2]}}, "translation": [1.5, 1], "rotation": 0.3}})",
+      Precision::double_precision);
+  std::string names;
+  for (const TraceAxis& axis : e.trace.axes) names += axis.name + " ";
+  EXPECT_EQ(names, "A0 A1 B0 B1 normal ");
+  ASSERT_EQ(e.manifolds.size(), 1u);
+  EXPECT_EQ(e.manifolds[0].points.size(), 2u);
+  for (const auto& p : e.manifolds[0].points) EXPECT_EQ(p.a.z, 0);
+}
+
+TEST(Explain, ClosestAndSinglePrecisionAreExplainedToo) {
+  const Explanation e = explain(R"({"query": "closest", "a": {"shape": {"type": "box", "box": {"size": [2, 2, 2]}}},
+                                    "point": [0.25, 0.75, 0]})",
+                                Precision::single_precision);
+  ASSERT_TRUE(e.distance);
+  EXPECT_EQ(e.distance->distance, -0.25);
+  EXPECT_TRUE(e.overlap);
+  EXPECT_NE(draw_explanation(e, {0, 1, 0}).find("normal"), std::string::npos);
+}
+
+TEST(Explain, WhatTheProtocolRefusesIsRefused) {
+  EXPECT_THROW(explain("nonsense", Precision::double_precision), InvalidValue);
+  EXPECT_THROW(explain("[]", Precision::double_precision), InvalidValue);
+  EXPECT_THROW(explain(R"({"query": "overlap"})", Precision::double_precision), InvalidValue);
+  EXPECT_THROW(explain(R"({"query": "raycast", "a": {"shape": {"type": "sphere", "sphere": {"radius": 1}}},
+                           "ray": {"origin": [0, 0, 0], "direction": [1, 0, 0]}})",
+                       Precision::double_precision),
+               InvalidValue);
+}
+
+TEST(Explain, FeaturesAreNamedByTheirParts) {
+  EXPECT_EQ(feature_text(0xc0054000), "A face 5, B vertex 0");
+  EXPECT_EQ(feature_text(0x80848002), "A edge 132, B edge 2");
+}
+
+}  // namespace
+}  // namespace graze::io
