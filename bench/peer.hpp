@@ -14,6 +14,7 @@
 //     double distance(std::size_t i);                   // signed; NaN: no answer
 //     Contacts contacts(std::size_t i);
 //     bool has(Query) const;                            // optional: what it answers for the pairs it was given
+//     Contacts resting_contacts(std::size_t i);         // optional: as it means a body at rest to be asked about
 //   };
 //   const Registered<Mine> registered;
 #pragma once
@@ -34,10 +35,11 @@ enum class Query { overlap, distance, contacts };
 inline constexpr Query queries[] = {Query::overlap, Query::distance, Query::contacts};
 inline constexpr const char* query_names[] = {"overlap", "distance", "contacts"};
 
-/// How many points of contact, and the signed distance of the deepest.
+/// How many points of contact, the signed distance of the deepest, and the normal, either way round.
 struct Contacts {
   std::size_t count = 0;
   double deepest = 0;
+  Vec3d normal{};
 };
 
 /// What a library says of a pair.
@@ -46,6 +48,7 @@ struct Answer {
   bool overlap = false;
   double distance = std::numeric_limits<double>::quiet_NaN();  ///< signed; NaN where it does not tell
   std::size_t points = 0;
+  Vec3d normal{};
 };
 
 class Peer {
@@ -57,6 +60,8 @@ class Peer {
   virtual bool prepare(std::span<const Pair> pairs) = 0;
   virtual bool has(Query query) const = 0;
   virtual Answer answer(Query query, std::size_t i) = 0;
+  /// Contacts of a body at rest.
+  virtual Answer resting(std::size_t i) = 0;
   /// Asks about every pair in turn. The whole loop is behind one virtual call, so that none is in the time of a pair.
   /// The sum of the answers keeps the compiler from leaving any out.
   virtual double run(Query query, std::size_t count) = 0;
@@ -89,16 +94,20 @@ class PeerOf final : public Peer {
         answer.overlap = answer.distance <= 0;
         answer.failed = std::isnan(answer.distance);
       } else if constexpr (has_contacts) {
-        const Contacts found = library_.contacts(i);
-        answer.points = found.count;
-        answer.overlap = found.count > 0;
-        if (answer.overlap) answer.distance = found.deepest;
+        answer = answer_of(library_.contacts(i));
       }
     } catch (const std::exception&) {
       answer = {};
       answer.failed = true;
     }
     return answer;
+  }
+
+  Answer resting(std::size_t i) override {
+    if constexpr (requires { library_.resting_contacts(i); })
+      return answer_of(library_.resting_contacts(i));
+    else
+      return answer(Query::contacts, i);
   }
 
   double run(Query query, std::size_t count) override {
@@ -117,6 +126,15 @@ class PeerOf final : public Peer {
   static constexpr bool has_overlap = requires(Library l) { l.overlap(std::size_t{}); };
   static constexpr bool has_distance = requires(Library l) { l.distance(std::size_t{}); };
   static constexpr bool has_contacts = requires(Library l) { l.contacts(std::size_t{}); };
+
+  static Answer answer_of(const Contacts& found) {
+    Answer answer;
+    answer.points = found.count;
+    answer.normal = found.normal;
+    answer.overlap = found.count > 0;
+    if (answer.overlap) answer.distance = found.deepest;
+    return answer;
+  }
 
   template <class Ask>
   static double each(std::size_t count, Ask ask) {

@@ -98,6 +98,9 @@ class Bullet {
       for (int k = 0; k < manifolds_[m]->getNumContacts(); ++k) {
         const double depth = static_cast<double>(manifolds_[m]->getContactPoint(k).getDistance());
         if (depth > 0) continue;  // it also keeps points that are near
+        const btVector3& normal = manifolds_[m]->getContactPoint(k).m_normalWorldOnB;
+        found.normal = {static_cast<double>(normal.x()), static_cast<double>(normal.y()),
+                        static_cast<double>(normal.z())};
         ++found.count;
         found.deepest = std::min(found.deepest, depth);
       }

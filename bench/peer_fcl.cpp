@@ -57,7 +57,11 @@ class Fcl {
     const Object &a = objects_[2 * i], &b = objects_[2 * i + 1];
     collision_.clear();
     fcl::collide(a.geometry.get(), a.pose, b.geometry.get(), b.pose, fcl::CollisionRequestd(8, true), collision_);
-    Contacts found{collision_.numContacts(), 0};
+    Contacts found{collision_.numContacts(), 0, {}};
+    if (found.count > 0) {
+      const fcl::Vector3d& normal = collision_.getContact(0).normal;
+      found.normal = {normal.x(), normal.y(), normal.z()};
+    }
     for (std::size_t k = 0; k < found.count; ++k)
       found.deepest = std::min(found.deepest, -collision_.getContact(k).penetration_depth);
     return found;

@@ -29,20 +29,27 @@ class Graze {
     const Placed<T>&a = placed_[2 * i], &b = placed_[2 * i + 1];
     return static_cast<double>(graze::distance(a.shape, a.pose, b.shape, b.pose).distance);
   }
-  Contacts contacts(std::size_t i) {
+  Contacts contacts(std::size_t i) { return contacts_within(i, T(0)); }
+  Contacts resting_contacts(std::size_t i) {
+    return contacts_within(i, contact_margin(placed_[2 * i].shape, placed_[2 * i + 1].shape));
+  }
+
+ private:
+  Contacts contacts_within(std::size_t i, T margin) {
     const Placed<T>&a = placed_[2 * i], &b = placed_[2 * i + 1];
     manifolds_.clear();
-    graze::contacts(a.shape, a.pose, b.shape, b.pose, T(0), manifolds_);
+    graze::contacts(a.shape, a.pose, b.shape, b.pose, margin, manifolds_);
     Contacts found;
-    for (const Manifold<T>& manifold : manifolds_)
+    for (const Manifold<T>& manifold : manifolds_) {
+      found.normal = cast<double>(manifold.normal);
       for (const ContactPoint<T>& point : manifold.points) {
         ++found.count;
         found.deepest = std::min(found.deepest, static_cast<double>(point.distance));
       }
+    }
     return found;
   }
 
- private:
   std::vector<Placed<T>> placed_;
   Manifolds<T> manifolds_;
 };

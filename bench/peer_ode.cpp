@@ -54,7 +54,10 @@ class Ode {
     std::array<dContactGeom, 8> points;
     const int count = dCollide(geoms_[2 * i], geoms_[2 * i + 1], static_cast<int>(points.size()), points.data(),
                                sizeof(dContactGeom));
-    Contacts found{static_cast<std::size_t>(count), 0};
+    Contacts found{static_cast<std::size_t>(count), 0, {}};
+    if (count > 0)
+      found.normal = {static_cast<double>(points[0].normal[0]), static_cast<double>(points[0].normal[1]),
+                      static_cast<double>(points[0].normal[2])};
     for (int k = 0; k < count; ++k) found.deepest = std::min(found.deepest, -static_cast<double>(points[k].depth));
     return found;
   }

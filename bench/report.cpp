@@ -131,6 +131,14 @@ std::string summary(const std::vector<Column>& columns, const std::vector<Row>& 
   return table.text();
 }
 
+std::string flicker_table(const std::vector<Flicker>& flickers) {
+  Table table({"resting box", "library", "kind changes", "number changes", "points"});
+  for (const Flicker& f : flickers)
+    table.add({f.scene, f.library, percent(f.kind_changes, f.frames), percent(f.count_changes, f.frames),
+               printed("%.2f", static_cast<double>(f.points) / static_cast<double>(f.frames))});
+  return table.text();
+}
+
 }  // namespace
 
 double quantile(std::vector<double> values, double share) {
@@ -140,7 +148,8 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows) {
+std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows,
+                   const std::vector<Flicker>& flickers) {
   std::string text = "# Graze beside other libraries\n\n";
   for (const auto& [what, how] : conditions) text += "- " + what + ": " + how + "\n";
   for (const Column& column : columns)
@@ -178,7 +187,13 @@ std::string report(const Conditions& conditions, const std::vector<Column>& colu
       return cell_text(cell, [&](const Cell& c) { return correctness(c, query, column.reference); });
     });
   }
-  return text;
+  if (flickers.empty()) return text;
+  text +=
+      "## At rest\n\n"
+      "A box of 1 m on another, tilted up to 5 mrad, about 1 mm deep, its pose drawn anew in each frame. Shares of\n"
+      "successive frames in which the kind of the contact changes (normal of a face or not) and the number of points;\n"
+      "Graze with its `contact_margin`.\n\n";
+  return text + flicker_table(flickers);
 }
 
 }  // namespace graze::bench

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "peer.hpp"
+#include "resting.hpp"
 
 namespace graze::bench {
 
@@ -37,7 +38,8 @@ struct Column {
 /// How the run was made, as a list of what and how much.
 using Conditions = std::vector<std::pair<std::string, std::string>>;
 
-std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows);
+std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows,
+                   const std::vector<Flicker>& flickers);
 
 /// Of values in any order; 0 of none.
 double quantile(std::vector<double> values, double share);

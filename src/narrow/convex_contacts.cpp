@@ -192,7 +192,8 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   const PolyhedralPair pair(a, b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
   const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + side_a.radius() + side_b.radius() + noise);
-  const double separation = axes.best(noise).separation, signed_distance = separation - side_a.radius() - side_b.radius();
+  const double separation = axes.best(noise).separation,
+               signed_distance = separation - side_a.radius() - side_b.radius();
   const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
   if (distance > static_cast<double>(margin)) return static_cast<T>(distance);
 

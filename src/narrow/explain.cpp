@@ -47,9 +47,8 @@ void trace_segment_box(const Vec3d& half, const Segment<double>& segment, const 
     if (edge) name = name + "x" + segment_name;
     trace.axes.push_back({name, toward, -reach, reach, least(from, to), greatest(from, to)});
   });
-  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(), [](const TraceAxis& p, const TraceAxis& q) {
-    return p.overlap() < q.overlap();
-  });
+  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(),
+                                     [](const TraceAxis& p, const TraceAxis& q) { return p.overlap() < q.overlap(); });
   trace.winner = best->name;
   trace.reason = best->name + (best->overlap() > 0 ? " has the least overlap" : " shows the widest gap of all axes");
 }
