@@ -1,12 +1,14 @@
 #include "narrow/convex_pair.hpp"
 
 #include <array>
+#include <optional>
 
 #include "narrow/explain.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"
 
 // The special pairs, one line each. A pair without a line here takes the general path.
+#include "narrow/pairs/box_box.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/half_space.hpp"
@@ -123,6 +125,28 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
   }
 }
 
+/// Both are boxes, or rectangles, which are boxes of no thickness.
+template <class A, class B, class T>
+concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>> &&
+    std::is_same_v<decltype(core_of(std::declval<B>())), BoxCore<T>>;
+
+template <class A, class B, class T>
+BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {
+  const RelativeFrame frame = relative_frame(pose_a, pose_b);
+  return {cast<double>(core_of(a).half), cast<double>(core_of(b).half), frame.translation, frame.rotation};
+}
+
+/// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
+template <class A, class B, class T>
+std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b, bool faces_only) {
+  const BoxPair<double> boxes = box_pair(ca, a.pose, cb, b.pose);
+  const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
+  const double noise = noise_of(a.shape, b.shape, boxes.translation);
+  if (boxes_apart(boxes, reach + noise, faces_only)) return false;
+  if (faces_only || reach == 0 || !boxes_apart(boxes, noise)) return true;
+  return std::nullopt;
+}
+
 template <class A, class B, class T>
 bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   constexpr bool unbounded = std::is_same_v<B, HalfSpace<T>>;
@@ -136,6 +160,10 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
     return pair_distance<A, B>(a, b, trace).distance <= T(0);
   } else {
+    if constexpr (Boxes<A, B, T>) {
+      if (trace) trace->method = "separating axes";
+      if (const auto touch = boxes_overlap(ca, cb, a, b, false)) return *touch;
+    }
     const bool touch = general_overlap(a.shape, b.shape, relative_in_double(a.pose, b.pose),
                                        static_cast<double>(ra) + static_cast<double>(rb), trace);
     if (trace) to_world(*trace, in_double(a.pose));
@@ -210,9 +238,17 @@ bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
   return touch;
 }
 
+template <class T>
+bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  if (const auto* box_a = a.template as<Box<T>>(), *box_b = b.template as<Box<T>>(); box_a && box_b)
+    return *boxes_overlap(*box_a, *box_b, Body<T>{a, pose_a}, Body<T>{b, pose_b}, true);
+  return convex_overlap<T>(a, pose_a, b, pose_b, nullptr);
+}
+
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
   template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);      \
+  template bool convex_may_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                  \
   template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

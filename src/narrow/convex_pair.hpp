@@ -28,6 +28,10 @@ Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shap
 template <class T>
 bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace);
 
+/// `may_overlap` of two convex shapes.
+template <class T>
+bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
+
 /// `contacts` of two convex shapes: fills the manifold. Returns their signed distance, or where that is more than
 /// `margin`, something between the two.
 template <class T>

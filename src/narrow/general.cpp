@@ -63,12 +63,6 @@ bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, 
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
-  if (const auto boxes = as_boxes(a, b, b_in_a)) {
-    if (trace) trace->method = "separating axes";
-    const double separation = box_separation(*boxes, reach + noise);
-    if (separation > reach + noise) return false;
-    if (separation <= noise) return true;
-  }
   if (trace) trace->method = "gjk";
   // What rounding cannot tell from touching touches, here as in the distance.
   const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};

@@ -61,12 +61,12 @@ void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
   };
   for (std::size_t i = 0; i < 3; ++i) add(AxisKind::face_a, i, i, detail::unit_axis<double>(i));
   for (std::size_t j = 0; j < 3; ++j) add(AxisKind::face_b, j, j, p.rotation.column(j));
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      BoxAxis<double> axis = detail::no_axis<double>();
-      box_edge_axis(p, abs(p.rotation), i, j, axis);
-      if (axis.normal != Vec3d{}) add(AxisKind::edges, i, j, axis.normal);  // parallel edges have none
-    }
+  any_edge_pair([&](auto i, auto j) {
+    BoxAxis<double> axis = detail::no_axis<double>();
+    box_edge_axis<i, j>(p, abs(p.rotation), axis);
+    if (axis.normal != Vec3d{}) add(AxisKind::edges, i, j, axis.normal);  // parallel edges have none
+    return false;
+  });
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ PolyhedralPair::PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed
 SeparatingAxes PolyhedralPair::axes(double enough, Trace* trace) const {
   if (!boxes_) return separating_axes(a_, b_, enough, trace);
   if (trace) trace_box_axes(*boxes_, *trace);
-  const BoxAxes<double> axes = box_axes(*boxes_);
+  const BoxAxes<double> axes = box_axes(*boxes_, enough);
   return {axis_of(AxisKind::face_a, axes.face_a), axis_of(AxisKind::face_b, axes.face_b),
           axis_of(AxisKind::edges, axes.edge)};
 }

@@ -1,7 +1,7 @@
 #include "graze/query.hpp"
 
 #include "mid/composite.hpp"
-#include "narrow/polyhedral_pair.hpp"
+#include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -13,12 +13,8 @@ bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const 
 
 template <class T>
 bool may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
-  if (const auto boxes = as_boxes(a, b, relative_in_double(pose_a, pose_b))) {
-    const double reach = static_cast<double>(a.margin()) + static_cast<double>(b.margin());
-    const double size = max_abs(boxes->half_a) + max_abs(boxes->half_b) + max_abs(boxes->translation);
-    return box_separation(*boxes, reach, true) <= reach + rounding * size;
-  }
-  return overlap(a, pose_a, b, pose_b);
+  if (!a.convex() || !b.convex()) return overlap(a, pose_a, b, pose_b);
+  return convex_may_overlap(a, pose_a, b, pose_b);
 }
 
 template <class T>

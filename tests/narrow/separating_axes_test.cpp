@@ -192,9 +192,9 @@ TEST(SeparatingAxes, LanesOfTheBoxKernelAreTheScalarsBits) {
         for (std::size_t j = 0; j < 3; ++j) wide.rotation.row[k][j].set(lane, m.row[k][j]);
       }
     }
-    const BoxAxes<W> axes = box_axes(wide);
+    const BoxAxes<W> axes = box_axes(wide, W(std::numeric_limits<float>::infinity()));
     for (int lane = 0; lane < 8; ++lane) {
-      const BoxAxes<float> alone = box_axes(one[lane]);
+      const BoxAxes<float> alone = box_axes(one[lane], std::numeric_limits<float>::infinity());
       EXPECT_EQ(axes.face_a.separation[lane], alone.face_a.separation);
       EXPECT_EQ(axes.face_b.separation[lane], alone.face_b.separation);
       EXPECT_EQ(axes.edge.separation[lane], alone.edge.separation);

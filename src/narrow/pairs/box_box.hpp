@@ -8,6 +8,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "graze/mat3.hpp"
 #include "graze/wide.hpp"
@@ -91,52 +92,89 @@ BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
   return best;
 }
 
-/// The product of A's i-th and B's j-th axis. A's axis is a unit vector of the frame, so one component is zero and the
-/// others are entries of the rotation; with them so are the projections of the other axes.
+/// The product of A's i-th and B's j-th axis, e_i x b_j, not of unit length. A's axis is a unit vector of the frame, so
+/// one component is zero and the others are entries of the rotation; with them so are the projections of the other axes.
 template <class S>
-void box_edge_axis(const BoxPair<S>& p, const Mat3<S>& absolute, std::size_t i, std::size_t j, BoxAxis<S>& best) {
-  using std::abs, std::sqrt;
-  const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-  const S x = p.rotation.row[i1][j], y = p.rotation.row[i2][j];  // e_i x b_j = -y e_i1 + x e_i2
-  const S squared = x * x + y * y;
-  const auto distinct = squared > S(parallel_edges<S>);
-  const S scale = S(1) / sqrt(select(distinct, squared, S(1)));
-  const S t = p.translation[i2] * x - p.translation[i1] * y;
-  const S r = p.half_a[i1] * absolute.row[i2][j] + p.half_a[i2] * absolute.row[i1][j] +
-              p.half_b[j1] * absolute.row[i][j2] + p.half_b[j2] * absolute.row[i][j1];
-  const S toward = select(t < S(0), -scale, scale);
-  Vec3<S> normal{S(0), S(0), S(0)};
-  normal[i1] = -y * toward;
-  normal[i2] = x * toward;
-  detail::keep_better(best, distinct, (abs(t) - r) * scale, normal, static_cast<int>(6 + 3 * i + j));
+struct BoxEdgeAxis {
+  S along_1, along_2;  ///< the components along the two axes of A that follow the i-th
+  S middle, reach;     ///< of the centres' distance along it, signed, and of both half extents
+  S length_squared() const { return along_1 * along_1 + along_2 * along_2; }
+};
+
+template <std::size_t I, std::size_t J, class S>
+BoxEdgeAxis<S> box_edge(const BoxPair<S>& p, const Mat3<S>& absolute) {
+  constexpr std::size_t i1 = (I + 1) % 3, i2 = (I + 2) % 3, j1 = (J + 1) % 3, j2 = (J + 2) % 3;
+  const S x = p.rotation.row[i1][J], y = p.rotation.row[i2][J];
+  return {-y, x, p.translation[i2] * x - p.translation[i1] * y,
+          p.half_a[i1] * absolute.row[i2][J] + p.half_a[i2] * absolute.row[i1][J] + p.half_b[j1] * absolute.row[I][j2] +
+              p.half_b[j2] * absolute.row[I][j1]};
 }
 
-/// All fifteen axes.
+template <std::size_t I, std::size_t J, class S>
+void box_edge_axis(const BoxPair<S>& p, const Mat3<S>& absolute, BoxAxis<S>& best) {
+  using std::abs, std::sqrt;
+  const BoxEdgeAxis<S> edge = box_edge<I, J>(p, absolute);
+  const S squared = edge.length_squared();
+  const auto distinct = squared > S(parallel_edges<S>);
+  const S scale = S(1) / sqrt(select(distinct, squared, S(1)));
+  const S toward = select(edge.middle < S(0), -scale, scale);
+  Vec3<S> normal{S(0), S(0), S(0)};
+  normal[(I + 1) % 3] = edge.along_1 * toward;
+  normal[(I + 2) % 3] = edge.along_2 * toward;
+  detail::keep_better(best, distinct, (abs(edge.middle) - edge.reach) * scale, normal, static_cast<int>(6 + 3 * I + J));
+}
+
+/// Calls `f(I, J)`, two constants, for the nine pairs of edges until it says that it knows enough. As constants they
+/// leave nothing of the cyclic indices to run time.
+template <class F>
+bool any_edge_pair(F&& f) {
+  return [&]<std::size_t... K>(std::index_sequence<K...>) {
+    return (f(std::integral_constant<std::size_t, K / 3>{}, std::integral_constant<std::size_t, K % 3>{}) || ...);
+  }
+  (std::make_index_sequence<9>{});
+}
+
+/// All fifteen axes; without those of edges where faces already keep all lanes' boxes more than `enough` apart.
 template <class S>
-BoxAxes<S> box_axes(const BoxPair<S>& p) {
+BoxAxes<S> box_axes(const BoxPair<S>& p, const S& enough) {
   const Mat3<S> absolute = abs(p.rotation);
   BoxAxes<S> axes{box_axes_of_a(p), box_axes_of_b(p, absolute), detail::no_axis<S>()};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) box_edge_axis(p, absolute, i, j, axes.edge);
+  if (all(greatest(axes.face_a.separation, axes.face_b.separation) > enough)) return axes;
+  any_edge_pair([&](auto i, auto j) {
+    box_edge_axis<i, j>(p, absolute, axes.edge);
+    return false;
+  });
   return axes;
 }
 
-/// The largest separation along A's, then B's axes, then those of the edges, and no further than to the first kind
-/// that keeps all lanes' boxes more than `enough` apart: a lower bound of the distance. With `faces_only` the nine edge
-/// axes are left out: it is then too small for some pairs, never too large.
+/// Whether some axis shows a gap of more than `enough` >= 0. Each axis is tried only while not all lanes know; the
+/// products of edges need neither root nor division for it. With `faces_only` they are left out: of some boxes that are
+/// apart it is then not known, of none that touch is it said.
 template <class S>
-S box_separation(const BoxPair<S>& p, const S& enough, bool faces_only = false) {
-  S most = box_axes_of_a(p).separation;
-  if (all(most > enough)) return most;
-  const Mat3<S> absolute = abs(p.rotation);
-  most = greatest(most, box_axes_of_b(p, absolute).separation);
-  if (faces_only || all(most > enough)) return most;
-  BoxAxis<S> edge = detail::no_axis<S>();
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) box_edge_axis(p, absolute, i, j, edge);
-    if (all(greatest(most, edge.separation) > enough)) break;
+auto boxes_apart(const BoxPair<S>& p, const S& enough, bool faces_only = false) {
+  using std::abs;
+  auto apart = abs(p.translation.x) - (p.half_a.x + dot(graze::abs(p.rotation.row[0]), p.half_b)) > enough;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (all(apart)) return apart;
+    const S reach = p.half_a[i] + dot(graze::abs(p.rotation.row[i]), p.half_b);
+    apart = apart | (abs(p.translation[i]) - reach > enough);
   }
-  return greatest(most, edge.separation);
+  const Mat3<S> absolute = abs(p.rotation);
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (all(apart)) return apart;
+    const S reach = p.half_b[j] + dot(absolute.column(j), p.half_a);
+    apart = apart | (abs(dot(p.translation, p.rotation.column(j))) - reach > enough);
+  }
+  if (faces_only) return apart;
+  any_edge_pair([&](auto i, auto j) {
+    if (all(apart)) return true;
+    const BoxEdgeAxis<S> edge = box_edge<i, j>(p, absolute);
+    const S gap = abs(edge.middle) - edge.reach, squared = edge.length_squared();
+    const auto distinct = squared > S(parallel_edges<S>);
+    apart = apart | (distinct & (gap > S(0)) & (gap * gap > enough * enough * squared));
+    return false;
+  });
+  return apart;
 }
 
 }  // namespace graze
