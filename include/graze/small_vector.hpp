@@ -17,7 +17,7 @@ class SmallVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
-  SmallVector() {}
+  SmallVector() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
   SmallVector(const SmallVector& other) { *this = other; }
   SmallVector(SmallVector&& other) noexcept { *this = std::move(other); }
   SmallVector& operator=(const SmallVector& other) {

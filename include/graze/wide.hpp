@@ -25,6 +25,7 @@ struct Wide {
 
   /// One truth value a lane: all bits set, or none.
   struct Mask {
+    static constexpr int lanes = N;
     BitVector bits;
 
     friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
@@ -92,7 +93,7 @@ bool any(const M& mask) {
     return mask;
   } else {
     bool result = false;
-    for (std::size_t i = 0; i < sizeof(mask.bits) / sizeof(mask.bits[0]); ++i) result |= mask.bits[i] != 0;
+    for (int i = 0; i < M::lanes; ++i) result |= mask.bits[i] != 0;
     return result;
   }
 }
@@ -102,7 +103,7 @@ bool all(const M& mask) {
     return mask;
   } else {
     bool result = true;
-    for (std::size_t i = 0; i < sizeof(mask.bits) / sizeof(mask.bits[0]); ++i) result &= mask.bits[i] != 0;
+    for (int i = 0; i < M::lanes; ++i) result &= mask.bits[i] != 0;
     return result;
   }
 }

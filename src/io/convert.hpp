@@ -37,6 +37,7 @@ inline HalfSpace<float> single(const HalfSpace<double>&) { return {}; }
 template <class From>
 std::vector<Vec3f> points(const From& from) {
   std::vector<Vec3f> out;
+  out.reserve(from.size());
   for (const Vec3d& p : from) out.push_back(cast<float>(p));
   return out;
 }

@@ -87,7 +87,7 @@ void draw_shape(const View& view, const Polygons& shape, const Color& color, boo
     const std::string stroke = shape.smooth ? fill : hex(color, 0.55);
     faces.push_back({view.depth(middle), max_abs(box.extent()) > 0.45 * scene_size,
                      fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"{}/>\n", points, fill, stroke,
-                                 glass ? " fill-opacity=\".3\" stroke-opacity=\".5\"" : "")});
+                                 glass ? R"( fill-opacity=".3" stroke-opacity=".5")" : "")});
   }
 }
 

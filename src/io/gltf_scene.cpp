@@ -81,7 +81,7 @@ class SceneReader {
     if (const auto physics = extension(root_, physics_extension)) {
       read_materials(list(*physics, "physicsMaterials"));
       filters_ = list(*physics, "collisionFilters");
-      for (std::size_t i = 0; i < filters_.size(); ++i) read_filter(filters_[i]);
+      for (const JsonValue& filter : filters_) read_filter(filter);
       if (!list(*physics, "physicsJoints").empty()) notice("physicsJoints are skipped: joints are for a solver");
     }
     walk();
@@ -150,8 +150,8 @@ class SceneReader {
   void walk() {
     std::vector<char> visited(nodes_.size(), 0);
     std::vector<Visit> stack;
-    std::vector<std::size_t> roots = root_nodes();
-    for (auto r = roots.rbegin(); r != roots.rend(); ++r) stack.push_back({*r, {}, -1});
+    for (const std::size_t root : root_nodes()) stack.push_back({root, {}, -1});
+    std::reverse(stack.begin(), stack.end());
     while (!stack.empty()) {
       const Visit visit = stack.back();
       stack.pop_back();
@@ -160,9 +160,10 @@ class SceneReader {
         throw InvalidValue(node.path(), "a node with one parent, in a tree", "a node that is reached twice");
       const Affine map = visit.parent * node_transform(node);
       const int body = read_node(visit, node, map);
-      const auto children = list(node, "children");
-      for (auto c = children.rbegin(); c != children.rend(); ++c)
-        stack.push_back({index_below(*c, nodes_.size()), map, body});
+      const auto above = static_cast<std::ptrdiff_t>(stack.size());
+      for (const JsonValue& child : list(node, "children"))
+        stack.push_back({index_below(child, nodes_.size()), map, body});
+      std::reverse(stack.begin() + above, stack.end());  // the first child is visited first
     }
   }
 

@@ -23,7 +23,7 @@ TriangleSoup welded(const TriangleSoup& soup) {
 Shaped bounding_box(const std::vector<Vec3d>& points) {
   Aabbd box = Aabbd::empty();
   for (const Vec3d& p : points) box = merged(box, p);
-  const Shaped shape = Box<double>(box.extent());
+  Shaped shape = Box<double>(box.extent());
   if (box.center() == Vec3d{}) return shape;
   // A box stands about its own origin; one that does not becomes a compound of one.
   return Compound<double>({Placed<double>{shape, {box.center(), {}}}});

@@ -67,6 +67,7 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
   const Aabbd box = scene_bounds(scene);
   const double size = std::max(max_abs(box.extent()), 1e-300);
   std::vector<Vec3d> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i)
     corners.push_back(
         {i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y, i & 4 ? box.upper.z : box.lower.z});

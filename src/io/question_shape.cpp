@@ -92,8 +92,9 @@ Shape<T> read_height_field(const JsonValue& json) {
   const auto values = heights.elements();
   for (std::size_t i = 0; i < values.size(); ++i) {
     hole.push_back(values[i].json().is_null());
-    const T x = (static_cast<T>(i % columns) - static_cast<T>(columns - 1) / T(2)) * dx;
-    const T z = (static_cast<T>(i / columns) - static_cast<T>(rows - 1) / T(2)) * dz;
+    const std::size_t column = i % columns, row = i / columns;
+    const T x = (static_cast<T>(column) - static_cast<T>(columns - 1) / T(2)) * dx;
+    const T z = (static_cast<T>(row) - static_cast<T>(rows - 1) / T(2)) * dz;
     points.push_back({x, hole.back() ? T(0) : values[i].number<T>(), z});
   }
   std::vector<typename Mesh<T>::Index> triangles;

@@ -35,7 +35,7 @@ Polygons of_mesh(const Mesh<double>& mesh, const Posed& pose) {
   Polygons out;
   out.closed = false;
   for (const Vec3d& p : mesh.points()) out.points.push_back(transform(pose, p));
-  for (const auto& t : mesh.triangles()) out.loops.push_back({t.begin(), t.end()});
+  for (const auto& t : mesh.triangles()) out.loops.emplace_back(t.begin(), t.end());
   return out;
 }
 
@@ -65,6 +65,7 @@ void append(Polygons& to, const Polygons& more) {
 Polygons sampled(const Shaped& shape, const Posed& pose) {
   static const std::vector<Vec3d> directions = globe();
   std::vector<Vec3d> points;
+  points.reserve(directions.size());
   for (const Vec3d& d : directions) points.push_back(support(shape, d));
   Polygons out = of_hull(ConvexHull<double>(points), pose);
   const bool flat = shape.as<Box<double>>() || shape.as<Rectangle<double>>() || shape.as<Triangle<double>>();

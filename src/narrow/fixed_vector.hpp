@@ -15,7 +15,7 @@ class FixedVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
-  FixedVector() {}
+  FixedVector() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
   FixedVector(const FixedVector& other) { *this = other; }
   FixedVector& operator=(const FixedVector& other) {
     size_ = other.size_;

@@ -40,6 +40,7 @@ std::vector<std::uint32_t> thinned(const Graph& graph) {
 Graph hull_of(const Graph& fine, const std::vector<std::uint32_t>& kept, std::span<const GridPoint> grid,
               std::vector<std::uint32_t>& finer) {
   std::vector<GridPoint> points;
+  points.reserve(kept.size());
   for (const std::uint32_t i : kept) points.push_back(grid[fine.vertices[i]]);
   const HullSurface surface = hull_surface(points);
   Graph coarse;
@@ -98,7 +99,7 @@ void build_hierarchy(HullData<T>& hull, std::span<const GridPoint> grid) {
     if (level.vertices.size() > coarsest && level.vertices.size() * shrink > last_kept) continue;
     last_kept = level.vertices.size();
     hull.hierarchy.push_back(stored<T>(level, std::move(finer)));
-    finer.resize(last_kept);
+    finer = std::vector<std::uint32_t>(last_kept);
     std::iota(finer.begin(), finer.end(), 0u);
   }
   std::reverse(hull.hierarchy.begin(), hull.hierarchy.end());

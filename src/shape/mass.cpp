@@ -241,6 +241,7 @@ template <class T>
 Moments of_box(const Vec3<T>& half_t, double r) {
   const Vec3d h = cast<double>(half_t);
   std::vector<Vec3d> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z});
   return of_points(corners, r);
 }

@@ -43,10 +43,9 @@ inline constexpr typename LaneOf<S>::type parallel_edges = 4096 * epsilon<S>* ep
 
 namespace detail {
 
-/// Keeps the axis of larger separation; of equal ones the first.
+/// Takes another axis where it is better.
 template <class S, class M>
-void keep_better(BoxAxis<S>& best, const M& valid, const S& separation, const Vec3<S>& normal, int number) {
-  const auto better = valid & (separation > best.separation);
+void keep(BoxAxis<S>& best, const M& better, const S& separation, const Vec3<S>& normal, int number) {
   best.separation = select(better, separation, best.separation);
   best.normal = select(better, normal, best.normal);
   best.number = select(better, S(static_cast<typename LaneOf<S>::type>(number)), best.number);
@@ -74,7 +73,8 @@ BoxAxis<S> box_axes_of_a(const BoxPair<S>& p) {
   for (std::size_t i = 0; i < 3; ++i) {
     const S t = p.translation[i], r = p.half_a[i] + dot(graze::abs(p.rotation.row[i]), p.half_b);
     const Vec3<S> e = detail::unit_axis<S>(i);
-    detail::keep_better(best, t == t, abs(t) - r, select(t < S(0), -e, e), static_cast<int>(i));
+    const S separation = abs(t) - r;
+    detail::keep(best, separation > best.separation, separation, select(t < S(0), -e, e), static_cast<int>(i));
   }
   return best;
 }
@@ -87,7 +87,9 @@ BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
   for (std::size_t j = 0; j < 3; ++j) {
     const Vec3<S> axis = p.rotation.column(j);
     const S t = dot(p.translation, axis), r = p.half_b[j] + dot(absolute.column(j), p.half_a);
-    detail::keep_better(best, t == t, abs(t) - r, select(t < S(0), -axis, axis), static_cast<int>(3 + j));
+    const S separation = abs(t) - r;
+    detail::keep(best, separation > best.separation, separation, select(t < S(0), -axis, axis),
+                 static_cast<int>(3 + j));
   }
   return best;
 }
@@ -121,7 +123,8 @@ void box_edge_axis(const BoxPair<S>& p, const Mat3<S>& absolute, BoxAxis<S>& bes
   Vec3<S> normal{S(0), S(0), S(0)};
   normal[(I + 1) % 3] = edge.along_1 * toward;
   normal[(I + 2) % 3] = edge.along_2 * toward;
-  detail::keep_better(best, distinct, (abs(edge.middle) - edge.reach) * scale, normal, static_cast<int>(6 + 3 * I + J));
+  const S separation = (abs(edge.middle) - edge.reach) * scale;
+  detail::keep(best, distinct & (separation > best.separation), separation, normal, static_cast<int>(6 + 3 * I + J));
 }
 
 /// Calls `f(I, J)`, two constants, for the nine pairs of edges until it says that it knows enough. As constants they
