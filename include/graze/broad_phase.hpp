@@ -1,7 +1,8 @@
 // Broad phases: which of many boxes overlap.
 //
 // Guarantee: exactly the pairs whose closed boxes overlap, each once with the smaller id first, sorted; a function of
-// the boxes and ids alone. They know boxes and ids and no shapes.
+// the boxes and ids alone, whichever structure finds them and however it came about. They know boxes and ids and no
+// shapes. Nothing is dropped: every array grows.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 #include "graze/aabb.hpp"
 #include "graze/error.hpp"
+#include "graze/lines.hpp"
 
 namespace graze {
 
@@ -21,7 +23,7 @@ struct IdPair {
   friend constexpr auto operator<=>(const IdPair&, const IdPair&) = default;
 };
 
-/// The interface that all broad phases share. Ids are the caller's own.
+/// The interface that all broad phases share. Ids are the caller's own; those that lie close together cost least.
 template <class T>
 class BroadPhase {
  public:
@@ -33,15 +35,45 @@ class BroadPhase {
   virtual void remove(std::uint32_t id) = 0;
   virtual void move(std::uint32_t id, const Aabb<T>& box) = 0;
 
-  /// All overlapping pairs, sorted.
+  /// All overlapping pairs, sorted. What moved counts as still from then on.
   virtual void pairs(std::vector<IdPair>& out) = 0;
+  /// Those of them of which at least one was inserted or moved since this or `pairs` was last called; the same order.
+  virtual void moved_pairs(std::vector<IdPair>& out) = 0;
+
   /// The ids of all boxes that overlap `box`, sorted.
   virtual void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const = 0;
+  /// The ids of all boxes that `box` touches while it moves by `motion`, sorted. A point as `box` makes it a ray; with
+  /// no motion it is `query`. Touching counts; a box that rounding cannot tell from touched may be among them.
+  virtual void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const = 0;
+
+  /// Bytes that the structure holds, for comparison.
+  virtual std::size_t memory() const = 0;
 };
 
 /// Sort and sweep along the axis on which the boxes vary most (Baraff 1992, "Dynamic simulation of non-penetrating
-/// rigid bodies", section 5; Ericson 2005, "Real-time collision detection", section 7.5).
+/// rigid bodies", section 5; Ericson 2005, "Real-time collision detection", section 7.5). Kept sorted from call to
+/// call, so that what moves little costs little. No structure to keep up; box queries look at everything.
 template <class T>
 std::unique_ptr<BroadPhase<T>> make_sort_and_sweep();
+
+/// Sweep and prune along all three axes: pairs are kept from call to call, and only ends that pass each other while
+/// they are sorted in change them (Cohen, Lin, Manocha, Ponamgi 1995, "I-COLLIDE"). For scenes in which little moves.
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_sweep_and_prune();
+
+/// A hashed uniform grid (Teschner and others 2003, "Optimized spatial hashing for collision detection of deformable
+/// objects"), its cell size chosen from the boxes. For boxes of similar sizes, wherever they are.
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_hashed_grid();
+
+/// A loose octree: cells of twice their size, so that a box belongs to just one (Ulrich 2000, "Loose octrees", Game
+/// Programming Gems). For boxes of very different sizes.
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_loose_octree();
+
+/// An axis-aligned binary space partition, a k-d tree, built anew when boxes have moved (Bentley 1975, "Multidimensional
+/// binary search trees used for associative searching"). For what stands still.
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_bsp();
 
 }  // namespace graze

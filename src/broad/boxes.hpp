@@ -1,0 +1,126 @@
+// What every broad phase holds: boxes by id, and which of them moved.
+//
+// Guarantee: refuses what the interface refuses; insertion, removal and look-up in constant time.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <unordered_map>
+
+#include "graze/broad_phase.hpp"
+
+namespace graze {
+
+constexpr IdPair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? IdPair{a, b} : IdPair{b, a}; }
+
+/// Boxes in one array without holes. A place in it stays until something is removed: then the last box takes the hole.
+template <class T>
+class BoxTable {
+ public:
+  struct Entry {
+    Aabb<T> box;
+    std::uint32_t id;
+    bool moved;  ///< inserted or moved since the last `settle`
+  };
+
+  /// Returns its place.
+  std::uint32_t insert(std::uint32_t id, const Aabb<T>& box) {
+    check(box);
+    const auto place = static_cast<std::uint32_t>(entries_.size());
+    if (!place_.emplace(id, place).second) throw InvalidValue("id", "an id that is not in use", std::to_string(id));
+    entries_.push_back({box, id, true});
+    return place;
+  }
+  /// Returns the place that was left; what was last in the array is there now, unless it was the last itself.
+  std::uint32_t remove(std::uint32_t id) {
+    const std::uint32_t hole = place(id);
+    place_.erase(id);
+    if (hole + 1 != entries_.size()) {
+      entries_[hole] = entries_.back();
+      place_[entries_[hole].id] = hole;
+    }
+    entries_.pop_back();
+    return hole;
+  }
+  std::uint32_t move(std::uint32_t id, const Aabb<T>& box) {
+    check(box);
+    const std::uint32_t at = place(id);
+    entries_[at].box = box;
+    entries_[at].moved = true;
+    return at;
+  }
+  void settle() {
+    for (Entry& e : entries_) e.moved = false;
+  }
+
+  std::size_t size() const { return entries_.size(); }
+  const Entry& operator[](std::size_t place) const { return entries_[place]; }
+  auto begin() const { return entries_.begin(); }
+  auto end() const { return entries_.end(); }
+  std::uint32_t place(std::uint32_t id) const {
+    const auto found = place_.find(id);
+    if (found == place_.end()) throw InvalidValue("id", "an id that was inserted", std::to_string(id));
+    return found->second;
+  }
+
+  /// The sorted ids of all boxes that `accept(box)`.
+  template <class Accept>
+  void collect(std::vector<std::uint32_t>& out, const Accept& accept) const {
+    out.clear();
+    for (const Entry& e : entries_)
+      if (accept(e.box)) out.push_back(e.id);
+    std::sort(out.begin(), out.end());
+  }
+
+  std::size_t memory() const {
+    return entries_.capacity() * sizeof(Entry) + place_.size() * 2 * sizeof(std::uint32_t[4]) +
+           place_.bucket_count() * sizeof(void*);
+  }
+
+ private:
+  static void check(const Aabb<T>& box) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(box.lower[i] <= box.upper[i]))
+        throw InvalidValue("box", "lower <= upper on every axis",
+                           std::to_string(box.lower[i]) + " and " + std::to_string(box.upper[i]));
+  }
+
+  std::vector<Entry> entries_;
+  std::unordered_map<std::uint32_t, std::uint32_t> place_;
+};
+
+/// Tells whether a box that moves along a straight line touches another: slabs (Kay, Kajiya 1986, "Ray tracing complex
+/// scenes") of the other grown by this one's half extents. Conservative by the rounding of its operations.
+template <class T>
+class SweptBox {
+ public:
+  SweptBox(const Aabb<T>& box, const Vec3<T>& motion) : box_(box), motion_(motion) {}
+
+  bool operator()(const Aabb<T>& other) const {
+    constexpr T slack = T(4) * std::numeric_limits<T>::epsilon();
+    T enter(0), leave(1);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const T v = motion_[i];
+      if (v == T(0)) {
+        if (other.lower[i] > box_.upper[i] || other.upper[i] < box_.lower[i]) return false;
+        continue;
+      }
+      // The interval of times at which the boxes overlap along this axis, wider by what rounding may take off it.
+      const T noise = slack * greatest(std::abs(box_.lower[i]), std::abs(box_.upper[i]));
+      const T low = other.lower[i] - box_.upper[i] - slack * std::abs(other.lower[i]) - noise;
+      const T high = other.upper[i] - box_.lower[i] + slack * std::abs(other.upper[i]) + noise;
+      const T first = (v > T(0) ? low : high) / v, last = (v > T(0) ? high : low) / v;
+      enter = greatest(enter, first - std::abs(first) * slack);
+      leave = least(leave, last + std::abs(last) * slack);
+    }
+    return enter <= leave;
+  }
+  /// What it passes through.
+  Aabb<T> bounds() const { return merged(box_, Aabb<T>{box_.lower + motion_, box_.upper + motion_}); }
+
+ private:
+  Aabb<T> box_;
+  Vec3<T> motion_;
+};
+
+}  // namespace graze
