@@ -35,10 +35,14 @@ class SortAndSweep final : public BroadPhase<T> {
   void find(std::vector<IdPair>& out, bool moved_only) {
     out.clear();
     const std::size_t axis = widest_axis();
-    order_.resize(boxes_.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return boxes_[i].box.lower[axis] < boxes_[j].box.lower[axis]; });
+    if (order_.size() != boxes_.size()) {
+      order_.resize(boxes_.size());
+      std::iota(order_.begin(), order_.end(), 0u);
+    }
+    const auto before = [&](std::uint32_t i, std::uint32_t j) {
+      return boxes_[i].box.lower[axis] < boxes_[j].box.lower[axis];
+    };
+    if (!std::is_sorted(order_.begin(), order_.end(), before)) std::sort(order_.begin(), order_.end(), before);
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const auto& a = boxes_[order_[i]];
       for (std::size_t j = i + 1; j < order_.size(); ++j) {

@@ -115,7 +115,7 @@ std::string draw_points(const Explanation& e, const View& view) {
   for (const Manifold<double>& m : e.manifolds) {
     Vec3d middle;
     for (const auto& p : m.points) middle += p.position() / static_cast<double>(m.points.size());
-    out += "<g stroke=\"#1d3557\" fill=\"none\">" + arrow(view, middle, m.normal) + "</g>\n";
+    out += R"(<g stroke="#1d3557" fill="none">)" + arrow(view, middle, m.normal) + "</g>\n";
     for (const auto& p : m.points) {
       dot_at(p.position(), color_shared);
       out += text(view.x(p.position()), view.y(p.position()) - 7, 11, std::to_string(++number), ink, "middle");
