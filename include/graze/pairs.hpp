@@ -13,6 +13,30 @@
 
 namespace graze {
 
+template <class T>
+class RowSweep;
+
+/// All overlapping pairs of many boxes at once, with no memory of the last frame: rows of a grid over two axes, swept
+/// along the third. What finds the pairs of a frame in which much moves; see `BroadPhase` for what is kept up.
+template <class T>
+class PairFinder {
+ public:
+  PairFinder();
+  ~PairFinder();
+  PairFinder(PairFinder&&) noexcept;
+  PairFinder& operator=(PairFinder&&) noexcept;
+
+  /// The pairs of places in `boxes`, sorted, the smaller first. Boxes with lower <= upper; infinite ones cost a look at
+  /// all others. Cost N log N for any sizes and places, and the number of pairs.
+  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+
+  /// Bytes that are held for the next frame.
+  std::size_t memory() const;
+
+ private:
+  std::unique_ptr<RowSweep<T>> sweep_;
+};
+
 /// Drops from `pairs` those that their filters (`filters[id]`) or `predicate(a, b)` forbid; keeps the order.
 template <class Predicate>
 void keep_allowed(std::vector<IdPair>& pairs, std::span<const Filter> filters, const Predicate& predicate) {
@@ -20,14 +44,12 @@ void keep_allowed(std::vector<IdPair>& pairs, std::span<const Filter> filters, c
                 [&](const IdPair& p) { return !may_collide(filters[p.a], filters[p.b]) || !predicate(p.a, p.b); });
 }
 
-/// The allowed pairs of boxes that overlap: sort and sweep, then filters. Ids are places in `boxes` and `filters`.
+/// The allowed pairs of boxes that overlap. Ids are places in `boxes` and `filters`.
 template <class T, class Predicate>
 std::vector<IdPair> allowed_pairs(std::span<const Aabb<T>> boxes, std::span<const Filter> filters,
                                   const Predicate& predicate) {
-  const auto broad = make_sort_and_sweep<T>();
-  for (std::size_t i = 0; i < boxes.size(); ++i) broad->insert(static_cast<std::uint32_t>(i), boxes[i]);
   std::vector<IdPair> pairs;
-  broad->pairs(pairs);
+  PairFinder<T>().find(boxes, pairs);
   keep_allowed(pairs, filters, predicate);
   return pairs;
 }

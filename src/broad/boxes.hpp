@@ -97,7 +97,6 @@ class SweptBox {
   SweptBox(const Aabb<T>& box, const Vec3<T>& motion) : box_(box), motion_(motion) {}
 
   bool operator()(const Aabb<T>& other) const {
-    constexpr T slack = T(4) * std::numeric_limits<T>::epsilon();
     T enter(0), leave(1);
     for (std::size_t i = 0; i < 3; ++i) {
       const T v = motion_[i];
@@ -106,12 +105,12 @@ class SweptBox {
         continue;
       }
       // The interval of times at which the boxes overlap along this axis, wider by what rounding may take off it.
-      const T noise = slack * greatest(std::abs(box_.lower[i]), std::abs(box_.upper[i]));
-      const T low = other.lower[i] - box_.upper[i] - slack * std::abs(other.lower[i]) - noise;
-      const T high = other.upper[i] - box_.lower[i] + slack * std::abs(other.upper[i]) + noise;
+      const T noise = greatest(noise_of(box_.lower[i]), noise_of(box_.upper[i]));
+      const T low = other.lower[i] - box_.upper[i] - noise_of(other.lower[i]) - noise;
+      const T high = other.upper[i] - box_.lower[i] + noise_of(other.upper[i]) + noise;
       const T first = (v > T(0) ? low : high) / v, last = (v > T(0) ? high : low) / v;
-      enter = greatest(enter, first - std::abs(first) * slack);
-      leave = least(leave, last + std::abs(last) * slack);
+      enter = greatest(enter, first - noise_of(first));
+      leave = least(leave, last + noise_of(last));
     }
     return enter <= leave;
   }
@@ -119,6 +118,12 @@ class SweptBox {
   Aabb<T> bounds() const { return merged(box_, Aabb<T>{box_.lower + motion_, box_.upper + motion_}); }
 
  private:
+  /// More than a number has lost by the few operations it came about with. The infinite ends of boxes are exact.
+  static T noise_of(T v) {
+    const T size = std::abs(v);
+    return size <= std::numeric_limits<T>::max() ? T(4) * std::numeric_limits<T>::epsilon() * size : T(0);
+  }
+
   Aabb<T> box_;
   Vec3<T> motion_;
 };

@@ -1,0 +1,279 @@
+// Broad phases side by side: update and the whole set of pairs, every frame, on one thread.
+//
+//   bench_broad [--largest N] [--frames N] [--filter REGEX]
+//
+// Scenes: `coherent` all boxes drift, `tenth` every tenth does, `teleport` all jump anywhere, `uneven` one in a hundred
+// is 50 times larger, `clustered` in a few heaps far apart. Each box has three to six neighbours. All libraries get the
+// same boxes in single precision, in turns frame by frame; the median is told, and how many pairs each finds (those that
+// keep fat boxes find more than there are).
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <regex>
+#include <string>
+
+#ifdef GRAZE_BENCH_BULLET
+#include <btBulletCollisionCommon.h>
+#endif
+#ifdef GRAZE_BENCH_FCL
+#include <fcl/fcl.h>
+#endif
+
+#include "graze/broad_phase.hpp"
+#include "graze/pairs.hpp"
+#include "random.hpp"
+
+namespace graze::bench {
+
+namespace {
+
+using Boxes = std::vector<Aabbf>;
+
+/// A broad phase that is given the boxes of a frame and returns how many pairs there are.
+struct Contender {
+  std::string name;
+  std::function<void(const Boxes&)> begin;
+  std::function<std::size_t(const Boxes&, const std::vector<std::uint32_t>& moved)> frame;
+};
+
+Contender row_sweep() {
+  struct State {
+    std::vector<IdPair> pairs;
+    PairFinder<float> finder;
+  };
+  auto state = std::make_shared<State>();
+  return {"graze pairs", [](const Boxes&) {},
+          [state](const Boxes& boxes, const auto&) {
+            state->finder.find(boxes, state->pairs);
+            return state->pairs.size();
+          }};
+}
+
+Contender structure(const char* name, std::unique_ptr<BroadPhase<float>> (*make)()) {
+  struct State {
+    std::unique_ptr<BroadPhase<float>> broad;
+    std::vector<IdPair> pairs;
+  };
+  auto state = std::make_shared<State>();
+  return {name,
+          [state, make](const Boxes& boxes) {
+            state->broad = make();
+            for (std::uint32_t i = 0; i < boxes.size(); ++i) state->broad->insert(i, boxes[i]);
+          },
+          [state](const Boxes& boxes, const std::vector<std::uint32_t>& moved) {
+            for (const std::uint32_t i : moved) state->broad->move(i, boxes[i]);
+            state->broad->pairs(state->pairs);
+            return state->pairs.size();
+          }};
+}
+
+#ifdef GRAZE_BENCH_BULLET
+btVector3 vector(const Vec3f& v) { return {v.x, v.y, v.z}; }
+
+template <class Make>
+Contender bullet(const char* name, Make make) {
+  struct State {
+    std::unique_ptr<btBroadphaseInterface> broad;
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    std::vector<btBroadphaseProxy*> proxies;
+    ~State() { clear(); }
+    void clear() {
+      for (btBroadphaseProxy* proxy : proxies) broad->destroyProxy(proxy, &dispatcher);
+      proxies.clear();
+    }
+  };
+  auto state = std::make_shared<State>();
+  return {name,
+          [state, make](const Boxes& boxes) {
+            state->clear();
+            state->broad = make(boxes);
+            for (const Aabbf& box : boxes)
+              state->proxies.push_back(state->broad->createProxy(vector(box.lower), vector(box.upper), 0, nullptr, 1,
+                                                                 -1, &state->dispatcher));
+            state->broad->calculateOverlappingPairs(&state->dispatcher);
+          },
+          [state](const Boxes& boxes, const std::vector<std::uint32_t>& moved) {
+            for (const std::uint32_t i : moved)
+              state->broad->setAabb(state->proxies[i], vector(boxes[i].lower), vector(boxes[i].upper),
+                                    &state->dispatcher);
+            state->broad->calculateOverlappingPairs(&state->dispatcher);
+            return static_cast<std::size_t>(state->broad->getOverlappingPairCache()->getNumOverlappingPairs());
+          }};
+}
+
+std::unique_ptr<btBroadphaseInterface> bullet_tree(const Boxes&) { return std::make_unique<btDbvtBroadphase>(); }
+std::unique_ptr<btBroadphaseInterface> bullet_sweep(const Boxes& boxes) {
+  Aabbf all = Aabbf::empty();
+  for (const Aabbf& box : boxes) all = merged(all, box);
+  const Vec3f room = all.extent();
+  return std::make_unique<bt32BitAxisSweep3>(vector(all.lower - room), vector(all.upper + room),
+                                             static_cast<unsigned>(boxes.size() + 8));
+}
+#endif
+
+#ifdef GRAZE_BENCH_FCL
+Contender fcl_tree() {
+  struct State {
+    std::unique_ptr<fcl::DynamicAABBTreeCollisionManagerf> manager;
+    std::vector<std::unique_ptr<fcl::CollisionObjectf>> objects;
+  };
+  auto state = std::make_shared<State>();
+  const auto place = [](fcl::CollisionObjectf& object, const Aabbf& box) {
+    const Vec3f c = box.center();
+    object.setTranslation({c.x, c.y, c.z});
+    object.computeAABB();
+  };
+  return {"fcl tree",
+          [state, place](const Boxes& boxes) {
+            state->objects.clear();
+            state->manager = std::make_unique<fcl::DynamicAABBTreeCollisionManagerf>();
+            std::vector<fcl::CollisionObjectf*> all;
+            for (const Aabbf& box : boxes) {
+              const Vec3f e = box.extent();
+              state->objects.push_back(
+                  std::make_unique<fcl::CollisionObjectf>(std::make_shared<fcl::Boxf>(e.x, e.y, e.z)));
+              place(*state->objects.back(), box);
+              all.push_back(state->objects.back().get());
+            }
+            state->manager->registerObjects(all);
+            state->manager->setup();
+          },
+          [state, place](const Boxes& boxes, const std::vector<std::uint32_t>& moved) {
+            for (const std::uint32_t i : moved) place(*state->objects[i], boxes[i]);
+            state->manager->update();
+            std::size_t count = 0;
+            state->manager->collide(&count, [](fcl::CollisionObjectf*, fcl::CollisionObjectf*, void* data) {
+              ++*static_cast<std::size_t*>(data);
+              return false;
+            });
+            return count;
+          }};
+}
+#endif
+
+struct Scene {
+  const char* name;
+  double moving;  ///< the share that moves in a frame
+  bool jumps, uneven, clustered;
+};
+constexpr Scene scenes[] = {{"coherent", 1, false, false, false},
+                            {"tenth", 0.1, false, false, false},
+                            {"teleport", 1, true, false, false},
+                            {"uneven", 1, false, true, false},
+                            {"clustered", 1, false, false, true}};
+
+class Motion {
+ public:
+  Motion(const Scene& scene, std::size_t count) : scene_(scene), velocity_(count) {
+    // So many boxes of sides 0.5 to 1.5 in a cube of this side have about four neighbours each.
+    reach_ = 0.5 * std::cbrt(static_cast<double>(count) * 8.0 / 4.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double grown = scene.uneven && i % 100 == 0 ? 50 : 1;
+      boxes.push_back(box_at(
+          anywhere(i), Vec3d{random_.number(0.5, 1.5), random_.number(0.5, 1.5), random_.number(0.5, 1.5)} * grown));
+      velocity_[i] = cast<float>(random_.in_cube(0.02));
+    }
+  }
+  void step() {
+    moved.clear();
+    const auto every = static_cast<std::size_t>(1 / scene_.moving);
+    for (std::size_t i = frame_++ % every; i < boxes.size(); i += every) {
+      Aabbf& box = boxes[i];
+      if (scene_.jumps)
+        box = box_at(anywhere(i), cast<double>(box.extent()));
+      else
+        box = {box.lower + velocity_[i], box.upper + velocity_[i]};
+      moved.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  Boxes boxes;
+  std::vector<std::uint32_t> moved;
+
+ private:
+  Vec3d anywhere(std::size_t i) {
+    if (!scene_.clustered) return random_.in_cube(reach_);
+    return random_.in_cube(reach_ / 4) +
+           Vec3d{40 * double(i % 4), 60 * double(i % 3), 50 * double(i % 5)} * (reach_ / 4);
+  }
+  static Aabbf box_at(const Vec3d& center, const Vec3d& size) {
+    return {cast<float>(center - size * 0.5), cast<float>(center + size * 0.5)};
+  }
+
+  Scene scene_;
+  Random random_{11};
+  double reach_;
+  std::size_t frame_ = 0;
+  std::vector<Vec3f> velocity_;
+};
+
+struct Result {
+  std::vector<double> times;
+  std::size_t pairs = 0;
+};
+
+void run_scene(const Scene& scene, std::size_t count, std::size_t frames, std::vector<Contender>& contenders) {
+  using Clock = std::chrono::steady_clock;
+  Motion motion(scene, count);
+  std::vector<Result> results(contenders.size());
+  for (Contender& c : contenders) c.begin(motion.boxes);
+  for (std::size_t frame = 0; frame < frames + 1; ++frame) {
+    motion.step();
+    for (std::size_t c = 0; c < contenders.size(); ++c) {
+      const auto begin = Clock::now();
+      results[c].pairs = contenders[c].frame(motion.boxes, motion.moved);
+      const double time = std::chrono::duration<double>(Clock::now() - begin).count();
+      if (frame > 0) results[c].times.push_back(time);
+    }
+  }
+  std::printf("| %-9s | %8zu |", scene.name, count);
+  for (Result& r : results) {
+    std::nth_element(r.times.begin(), r.times.begin() + static_cast<std::ptrdiff_t>(r.times.size() / 2), r.times.end());
+    std::printf(" %9.3f (%8zu) |", r.times[r.times.size() / 2] * 1e3, r.pairs);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+int run(int argc, char** argv) {
+  std::size_t largest = 100000, frames = 9;
+  std::string filter = ".*";
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (std::strcmp(argv[i], "--largest") == 0) largest = std::strtoull(argv[i + 1], nullptr, 10);
+    if (std::strcmp(argv[i], "--frames") == 0)
+      frames = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
+    if (std::strcmp(argv[i], "--filter") == 0) filter = argv[i + 1];
+  }
+  const auto make = [&] {
+    std::vector<Contender> all{row_sweep(), structure("sort+sweep", make_sort_and_sweep<float>)};
+#ifdef GRAZE_BENCH_BULLET
+    all.push_back(bullet("bullet dbvt", bullet_tree));
+    all.push_back(bullet("bullet sap", bullet_sweep));
+#endif
+#ifdef GRAZE_BENCH_FCL
+    all.push_back(fcl_tree());
+#endif
+    std::erase_if(all, [&](const Contender& c) { return !std::regex_search(c.name, std::regex(filter)); });
+    return all;
+  };
+  std::printf("milliseconds a frame (pairs)\n| %-9s | %8s |", "scene", "boxes");
+  for (const Contender& c : make()) std::printf(" %20s |", c.name.c_str());
+  std::printf("\n");
+  for (const Scene& scene : scenes)
+    for (std::size_t count = 1000; count <= largest; count *= 10) {
+      auto contenders = make();
+      run_scene(scene, count, frames, contenders);
+    }
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace graze::bench
+
+int main(int argc, char** argv) { return graze::bench::run(argc, argv); }

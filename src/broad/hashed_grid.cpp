@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <mutex>
+
+#include "broad/boxes.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Cells for the median box: of twice its length, so that it lies in (1 + 1/2)^3 = 3.4 cells on average.
+constexpr double cell_per_box = 2;
+/// A box in more cells than this is held apart and tested against all: four along each axis, so that boxes of up to
+/// six times the median are in the grid.
+constexpr double max_cells_per_box = 64;
+/// Further cells from the origin than this are one: neighbouring doubles are more than a cell apart there.
+constexpr double farthest_cell = 0x1p52;
+
+using Cell = std::array<std::int64_t, 3>;
+
+/// The cells from `low` to `high`, both included.
+struct CellRange {
+  Cell low, high;
+
+  double count() const {
+    double product = 1;
+    for (std::size_t i = 0; i < 3; ++i) product *= static_cast<double>(high[i] - low[i]) + 1;
+    return product;
+  }
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) visit(Cell{x, y, z});
+  }
+};
+
+/// The cell in which a pair is reported: the one of the lower corner of the intersection. Rounding to cells is
+/// monotonic, so that it is the greater of the two lower cells on each axis.
+Cell first_common(const Cell& a, const Cell& b) {
+  return {std::max(a[0], b[0]), std::max(a[1], b[1]), std::max(a[2], b[2])};
+}
+
+/// Any mixing will do: cells are compared after their hashes. Multiplied by large primes, as in the paper, then
+/// Fibonacci hashing, which takes the upper bits (Knuth, "The art of computer programming", volume 3, section 6.4).
+std::uint64_t hash(const Cell& cell) {
+  const auto bits = [&](std::size_t i) { return static_cast<std::uint64_t>(cell[i]); };
+  return ((bits(0) * 73856093u) ^ (bits(1) * 19349663u) ^ (bits(2) * 83492791u)) * 0x9E3779B97F4A7C15u;
+}
+
+/// The boxes of a table by cell. All that is in a bucket stands together.
+template <class T>
+class Grid {
+ public:
+  struct Item {
+    Cell cell;
+    std::uint32_t place;
+  };
+
+  void build(const BoxTable<T>& boxes) {
+    choose_cell(boxes);
+    ranges_.clear();
+    is_large_.clear();
+    large_.clear();
+    std::size_t count = 0;
+    for (std::uint32_t place = 0; place < boxes.size(); ++place) {
+      ranges_.push_back(range(boxes[place].box));
+      const double cells = ranges_.back().count();
+      is_large_.push_back(cells > max_cells_per_box);
+      if (is_large_.back())
+        large_.push_back(place);
+      else
+        count += static_cast<std::size_t>(cells);
+    }
+    fill(count);
+  }
+
+  CellRange range(const Aabb<T>& box) const {
+    CellRange result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.low[i] = coordinate(box.lower[i]);
+      result.high[i] = coordinate(box.upper[i]);
+    }
+    return result;
+  }
+  bool is_large(std::uint32_t place) const { return is_large_[place]; }
+  const std::vector<std::uint32_t>& large() const { return large_; }
+  const Cell& lowest_cell(std::uint32_t place) const { return ranges_[place].low; }
+  double cell_size() const { return cell_; }
+  double size() const { return static_cast<double>(items_.size()); }
+
+  /// `visit(begin, end)` for the items of each bucket: several cells may be among them.
+  template <class Visit>
+  void for_each_bucket(const Visit& visit) const {
+    for (std::size_t b = 0; b + 1 < start_.size(); ++b) visit(items_.data() + start_[b], items_.data() + start_[b + 1]);
+  }
+  /// `visit(place)` for all that is in the cell.
+  template <class Visit>
+  void for_each_in(const Cell& cell, const Visit& visit) const {
+    const std::size_t b = bucket(cell);
+    for (std::size_t i = start_[b]; i < start_[b + 1]; ++i)
+      if (items_[i].cell == cell) visit(items_[i].place);
+  }
+
+  std::size_t memory() const {
+    return lengths_.capacity() * sizeof(double) + ranges_.capacity() * sizeof(CellRange) + is_large_.capacity() / 8 +
+           items_.capacity() * sizeof(Item) + (start_.capacity() + large_.capacity()) * sizeof(std::uint32_t);
+  }
+
+ private:
+  /// By the median, which a few large boxes do not change, of what has a length. Points can only meet where they are
+  /// equal, so that for points alone a small part of what they span will do.
+  void choose_cell(const BoxTable<T>& boxes) {
+    lengths_.clear();
+    double farthest = 0;
+    for (const auto& e : boxes) {
+      const double length = static_cast<double>(max_abs(e.box.extent()));
+      const double reach = static_cast<double>(max_abs(e.box.lower));
+      if (length > 0 && length <= std::numeric_limits<double>::max()) lengths_.push_back(length);
+      if (reach > farthest && reach <= std::numeric_limits<double>::max()) farthest = reach;
+    }
+    if (!lengths_.empty()) {
+      const auto middle = lengths_.begin() + static_cast<std::ptrdiff_t>(lengths_.size() / 2);
+      std::nth_element(lengths_.begin(), middle, lengths_.end());
+      cell_ = cell_per_box * *middle;
+    } else {
+      cell_ = farthest / (static_cast<double>(boxes.size()) + 1);
+    }
+    cell_ = clamp(cell_, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
+  }
+  std::int64_t coordinate(T x) const {
+    return static_cast<std::int64_t>(std::floor(clamp(static_cast<double>(x) / cell_, -farthest_cell, farthest_cell)));
+  }
+
+  /// Counting sort by bucket; within one, by place.
+  void fill(std::size_t count) {
+    bits_ = 1;
+    while ((std::size_t(1) << bits_) < count) ++bits_;
+    start_.assign((std::size_t(1) << bits_) + 1, 0);
+    for_each_item([&](const Cell& cell, std::uint32_t) { ++start_[bucket(cell)]; });
+    std::uint32_t sum = 0;
+    for (std::uint32_t& s : start_) s = sum += s;
+    items_.resize(count);
+    for_each_item([&](const Cell& cell, std::uint32_t place) { items_[--start_[bucket(cell)]] = {cell, place}; });
+  }
+  template <class Visit>
+  void for_each_item(const Visit& visit) const {
+    for (std::uint32_t place = 0; place < ranges_.size(); ++place)
+      if (!is_large(place)) ranges_[place].for_each([&](const Cell& cell) { visit(cell, place); });
+  }
+  std::size_t bucket(const Cell& cell) const { return static_cast<std::size_t>(hash(cell) >> (64 - bits_)); }
+
+  double cell_ = 1;
+  unsigned bits_ = 1;                 ///< the logarithm of the number of buckets
+  std::vector<CellRange> ranges_;     ///< of all boxes
+  std::vector<Item> items_;           ///< by bucket
+  std::vector<std::uint32_t> start_;  ///< of each bucket among the items, and their end
+  std::vector<bool> is_large_;        ///< likewise
+  std::vector<std::uint32_t> large_;
+  std::vector<double> lengths_;  ///< kept for its storage
+};
+
+template <class T>
+class HashedGrid final : public BroadPhase<T> {
+ public:
+  void insert(std::uint32_t id, const Aabb<T>& box) override {
+    boxes_.insert(id, box);
+    stale_ = true;
+  }
+  void remove(std::uint32_t id) override {
+    boxes_.remove(id);
+    stale_ = true;
+  }
+  void move(std::uint32_t id, const Aabb<T>& box) override {
+    boxes_.move(id, box);
+    stale_ = true;
+  }
+
+  void pairs(std::vector<IdPair>& out) override { find(out, false); }
+  void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
+
+  void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
+    refresh();
+    out.clear();
+    const auto accept = [&](const Aabb<T>& other) { return overlap(other, box); };
+    const CellRange cells = grid_.range(box);
+    if (!(cells.count() <= grid_.size())) return boxes_.collect(out, accept);
+    collect_large(out, accept);
+    cells.for_each([&](const Cell& cell) {
+      grid_.for_each_in(cell, [&](std::uint32_t place) {
+        if (first_common(cells.low, grid_.lowest_cell(place)) == cell && accept(boxes_[place].box))
+          out.push_back(boxes_[place].id);
+      });
+    });
+    std::sort(out.begin(), out.end());
+  }
+
+  /// In steps of about a cell, so that few cells are visited beside the way.
+  void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
+    refresh();
+    out.clear();
+    const SweptBox<T> accept(box, motion);
+    const double steps = std::ceil(static_cast<double>(max_abs(motion)) / grid_.cell_size()) + 1;
+    double visits = steps;
+    const Aabb<T> wide = widened(box, motion);
+    if (!is_finite(wide)) return boxes_.collect(out, accept);
+    if (visits <= grid_.size()) for_each_step(wide, motion, steps, [&](const CellRange& c) { visits += c.count(); });
+    if (!(visits <= grid_.size())) return boxes_.collect(out, accept);
+    collect_large(out, accept);
+    for_each_step(wide, motion, steps, [&](const CellRange& cells) {
+      cells.for_each([&](const Cell& cell) {
+        grid_.for_each_in(cell, [&](std::uint32_t place) {
+          if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
+        });
+      });
+    });
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+  }
+  std::size_t memory() const override { return boxes_.memory() + grid_.memory(); }
+
+ private:
+  /// Queries from several threads at a time may all find the grid out of date.
+  void refresh() const {
+    if (!stale_) return;
+    const std::scoped_lock lock(mutex_);
+    if (stale_) grid_.build(boxes_);
+    stale_ = false;
+  }
+
+  void find(std::vector<IdPair>& out, bool moved_only) {
+    refresh();
+    out.clear();
+    const auto test = [&](const auto& a, const auto& b) {
+      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
+    };
+    grid_.for_each_bucket([&](const auto* begin, const auto* end) {
+      for (auto* i = begin; i < end; ++i)
+        for (auto* j = i + 1; j < end; ++j)
+          if (i->cell == j->cell && first_common(grid_.lowest_cell(i->place), grid_.lowest_cell(j->place)) == i->cell)
+            test(boxes_[i->place], boxes_[j->place]);
+    });
+    for (const std::uint32_t i : grid_.large())
+      for (std::uint32_t j = 0; j < boxes_.size(); ++j)
+        if (j < i || !grid_.is_large(j)) test(boxes_[i], boxes_[j]);
+    std::sort(out.begin(), out.end());
+    boxes_.settle();
+  }
+
+  template <class Accept>
+  void collect_large(std::vector<std::uint32_t>& out, const Accept& accept) const {
+    for (const std::uint32_t place : grid_.large())
+      if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
+  }
+
+  /// By more than what `SweptBox` allows for rounding.
+  static Aabb<T> widened(const Aabb<T>& box, const Vec3<T>& motion) {
+    const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
+    return inflated(box, T(32) * std::numeric_limits<T>::epsilon() * reach);
+  }
+  static bool is_finite(const Aabb<T>& box) {
+    constexpr T most = std::numeric_limits<T>::max();
+    return contains(Aabb<T>{{-most, -most, -most}, {most, most, most}}, box);
+  }
+  /// `visit(cells)` for what the box passes through in each of `steps` equal times.
+  template <class Visit>
+  void for_each_step(const Aabb<T>& box, const Vec3<T>& motion, double steps, const Visit& visit) const {
+    for (double step = 0; step < steps; ++step) {
+      const Vec3<T> begin = motion * static_cast<T>(step / steps), end = motion * static_cast<T>((step + 1) / steps);
+      visit(grid_.range(
+          merged(Aabb<T>{box.lower + begin, box.upper + begin}, Aabb<T>{box.lower + end, box.upper + end})));
+    }
+  }
+
+  BoxTable<T> boxes_;
+  mutable Grid<T> grid_;
+  mutable std::atomic<bool> stale_ = true;
+  mutable std::mutex mutex_;
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_hashed_grid() {
+  return std::make_unique<HashedGrid<T>>();
+}
+
+template std::unique_ptr<BroadPhase<float>> make_hashed_grid();
+template std::unique_ptr<BroadPhase<double>> make_hashed_grid();
+
+}  // namespace graze

@@ -1,0 +1,277 @@
+#include <algorithm>
+
+#include "broad/boxes.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Levels below the root: the smallest cells are 2^-20 of it, a millimetre in a kilometre. Bounds all recursion.
+constexpr unsigned max_depth = 20;
+/// A cell with no more boxes keeps those that would fit its children: as many tests cost less than a level more.
+constexpr std::size_t max_crowd = 8;
+/// One in so many boxes that lie outside the root before the root is chosen anew.
+constexpr std::size_t max_astray_share = 8;
+
+/// Cubes halved along each axis. A box belongs to the cell that its centre is in, on the level where a cell is as long
+/// as the box or more: then it sticks out by half a cell at most. Where boxes are put is a matter of speed only: each
+/// node knows the bounds of all boxes in and below it, and these alone decide what is looked at.
+template <class T>
+class LooseOctree final : public BroadPhase<T> {
+ public:
+  void insert(std::uint32_t id, const Aabb<T>& box) override {
+    boxes_.insert(id, box);
+    spot_.emplace_back();
+    put(static_cast<std::uint32_t>(boxes_.size() - 1));
+    if (is_worn()) build();
+  }
+  void remove(std::uint32_t id) override {
+    const std::uint32_t hole = boxes_.place(id);
+    take(hole);
+    boxes_.remove(id);
+    if (hole < boxes_.size()) {
+      spot_[hole] = spot_.back();
+      nodes_[spot_[hole].node].items[spot_[hole].index] = hole;
+    }
+    spot_.pop_back();
+  }
+  void move(std::uint32_t id, const Aabb<T>& box) override {
+    const std::uint32_t place = boxes_.move(id, box);
+    take(place);
+    put(place);
+    if (is_worn()) build();
+  }
+
+  void pairs(std::vector<IdPair>& out) override { find(out, false); }
+  void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
+
+  void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
+    const auto accept = [&](const Aabb<T>& other) { return overlap(other, box); };
+    collect(accept, accept, out);
+  }
+  void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
+    // Rounding might let the bounds of a node be missed though a box in it is just hit: hence wider for nodes, by more
+    // than the sum of the test's roundings.
+    const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
+    const SweptBox<T> accept(box, motion);
+    if (!(reach <= std::numeric_limits<T>::max())) return boxes_.collect(out, accept);
+    collect(SweptBox<T>(inflated(box, T(32) * std::numeric_limits<T>::epsilon() * reach), motion), accept, out);
+  }
+  std::size_t memory() const override {
+    std::size_t items = 0;
+    for (const Node& node : nodes_) items += node.items.capacity();
+    return boxes_.memory() + spot_.capacity() * sizeof(Spot) + nodes_.capacity() * sizeof(Node) +
+           (items + stack_.capacity()) * sizeof(std::uint32_t);
+  }
+
+ private:
+  struct Node {
+    Aabb<T> bounds = Aabb<T>::empty();  ///< of what is in and below it, or more
+    std::uint32_t children = 0;         ///< the first of eight; 0 for none
+    std::vector<std::uint32_t> items;
+  };
+  struct Spot {
+    std::uint32_t node = 0, index = 0;
+  };
+  struct Cube {
+    Vec3<T> center{};
+    T half = 0;
+
+    Cube child(unsigned octant) const {
+      Cube c{center, half * T(0.5)};
+      for (std::size_t i = 0; i < 3; ++i) c.center[i] += (octant >> i & 1) != 0 ? c.half : -c.half;
+      return c;
+    }
+    unsigned octant(const Vec3<T>& p) const {
+      return (p.x >= center.x ? 1u : 0u) | (p.y >= center.y ? 2u : 0u) | (p.z >= center.z ? 4u : 0u);
+    }
+  };
+
+  static bool is_finite(const Aabb<T>& box) { return max_abs(box.extent()) <= std::numeric_limits<T>::max(); }
+
+  void put(std::uint32_t place) {
+    const Aabb<T>& box = boxes_[place].box;
+    if (is_finite(box) && !(max_abs(box.center() - root_.center) <= root_.half)) ++astray_;
+    put(place, 0, root_, 0);
+  }
+  /// Into the node or one below it. A full node hands on to its new children what fits them.
+  void put(std::uint32_t place, std::uint32_t node, Cube cube, unsigned depth) {
+    const Aabb<T>& box = boxes_[place].box;
+    for (;; ++depth) {
+      nodes_[node].bounds = merged(nodes_[node].bounds, box);
+      if (!fits_child(box, cube, depth)) break;
+      if (nodes_[node].children == 0) {
+        if (nodes_[node].items.size() < max_crowd) break;
+        split(node, cube, depth);
+      }
+      const unsigned octant = cube.octant(box.center());
+      node = nodes_[node].children + octant;
+      cube = cube.child(octant);
+    }
+    hang(place, node);
+  }
+  /// Half-infinite and NaN lengths, too, are not below any limit.
+  static bool fits_child(const Aabb<T>& box, const Cube& cube, unsigned depth) {
+    return depth < max_depth && max_abs(box.extent()) <= cube.half && is_finite(box);
+  }
+  void split(std::uint32_t node, const Cube& cube, unsigned depth) {
+    nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.resize(nodes_.size() + 8);
+    std::vector<std::uint32_t> items;
+    items.swap(nodes_[node].items);
+    for (const std::uint32_t place : items) {
+      if (!fits_child(boxes_[place].box, cube, depth)) {
+        hang(place, node);
+        continue;
+      }
+      const unsigned octant = cube.octant(boxes_[place].box.center());
+      put(place, nodes_[node].children + octant, cube.child(octant), depth + 1);
+    }
+  }
+  void hang(std::uint32_t place, std::uint32_t node) {
+    spot_[place] = {node, static_cast<std::uint32_t>(nodes_[node].items.size())};
+    nodes_[node].items.push_back(place);
+  }
+  void take(std::uint32_t place) {
+    const Spot spot = spot_[place];
+    auto& items = nodes_[spot.node].items;
+    items[spot.index] = items.back();
+    spot_[items[spot.index]].index = spot.index;
+    items.pop_back();
+  }
+
+  /// Whether the root no longer suits the boxes, or too many nodes are left over from where boxes have been.
+  bool is_worn() const {
+    return astray_ * max_astray_share > boxes_.size() || nodes_.size() > 2 * nodes_built_ + boxes_.size() + 64;
+  }
+  void build() {
+    choose_root();
+    nodes_.assign(1, {});
+    for (std::uint32_t place = 0; place < boxes_.size(); ++place) put(place);
+    astray_ = 0;  // what is still outside stays there, and does not ask for another root
+    nodes_built_ = nodes_.size();
+  }
+  /// Around all but the outermost of the centres on each axis, and as much again: so a few boxes far away do not make
+  /// all others share a cell. Those then count for the outermost cells.
+  void choose_root() {
+    root_ = {};
+    std::vector<T> centers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      centers.clear();
+      for (const auto& e : boxes_)
+        if (is_finite(e.box)) centers.push_back(e.box.center()[axis]);
+      if (centers.empty()) return;
+      const std::size_t n = centers.size(), few = n / (4 * max_astray_share);
+      const auto low = centers.begin() + static_cast<std::ptrdiff_t>(few);
+      const auto high = centers.begin() + static_cast<std::ptrdiff_t>(n - 1 - few);
+      std::nth_element(centers.begin(), low, centers.end());
+      std::nth_element(low, high, centers.end());
+      root_.center[axis] = (*low + *high) * T(0.5);
+      root_.half = greatest(root_.half, *high - *low);
+    }
+  }
+
+  void find(std::vector<IdPair>& out, bool moved_only) {
+    tighten();
+    out.clear();
+    const auto test = [&](std::uint32_t i, std::uint32_t j) {
+      const auto &a = boxes_[i], &b = boxes_[j];
+      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
+    };
+    within(0, test);
+    std::sort(out.begin(), out.end());
+    boxes_.settle();
+  }
+  /// What left a node leaves its bounds too large. Children come after their parents.
+  void tighten() {
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+      Node& node = nodes_[n];
+      node.bounds = Aabb<T>::empty();
+      for (const std::uint32_t place : node.items) node.bounds = merged(node.bounds, boxes_[place].box);
+      if (node.children != 0)
+        for (unsigned c = 0; c < 8; ++c) node.bounds = merged(node.bounds, nodes_[node.children + c].bounds);
+    }
+  }
+  /// All pairs of which both are in or below the node.
+  template <class Test>
+  void within(std::uint32_t n, const Test& test) {
+    const Node& node = nodes_[n];
+    for (std::size_t i = 0; i < node.items.size(); ++i)
+      for (std::size_t j = i + 1; j < node.items.size(); ++j) test(node.items[i], node.items[j]);
+    if (node.children == 0) return;
+    for (unsigned c = 0; c < 8; ++c) {
+      against(node, node.children + c, test);
+      within(node.children + c, test);
+      for (unsigned d = c + 1; d < 8; ++d) between(node.children + c, node.children + d, test);
+    }
+  }
+  /// All pairs of one in or below the first node and one in or below the second.
+  template <class Test>
+  void between(std::uint32_t m, std::uint32_t n, const Test& test) {
+    const Node &a = nodes_[m], &b = nodes_[n];
+    if (!overlap(a.bounds, b.bounds)) return;
+    against(a, n, test);
+    if (a.children == 0) return;
+    for (unsigned c = 0; c < 8; ++c) {
+      against(b, a.children + c, test);
+      if (b.children == 0) continue;
+      for (unsigned d = 0; d < 8; ++d) between(a.children + c, b.children + d, test);
+    }
+  }
+  /// All pairs of an item of the node and one in or below the other.
+  template <class Test>
+  void against(const Node& node, std::uint32_t n, const Test& test) {
+    for (const std::uint32_t item : node.items) {
+      const Aabb<T>& box = boxes_[item].box;
+      visit(
+          n, [&](const Aabb<T>& bounds) { return overlap(bounds, box); },
+          [&](std::uint32_t other) { test(item, other); }, stack_);
+    }
+  }
+
+  template <class Enter, class Accept>
+  void collect(const Enter& enter, const Accept& accept, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    std::vector<std::uint32_t> stack;
+    visit(
+        0, enter,
+        [&](std::uint32_t place) {
+          if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
+        },
+        stack);
+    std::sort(out.begin(), out.end());
+  }
+  /// `see(place)` for all boxes in and below the node, except where `enter(bounds)` refuses.
+  template <class Enter, class See>
+  void visit(std::uint32_t root, const Enter& enter, const See& see, std::vector<std::uint32_t>& stack) const {
+    stack.assign(1, root);
+    while (!stack.empty()) {
+      const Node& node = nodes_[stack.back()];
+      stack.pop_back();
+      if (!enter(node.bounds)) continue;
+      for (const std::uint32_t place : node.items) see(place);
+      if (node.children != 0)
+        for (unsigned c = 0; c < 8; ++c) stack.push_back(node.children + c);
+    }
+  }
+
+  BoxTable<T> boxes_;
+  std::vector<Spot> spot_;  ///< of each place in the table
+  std::vector<Node> nodes_ = std::vector<Node>(1);
+  Cube root_;
+  std::size_t astray_ = 0;  ///< boxes put outside the root since it was chosen
+  std::size_t nodes_built_ = 1;
+  std::vector<std::uint32_t> stack_;  ///< kept for its storage
+};
+
+}  // namespace
+
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_loose_octree() {
+  return std::make_unique<LooseOctree<T>>();
+}
+
+template std::unique_ptr<BroadPhase<float>> make_loose_octree();
+template std::unique_ptr<BroadPhase<double>> make_loose_octree();
+
+}  // namespace graze
