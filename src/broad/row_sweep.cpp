@@ -71,7 +71,7 @@ void RowSweep<T>::sort_into_rows(std::span<const Aabb<T>> boxes, std::span<const
     const Aabb<T>& b = boxes[p];
     const auto y = static_cast<std::uint64_t>(std::int64_t{row_y(b)} - low_y);
     const auto z = static_cast<std::uint64_t>(std::int64_t{row_z(b)} - low_z);
-    const std::uint64_t x = order_key(b.lower.x) >> (32 - bits_x);
+    const std::uint64_t x = std::uint64_t{order_key(b.lower.x)} >> (32 - bits_x);
     items_.push_back({(((y << bits_z) | z) << bits_x) | x, p});
   }
   radix_sort(items_, scratch_, bits_x + bits_y + bits_z);
