@@ -195,7 +195,10 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   const double separation = axes.best(noise).separation,
                signed_distance = separation - side_a.radius() - side_b.radius();
   const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
-  if (distance > static_cast<double>(margin)) return static_cast<T>(distance);
+  if (distance > static_cast<double>(margin)) {
+    manifold.normal = cast<T>(rotate(frame.rotation, axes.best(noise).normal));
+    return static_cast<T>(distance);
+  }
 
   const double smaller = smaller_size(side_a, side_b);
   const SeparatingAxis& axis = chosen_axis(axes, smaller);
@@ -248,6 +251,7 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   if (has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, trace);
+  manifold.normal = d.normal;
   if (d.status == Status::unbounded || !(d.distance <= margin)) return d.distance;
   const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;
   if (half_a && half_b) {

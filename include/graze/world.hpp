@@ -1,0 +1,78 @@
+// A world: bodies that come, move and go, and what touches in it from update to update.
+//
+//     poses -> bounds -> candidate pairs -> filter -> bins by pair type -> manifolds -> begin, stay, end
+//
+// Guarantee: the result of an update is a function of the calls made so far alone: the same bits for any executor and
+// any number of threads. Nothing is dropped: arrays grow. Each stage stands in a header of its own under
+// `graze/world/`, reads plain arrays and leaves one, and can be used without the others.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "graze/world/bodies.hpp"
+#include "graze/world/bounds.hpp"
+#include "graze/world/candidates.hpp"
+#include "graze/world/events.hpp"
+#include "graze/world/manifolds.hpp"
+
+namespace graze {
+
+template <class T>
+struct WorldSettings {
+  /// Contacts are reported up to this far apart; by default up to `contact_margin` of the two.
+  std::optional<T> margin;
+  /// A last word on a pair that its filters allow. Called from the thread that calls `update`.
+  std::function<bool(BodyId, BodyId)> allow;
+};
+
+template <class T>
+class World {
+ public:
+  explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)
+      : settings_(std::move(settings)), executor_(executor ? executor : &serial_), bodies_(settings_.margin) {}
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Throws `InvalidValue` for a pose or velocity that is not finite.
+  BodyId add(Body<T> body) { return bodies_.add(std::move(body)); }
+  /// These throw `InvalidValue` for a handle whose body was removed, and for what is not finite.
+  void remove(BodyId id) { bodies_.remove(id); }
+  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear = {}, const Vec3<T>& angular = {}) {
+    bodies_.move(id, pose, linear, angular);
+  }
+  void set_shape(BodyId id, Shape<T> shape) { bodies_.set_shape(id, std::move(shape)); }
+  void set_filter(BodyId id, const Filter& filter) { bodies_.set_filter(id, filter); }
+
+  const BodyArrays<T>& bodies() const { return bodies_; }
+
+  /// Finds what touches now. Costs what changed since the last update while that is little.
+  void update();
+
+  /// What the last update found. Solvers write the points' impulses.
+  ContactArrays<T>& contacts() { return manifolds_.contacts(); }
+  const ContactArrays<T>& contacts() const { return manifolds_.contacts(); }
+  std::span<const ContactEvent> events() const { return events_; }
+
+  /// Bytes that are held, shapes' own data apart.
+  std::size_t memory() const;
+
+ private:
+  void filter(std::span<const IdPair> candidates);
+
+  WorldSettings<T> settings_;
+  SerialExecutor serial_;
+  Executor* executor_;
+  BodyArrays<T> bodies_;
+  std::vector<Aabb<T>> boxes_;
+  CandidateFinder<T> candidates_;
+  std::vector<IdPair> allowed_;
+  ManifoldFinder<T> manifolds_;
+  EventTracker tracker_;
+  std::vector<ContactEvent> events_;
+};
+
+using Worldf = World<float>;
+using Worldd = World<double>;
+
+}  // namespace graze

@@ -1,0 +1,30 @@
+// The fourth stage of a world: pairs sorted by the types of their shapes.
+//
+// Guarantee: every pair stands in one bin, the pairs of a bin in their own order. What runs over a bin meets one kind of
+// pair after the other and foresees its branches.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graze/broad_phase.hpp"
+#include "graze/shape.hpp"
+
+namespace graze {
+
+/// The pairs of two types of shapes: `order[begin]` to `order[end - 1]`.
+struct Bin {
+  std::uint8_t type_a, type_b;  ///< places in `ShapeList`
+  std::uint32_t begin, end;
+};
+
+struct Bins {
+  std::vector<std::uint32_t> order;  ///< places among the pairs
+  std::vector<Bin> bins;             ///< those that are not empty, by type
+};
+
+/// Sorts `pairs` of places in `shapes` by counting: linear in the number of pairs.
+template <class T>
+void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out);
+
+}  // namespace graze

@@ -1,0 +1,95 @@
+// Bodies: what stands in a world, in arrays by index.
+//
+// Guarantee: an index names the same body from its insertion to its removal; a handle whose body was removed is
+// refused, also when the index is in use again. Insertion, removal and look-up take constant time.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "graze/filter.hpp"
+#include "graze/shape.hpp"
+
+namespace graze {
+
+/// A handle: the index of a body in all arrays, and how often the index was given away before.
+struct BodyId {
+  std::uint32_t index = ~std::uint32_t{0}, generation = 0;
+
+  friend constexpr bool operator==(const BodyId&, const BodyId&) = default;
+  friend constexpr auto operator<=>(const BodyId&, const BodyId&) = default;
+};
+
+/// What is said of a body when it is added.
+template <class T>
+struct Body {
+  Shape<T> shape;
+  Pose<T> pose{};
+  Vec3<T> linear{}, angular{};  ///< velocity of the pose's origin, and the turning about it, in world space
+  Filter filter{};
+  bool fixed = false;    ///< never moves by itself: two fixed bodies are no pair
+  bool trigger = false;  ///< tells that something is inside it; has no contact points
+};
+
+/// The bodies of a world, an array for each of their parts. At indices that are not `alive` the rest means nothing.
+template <class T>
+class BodyArrays {
+ public:
+  /// With `margin` contacts begin that far from every body, without it at each one's `contact_margin`.
+  explicit BodyArrays(std::optional<T> margin = {}) : margin_(margin) {}
+
+  /// Throws `InvalidValue` for a pose or velocity that is not finite; turns the quaternion to unit length.
+  BodyId add(Body<T> body);
+  /// These throw `InvalidValue` for a handle whose body is gone.
+  void remove(BodyId id);
+  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular);
+  void set_shape(BodyId id, Shape<T> shape);
+  void set_filter(BodyId id, const Filter& filter);
+  Body<T> body(BodyId id) const;
+
+  bool contains(BodyId id) const {
+    return id.index < generations_.size() && alive_[id.index] != 0 && generations_[id.index] == id.generation;
+  }
+  BodyId id(std::uint32_t index) const { return {index, generations_[index]}; }
+  /// How many bodies there are, and how many indices.
+  std::size_t count() const { return shapes_.size() - free_.size(); }
+  std::size_t size() const { return shapes_.size(); }
+
+  std::span<const Shape<T>> shapes() const { return shapes_; }
+  std::span<const Pose<T>> poses() const { return poses_; }
+  std::span<const Vec3<T>> linear() const { return linear_; }
+  std::span<const Vec3<T>> angular() const { return angular_; }
+  std::span<const Filter> filters() const { return filters_; }
+  std::span<const std::uint8_t> alive() const { return alive_; }
+  std::span<const std::uint8_t> fixed() const { return fixed_; }
+  std::span<const std::uint8_t> triggers() const { return triggers_; }
+  /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has no
+  /// size.
+  std::span<const T> margins() const { return margins_; }
+
+  /// What was added, removed, moved or given another shape since `settle`: one byte an index, and the indices sorted.
+  std::span<const std::uint8_t> changed() const { return changed_; }
+  std::span<const std::uint32_t> changes();
+  void settle();
+
+  std::size_t memory() const;
+
+ private:
+  std::uint32_t checked(BodyId id) const;
+  T margin_of(const Shape<T>& shape) const;
+  void change(std::uint32_t index);
+
+  std::optional<T> margin_;
+  std::vector<Shape<T>> shapes_;
+  std::vector<Pose<T>> poses_;
+  std::vector<Vec3<T>> linear_, angular_;
+  std::vector<Filter> filters_;
+  std::vector<T> margins_;
+  std::vector<std::uint8_t> alive_, fixed_, triggers_, changed_;
+  std::vector<std::uint32_t> generations_, free_, changes_;
+};
+
+}  // namespace graze

@@ -1,0 +1,30 @@
+#include "graze/world/bins.hpp"
+
+#include <array>
+#include <utility>
+
+namespace graze {
+
+template <class T>
+void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out) {
+  constexpr std::size_t types = Shape<T>::count;
+  std::array<std::uint32_t, types * types> begin{};
+  const auto bin = [&](const IdPair& p) { return shapes[p.a].index() * types + shapes[p.b].index(); };
+  for (const IdPair& p : pairs) ++begin[bin(p)];
+  out.bins.clear();
+  std::uint32_t sum = 0;
+  for (std::size_t b = 0; b < begin.size(); ++b) {
+    const std::uint32_t count = std::exchange(begin[b], sum);
+    sum += count;
+    if (count > 0)
+      out.bins.push_back(
+          {static_cast<std::uint8_t>(b / types), static_cast<std::uint8_t>(b % types), sum - count, sum});
+  }
+  out.order.resize(pairs.size());
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) out.order[begin[bin(pairs[i])]++] = i;
+}
+
+template void bin_pairs(std::span<const IdPair>, std::span<const Shape<float>>, Bins&);
+template void bin_pairs(std::span<const IdPair>, std::span<const Shape<double>>, Bins&);
+
+}  // namespace graze

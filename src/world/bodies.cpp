@@ -1,0 +1,138 @@
+#include "graze/world/bodies.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "graze/query.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+namespace {
+
+template <class T>
+Pose<T> checked_pose(const Pose<T>& pose) {
+  return {validate::point(pose.translation, "pose.translation"), validate::rotation(pose.rotation, "pose.rotation")};
+}
+
+}  // namespace
+
+template <class T>
+T BodyArrays<T>::margin_of(const Shape<T>& shape) const {
+  if (margin_) return *margin_;
+  return shape.template as<HalfSpace<T>>() ? std::numeric_limits<T>::infinity() : contact_margin(shape, shape);
+}
+
+template <class T>
+std::uint32_t BodyArrays<T>::checked(BodyId id) const {
+  if (!contains(id))
+    throw InvalidValue("body", "the handle of a body that is in the world",
+                       std::to_string(id.index) + " of generation " + std::to_string(id.generation));
+  return id.index;
+}
+
+template <class T>
+void BodyArrays<T>::change(std::uint32_t index) {
+  if (changed_[index] == 0) changes_.push_back(index);
+  changed_[index] = 1;
+}
+
+template <class T>
+BodyId BodyArrays<T>::add(Body<T> body) {
+  const Pose<T> pose = checked_pose(body.pose);
+  validate::point(body.linear, "linear");
+  validate::point(body.angular, "angular");
+  const T margin = margin_of(body.shape);
+  std::uint32_t index{};
+  if (free_.empty()) {
+    index = static_cast<std::uint32_t>(shapes_.size());
+    shapes_.push_back(std::move(body.shape));
+    poses_.emplace_back();
+    linear_.emplace_back();
+    angular_.emplace_back();
+    filters_.emplace_back();
+    margins_.emplace_back();
+    for (auto* flags : {&alive_, &fixed_, &triggers_, &changed_}) flags->push_back(0);
+    generations_.push_back(0);
+  } else {
+    index = free_.back();
+    free_.pop_back();
+    shapes_[index] = std::move(body.shape);
+  }
+  poses_[index] = pose;
+  linear_[index] = body.linear;
+  angular_[index] = body.angular;
+  filters_[index] = body.filter;
+  margins_[index] = margin;
+  alive_[index] = 1;
+  fixed_[index] = body.fixed ? 1 : 0;
+  triggers_[index] = body.trigger ? 1 : 0;
+  change(index);
+  return id(index);
+}
+
+template <class T>
+void BodyArrays<T>::remove(BodyId id) {
+  const std::uint32_t index = checked(id);
+  alive_[index] = 0;
+  ++generations_[index];
+  shapes_[index] = Sphere<T>(T(0));  // lets go of what the shape shares
+  free_.push_back(index);
+  change(index);
+}
+
+template <class T>
+void BodyArrays<T>::move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
+  const std::uint32_t index = checked(id);
+  const Pose<T> to = checked_pose(pose);
+  validate::point(linear, "linear");
+  validate::point(angular, "angular");
+  linear_[index] = linear;
+  angular_[index] = angular;
+  if (to == poses_[index]) return;
+  poses_[index] = to;
+  change(index);
+}
+
+template <class T>
+void BodyArrays<T>::set_shape(BodyId id, Shape<T> shape) {
+  const std::uint32_t index = checked(id);
+  margins_[index] = margin_of(shape);
+  shapes_[index] = std::move(shape);
+  change(index);
+}
+
+template <class T>
+void BodyArrays<T>::set_filter(BodyId id, const Filter& filter) {
+  filters_[checked(id)] = filter;
+}
+
+template <class T>
+Body<T> BodyArrays<T>::body(BodyId id) const {
+  const std::uint32_t i = checked(id);
+  return {shapes_[i], poses_[i], linear_[i], angular_[i], filters_[i], fixed_[i] != 0, triggers_[i] != 0};
+}
+
+template <class T>
+std::span<const std::uint32_t> BodyArrays<T>::changes() {
+  std::sort(changes_.begin(), changes_.end());
+  return changes_;
+}
+
+template <class T>
+void BodyArrays<T>::settle() {
+  for (const std::uint32_t index : changes_) changed_[index] = 0;
+  changes_.clear();
+}
+
+template <class T>
+std::size_t BodyArrays<T>::memory() const {
+  const std::size_t each =
+      sizeof(Shape<T>) + sizeof(Pose<T>) + 2 * sizeof(Vec3<T>) + sizeof(Filter) + sizeof(T) + 4 + sizeof(std::uint32_t);
+  return shapes_.capacity() * each + (free_.capacity() + changes_.capacity()) * sizeof(std::uint32_t);
+}
+
+template class BodyArrays<float>;
+template class BodyArrays<double>;
+
+}  // namespace graze

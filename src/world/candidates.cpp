@@ -1,0 +1,83 @@
+#include "graze/world/candidates.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace graze {
+
+namespace {
+
+/// One in so many bodies that changed, from which on finding all pairs anew costs less than finding those of each body
+/// that moved in the tree.
+constexpr std::size_t few = 8;
+
+}  // namespace
+
+template <class T>
+CandidateFinder<T>::CandidateFinder() : tree_(make_loose_octree<T>()) {}
+
+template <class T>
+std::span<const IdPair> CandidateFinder<T>::find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                                                 std::span<const std::uint32_t> changes) {
+  if (changes.empty()) return pairs_;
+  update_tree(boxes, alive, changes);
+  if (changes.size() * few > boxes.size())
+    find_all(boxes, alive);
+  else
+    find_changed(changes);
+  return pairs_;
+}
+
+template <class T>
+void CandidateFinder<T>::update_tree(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                                     std::span<const std::uint32_t> changes) {
+  in_tree_.resize(boxes.size(), 0);
+  for (const std::uint32_t i : changes) {
+    if (in_tree_[i] != 0 && alive[i] != 0)
+      tree_->move(i, boxes[i]);
+    else if (alive[i] != 0)
+      tree_->insert(i, boxes[i]);
+    else if (in_tree_[i] != 0)
+      tree_->remove(i);
+    in_tree_[i] = alive[i];
+  }
+}
+
+template <class T>
+void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive) {
+  compact_.clear();
+  index_.clear();
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    if (alive[i] != 0) {
+      compact_.push_back(boxes[i]);
+      index_.push_back(i);
+    }
+  finder_.find(compact_, pairs_);
+  // Places and indices are in the same order, so the pairs stay sorted.
+  if (index_.size() != boxes.size())
+    for (IdPair& p : pairs_) p = {index_[p.a], index_[p.b]};
+}
+
+/// The pairs of what stood still, and those that the tree finds of what moved; some are among both where all pairs were
+/// found anew in between, which the tree does not know.
+template <class T>
+void CandidateFinder<T>::find_changed(std::span<const std::uint32_t> changes) {
+  const auto changed = [&](std::uint32_t i) { return std::binary_search(changes.begin(), changes.end(), i); };
+  std::erase_if(pairs_, [&](const IdPair& p) { return changed(p.a) || changed(p.b); });
+  tree_->moved_pairs(moved_);
+  merged_.clear();
+  std::set_union(pairs_.begin(), pairs_.end(), moved_.begin(), moved_.end(), std::back_inserter(merged_));
+  pairs_.swap(merged_);
+}
+
+template <class T>
+std::size_t CandidateFinder<T>::memory() const {
+  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  return tree_->memory() + finder_.memory() + bytes(in_tree_) + bytes(compact_) + bytes(index_) + bytes(pairs_) +
+         bytes(moved_) + bytes(merged_);
+}
+
+template class CandidateFinder<float>;
+template class CandidateFinder<double>;
+
+}  // namespace graze

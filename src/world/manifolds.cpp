@@ -1,0 +1,185 @@
+#include "graze/world/manifolds.hpp"
+
+#include <algorithm>
+
+#include "mid/composite.hpp"
+#include "narrow/cached_axis.hpp"
+#include "narrow/convex_pair.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Pairs a task: a hundred microseconds of work, so that a thread that comes late to the last ones costs little.
+constexpr std::size_t pairs_per_task = 64;
+
+}  // namespace
+
+/// Finds what is known of each pair from the last call: both lists are sorted.
+template <class T>
+void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
+  last_pairs_.swap(pairs_);
+  last_memory_.swap(memory_);
+  std::swap(last_, now_);
+  pairs_.assign(pairs.begin(), pairs.end());
+  memory_.assign(pairs.size(), {});
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    while (known < last_pairs_.size() && last_pairs_[known] < pairs[i]) ++known;
+    if (known < last_pairs_.size() && last_pairs_[known] == pairs[i]) memory_[i] = last_memory_[known];
+  }
+}
+
+template <class T>
+void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor) {
+  remember(pairs);
+  bin_pairs<T>(pairs_, bodies.shapes(), bins_);
+  results_.assign(pairs_.size(), {});
+  const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
+  if (found_.size() < tasks) found_.resize(tasks);
+  for_each_chunk(executor, pairs_.size(), pairs_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
+    found_[task].manifolds.clear();
+    found_[task].points.clear();
+    for (std::size_t k = begin; k < end; ++k)
+      find_one(bodies, pairs_[bins_.order[k]], bins_.order[k], static_cast<std::uint32_t>(task));
+  });
+  gather(pairs_, executor);
+}
+
+template <class T>
+void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair, std::uint32_t place,
+                                 std::uint32_t task) {
+  Memory& memory = memory_[place];
+  Found& found = found_[task];
+  Result& result = results_[place];
+  result.task = task;
+  result.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
+  const std::size_t first_point = found.points.size();
+
+  const bool changed = bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0;
+  const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
+  const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
+  if (bodies.triggers()[pair.a] != 0 || bodies.triggers()[pair.b] != 0) {
+    result.overlap = any_overlap<T>(a, pose_a, b, pose_b, nullptr);
+    return;
+  }
+  if (!changed && memory.contact != no_result) return keep_last(memory.contact, place, task);
+  T margin = least(bodies.margins()[pair.a], bodies.margins()[pair.b]);
+  if (!(margin < std::numeric_limits<T>::infinity())) margin = T(0);
+
+  const auto add = [&](const Manifold<T>& m) {
+    found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
+                               static_cast<std::uint32_t>(m.points.size())});
+    for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
+  };
+  if (a.convex() && b.convex()) {
+    if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return;
+    Manifold<T> manifold;
+    result.overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
+    const bool apart = manifold.points.empty();
+    memory.axis = apart ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
+    if (!apart) add(manifold);
+  } else {
+    found.composite.clear();
+    result.overlap = any_contacts<T>(a, pose_a, b, pose_b, margin, found.composite, nullptr) <= T(0);
+    for (const Manifold<T>& m : found.composite) add(m);
+  }
+  result.manifold_count = static_cast<std::uint32_t>(found.manifolds.size()) - result.first_manifold;
+  result.point_count = static_cast<std::uint32_t>(found.points.size() - first_point);
+}
+
+/// A pair of which nothing changed: what it had, impulses included.
+template <class T>
+void ManifoldFinder<T>::keep_last(std::uint32_t contact, std::uint32_t place, std::uint32_t task) {
+  Found& found = found_[task];
+  Result& result = results_[place];
+  const ContactPair<T>& last = last_.pairs[contact];
+  result.overlap = last.overlap;
+  result.manifold_count = last.manifold_count;
+  for (const ContactManifold<T>& m : last_.manifolds_of(last)) {
+    ContactManifold<T> moved = m;
+    moved.first_point = static_cast<std::uint32_t>(found.points.size());
+    found.manifolds.push_back(moved);
+    const auto points = last_.points_of(m);
+    found.points.insert(found.points.end(), points.begin(), points.end());
+    result.point_count += m.point_count;
+  }
+}
+
+/// Lays what the tasks found one behind the other, in the order of the pairs.
+template <class T>
+void ManifoldFinder<T>::gather(std::span<const IdPair> pairs, Executor& executor) {
+  now_.pairs.clear();
+  places_.clear();
+  std::uint32_t manifolds = 0, points = 0;
+  first_point_.clear();
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    const Result& r = results_[i];
+    if (!r.overlap && r.manifold_count == 0) {
+      memory_[i].contact = no_result;
+      continue;
+    }
+    places_.push_back(i);
+    first_point_.push_back(points);
+    now_.pairs.push_back({pairs[i].a, pairs[i].b, r.overlap, manifolds, r.manifold_count});
+    manifolds += r.manifold_count;
+    points += r.point_count;
+  }
+  now_.manifolds.resize(manifolds);
+  now_.points.resize(points);
+  constexpr std::size_t copies_per_task = 4 * pairs_per_task;
+  scratch_.resize(std::max(scratch_.size(), (places_.size() + copies_per_task - 1) / copies_per_task));
+  for_each_chunk(executor, places_.size(), copies_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Result& r = results_[places_[k]];
+      const Found& found = found_[r.task];
+      std::uint32_t point = first_point_[k];
+      for (std::uint32_t m = 0; m < r.manifold_count; ++m) {
+        ContactManifold<T> manifold = found.manifolds[r.first_manifold + m];
+        std::copy_n(found.points.begin() + manifold.first_point, manifold.point_count, now_.points.begin() + point);
+        manifold.first_point = point;
+        point += manifold.point_count;
+        now_.manifolds[now_.pairs[k].first_manifold + m] = manifold;
+      }
+      Memory& memory = memory_[places_[k]];
+      if (memory.contact != no_result) carry_impulses(now_.pairs[k], last_.pairs[memory.contact], scratch_[task]);
+      memory.contact = static_cast<std::uint32_t>(k);
+    }
+  });
+}
+
+/// To points of the same features; of several, which only composites have, to the nearest.
+template <class T>
+void ManifoldFinder<T>::carry_impulses(const ContactPair<T>& pair, const ContactPair<T>& last,
+                                       std::vector<SolverPoint<T>>& old) {
+  old.clear();
+  for (const ContactManifold<T>& m : last_.manifolds_of(last))
+    old.insert(old.end(), last_.points.begin() + m.first_point, last_.points.begin() + m.first_point + m.point_count);
+  const auto by_feature = [](const SolverPoint<T>& p, const SolverPoint<T>& q) { return p.feature < q.feature; };
+  std::stable_sort(old.begin(), old.end(), by_feature);
+  for (const ContactManifold<T>& m : now_.manifolds_of(pair))
+    for (std::uint32_t i = m.first_point; i < m.first_point + m.point_count; ++i) {
+      SolverPoint<T>& point = now_.points[i];
+      const auto [begin, end] = std::equal_range(old.begin(), old.end(), point, by_feature);
+      const auto nearest = std::min_element(begin, end, [&](const SolverPoint<T>& p, const SolverPoint<T>& q) {
+        return length_squared(p.a - point.a) < length_squared(q.a - point.a);
+      });
+      if (nearest != end) point.impulse = nearest->impulse;
+    }
+}
+
+template <class T>
+std::size_t ManifoldFinder<T>::memory() const {
+  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  std::size_t sum = bytes(bins_.order) + bytes(pairs_) + bytes(last_pairs_) + bytes(memory_) + bytes(last_memory_) +
+                    bytes(results_) + bytes(places_) + bytes(first_point_);
+  for (const auto* arrays : {&now_, &last_})
+    sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
+  for (const Found& f : found_) sum += bytes(f.manifolds) + bytes(f.points) + bytes(f.composite);
+  return sum;
+}
+
+template class ManifoldFinder<float>;
+template class ManifoldFinder<double>;
+
+}  // namespace graze

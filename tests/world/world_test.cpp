@@ -1,0 +1,365 @@
+// The world against asking every pair anew: whatever is remembered, on however many threads, changes no bit.
+#include "graze/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <thread>
+
+#include "common/specimen.hpp"
+#include "graze/query.hpp"
+
+namespace graze {
+namespace {
+
+using testing::Random;
+
+/// Cuts the tasks among threads of its own, the last task first.
+class ThreadExecutor final : public Executor {
+ public:
+  explicit ThreadExecutor(std::size_t threads) : threads_(threads) {}
+  std::size_t concurrency() const override { return threads_; }
+  void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < threads_; ++t)
+      threads.emplace_back([&, t] {
+        for (std::size_t i = t; i < count; i += threads_) task(count - 1 - i);
+      });
+    for (std::thread& thread : threads) thread.join();
+  }
+
+ private:
+  std::size_t threads_;
+};
+
+template <class T>
+Shape<T> random_shape(Random& random) {
+  const auto kind = static_cast<testing::Kind>(random() % testing::kind_count);
+  // A half-space touches nearly everything: one in fourteen would be the only thing tested.
+  const bool rare = kind == testing::Kind::half_space && random() % 8 != 0;
+  return testing::build<T>(testing::random_specimen(rare ? testing::Kind::box : kind, 1.0f, random));
+}
+
+template <class T>
+Pose<T> random_pose(Random& random, float reach) {
+  return {cast<T>(testing::random_vector(random, reach)), cast<T>(testing::random_rotation(random))};
+}
+
+template <class T>
+Body<T> random_body(Random& random, float reach) {
+  Body<T> body{random_shape<T>(random), random_pose<T>(random, reach)};
+  body.fixed = random() % 5 == 0;
+  body.trigger = random() % 7 == 0;
+  if (random() % 4 == 0) body.filter.category = 2;
+  if (random() % 4 == 0) body.filter.mask = ~std::uint64_t{2};
+  return body;
+}
+
+/// What is said of one update, in words that can be compared: every bit of it.
+template <class T>
+struct Snapshot {
+  std::vector<ContactPair<T>> pairs;
+  std::vector<ContactManifold<T>> manifolds;
+  std::vector<SolverPoint<T>> points;
+  std::vector<ContactEvent> events;
+
+  static Snapshot of(const World<T>& world) {
+    const auto& c = world.contacts();
+    return {c.pairs, c.manifolds, c.points, {world.events().begin(), world.events().end()}};
+  }
+  friend bool operator==(const Snapshot& s, const Snapshot& t) {
+    const auto same = [](const auto& v, const auto& w, const auto& equal) {
+      return std::equal(v.begin(), v.end(), w.begin(), w.end(), equal);
+    };
+    return same(s.pairs, t.pairs,
+                [](const auto& p, const auto& q) {
+                  return p.a == q.a && p.b == q.b && p.overlap == q.overlap && p.first_manifold == q.first_manifold &&
+                         p.manifold_count == q.manifold_count;
+                }) &&
+           same(s.manifolds, t.manifolds,
+                [](const auto& m, const auto& n) {
+                  return m.normal == n.normal && m.piece_a == n.piece_a && m.piece_b == n.piece_b &&
+                         m.first_point == n.first_point && m.point_count == n.point_count;
+                }) &&
+           same(s.points, t.points,
+                [](const auto& p, const auto& q) {
+                  return p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature &&
+                         p.impulse == q.impulse;
+                }) &&
+           same(s.events, t.events, [](const auto& e, const auto& f) {
+             return e.kind == f.kind && e.a == f.a && e.b == f.b && e.pair == f.pair && e.trigger == f.trigger;
+           });
+  }
+};
+
+/// A world in which bodies come, move little, jump, change shape and go: the same for the same seed.
+template <class T>
+class Scenario {
+ public:
+  Scenario(std::uint64_t seed, std::size_t count, Executor* executor = nullptr, WorldSettings<T> settings = {})
+      : random_(seed), world_(settings, executor) {
+    for (std::size_t i = 0; i < count; ++i) ids_.push_back(world_.add(random_body<T>(random_, 3)));
+  }
+
+  void step(bool few) {
+    for (BodyId& id : ids_) {
+      if (few && random_() % 20 != 0) continue;
+      const Body<T> body = world_.bodies().body(id);
+      if (body.fixed && random_() % 10 != 0) continue;
+      const auto nudge = cast<T>(testing::random_vector(random_, 0.05f));
+      switch (random_() % 40) {
+      case 0:
+        world_.remove(id);
+        id = world_.add(random_body<T>(random_, 3));
+        break;
+      case 1: world_.move(id, random_pose<T>(random_, 3)); break;
+      case 2: world_.set_shape(id, random_shape<T>(random_)); break;
+      case 3: world_.set_filter(id, random_body<T>(random_, 3).filter); break;
+      default: world_.move(id, {body.pose.translation + nudge, body.pose.rotation}); break;
+      }
+    }
+    world_.update();
+  }
+
+  World<T>& world() { return world_; }
+  const std::vector<BodyId>& ids() const { return ids_; }
+
+ private:
+  Random random_;
+  World<T> world_;
+  std::vector<BodyId> ids_;
+};
+
+template <class T>
+class WorldOf : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(WorldOf, Scalars);
+
+/// Every pair there is, asked by itself.
+template <class T>
+void expect_as_asked_one_by_one(const World<T>& world) {
+  const BodyArrays<T>& bodies = world.bodies();
+  const ContactArrays<T>& found = world.contacts();
+  std::size_t pair = 0;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    for (std::uint32_t j = i + 1; j < bodies.size(); ++j) {
+      if (bodies.alive()[i] == 0 || bodies.alive()[j] == 0) continue;
+      if (bodies.fixed()[i] != 0 && bodies.fixed()[j] != 0) continue;
+      if (!may_collide(bodies.filters()[i], bodies.filters()[j])) continue;
+      const Body<T> a = bodies.body(bodies.id(i)), b = bodies.body(bodies.id(j));
+      Manifolds<T> manifolds;
+      bool touch = false;
+      if (a.trigger || b.trigger)
+        touch = overlap(a.shape, a.pose, b.shape, b.pose);
+      else
+        touch = contacts(a.shape, a.pose, b.shape, b.pose, contact_margin(a.shape, b.shape), manifolds);
+      if (!touch && manifolds.empty()) continue;
+      ASSERT_LT(pair, found.pairs.size());
+      const ContactPair<T>& p = found.pairs[pair++];
+      ASSERT_EQ(p.a, i);
+      ASSERT_EQ(p.b, j);
+      EXPECT_EQ(p.overlap, touch);
+      const auto of_pair = found.manifolds_of(p);
+      ASSERT_EQ(of_pair.size(), manifolds.size());
+      for (std::size_t m = 0; m < manifolds.size(); ++m) {
+        EXPECT_EQ(of_pair[m].normal, manifolds[m].normal);
+        const auto points = found.points_of(of_pair[m]);
+        ASSERT_EQ(points.size(), manifolds[m].points.size());
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          EXPECT_EQ(points[k].a, manifolds[m].points[k].a);
+          EXPECT_EQ(points[k].b, manifolds[m].points[k].b);
+          EXPECT_EQ(points[k].distance, manifolds[m].points[k].distance);
+          EXPECT_EQ(points[k].feature, manifolds[m].points[k].feature);
+        }
+      }
+    }
+  EXPECT_EQ(pair, found.pairs.size());
+}
+
+TYPED_TEST(WorldOf, AnswersAsEveryPairAskedByItself) {
+  Scenario<TypeParam> scenario(1, 60);
+  std::size_t touched = 0;
+  for (int frame = 0; frame < 25; ++frame) {
+    scenario.step(frame % 3 != 0);
+    expect_as_asked_one_by_one(scenario.world());
+    if (this->HasFatalFailure()) FAIL() << "frame " << frame;
+    touched += scenario.world().contacts().pairs.size();
+  }
+  EXPECT_GT(touched, 100u);
+}
+
+TYPED_TEST(WorldOf, GivesTheSameBitsOnAnyNumberOfThreads) {
+  using T = TypeParam;
+  std::vector<Snapshot<T>> expected;
+  for (const std::size_t threads : {0, 1, 2, 3, 8}) {
+    ThreadExecutor executor(std::max<std::size_t>(threads, 1));
+    Scenario<T> scenario(2, 300, threads == 0 ? nullptr : &executor);
+    for (std::size_t frame = 0; frame < 6; ++frame) {
+      scenario.step(frame % 2 == 0);
+      for (SolverPoint<T>& p : scenario.world().contacts().points) p.impulse += p.a;
+      const auto now = Snapshot<T>::of(scenario.world());
+      if (threads == 0)
+        expected.push_back(now);
+      else
+        EXPECT_EQ(now, expected[frame]) << threads << " threads, frame " << frame;
+    }
+  }
+  EXPECT_GT(expected.back().points.size(), 100u);
+}
+
+/// Two bodies by their handles.
+using Touching = std::set<std::pair<BodyId, BodyId>>;
+
+TYPED_TEST(WorldOf, EventsBeginAndEndInTurns) {
+  using T = TypeParam;
+  Scenario<T> scenario(3, 150);
+  Touching open;
+  std::map<EventKind, std::size_t> count;
+  for (int frame = 0; frame < 60; ++frame) {
+    scenario.step(frame % 4 != 0);
+    const auto& c = scenario.world().contacts();
+    Touching now;
+    for (const ContactEvent& e : scenario.world().events()) {
+      ++count[e.kind];
+      EXPECT_LT(e.a.index, e.b.index);
+      const bool known = open.count({e.a, e.b}) != 0;
+      EXPECT_EQ(known, e.kind != EventKind::begin);
+      if (e.kind == EventKind::end) {
+        EXPECT_EQ(e.pair, ContactEvent::no_pair);
+        EXPECT_EQ(open.erase({e.a, e.b}), 1u);
+        continue;
+      }
+      EXPECT_TRUE(scenario.world().bodies().contains(e.a));
+      EXPECT_TRUE(scenario.world().bodies().contains(e.b));
+      ASSERT_LT(e.pair, c.pairs.size());
+      EXPECT_EQ(c.pairs[e.pair].a, e.a.index);
+      EXPECT_EQ(c.pairs[e.pair].b, e.b.index);
+      EXPECT_TRUE(now.insert({e.a, e.b}).second);
+    }
+    // Whatever was open went on or ended, and all that overlaps is open.
+    for (const auto& pair : open) EXPECT_TRUE(now.count(pair) != 0);
+    for (const ContactPair<T>& p : c.pairs)
+      EXPECT_TRUE(!p.overlap || now.count({scenario.world().bodies().id(p.a), scenario.world().bodies().id(p.b)}) != 0);
+    open = now;
+  }
+  // All that began and did not end is open when all are removed: then all end.
+  for (const BodyId id : scenario.ids()) scenario.world().remove(id);
+  scenario.world().update();
+  EXPECT_EQ(scenario.world().events().size(), open.size());
+  for (const ContactEvent& e : scenario.world().events()) EXPECT_EQ(e.kind, EventKind::end);
+  EXPECT_EQ(count[EventKind::begin], count[EventKind::end] + open.size());
+  EXPECT_GT(count[EventKind::end], 50u);
+}
+
+Body<double> unit_box(double y) { return {Shaped(Box<double>({1, 1, 1})), {{0, y, 0}, {}}}; }
+
+TEST(World, RestingIsOneTouchWhileTheDepthCrossesZero) {
+  Worldd world;
+  Body<double> ground{Shaped(HalfSpace<double>())};
+  ground.fixed = true;
+  world.add(ground);
+  const BodyId box = world.add(unit_box(0.5));
+  std::vector<EventKind> kinds;
+  for (const double y : {0.52, 0.499, 0.501, 0.4999, 0.505, 0.52, 0.49}) {
+    world.move(box, {{0, y, 0}, {}});
+    world.update();
+    for (const ContactEvent& e : world.events()) kinds.push_back(e.kind);
+  }
+  using enum EventKind;
+  EXPECT_EQ(kinds, (std::vector{begin, stay, stay, stay, end, begin}));
+}
+
+TEST(World, PointsCarryTheirImpulsesWhileTheirFeaturesTouch) {
+  Worldd world;
+  world.add(unit_box(0));
+  const BodyId upper = world.add(unit_box(0));
+  const auto place = [&](double x, double y) {
+    world.move(upper, {{x, y, 0.1}, {}});
+    world.update();
+    return world.contacts().points.size();
+  };
+  ASSERT_EQ(place(0.2, 0.999), 4u);
+  std::map<std::uint32_t, Vec3d> impulses;
+  for (auto& p : world.contacts().points) impulses[p.feature] = p.impulse = p.a * 10.0 + Vec3d{0, 100, 0};
+  ASSERT_EQ(impulses.size(), 4u);
+  ASSERT_EQ(place(0.21, 0.9985), 4u);
+  for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, impulses.at(p.feature));
+  ASSERT_EQ(place(0.21, 0.9985), 4u);  // nothing changed: all stays
+  for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, impulses.at(p.feature));
+  ASSERT_EQ(place(0.2, 3), 0u);
+  ASSERT_EQ(place(0.2, 0.999), 4u);
+  for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, Vec3d{});
+}
+
+TEST(World, HandlesAreRefusedAfterRemoval) {
+  Worldd world;
+  const BodyId first = world.add(unit_box(0));
+  world.remove(first);
+  EXPECT_THROW(world.remove(first), InvalidValue);
+  const BodyId second = world.add(unit_box(0));
+  EXPECT_EQ(second.index, first.index);
+  EXPECT_FALSE(world.bodies().contains(first));
+  EXPECT_TRUE(world.bodies().contains(second));
+  EXPECT_THROW(world.move(first, {}), InvalidValue);
+  EXPECT_THROW(world.set_shape(first, Shaped(Sphere<double>(1.0))), InvalidValue);
+  EXPECT_THROW(world.set_filter(first, {}), InvalidValue);
+  EXPECT_THROW(world.bodies().body(first), InvalidValue);
+  EXPECT_THROW(world.move(BodyId{}, {}), InvalidValue);
+  EXPECT_THROW(world.move(second, {{std::nan(""), 0, 0}, {}}), InvalidValue);
+  EXPECT_THROW(world.move(second, {{}, {0, 0, 0, 0}}), InvalidValue);
+  EXPECT_THROW(world.move(second, {}, {0, HUGE_VAL, 0}), InvalidValue);
+  world.update();
+  EXPECT_EQ(world.bodies().count(), 1u);
+}
+
+TEST(World, TheCallerHasTheLastWord) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> asked;
+  WorldSettings<double> settings;
+  settings.allow = [&](BodyId a, BodyId b) {
+    asked.emplace_back(a.index, b.index);
+    return b.index != 2;
+  };
+  Worldd world(settings);
+  for (int i = 0; i < 3; ++i) world.add(unit_box(0.1 * i));
+  world.update();
+  EXPECT_EQ(asked.size(), 3u);
+  ASSERT_EQ(world.contacts().pairs.size(), 1u);
+  EXPECT_EQ(world.contacts().pairs[0].b, 1u);
+}
+
+TEST(World, TriggersTellWithoutPoints) {
+  Worldd world;
+  Body<double> zone = unit_box(0);
+  zone.trigger = zone.fixed = true;
+  world.add(zone);
+  world.add(unit_box(0.9));
+  world.add(unit_box(1.001));  // within the margin only
+  world.update();
+  std::size_t in_zone = 0;
+  for (const ContactEvent& e : world.events()) {
+    EXPECT_EQ(e.trigger, e.a.index == 0);
+    if (e.a.index == 0) {
+      ++in_zone;
+      EXPECT_EQ(e.b.index, 1u);
+      EXPECT_EQ(world.contacts().pairs[e.pair].manifold_count, 0u);
+    }
+  }
+  EXPECT_EQ(in_zone, 1u);
+}
+
+TEST(World, AMarginOfItsOwn) {
+  WorldSettings<double> settings;
+  settings.margin = 0.5;
+  Worldd world(settings);
+  world.add(unit_box(0));
+  world.add(unit_box(1.4));
+  world.add(unit_box(2.95));  // 0.55 from the second
+  world.update();
+  ASSERT_EQ(world.contacts().pairs.size(), 1u);
+  EXPECT_FALSE(world.contacts().pairs[0].overlap);
+  EXPECT_TRUE(world.events().empty());
+}
+
+}  // namespace
+}  // namespace graze
