@@ -86,7 +86,7 @@ class Progress {
     const auto now = std::chrono::steady_clock::now();
     if (done < all && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
-    if (done < all) fmt::print(stderr, "\r{} of {} pairs", done, all);
+    if (done < all) fmt::print(stderr, "\rcolliding: {} %", 100 * done / all);
     if (done < all) shown_ = true;
     if (done == all && shown_) fmt::print(stderr, "\r{:40}\r", "");
     std::fflush(stderr);

@@ -2,61 +2,52 @@
 
 #include <algorithm>
 
-#include "graze/pairs.hpp"
-#include "graze/query.hpp"
+#include "graze/world.hpp"
 #include "io/convert.hpp"
 
 namespace graze::io {
 
 namespace {
 
-template <class T>
-struct Prepared {
-  std::vector<Shape<T>> shapes;
-  std::vector<Pose<T>> poses;
+/// Tells how far a world's update is: its longest stage, the manifolds, is many tasks.
+class ProgressExecutor final : public Executor {
+ public:
+  explicit ProgressExecutor(const std::function<void(std::size_t, std::size_t)>& progress) : progress_(progress) {}
+  std::size_t concurrency() const override { return 1; }
+  void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (progress_) progress_(i, count);
+      task(i);
+    }
+    if (progress_) progress_(count, count);
+  }
+
+ private:
+  const std::function<void(std::size_t, std::size_t)>& progress_;
 };
 
+/// The colliders of a scene as a world's bodies, under their own indices. Triggers are asked for contacts too, so that
+/// they can be drawn.
 template <class T>
-Prepared<T> prepare(const Scene& scene) {
-  Prepared<T> out;
+void fill(World<T>& world, const Scene& scene) {
+  const bool moves = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                 [](const io::Body& b) { return b.type != MotionType::fixed; });
   for (const Collider& c : scene.colliders) {
-    if constexpr (std::is_same_v<T, double>)
-      out.shapes.push_back(c.shape);
-    else
-      out.shapes.push_back(to_single(c.shape));
-    out.poses.push_back(cast<T>(c.pose));
+    graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
+    body.filter = c.filter;
+    body.filter.group = -1 - static_cast<std::int32_t>(c.body);
+    body.fixed = moves && scene.bodies[c.body].type == MotionType::fixed;
+    world.add(std::move(body));
   }
-  return out;
-}
-
-bool movable(const Scene& scene, std::uint32_t collider) {
-  return scene.bodies[scene.colliders[collider].body].type != MotionType::fixed;
-}
-
-/// The allowed pairs of colliders whose bounds, grown by half the margin each, overlap.
-template <class T>
-std::vector<IdPair> candidates(const Scene& scene, const Prepared<T>& prepared, T margin) {
-  std::vector<Aabb<T>> boxes;
-  std::vector<Filter> filters;
-  for (std::size_t i = 0; i < scene.colliders.size(); ++i) {
-    boxes.push_back(inflated(bounds(prepared.shapes[i], prepared.poses[i]), margin / T(2)));
-    filters.push_back(scene.colliders[i].filter);
-  }
-  const bool moves =
-      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& b) { return b.type != MotionType::fixed; });
-  const auto allowed = [&](std::uint32_t a, std::uint32_t b) {
-    return scene.colliders[a].body != scene.colliders[b].body && (!moves || movable(scene, a) || movable(scene, b));
-  };
-  return allowed_pairs<T>(boxes, filters, allowed);
 }
 
 template <class T>
-Manifold<double> in_double(const Manifold<T>& m) {
+Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifold<T>& m) {
   Manifold<double> out;
   out.normal = cast<double>(m.normal);
   out.piece_a = m.piece_a;
   out.piece_b = m.piece_b;
-  for (const ContactPoint<T>& p : m.points)
+  for (const SolverPoint<T>& p : contacts.points_of(m))
     out.points.push_back({cast<double>(p.a), cast<double>(p.b), static_cast<double>(p.distance), p.feature,
                           static_cast<double>(p.weight)});
   return out;
@@ -64,23 +55,17 @@ Manifold<double> in_double(const Manifold<T>& m) {
 
 template <class T>
 std::vector<TouchingPair> collide_in(const Scene& scene, const CollideOptions& options) {
-  const Prepared<T> prepared = prepare<T>(scene);
-  const T margin = static_cast<T>(options.margin);
-  const std::vector<IdPair> pairs = candidates(scene, prepared, margin);
+  ProgressExecutor executor(options.progress);
+  World<T> world({static_cast<T>(options.margin), {}}, &executor);
+  fill(world, scene);
+  world.update();
   std::vector<TouchingPair> touching;
-  Manifolds<T> manifolds;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto [a, b] = pairs[i];
-    if (options.progress) options.progress(i, pairs.size());
-    manifolds.clear();
-    const bool touch =
-        contacts(prepared.shapes[a], prepared.poses[a], prepared.shapes[b], prepared.poses[b], margin, manifolds);
-    if (manifolds.empty() && !touch) continue;
-    TouchingPair pair{a, b, touch, scene.colliders[a].trigger || scene.colliders[b].trigger, {}};
-    for (const Manifold<T>& m : manifolds) pair.manifolds.push_back(in_double(m));
+  for (const ContactPair<T>& p : world.contacts().pairs) {
+    TouchingPair pair{p.a, p.b, p.overlap, scene.colliders[p.a].trigger || scene.colliders[p.b].trigger, {}};
+    for (const ContactManifold<T>& m : world.contacts().manifolds_of(p))
+      pair.manifolds.push_back(in_double(world.contacts(), m));
     touching.push_back(std::move(pair));
   }
-  if (options.progress) options.progress(pairs.size(), pairs.size());
   return touching;
 }
 

@@ -74,4 +74,13 @@ inline Shapef to_single(const Shaped& shape) {
   return shape.visit([&](const auto& c) -> Shapef { return {detail::single(c), static_cast<float>(shape.margin())}; });
 }
 
+/// The shape in the precision that a question is answered in.
+template <class T>
+Shape<T> in_precision(const Shaped& shape) {
+  if constexpr (std::is_same_v<T, double>)
+    return shape;
+  else
+    return to_single(shape);
+}
+
 }  // namespace graze::io

@@ -17,7 +17,7 @@ namespace graze::io {
 struct CollideOptions {
   double margin = 0;
   Precision precision = Precision::double_precision;
-  /// Called from time to time with how many pairs are done, of how many.
+  /// Called from time to time with how much of a part of the work is done, of how much.
   std::function<void(std::size_t, std::size_t)> progress;
 };
 
