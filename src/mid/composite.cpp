@@ -1,6 +1,7 @@
 #include "mid/composite.hpp"
 
 #include "mid/group.hpp"
+#include "mid/internal_edges.hpp"
 #include "mid/pieces.hpp"
 #include "narrow/convex_pair.hpp"
 
@@ -73,6 +74,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     return distance;
   }
   T least_distance = infinity<T>;
+  Manifold<T> instead;
   const std::size_t first = manifolds.size();
   const auto limit = [&] { return margin; };
   auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t na, const Shape<T>& pb, const Pose<T>& qb,
@@ -80,10 +82,19 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     Manifold<T> manifold;
     manifold.piece_a = na;
     manifold.piece_b = nb;
-    least_distance = least(least_distance, convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr));
-    if (!manifold.points.empty()) manifolds.push_back(manifold);
+    const T distance = convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr);
+    if (manifold.points.empty()) {
+      least_distance = least(least_distance, distance);
+      return;
+    }
+    const Settled<T> settled = settle_normal<T>({a, pose_a, pa, qa}, {b, pose_b, pb, qb}, margin, manifold);
+    if (distance < least_distance) instead = settled.instead;
+    least_distance = least(least_distance, distance);
+    if (!settled.manifold.points.empty()) manifolds.push_back(settled.manifold);
   };
   visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
+  // What touches is not left without a point.
+  if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);
   group_by_normal(manifolds, first);
   if (trace) trace->method = "pieces of composites";
   return least_distance;

@@ -1,0 +1,215 @@
+// Contacts that only the cutting of a surface into pieces makes, and what is there instead.
+//
+// A piece of a composite does not know its neighbours: a box that slides over a floor of triangles meets, a little below
+// the surface, the edges that they share, and is pushed aside by them. A normal is one of the surface only if it lies in
+// the Voronoi region of the feature that it stands on (Mirtich 1998, "V-Clip", section 2), which is to say that nothing
+// of the surface around its point rises above the plane through the point that it is the normal of.
+//
+// Guarantee: a contact whose normal is not the surface's is laid along the normal of the piece's own face, or left out
+// where that face is not met. It is decided by where the pieces lie and not by which vertices they share, so that
+// duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies are all alike.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "graze/geometry.hpp"
+#include "mid/pieces.hpp"
+#include "narrow/convex_pair.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+/// Sines below this are none: far above the error of a normal in float (curved depths have half the digits), far below
+/// what a slope is made of.
+template <class T>
+inline constexpr T same_direction = T(2e-4);
+/// A normal is inside a Voronoi region that it leaves by less than this sine: half the above, so that what is left of it
+/// on a flat surface is laid along the face.
+template <class T>
+inline constexpr T region_slack = same_direction<T> / T(2);
+/// A point lies on a piece that is nearer than this, relative to the piece: ten times the tolerance of points in float.
+template <class T>
+inline constexpr T on_piece = T(1e-4);
+
+/// The face normal of a triangle in its own frame; zero without area.
+template <class T>
+Vec3<T> face_normal(const Triangle<T>& t) {
+  return normalized(cross(t.point(1) - t.point(0), t.point(2) - t.point(0)), Vec3<T>{});
+}
+
+/// Whether a convex piece touches `point` and rises above the plane through it. World space; `outward` unit.
+template <class T>
+bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward) {
+  const Vec3<T> p = inverse_transform(pose, point), n = rotate(conjugate(pose.rotation), outward);
+  const T noise = T(64) * std::numeric_limits<T>::epsilon() * max_abs(point);
+  return piece.visit([&](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (std::is_same_v<C, Triangle<T>>) {
+      const T size = greatest(length(c.point(0) - p), greatest(length(c.point(1) - p), length(c.point(2) - p)));
+      const Vec3<T> nearest = closest_point_on_triangle(c.point(0), c.point(1), c.point(2), p).point;
+      if (length(nearest - p) > on_piece<T> * size + noise) return false;
+      bool rises = false;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3<T> to = c.point(i) - p;
+        rises = rises || dot(to, n) > region_slack<T> * length(to) + noise;
+      }
+      return rises;
+    } else if constexpr (BoundedConvex<C>) {
+      const T radius = rounding_radius(c, piece.margin()), size = c.core_extent() + radius;
+      const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, nullptr);
+      if (std::abs(d.distance) > on_piece<T> * size + noise) return false;
+      return dot(c.core_support(n) - p, n) + radius > region_slack<T> * size + noise;
+    } else {
+      return false;
+    }
+  });
+}
+
+/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
+/// there is one.
+template <class T>
+std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& point,
+                               const Vec3<T>& outward) {
+  std::optional<Placed<T>> found;
+  const Vec3<T> local = inverse_transform(pose, point);
+  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
+    if (found || &piece == self) return;
+    if (!piece.convex())
+      found = riser(piece, at, self, point, outward);
+    else if (piece_rises_above(piece, at, point, outward))
+      found.emplace(Placed<T>{piece, at});
+  };
+  const T reach = on_piece<T> * max_abs(bounds(whole, Pose<T>{}).extent()) +
+                  T(64) * std::numeric_limits<T>::epsilon() * max_abs(point);
+  visit_pieces(
+      whole, pose, inflated(Aabb<T>{local, local}, reach), [] { return T(0); }, look);
+  return found;
+}
+
+/// Where a manifold stands on one of its sides: the middle of its deepest points, which of an edge's contact is inside
+/// the edge and not at an end of it.
+template <class T>
+Vec3<T> standing_point(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*side) {
+  const auto deepest =
+      std::min_element(manifold.points.begin(), manifold.points.end(),
+                       [](const ContactPoint<T>& p, const ContactPoint<T>& q) { return p.distance < q.distance; });
+  Vec3<T> sum{};
+  T count(0);
+  for (const ContactPoint<T>& p : manifold.points) {
+    const Vec3<T> from = p.*side - (*deepest).*side;
+    if (p.distance - deepest->distance > same_direction<T> * length(from)) continue;
+    sum += from;
+    count += T(1);
+  }
+  return (*deepest).*side + sum / count;
+}
+
+/// A convex piece of a shape, and the shape.
+template <class T>
+struct PieceOf {
+  const Shape<T>& whole;
+  const Pose<T>& whole_pose;
+  const Shape<T>& piece;
+  const Pose<T>& pose;
+};
+
+/// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle its
+/// own face's, on the side where the other shape is; of a solid piece that of the neighbour which rises above it, as far
+/// as the other shape touches that, or of a face of its own, if nothing rises above those.
+template <class T>
+std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>& neighbour, const PieceOf<T>& other,
+                                         const Vec3<T>& point, T margin) {
+  if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
+    const Vec3<T> face = rotate(self.pose.rotation, face_normal(*triangle));
+    if (face == Vec3<T>{}) return std::nullopt;
+    return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
+  }
+  Manifold<T> beside;
+  convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
+  const auto stands = [&](const Shape<T>& piece, const Vec3<T>& where, const Vec3<T>& normal) {
+    return !riser(self.whole, self.whole_pose, &piece, where, normal);
+  };
+  if (!beside.points.empty() && stands(neighbour.shape, standing_point(beside, &ContactPoint<T>::a), beside.normal))
+    return beside.normal;
+  if (self.piece.template as<Box<T>>())
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const T sign : {T(1), T(-1)}) {
+        Vec3<T> face{};
+        face[axis] = sign;
+        face = rotate(self.pose.rotation, face);
+        // At the place on the face that is over the point or under it.
+        const Vec3<T> corner = transform(self.pose, support(self.piece, rotate(conjugate(self.pose.rotation), face)));
+        if (stands(self.piece, point + face * dot(corner - point, face), face)) return face;
+      }
+  return std::nullopt;
+}
+
+/// The manifold of two pieces along `outward`, a normal of A or B. Where their faces do not meet, as of a thing that
+/// stands beside the piece on the continuation of its face, it has no points.
+template <class T>
+Manifold<T> laid_along(const PieceOf<T>& a, const PieceOf<T>& b, bool of_a, const Vec3<T>& outward, T margin,
+                       const Manifold<T>& like) {
+  Manifold<T> manifold;
+  manifold.piece_a = like.piece_a;
+  manifold.piece_b = like.piece_b;
+  contacts_along(a.piece, a.pose, b.piece, b.pose, of_a ? outward : -outward, margin, manifold);
+  return manifold;
+}
+
+/// One point: where the other shape reaches furthest below the plane of the piece's face.
+template <class T>
+Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool of_a, const Vec3<T>& outward,
+                           const Manifold<T>& like) {
+  const auto reach = [&](const PieceOf<T>& of, const Vec3<T>& along) {
+    return transform(of.pose, support(of.piece, rotate(conjugate(of.pose.rotation), along)));
+  };
+  const Vec3<T> lowest = reach(other, -outward);
+  const T distance = dot(lowest - reach(self, outward), outward);
+  const Vec3<T> above = lowest - outward * distance;
+  Manifold<T> manifold;
+  manifold.piece_a = like.piece_a;
+  manifold.piece_b = like.piece_b;
+  manifold.normal = of_a ? outward : -outward;
+  manifold.points.push_back({of_a ? above : lowest, of_a ? lowest : above, distance, like.points[0].feature});
+  return manifold;
+}
+
+/// What becomes of the manifold of two pieces.
+template <class T>
+struct Settled {
+  Manifold<T> manifold;  ///< of the surface; it may have no points
+  Manifold<T> instead;   ///< for when no other piece has any: one point, if the manifold has none
+};
+
+/// Lays a manifold of two pieces along the surface where its normal is not one of the surface's.
+template <class T>
+Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, const Manifold<T>& manifold) {
+  Settled<T> settled{manifold, {}};
+  for (const bool of_a : {true, false}) {
+    const PieceOf<T>&self = of_a ? a : b, &other = of_a ? b : a;
+    const Manifold<T> now = settled.manifold;
+    if (self.whole.convex() || now.points.empty()) continue;
+    const Vec3<T> outward = of_a ? now.normal : -now.normal;
+    if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
+      const Vec3<T> face = rotate(self.pose.rotation, face_normal(*triangle));
+      const T off = length(cross(face, outward));
+      if (face != Vec3<T>{} && off <= same_direction<T>) {
+        if (off == T(0)) continue;
+        settled.manifold = laid_along(a, b, of_a, dot(face, outward) < T(0) ? -face : face, margin, now);
+        if (settled.manifold.points.empty()) settled.manifold = now;  // rounding may leave a sliver without points
+        continue;
+      }
+    }
+    const Vec3<T> point = standing_point(now, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
+    const std::optional<Placed<T>> neighbour = riser(self.whole, self.whole_pose, &self.piece, point, outward);
+    if (!neighbour) continue;
+    const auto normal = normal_of_surface(self, *neighbour, other, point, margin);
+    if (!normal) continue;
+    settled.manifold = laid_along(a, b, of_a, *normal, margin, now);
+    if (settled.manifold.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, now);
+  }
+  return settled;
+}
+
+}  // namespace graze

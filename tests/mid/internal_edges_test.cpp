@@ -1,0 +1,172 @@
+// Things that slide over a surface cut into pieces meet the surface, not the cuts.
+#include "mid/internal_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "common/specimen.hpp"
+#include "graze/query.hpp"
+
+namespace graze {
+namespace {
+
+using testing::Kind;
+using testing::Random;
+
+std::size_t positions() {
+  const char* asked = std::getenv("GRAZE_TEST_SLIDES");
+  return asked ? std::strtoull(asked, nullptr, 10) : 400;
+}
+
+template <class T>
+struct Soup {
+  std::vector<Vec3<T>> points;
+  std::vector<typename Mesh<T>::Index> triangles;
+
+  void add(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
+    const auto n = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), {a, b, c});
+    triangles.push_back({n, n + 1, n + 2});
+  }
+  Shape<T> mesh() const { return Mesh<T>(points, triangles); }
+};
+
+/// A floor from -8 to 8 of squares cut along either diagonal; each triangle has corners of its own.
+template <class T>
+Soup<T> floor_of_triangles(Random& random) {
+  Soup<T> soup;
+  for (int x = -8; x < 8; ++x)
+    for (int z = -8; z < 8; ++z) {
+      const T x0 = T(x), x1 = T(x + 1), z0 = T(z), z1 = T(z + 1);
+      const Vec3<T> a{x0, 0, z0}, b{x1, 0, z0}, c{x1, 0, z1}, d{x0, 0, z1};
+      if (random() % 2 == 0)
+        soup.add(a, c, b), soup.add(a, d, c);
+      else
+        soup.add(a, d, b), soup.add(b, d, c);
+    }
+  return soup;
+}
+
+/// Slabs of triangles whose corners lie anywhere along the edges of their neighbours.
+template <class T>
+Soup<T> floor_with_t_junctions(Random& random) {
+  Soup<T> soup;
+  for (int x = -8; x < 8; x += 2) {
+    T z(-8), w(-8);
+    const T x0 = T(x), x1 = T(x + 2);
+    while (z < T(8) || w < T(8)) {
+      const T step = static_cast<T>(testing::uniform(random, 0.3f, 2.5f));
+      if (z <= w) {
+        soup.add({x0, 0, z}, {x0, 0, z + step}, {x1, 0, w});
+        z += step;
+      } else {
+        soup.add({x1, 0, w}, {x0, 0, z}, {x1, 0, w + step});
+        w += step;
+      }
+    }
+  }
+  return soup;
+}
+
+/// A floor of boxes side by side, children of one body.
+template <class T>
+Shape<T> floor_of_boxes() {
+  std::vector<Placed<T>> children;
+  for (int x = -8; x < 8; x += 2)
+    for (int z = -8; z < 8; z += 2)
+      children.push_back({Shape<T>(Box<T>({2, 1, 2})), {{T(x + 1), T(-0.5), T(z + 1)}, {}}});
+  return Compound<T>(std::move(children));
+}
+
+/// The lowest point of a shape as it is turned.
+template <class T>
+T lowest(const Shape<T>& shape, const Quat<T>& turn) {
+  return rotate(turn, support(shape, rotate(conjugate(turn), Vec3<T>{0, -1, 0}))).y;
+}
+
+/// A body somewhere on the floor, a little deep, lying on a face or anyhow.
+template <class T>
+void expect_the_floors_normal(const Shape<T>& floor, const Shape<T>& body, Random& random, bool level) {
+  const auto yaw = static_cast<T>(testing::uniform(random, -3, 3));
+  const Quat<T> turn =
+      level ? Quat<T>::from_axis_angle({0, 1, 0}, yaw) : normalized(cast<T>(testing::random_rotation(random)));
+  const T depth = static_cast<T>(testing::uniform(random, 0.0005f, 0.02f));
+  Vec3<T> at = cast<T>(testing::random_vector(random, 4));
+  at.y = -lowest(body, turn) - depth;
+  // Now and then just over an edge, where the least way out is sideways.
+  if (random() % 3 == 0) at.x = std::round(at.x) + static_cast<T>(testing::uniform(random, -0.003f, 0.003f));
+  const Pose<T> pose{at, turn};
+  for (const bool swapped : {false, true}) {
+    Manifolds<T> manifolds;
+    const T margin = contact_margin(floor, body);
+    const bool touch = swapped ? contacts(body, pose, floor, Pose<T>{}, margin, manifolds)
+                               : contacts(floor, Pose<T>{}, body, pose, margin, manifolds);
+    EXPECT_TRUE(touch);
+    ASSERT_FALSE(manifolds.empty()) << body.name() << " at " << at.x << ' ' << at.y << ' ' << at.z;
+    T deepest(0);
+    for (const Manifold<T>& m : manifolds) {
+      ASSERT_NEAR(m.normal.y, swapped ? T(-1) : T(1), 1e-6) << body.name() << " at " << at.x << ' ' << at.y << ' '
+                                                            << at.z << " normal " << m.normal.x << ' ' << m.normal.z;
+      for (const ContactPoint<T>& p : m.points) deepest = std::min(deepest, p.distance);
+    }
+    // Deep curved shapes touch deeper beside an edge than on it; none is deeper than the floor.
+    EXPECT_GE(deepest, -depth - T(1e-4));
+    EXPECT_LE(deepest, level ? -depth + T(1e-4) : T(0));
+  }
+}
+
+template <class T>
+class InternalEdges : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(InternalEdges, Scalars);
+
+template <class T>
+std::vector<Shape<T>> sliders(Random& random) {
+  std::vector<Shape<T>> all{Shape<T>(Sphere<T>(T(0.5))), Shape<T>(Box<T>({1, T(0.5), T(1.5)})),
+                            Shape<T>(Capsule<T>(1, T(0.3), T(0.3))), Shape<T>(Cylinder<T>(T(0.8), T(0.5), T(0.5))),
+                            Shape<T>(Box<T>({1, 1, 1}), T(0.1))};
+  std::vector<Vec3<T>> points;
+  for (int i = 0; i < 20; ++i) points.push_back(cast<T>(testing::random_vector(random, 0.6f)));
+  all.push_back(ConvexHull<T>(points));
+  return all;
+}
+
+TYPED_TEST(InternalEdges, NothingCatchesOnAFloorOfTriangles) {
+  using T = TypeParam;
+  Random random(1);
+  const Shape<T> floors[] = {floor_of_triangles<T>(random).mesh(), floor_with_t_junctions<T>(random).mesh()};
+  for (const Shape<T>& floor : floors)
+    for (const Shape<T>& body : sliders<T>(random))
+      for (std::size_t i = 0; i < positions(); ++i) {
+        expect_the_floors_normal(floor, body, random, i % 2 == 0);
+        if (this->HasFatalFailure()) return;
+      }
+}
+
+TYPED_TEST(InternalEdges, NothingCatchesOnAFloorOfBoxes) {
+  using T = TypeParam;
+  Random random(2);
+  const Shape<T> floor = floor_of_boxes<T>();
+  for (const Shape<T>& body : sliders<T>(random))
+    for (std::size_t i = 0; i < positions(); ++i) {
+      expect_the_floors_normal(floor, body, random, i % 2 == 0);
+      if (this->HasFatalFailure()) return;
+    }
+}
+
+/// A ridge and a step have edges of their own, and those are felt.
+TEST(InternalEdgesOfShape, EdgesThatStickOutCount) {
+  Soup<double> ridge;
+  ridge.add({0, 0, -1}, {0, 0, 1}, {1, -1, 0});
+  ridge.add({0, 0, -1}, {-1, -1, 0}, {0, 0, 1});
+  Manifolds<double> manifolds;
+  const Shaped ball(Sphere<double>(0.5));
+  ASSERT_TRUE(contacts(ridge.mesh(), Posed{}, ball, Posed{{0.05, 0.49, 0}, {}}, 0.0, manifolds));
+  ASSERT_EQ(manifolds.size(), 1u);
+  const Vec3d expected = normalized(Vec3d{0.05, 0.49, 0});
+  EXPECT_NEAR(length(manifolds[0].normal - expected), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace graze
