@@ -3,6 +3,7 @@
 #include "mid/group.hpp"
 #include "mid/internal_edges.hpp"
 #include "mid/pieces.hpp"
+#include "mid/spanning_points.hpp"
 #include "narrow/convex_pair.hpp"
 
 namespace graze {
@@ -96,6 +97,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   // What touches is not left without a point.
   if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);
   group_by_normal(manifolds, first);
+  for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i]);
   if (trace) trace->method = "pieces of composites";
   return least_distance;
 }

@@ -168,5 +168,32 @@ TEST(InternalEdgesOfShape, EdgesThatStickOutCount) {
   EXPECT_NEAR(length(manifolds[0].normal - expected), 0, 1e-9);
 }
 
+/// The corners of what lies on a cut floor, and none of the places where the cuts cross it. Where a cut goes through the
+/// outermost hundredth of a face, the small piece is rounded off as any small edge is: that makes two corners of one.
+TEST(InternalEdgesOfShape, CutsAddNoPoints) {
+  Random random(3);
+  const Shaped floors[] = {floor_of_triangles<double>(random).mesh(), floor_with_t_junctions<double>(random).mesh(),
+                           floor_of_boxes<double>()};
+  const auto points = [](const Shaped& floor, const Shaped& body, const Posed& pose) {
+    Manifolds<double> manifolds;
+    EXPECT_TRUE(contacts(floor, Posed{}, body, pose, 0.01, manifolds));
+    EXPECT_EQ(manifolds.size(), 1u);
+    return manifolds.empty() ? 0 : manifolds[0].points.size();
+  };
+  std::size_t rounded_off = 0;
+  for (const Shaped& floor : floors)
+    for (int i = 0; i < 200; ++i) {
+      const Quatd yaw = Quatd::from_axis_angle({0, 1, 0}, 0.1 * i + 0.01);
+      Vec3d at = cast<double>(testing::random_vector(random, 3));
+      at.y = 0.499;
+      const std::size_t of_box = points(floor, Shaped(Box<double>({2, 1, 3})), {at, yaw});
+      EXPECT_TRUE(of_box == 4 || of_box == 5) << of_box;
+      rounded_off += of_box == 5;
+      const Quatd lying = yaw * Quatd::from_axis_angle({1, 0, 0}, std::acos(-1.0) / 2);
+      EXPECT_EQ(points(floor, Shaped(Capsule<double>(3, 0.5, 0.5)), {at, lying}), 2u);
+    }
+  EXPECT_LT(rounded_off, 12u);  // of 600
+}
+
 }  // namespace
 }  // namespace graze
