@@ -114,6 +114,25 @@ struct PieceOf {
   const Pose<T>& pose;
 };
 
+/// The normal of the triangle's or box's face that `outward` is the normal of, but for rounding; zero if of none.
+template <class T>
+Vec3<T> face_along(const PieceOf<T>& self, const Vec3<T>& outward) {
+  Vec3<T> face{};
+  const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
+  if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
+    face = face_normal(*triangle);
+    if (dot(face, local) < T(0)) face = -face;
+  } else if (self.piece.template as<Box<T>>()) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (std::abs(local[axis]) >= max_abs(local)) {
+        face = {};
+        face[axis] = local[axis] < T(0) ? T(-1) : T(1);
+      }
+  }
+  if (face == Vec3<T>{} || length(cross(face, local)) > same_direction<T>) return {};
+  return rotate(self.pose.rotation, face);
+}
+
 /// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle its
 /// own face's, on the side where the other shape is; of a solid piece that of the neighbour which rises above it, as far
 /// as the other shape touches that, or of a face of its own, if nothing rises above those.
@@ -186,28 +205,28 @@ struct Settled {
 template <class T>
 Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, const Manifold<T>& manifold) {
   Settled<T> settled{manifold, {}};
+  Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const PieceOf<T>&self = of_a ? a : b, &other = of_a ? b : a;
-    const Manifold<T> now = settled.manifold;
     if (self.whole.convex() || now.points.empty()) continue;
-    const Vec3<T> outward = of_a ? now.normal : -now.normal;
-    if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
-      const Vec3<T> face = rotate(self.pose.rotation, face_normal(*triangle));
-      const T off = length(cross(face, outward));
-      if (face != Vec3<T>{} && off <= same_direction<T>) {
-        if (off == T(0)) continue;
-        settled.manifold = laid_along(a, b, of_a, dot(face, outward) < T(0) ? -face : face, margin, now);
-        if (settled.manifold.points.empty()) settled.manifold = now;  // rounding may leave a sliver without points
-        continue;
-      }
+    const Vec3<T> face = face_along(self, of_a ? now.normal : -now.normal);
+    if (face != Vec3<T>{} && face != (of_a ? now.normal : -now.normal)) {
+      const Manifold<T> tilted = now;
+      now = laid_along(a, b, of_a, face, margin, tilted);
+      if (now.points.empty()) settled.instead = tilted;  // rounding may leave a sliver without points
     }
+    if (now.points.empty()) continue;
+    // A triangle's face is part of the surface; a solid's may lie against its neighbour's.
+    if (face != Vec3<T>{} && self.piece.template as<Triangle<T>>()) continue;
+    const Vec3<T> outward = of_a ? now.normal : -now.normal;
     const Vec3<T> point = standing_point(now, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
     const std::optional<Placed<T>> neighbour = riser(self.whole, self.whole_pose, &self.piece, point, outward);
     if (!neighbour) continue;
     const auto normal = normal_of_surface(self, *neighbour, other, point, margin);
     if (!normal) continue;
-    settled.manifold = laid_along(a, b, of_a, *normal, margin, now);
-    if (settled.manifold.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, now);
+    const Manifold<T> before = now;
+    now = laid_along(a, b, of_a, *normal, margin, before);
+    if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, before);
   }
   return settled;
 }

@@ -177,7 +177,9 @@ TEST(InternalEdgesOfShape, CutsAddNoPoints) {
   const auto points = [](const Shaped& floor, const Shaped& body, const Posed& pose) {
     Manifolds<double> manifolds;
     EXPECT_TRUE(contacts(floor, Posed{}, body, pose, 0.01, manifolds));
-    EXPECT_EQ(manifolds.size(), 1u);
+    EXPECT_EQ(manifolds.size(), 1u) << body.name() << " on " << floor.name() << ", normals " << manifolds[0].normal.x
+                                    << ' ' << manifolds[0].normal.y << ' ' << manifolds.back().normal.x << ' '
+                                    << manifolds.back().normal.y << ' ' << manifolds.back().normal.z;
     return manifolds.empty() ? 0 : manifolds[0].points.size();
   };
   std::size_t rounded_off = 0;
