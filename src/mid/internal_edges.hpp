@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "graze/geometry.hpp"
 #include "mid/pieces.hpp"
@@ -87,6 +88,14 @@ std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const
   return found;
 }
 
+template <class T>
+Vec3<T> middle(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*side) {
+  const Vec3<T> first = manifold.points[0].*side;
+  Vec3<T> sum{};
+  for (const ContactPoint<T>& p : manifold.points) sum += p.*side - first;
+  return first + sum / static_cast<T>(manifold.points.size());
+}
+
 /// Where a manifold stands on one of its sides: the middle of its deepest points, which of an edge's contact is inside
 /// the edge and not at an end of it.
 template <class T>
@@ -105,13 +114,68 @@ Vec3<T> standing_point(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*si
   return (*deepest).*side + sum / count;
 }
 
-/// A convex piece of a shape, and the shape.
+/// Whether a place lies inside a solid piece of `whole` other than `self`, by more than rounding.
+template <class T>
+bool is_buried(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& place) {
+  bool buried = false;
+  const Vec3<T> local = inverse_transform(pose, place);
+  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
+    if (buried || &piece == self) return;
+    if (!piece.convex()) {
+      buried = is_buried(piece, at, self, place);
+      return;
+    }
+    const Distance<T> d = convex_distance<T>(piece, at, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr);
+    const T size = max_abs(bounds(piece, Pose<T>{}).extent());
+    buried = d.distance < -T(4) * tolerance<T> * size - T(64) * std::numeric_limits<T>::epsilon() * max_abs(place);
+  };
+  visit_pieces(
+      whole, pose, Aabb<T>{local, local}, [] { return T(0); }, look);
+  return buried;
+}
+
+/// A shape of somebody else's, where it stands.
+template <class T>
+struct PlacedRef {
+  const Shape<T>* shape;
+  const Pose<T>* pose;
+};
+
+/// A convex piece of a shape, the shape, and what stands still beside it and may continue its surface.
 template <class T>
 struct PieceOf {
   const Shape<T>& whole;
   const Pose<T>& whole_pose;
   const Shape<T>& piece;
   const Pose<T>& pose;
+  std::span<const PlacedRef<T>> beside = {};
+
+  /// Calls `f(shape, pose)` for the whole and all that is beside it and holds the point, until it returns true.
+  template <class F>
+  bool any_around(const Vec3<T>& point, const F& f) const {
+    if (!whole.convex() && f(whole, whole_pose)) return true;
+    const T noise = T(64) * std::numeric_limits<T>::epsilon() * max_abs(point);
+    return std::any_of(beside.begin(), beside.end(), [&](const PlacedRef<T>& other) {
+      const Aabb<T> box = bounds(*other.shape, *other.pose);
+      const T reach = on_piece<T> * max_abs(box.extent()) + noise;
+      return overlap(inflated(box, reach), Aabb<T>{point, point}) && f(*other.shape, *other.pose);
+    });
+  }
+  /// A neighbour that rises above the plane through the point.
+  std::optional<Placed<T>> riser(const Vec3<T>& point, const Vec3<T>& outward) const {
+    std::optional<Placed<T>> found;
+    any_around(point, [&](const Shape<T>& shape, const Pose<T>& at) {
+      found = graze::riser(shape, at, &piece, point, outward);
+      return found.has_value();
+    });
+    return found;
+  }
+  /// Whether the face of a solid lies against a neighbour at the point: a step outward leads into that.
+  bool is_covered(const Vec3<T>& point, const Vec3<T>& outward) const {
+    const Vec3<T> step = outward * (on_piece<T> * max_abs(bounds(piece, Pose<T>{}).extent()));
+    return any_around(
+        point, [&](const Shape<T>& shape, const Pose<T>& at) { return is_buried(shape, at, &piece, point + step); });
+  }
 };
 
 /// The normal of the triangle's or box's face that `outward` is the normal of, but for rounding; zero if of none.
@@ -146,10 +210,7 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
   }
   Manifold<T> beside;
   convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
-  const auto stands = [&](const Shape<T>& piece, const Vec3<T>& where, const Vec3<T>& normal) {
-    return !riser(self.whole, self.whole_pose, &piece, where, normal);
-  };
-  if (!beside.points.empty() && stands(neighbour.shape, standing_point(beside, &ContactPoint<T>::a), beside.normal))
+  if (!beside.points.empty() && !self.riser(standing_point(beside, &ContactPoint<T>::a), beside.normal))
     return beside.normal;
   if (self.piece.template as<Box<T>>())
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -159,7 +220,7 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
         face = rotate(self.pose.rotation, face);
         // At the place on the face that is over the point or under it.
         const Vec3<T> corner = transform(self.pose, support(self.piece, rotate(conjugate(self.pose.rotation), face)));
-        if (stands(self.piece, point + face * dot(corner - point, face), face)) return face;
+        if (!self.riser(point + face * dot(corner - point, face), face)) return face;
       }
   return std::nullopt;
 }
@@ -208,7 +269,7 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const PieceOf<T>&self = of_a ? a : b, &other = of_a ? b : a;
-    if (self.whole.convex() || now.points.empty()) continue;
+    if ((self.whole.convex() && self.beside.empty()) || now.points.empty()) continue;
     const Vec3<T> face = face_along(self, of_a ? now.normal : -now.normal);
     if (face != Vec3<T>{} && face != (of_a ? now.normal : -now.normal)) {
       const Manifold<T> tilted = now;
@@ -219,8 +280,11 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     // A triangle's face is part of the surface; a solid's may lie against its neighbour's.
     if (face != Vec3<T>{} && self.piece.template as<Triangle<T>>()) continue;
     const Vec3<T> outward = of_a ? now.normal : -now.normal;
-    const Vec3<T> point = standing_point(now, of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
-    const std::optional<Placed<T>> neighbour = riser(self.whole, self.whole_pose, &self.piece, point, outward);
+    const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
+    // In the middle of a face's contact, since its ends lie where the next piece begins.
+    if (face != Vec3<T>{} && !self.is_covered(middle(now, side), outward)) continue;
+    const Vec3<T> point = standing_point(now, side);
+    const std::optional<Placed<T>> neighbour = self.riser(point, outward);
     if (!neighbour) continue;
     const auto normal = normal_of_surface(self, *neighbour, other, point, margin);
     if (!normal) continue;

@@ -283,6 +283,26 @@ T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
   return distance;
 }
 
+template <class T>
+void contacts_along(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                    const Vec3<T>& normal, T margin, Manifold<T>& manifold) {
+  if (against_order(a, b)) {
+    contacts_along(b, pose_b, a, pose_a, -normal, margin, manifold);
+    mirror(manifold);
+    return;
+  }
+  const Posed frame = in_double(pose_a);
+  const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
+  const Vec3d n = normalized(rotate(conjugate(frame.rotation), cast<double>(normal)));
+  add_points(side_a, side_a.face(n, true), side_b, side_b.face(-n, true), n, static_cast<double>(margin), frame,
+             manifold);
+  manifold.normal = normal;
+}
+
+template void contacts_along(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&,
+                             const Vec3<float>&, float, Manifold<float>&);
+template void contacts_along(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
+                             const Vec3<double>&, double, Manifold<double>&);
 template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
                                Manifold<float>&, Trace*);
 template double convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,

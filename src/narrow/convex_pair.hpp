@@ -38,4 +38,10 @@ template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                   Manifold<T>& manifold, Trace* trace);
 
+/// The contacts of two bounded convex shapes along a normal that is given (unit, from A to B): their faces that meet
+/// along it, laid over each other. Appends the points up to `margin` apart; there may be none.
+template <class T>
+void contacts_along(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                    const Vec3<T>& normal, T margin, Manifold<T>& manifold);
+
 }  // namespace graze
