@@ -155,58 +155,51 @@ class DynamicTree final : public BroadPhase<T> {
   mutable std::mutex mutex_;
 };
 
-/// The distance of two boxes. Squares are of numbers up to 1, so that nothing overflows.
-template <class T>
-T box_distance(const Aabb<T>& a, const Aabb<T>& b) {
-  Vec3<T> gap{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (b.lower[i] > a.upper[i]) gap[i] = b.lower[i] - a.upper[i];
-    if (a.lower[i] > b.upper[i]) gap[i] = a.lower[i] - b.upper[i];
-  }
-  const T largest = max_abs(gap);
-  if (!(largest > T(0)) || !(largest <= std::numeric_limits<T>::max())) return largest;
-  const Vec3<T> share = gap / largest;
-  return largest * std::sqrt(dot(share, share));
-}
-
 template <class T>
 template <class F>
 void DynamicTree<T>::nearest(const Aabb<T>& from, T limit, const F& f) const {
   refresh();
-  // The distance of a box may be less than that of what is around it by the rounding of some eight operations.
-  constexpr T slack = T(1) - T(8) * std::numeric_limits<T>::epsilon();
-  const auto see = [&](std::uint32_t leaf) {
-    if (box_distance(box_[leaf], from) * slack <= limit) limit = f(id_[leaf], box_[leaf]);
-  };
+  // The distance of a box may be less than that of what is around it by the rounding of some eight operations each.
+  constexpr T slack = T(1) - T(16) * std::numeric_limits<T>::epsilon();
   struct Visit {
     T distance;
     std::uint32_t child;
   };
   SmallVector<Visit, 128> stack;
-  stack.push_back({T(0), 0});
-  while (!stack.empty() && limit >= T(0)) {
-    const Visit next = stack.back();
-    stack.truncate(stack.size() - 1);
-    if (!(next.distance * slack <= limit)) continue;
-    if (TreeChild::is_leaf(next.child)) {
-      see(TreeChild::leaf(next.child));
-      continue;
-    }
-    const WideNode<T>& node = nodes_[next.child];
+  // The farthest first: the nearest is taken from the end.
+  const auto add = [&](const WideNode<T>& node) {
+    std::array<T, width> distance;
+    node.distances(from, distance);
     const std::size_t begin = stack.size();
     for (std::uint32_t i = 0; i < width; ++i) {
-      if (node.child[i] == TreeChild::none) continue;
-      const Visit visit{box_distance(node.box(i), from), node.child[i]};
-      if (!(visit.distance * slack <= limit)) continue;
-      // Sorted in, the farthest first: the nearest is taken from the end.
+      const Visit visit{distance[i] * slack, node.child[i]};
+      if (visit.child == TreeChild::none || !(visit.distance <= limit)) continue;
       stack.push_back(visit);
       std::size_t j = stack.size() - 1;
       for (; j > begin && stack[j - 1].distance < visit.distance; --j) stack[j] = stack[j - 1];
       stack[j] = visit;
     }
+  };
+  add(nodes_.front());
+  while (!stack.empty() && limit >= T(0)) {
+    const Visit next = stack.back();
+    stack.truncate(stack.size() - 1);
+    if (!(next.distance <= limit)) continue;
+    if (TreeChild::is_leaf(next.child)) {
+      const std::uint32_t leaf = TreeChild::leaf(next.child);
+      limit = f(id_[leaf], box_[leaf]);
+    } else {
+      add(nodes_[next.child]);
+    }
   }
-  for (const std::uint32_t leaf : open_)
-    if (limit >= T(0)) see(leaf);
+  for (const std::uint32_t leaf : open_) {
+    if (!(limit >= T(0))) return;
+    WideNode<T> alone;
+    alone.set(0, box_[leaf], leaf);
+    std::array<T, width> distance;
+    alone.distances(from, distance);
+    if (distance[0] * slack <= limit) limit = f(id_[leaf], box_[leaf]);
+  }
 }
 
 }  // namespace graze

@@ -63,6 +63,28 @@ struct alignas(64) WideNode {
     for (std::uint32_t i = 0; i < width; ++i) bits |= (child[i] != TreeChild::none ? 1u : 0u) << i;
     return bits;
   }
+  /// The distance of each child from a box; anything for a place without a child. The largest gap of the three axes is
+  /// taken out before squaring, so that nothing overflows.
+  void distances(const Aabb<T>& from, std::array<T, width>& out) const {
+    constexpr int lanes = 16 / sizeof(T);
+    using Lanes = Wide<T, lanes>;
+    const Lanes zero(T(0)), one(T(1));
+    for (std::size_t first = 0; first < width; first += lanes) {
+      Lanes gap[3];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Lanes low = Lanes::load(&lower[axis][first]), high = Lanes::load(&upper[axis][first]);
+        const Lanes from_low(from.lower[axis]), from_high(from.upper[axis]);
+        gap[axis] = select(low > from_high, low - from_high, select(from_low > high, from_low - high, zero));
+      }
+      const Lanes largest = greatest(gap[0], greatest(gap[1], gap[2]));
+      // Of equal gaps without end there is no share.
+      const auto plain = (largest > zero) & (largest <= Lanes(std::numeric_limits<T>::max()));
+      const Lanes scale = one / select(plain, largest, one);
+      Lanes sum = zero;
+      for (const Lanes& g : gap) sum += g * scale * (g * scale);
+      select(plain, largest * sqrt(sum), largest).store(&out[first]);
+    }
+  }
   /// One bit a child: whether it overlaps the box.
   std::uint32_t overlapping(const Aabb<T>& b) const {
     // As many lanes as every x86-64 has: wider vectors than the hardware's are slow in g++.

@@ -25,6 +25,7 @@ class BoxSplits {
 
     /// Halves first: the sum of two large numbers overflows.
     T center(std::size_t axis) const { return box.lower[axis] * T(0.5) + box.upper[axis] * T(0.5); }
+    T size() const { return max_abs(box.extent()); }
   };
 
   std::vector<Item> items;
@@ -33,12 +34,23 @@ class BoxSplits {
   /// Those of few items are halved at a multiple of `granule`, so that nodes get filled.
   std::uint32_t operator()(std::uint32_t begin, std::uint32_t end, unsigned depth, std::uint32_t granule) {
     Aabb<T> centers = Aabb<T>::empty();
+    double sizes = 0;
+    T longest(0);
     for (std::uint32_t i = begin; i < end; ++i) {
       const Item& item = items[i];
       centers = merged(centers, Vec3<T>{item.center(0), item.center(1), item.center(2)});
+      longest = greatest(longest, item.size());
+      sizes += static_cast<double>(item.size());
     }
     const Vec3<T> spread = centers.extent();
     const std::size_t axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+    if (depth < max_uneven) {
+      const T limit = greatest(static_cast<T>(long_share * sizes / (end - begin)), spread[axis] / T(4));
+      if (longest > limit) {
+        const std::uint32_t middle = by_size(begin, end, limit);
+        if (middle != end) return middle;
+      }
+    }
     if (end - begin > few_items && depth < max_uneven) {
       const std::uint32_t middle = by_area(begin, end, axis, centers.lower[axis], spread[axis]);
       if (middle != begin && middle != end) return middle;
@@ -56,9 +68,21 @@ class BoxSplits {
   /// So few are halved: finding where to divide costs more than it saves.
   static constexpr std::uint32_t few_items = 64;
   static constexpr std::size_t bins = 16;
+  /// A box so many times the mean in length, and a quarter of where all are, would make the bounds of all around it as
+  /// large as itself, up to the top. Such boxes get a part of their own while they are no more than one in so many.
+  static constexpr double long_share = 4;
+  static constexpr std::uint32_t max_long_share = 8;
 
   auto at(std::uint32_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); }
 
+  /// The long ones after the others; `end` if they are too many.
+  std::uint32_t by_size(std::uint32_t begin, std::uint32_t end, T limit) {
+    const auto is_short = [limit](const Item& item) { return !(item.size() > limit); };
+    const auto count = static_cast<std::uint32_t>(std::count_if(at(begin), at(end), is_short));
+    if (count == 0 || end - begin - count > (end - begin) / max_long_share) return end;
+    std::partition(at(begin), at(end), is_short);
+    return begin + count;
+  }
   /// Where the areas of both sides, each times its boxes, sum to the least, of sixteen places (Wald 2007, "On fast
   /// construction of SAH-based bounding volume hierarchies"). `begin` or `end` if there is none.
   std::uint32_t by_area(std::uint32_t begin, std::uint32_t end, std::size_t axis, T low, T spread) {
