@@ -24,8 +24,8 @@ struct TreeChild {
 
 template <class T>
 struct alignas(64) WideNode {
-  /// Four children cost as much a test with the 16 bytes of SSE, but make twice as many nodes to go to: measured, all
-  /// pairs of 100,000 boxes take a third longer with them.
+  /// Measured on 30,000 drifting boxes with the 16-byte vectors that every x86-64 has: with four children a frame takes
+  /// half as long again, and the tree a fifth more memory.
   static constexpr std::uint32_t width = 8;
 
   std::array<std::array<T, width>, 3> lower, upper;
