@@ -4,15 +4,15 @@
 //
 // Scenes: `coherent` all boxes drift, `tenth` every tenth does, `teleport` all jump anywhere, `uneven` one in a hundred
 // is 50 times larger, `clustered` in a few heaps far apart. Each box has three to six neighbours. All libraries get the
-// same boxes in single precision, in turns frame by frame; the median is told, how many pairs each finds (those that
+// same boxes in single precision, in turns frame by frame; the median of the processor's time is told, how many pairs each finds (those that
 // keep fat boxes find more than there are; `moved` asks only for the pairs of what moved), and the bytes it holds a box.
 // One that takes more than two seconds over the first frame, or took a fifth of one with a tenth of the boxes, is left
 // out.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <regex>
@@ -235,15 +235,14 @@ constexpr double patience = 2;
 /// `slow` are the names of those not to try in this scene, and is added to.
 void run_scene(const Scene& scene, std::size_t count, std::size_t frames, std::vector<Contender>& contenders,
                std::set<std::string>& slow) {
-  using Clock = std::chrono::steady_clock;
   Motion motion(scene, count);
   std::vector<Result> results(contenders.size());
-  const auto seconds = [](Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+  const auto seconds = [](std::clock_t begin) {
+    return static_cast<double>(std::clock() - begin) / static_cast<double>(CLOCKS_PER_SEC);
   };
   for (std::size_t c = 0; c < contenders.size(); ++c) {
     results[c].too_slow = slow.count(contenders[c].name) != 0;
-    const auto begin = Clock::now();
+    const auto begin = std::clock();
     if (!results[c].too_slow) contenders[c].begin(motion.boxes);
     if (seconds(begin) > patience / 10) slow.insert(contenders[c].name);
   }
@@ -251,7 +250,7 @@ void run_scene(const Scene& scene, std::size_t count, std::size_t frames, std::v
     motion.step();
     for (std::size_t c = 0; c < contenders.size(); ++c) {
       if (results[c].too_slow) continue;
-      const auto begin = Clock::now();
+      const auto begin = std::clock();
       results[c].pairs = contenders[c].frame(motion.boxes, motion.moved);
       const double time = seconds(begin);
       if (frame > 0)
