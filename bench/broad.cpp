@@ -4,10 +4,10 @@
 //
 // Scenes: `coherent` all boxes drift, `tenth` every tenth does, `teleport` all jump anywhere, `uneven` one in a hundred
 // is 50 times larger, `clustered` in a few heaps far apart. Each box has three to six neighbours. All libraries get the
-// same boxes in single precision, in turns frame by frame; the median of the processor's time is told, how many pairs each finds (those that
-// keep fat boxes find more than there are; `moved` asks only for the pairs of what moved), and the bytes it holds a box.
-// One that takes more than two seconds over the first frame, or took a fifth of one with a tenth of the boxes, is left
-// out.
+// same boxes in single precision, in turns frame by frame. Told are the median of the processor's time, how many pairs
+// each finds (those that keep fat boxes find more than there are; `moved` asks only for the pairs of what moved), and
+// the bytes it holds a box. One that takes more than two seconds over the first frame, or took a fifth of one with a
+// tenth of the boxes, is left out.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
