@@ -13,8 +13,9 @@ namespace graze {
 namespace {
 
 enum class Method { sort_and_sweep, sweep_and_prune, hashed_grid, loose_octree, bsp, dynamic_tree };
-constexpr Method all_methods[] = {Method::sort_and_sweep, Method::sweep_and_prune, Method::hashed_grid,
-                                  Method::loose_octree, Method::bsp, Method::dynamic_tree};
+constexpr Method all_methods[] = {
+    Method::sort_and_sweep, Method::sweep_and_prune, Method::hashed_grid, Method::loose_octree, Method::bsp,
+    Method::dynamic_tree};
 
 template <class T>
 std::unique_ptr<BroadPhase<T>> make(Method method) {
