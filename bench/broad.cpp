@@ -1,19 +1,22 @@
 // Broad phases side by side: update and the whole set of pairs, every frame, on one thread.
 //
-//   bench_broad [--largest N] [--frames N] [--filter REGEX]
+//   bench_broad [--largest N] [--frames N] [--filter REGEX] [--scene REGEX]
 //
 // Scenes: `coherent` all boxes drift, `tenth` every tenth does, `teleport` all jump anywhere, `uneven` one in a hundred
 // is 50 times larger, `clustered` in a few heaps far apart. Each box has three to six neighbours. All libraries get the
-// same boxes in single precision, in turns frame by frame; the median is told, and how many pairs each finds (those that
-// keep fat boxes find more than there are).
+// same boxes in single precision, in turns frame by frame. Told are the median of the processor's time, how many pairs
+// each finds (those that keep fat boxes find more than there are; `moved` asks only for the pairs of what moved), and
+// the bytes it holds a box. One that takes more than two seconds over the first frame, or took a fifth of one with a
+// tenth of the boxes, is left out.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <regex>
+#include <set>
 #include <string>
 
 #ifdef GRAZE_BENCH_BULLET
@@ -38,6 +41,7 @@ struct Contender {
   std::string name;
   std::function<void(const Boxes&)> begin;
   std::function<std::size_t(const Boxes&, const std::vector<std::uint32_t>& moved)> frame;
+  std::function<std::size_t()> memory = [] { return std::size_t{0}; };  ///< in bytes; 0 where it cannot be known
 };
 
 Contender row_sweep() {
@@ -50,10 +54,13 @@ Contender row_sweep() {
           [state](const Boxes& boxes, const auto&) {
             state->finder.find(boxes, state->pairs);
             return state->pairs.size();
-          }};
+          },
+          [state] { return state->finder.memory(); }};
 }
 
-Contender structure(const char* name, std::unique_ptr<BroadPhase<float>> (*make)()) {
+enum class Asked { all, moved };
+
+Contender structure(const char* name, std::unique_ptr<BroadPhase<float>> (*make)(), Asked asked = Asked::all) {
   struct State {
     std::unique_ptr<BroadPhase<float>> broad;
     std::vector<IdPair> pairs;
@@ -64,11 +71,15 @@ Contender structure(const char* name, std::unique_ptr<BroadPhase<float>> (*make)
             state->broad = make();
             for (std::uint32_t i = 0; i < boxes.size(); ++i) state->broad->insert(i, boxes[i]);
           },
-          [state](const Boxes& boxes, const std::vector<std::uint32_t>& moved) {
+          [state, asked](const Boxes& boxes, const std::vector<std::uint32_t>& moved) {
             for (const std::uint32_t i : moved) state->broad->move(i, boxes[i]);
-            state->broad->pairs(state->pairs);
+            if (asked == Asked::all)
+              state->broad->pairs(state->pairs);
+            else
+              state->broad->moved_pairs(state->pairs);
             return state->pairs.size();
-          }};
+          },
+          [state] { return state->broad->memory(); }};
 }
 
 #ifdef GRAZE_BENCH_BULLET
@@ -215,42 +226,78 @@ class Motion {
 struct Result {
   std::vector<double> times;
   std::size_t pairs = 0;
+  bool too_slow = false;
 };
 
-void run_scene(const Scene& scene, std::size_t count, std::size_t frames, std::vector<Contender>& contenders) {
-  using Clock = std::chrono::steady_clock;
+/// One that takes longer over its first frame, or that took a tenth as long with a tenth of the boxes, is left out.
+constexpr double patience = 2;
+
+/// `slow` are the names of those not to try in this scene, and is added to.
+void run_scene(const Scene& scene, std::size_t count, std::size_t frames, std::vector<Contender>& contenders,
+               std::set<std::string>& slow) {
   Motion motion(scene, count);
   std::vector<Result> results(contenders.size());
-  for (Contender& c : contenders) c.begin(motion.boxes);
+  const auto seconds = [](std::clock_t begin) {
+    return static_cast<double>(std::clock() - begin) / static_cast<double>(CLOCKS_PER_SEC);
+  };
+  for (std::size_t c = 0; c < contenders.size(); ++c) {
+    results[c].too_slow = slow.count(contenders[c].name) != 0;
+    const auto begin = std::clock();
+    if (!results[c].too_slow) contenders[c].begin(motion.boxes);
+    if (seconds(begin) > patience / 10) slow.insert(contenders[c].name);
+  }
   for (std::size_t frame = 0; frame < frames + 1; ++frame) {
     motion.step();
     for (std::size_t c = 0; c < contenders.size(); ++c) {
-      const auto begin = Clock::now();
+      if (results[c].too_slow) continue;
+      const auto begin = std::clock();
       results[c].pairs = contenders[c].frame(motion.boxes, motion.moved);
-      const double time = std::chrono::duration<double>(Clock::now() - begin).count();
-      if (frame > 0) results[c].times.push_back(time);
+      const double time = seconds(begin);
+      if (frame > 0)
+        results[c].times.push_back(time);
+      else
+        results[c].too_slow = time > patience;
+      if (time > patience / 10) slow.insert(contenders[c].name);
     }
   }
-  std::printf("| %-9s | %8zu |", scene.name, count);
-  for (Result& r : results) {
-    std::nth_element(r.times.begin(), r.times.begin() + static_cast<std::ptrdiff_t>(r.times.size() / 2), r.times.end());
-    std::printf(" %9.3f (%8zu) |", r.times[r.times.size() / 2] * 1e3, r.pairs);
+  for (std::size_t c = 0; c < contenders.size(); ++c) {
+    Result& r = results[c];
+    std::printf("| %-9s | %7zu | %-18s |", scene.name, count, contenders[c].name.c_str());
+    if (r.too_slow) {
+      std::printf("  too slow |          |       |\n");
+      continue;
+    }
+    const auto middle = r.times.begin() + static_cast<std::ptrdiff_t>(r.times.size() / 2);
+    std::nth_element(r.times.begin(), middle, r.times.end());
+    const std::size_t memory = contenders[c].memory();
+    std::printf(" %9.3f | %8zu |", *middle * 1e3, r.pairs);
+    if (memory > 0)
+      std::printf(" %5zu |\n", memory / count);
+    else
+      std::printf("     ? |\n");
   }
-  std::printf("\n");
   std::fflush(stdout);
 }
 
 int run(int argc, char** argv) {
   std::size_t largest = 100000, frames = 9;
-  std::string filter = ".*";
+  std::string filter = ".*", only = ".*";
   for (int i = 1; i + 1 < argc; i += 2) {
     if (std::strcmp(argv[i], "--largest") == 0) largest = std::strtoull(argv[i + 1], nullptr, 10);
     if (std::strcmp(argv[i], "--frames") == 0)
       frames = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
     if (std::strcmp(argv[i], "--filter") == 0) filter = argv[i + 1];
+    if (std::strcmp(argv[i], "--scene") == 0) only = argv[i + 1];
   }
   const auto make = [&] {
-    std::vector<Contender> all{row_sweep(), structure("sort+sweep", make_sort_and_sweep<float>)};
+    std::vector<Contender> all{row_sweep(),
+                               structure("dynamic tree", make_dynamic_tree<float>),
+                               structure("dynamic tree moved", make_dynamic_tree<float>, Asked::moved),
+                               structure("sort+sweep", make_sort_and_sweep<float>),
+                               structure("sweep+prune", make_sweep_and_prune<float>),
+                               structure("hashed grid", make_hashed_grid<float>),
+                               structure("loose octree", make_loose_octree<float>),
+                               structure("bsp", make_bsp<float>)};
 #ifdef GRAZE_BENCH_BULLET
     all.push_back(bullet("bullet dbvt", bullet_tree));
     all.push_back(bullet("bullet sap", bullet_sweep));
@@ -261,14 +308,16 @@ int run(int argc, char** argv) {
     std::erase_if(all, [&](const Contender& c) { return !std::regex_search(c.name, std::regex(filter)); });
     return all;
   };
-  std::printf("milliseconds a frame (pairs)\n| %-9s | %8s |", "scene", "boxes");
-  for (const Contender& c : make()) std::printf(" %20s |", c.name.c_str());
-  std::printf("\n");
-  for (const Scene& scene : scenes)
+  std::printf("| scene     |   boxes | structure          |  ms/frame |    pairs | B/box |\n");
+  std::printf("|-----------|--------:|--------------------|----------:|---------:|------:|\n");
+  for (const Scene& scene : scenes) {
+    if (!std::regex_search(scene.name, std::regex(only))) continue;
+    std::set<std::string> slow;
     for (std::size_t count = 1000; count <= largest; count *= 10) {
       auto contenders = make();
-      run_scene(scene, count, frames, contenders);
+      run_scene(scene, count, frames, contenders, slow);
     }
+  }
   return 0;
 }
 

@@ -50,6 +50,11 @@ class BroadPhase {
   virtual std::size_t memory() const = 0;
 };
 
+/// A tree of bounds, eight children a node: `DynamicTree` in graze/dynamic_tree.hpp, the one to take unless something
+/// speaks for another. Any sizes, any mix of what moves and what does not, and fast queries.
+template <class T>
+std::unique_ptr<BroadPhase<T>> make_dynamic_tree();
+
 /// Sort and sweep along the axis on which the boxes vary most (Baraff 1992, "Dynamic simulation of non-penetrating
 /// rigid bodies", section 5; Ericson 2005, "Real-time collision detection", section 7.5). Kept sorted from call to
 /// call, so that what moves little costs little. No structure to keep up; box queries look at everything.

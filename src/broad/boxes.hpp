@@ -13,6 +13,14 @@ namespace graze {
 
 constexpr IdPair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? IdPair{a, b} : IdPair{b, a}; }
 
+template <class T>
+void check(const Aabb<T>& box) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(box.lower[i] <= box.upper[i]))
+      throw InvalidValue("box", "lower <= upper on every axis",
+                         std::to_string(box.lower[i]) + " and " + std::to_string(box.upper[i]));
+}
+
 /// Boxes in one array without holes. A place in it stays until something is removed: then the last box takes the hole.
 template <class T>
 class BoxTable {
@@ -78,13 +86,6 @@ class BoxTable {
   }
 
  private:
-  static void check(const Aabb<T>& box) {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!(box.lower[i] <= box.upper[i]))
-        throw InvalidValue("box", "lower <= upper on every axis",
-                           std::to_string(box.lower[i]) + " and " + std::to_string(box.upper[i]));
-  }
-
   std::vector<Entry> entries_;
   std::unordered_map<std::uint32_t, std::uint32_t> place_;
 };

@@ -12,9 +12,10 @@
 namespace graze {
 namespace {
 
-enum class Method { sort_and_sweep, sweep_and_prune, hashed_grid, loose_octree, bsp };
-constexpr Method all_methods[] = {Method::sort_and_sweep, Method::sweep_and_prune, Method::hashed_grid,
-                                  Method::loose_octree, Method::bsp};
+enum class Method { sort_and_sweep, sweep_and_prune, hashed_grid, loose_octree, bsp, dynamic_tree };
+constexpr Method all_methods[] = {
+    Method::sort_and_sweep, Method::sweep_and_prune, Method::hashed_grid, Method::loose_octree, Method::bsp,
+    Method::dynamic_tree};
 
 template <class T>
 std::unique_ptr<BroadPhase<T>> make(Method method) {
@@ -24,6 +25,7 @@ std::unique_ptr<BroadPhase<T>> make(Method method) {
   case Method::hashed_grid: return make_hashed_grid<T>();
   case Method::loose_octree: return make_loose_octree<T>();
   case Method::bsp: return make_bsp<T>();
+  case Method::dynamic_tree: return make_dynamic_tree<T>();
   }
   return nullptr;
 }
