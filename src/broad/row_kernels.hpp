@@ -1,0 +1,57 @@
+// The sweep of rows of boxes: plain arrays in, plain pairs out, so that it can be compiled for each instruction set.
+//
+// Guarantee: each overlapping pair is found once. Reads up to `row_padding` boxes past the last one, and no further.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "lanes/dispatch.hpp"
+
+namespace graze {
+
+/// So many boxes more than there are can be read from the arrays of `Rows`.
+inline constexpr std::size_t row_padding = 16;
+
+/// Boxes of one row of a grid: `index` counts rows along Z first, then along Y.
+struct Row {
+  std::uint32_t index, begin, end;
+};
+
+/// Boxes sorted by row and then along X, a coordinate an array.
+template <class T>
+struct Rows {
+  const T *lower_x, *upper_x, *lower_y, *upper_y, *lower_z, *upper_z;
+  const T* reach_x;  ///< the furthest upper_x from the beginning of the row up to here
+  const std::uint32_t* place;
+  const Row* rows;  ///< those with boxes, by index; after the last, one with an index that no row has
+  std::size_t count;
+  std::uint32_t along_z;  ///< how many rows there are along Z, with boxes or without
+};
+
+/// Where found pairs go: two places each, in any order.
+struct PairSink {
+  std::uint32_t *first, *second;
+  std::size_t count, capacity;
+  void (*grow)(PairSink&);  ///< makes room for `row_padding` more at the least
+  void* owner;
+};
+
+/// A box that is compared with rows: `lower_x`, `upper_x` and so on for Y and Z.
+template <class T>
+struct SweptOver {
+  T bounds[6];
+  std::uint32_t place;
+  std::uint32_t low_y, high_y, low_z, high_z;  ///< the rows it can reach, all included
+};
+
+// clang-format off
+GRAZE_DECLARE_KERNEL(
+    /// The pairs of boxes that lie in the same row or in neighbouring ones.
+    template <class T> void sweep_rows(const Rows<T>& rows, PairSink& sink);
+    /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
+    template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,
+                                       std::size_t count, PairSink& sink);)
+// clang-format on
+
+}  // namespace graze
