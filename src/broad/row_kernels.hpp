@@ -51,7 +51,10 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void sweep_rows(const Rows<T>& rows, PairSink& sink);
     /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
     template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,
-                                       std::size_t count, PairSink& sink);)
+                                       std::size_t count, PairSink& sink);
+    /// The pairs of one box with those from place `from` to `end` in the arrays, whatever their order; in that order.
+    template <class T> void test_all(const Rows<T>& boxes, std::size_t from, std::size_t end, const SweptOver<T>& box,
+                                     PairSink& sink);)
 // clang-format on
 
 }  // namespace graze

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "broad/boxes.hpp"
-#include "broad/radix_sort.hpp"
 #include "graze/pairs.hpp"
 
 namespace graze {
@@ -33,9 +32,10 @@ bool is_bounded(const Aabb<T>& box) {
 template <class T>
 std::size_t RowSweep<T>::memory() const {
   std::size_t bytes =
-      (members_.capacity() + larger_.capacity() + unbounded_.capacity() + first_.capacity() + second_.capacity()) *
+      (members_.capacity() + larger_.capacity() + wide_.capacity() + first_.capacity() + second_.capacity()) *
           sizeof(std::uint32_t) +
-      over_.capacity() * sizeof(SweptOver<T>) + is_unbounded_.capacity() + scratch_.capacity() * sizeof(IdPair);
+      over_.capacity() * sizeof(SweptOver<T>) + inner_.capacity() * sizeof(IdPair) + compare_wide_.memory() +
+      order_.memory();
   for (const RowGrid<T>& level : levels_) bytes += level.memory();
   return bytes;
 }
@@ -77,40 +77,6 @@ void RowSweep<T>::sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairS
   }
 }
 
-/// What no grid can hold, against everything.
-template <class T>
-void RowSweep<T>::sweep_unbounded(std::span<const Aabb<T>> boxes, PairSink& sink) {
-  is_unbounded_.assign(unbounded_.empty() ? 0 : boxes.size(), 0);
-  for (const std::uint32_t u : unbounded_) {
-    is_unbounded_[u] = 1;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-      if (is_unbounded_[i] != 0 || !overlap(boxes[u], boxes[i])) continue;
-      if (sink.count == sink.capacity) sink.grow(sink);
-      sink.first[sink.count] = u, sink.second[sink.count] = i;
-      ++sink.count;
-    }
-  }
-}
-
-/// By the smaller place, then by the larger.
-template <class T>
-void RowSweep<T>::sort_pairs(std::size_t boxes, std::size_t count, std::vector<IdPair>& out) {
-  out.resize(count);
-  const auto found = [&](std::size_t i) { return ordered(first_[i], second_[i]); };
-  if (count > std::numeric_limits<std::uint32_t>::max()) {
-    for (std::size_t i = 0; i < count; ++i) out[i] = found(i);
-    std::sort(out.begin(), out.end());
-    return;
-  }
-  if (scratch_.size() < count) scratch_.resize(count + count / 8);
-  Digits digits;
-  digits.add(0, bits_below(boxes));
-  digits.add(32, bits_below(boxes));
-  const auto key = [](const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; };
-  // There is an even number of digits: what begins in the scratch ends in the result.
-  radix_sort(count, found, digits, key, scratch_.data(), out.data());
-}
-
 template <class T>
 void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
   PairSink sink{first_.data(),
@@ -125,18 +91,30 @@ void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out)
                 },
                 this};
   members_.clear();
-  unbounded_.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) (is_bounded(boxes[i]) ? members_ : unbounded_).push_back(i);
+  wide_.clear();
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) (is_bounded(boxes[i]) ? members_ : wide_).push_back(i);
   for (std::size_t level = 0; !members_.empty(); ++level) {
     if (level == levels_.size()) levels_.emplace_back();
     const Spans<T> spans = split(boxes);
+    if (level == 0 && !larger_.empty() && WideBoxes<T>::worthwhile(boxes, larger_)) {
+      wide_.insert(wide_.end(), larger_.begin(), larger_.end());
+      std::sort(wide_.begin(), wide_.end());
+      larger_.clear();
+    }
     levels_[level].build(boxes, members_, spans);
     if (!larger_.empty()) levels_[level].index_strips();
     sweep(boxes, level, sink);
     members_.swap(larger_);
   }
-  sweep_unbounded(boxes, sink);
-  sort_pairs(boxes.size(), sink.count, out);
+  const std::span<const std::uint32_t> first{first_.data(), sink.count}, second{second_.data(), sink.count};
+  if (wide_.empty()) {
+    out.resize(sink.count);
+    order_.sort(first, second, boxes.size(), out.data());
+    return;
+  }
+  inner_.resize(sink.count);
+  order_.sort(first, second, boxes.size(), inner_.data());
+  compare_wide_.merge(isa_, boxes, wide_, inner_, out);
 }
 
 template <class T>

@@ -2,7 +2,8 @@
 //
 // Boxes are sorted into the rows of a grid (row_grid.hpp), and each row is swept with itself and the four rows ahead of
 // it: no box reaches further. What is much longer than others goes to a level of its own with larger strips, and is
-// swept over the rows below it. The pairs are sorted by radix.
+// swept over the rows below it; or, where it overlaps a good part of everything, is compared with everything
+// (wide_boxes.hpp). Pairs are sorted at the end (pair_order.hpp).
 //
 // Guarantee: exactly the overlapping pairs of closed boxes, sorted; a function of the boxes alone. Cost N log N for any
 // sizes and places, and the number of pairs; each level has at most half the boxes of the one below. No allocation
@@ -12,7 +13,9 @@
 #include <span>
 #include <vector>
 
+#include "broad/pair_order.hpp"
 #include "broad/row_grid.hpp"
+#include "broad/wide_boxes.hpp"
 #include "graze/broad_phase.hpp"
 
 namespace graze {
@@ -31,16 +34,16 @@ class RowSweep {
  private:
   Spans<T> split(std::span<const Aabb<T>> boxes);
   void sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairSink& sink);
-  void sweep_unbounded(std::span<const Aabb<T>> boxes, PairSink& sink);
-  void sort_pairs(std::size_t boxes, std::size_t count, std::vector<IdPair>& out);
 
   Isa isa_;
   std::vector<RowGrid<T>> levels_;
-  std::vector<std::uint32_t> members_, larger_, unbounded_;
+  std::vector<std::uint32_t> members_, larger_;
+  std::vector<std::uint32_t> wide_;  ///< that are compared with all others
   std::vector<SweptOver<T>> over_;
-  std::vector<char> is_unbounded_;
   std::vector<std::uint32_t> first_, second_;  ///< the pairs as they are found
-  std::vector<IdPair> scratch_;
+  std::vector<IdPair> inner_;                  ///< the sorted pairs of others than the wide ones
+  PairOrder order_;
+  WideBoxes<T> compare_wide_;
 };
 
 }  // namespace graze
