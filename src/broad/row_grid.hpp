@@ -1,6 +1,6 @@
 // Boxes of about one size, sorted into rows of a grid over Y and Z and along X within a row.
 //
-// Guarantee: boxes that overlap are in the same row or in neighbouring ones; within a row they ascend along X. Cost
+// Guarantee: a box is in each row that it reaches, which are four at the most; within a row boxes ascend along X. Cost
 // N log N for any sizes and places. Memory is kept for the next frame.
 #pragma once
 
@@ -43,6 +43,7 @@ class RowGrid {
 
   Strips<T> y_, z_;
   std::vector<T> lower_x_, upper_x_, lower_y_, upper_y_, lower_z_, upper_z_, reach_x_;
+  std::vector<typename BitsOf<sizeof(T)>::type> began_;
   std::vector<std::uint32_t> place_, first_row_;
   std::vector<Row> rows_;
   std::vector<std::uint64_t> items_, scratch_, keys_;

@@ -18,13 +18,28 @@ struct Row {
   std::uint32_t index, begin, end;
 };
 
+/// Bits of a box in one of the rows it reaches: whether it begins in a row before, along Y and along Z. The pair of two
+/// boxes belongs to the one row in which the later of the two begins, along Y as well as along Z; so they have no bit in
+/// common there, and in every other row that has both of them they do.
+inline constexpr int began_before_y = 1, began_before_z = 2;
+
+template <std::size_t Size>
+struct BitsOf {
+  using type = std::int32_t;
+};
+template <>
+struct BitsOf<8> {
+  using type = std::int64_t;
+};
+
 /// Boxes sorted by row and then along X, a coordinate an array.
 template <class T>
 struct Rows {
   const T *lower_x, *upper_x, *lower_y, *upper_y, *lower_z, *upper_z;
-  const T* reach_x;  ///< the furthest upper_x from the beginning of the row up to here
+  const T* reach_x;                               ///< the furthest upper_x from the beginning of the row up to here
+  const typename BitsOf<sizeof(T)>::type* began;  ///< `began_before_y` and `_z`
   const std::uint32_t* place;
-  const Row* rows;  ///< those with boxes, by index; after the last, one with an index that no row has
+  const Row* rows;  ///< those with boxes, by index
   std::size_t count;
   std::uint32_t along_z;  ///< how many rows there are along Z, with boxes or without
 };
@@ -47,7 +62,7 @@ struct SweptOver {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The pairs of boxes that lie in the same row or in neighbouring ones.
+    /// The pairs of boxes that share a row.
     template <class T> void sweep_rows(const Rows<T>& rows, PairSink& sink);
     /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
     template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,

@@ -46,75 +46,43 @@ class Output {
   std::size_t count_, capacity_;
 };
 
-enum class Order { along_x, none };
+/// Which of the columns a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
+/// end it; what comes after a box in its own row begins after it, too.
+enum class Scan { own_row, row, unordered };
 
-/// One box against those from `k` on. Where they ascend along X it looks at those that begin before the box ends.
-/// Whether a pair overlaps is hard to foresee, so every step writes all of its lanes and only the count depends on it.
-template <Order order, class T>
-[[gnu::always_inline]] inline void scan(const Rows<T>& r, const Spread<T>& box, std::uint32_t place, std::uint32_t k,
-                                        std::uint32_t end, Output& output) {
+/// One box against those from `k` on; in rows, only where `began` has no bit in common with them. Whether a pair overlaps
+/// is hard to foresee, so every step writes all of its lanes and only the count depends on it.
+template <Scan kind, class T>
+[[gnu::always_inline]] inline void scan(const Rows<T>& r, const Spread<T>& box, typename Lanes<T>::Bits began,
+                                        std::uint32_t place, std::uint32_t k, std::uint32_t end, Output& output) {
   constexpr std::uint32_t lanes = lanes_of<T>;
   const auto at = [&](const T* column) { return Lanes<T>::load(column + k); };
   using C = Chosen<T>;
   while (k < end) {
     const C begun = C::at_most(at(r.lower_x), box.upper_x);
-    const C hit = (begun & C::at_most(box.lower_x, at(r.upper_x))) &
-                  (C::at_most(at(r.lower_y), box.upper_y) & C::at_most(box.lower_y, at(r.upper_y))) &
-                  (C::at_most(at(r.lower_z), box.upper_z) & C::at_most(box.lower_z, at(r.upper_z)));
+    C hit = (C::at_most(at(r.lower_y), box.upper_y) & C::at_most(box.lower_y, at(r.upper_y))) &
+            (C::at_most(at(r.lower_z), box.upper_z) & C::at_most(box.lower_z, at(r.upper_z)));
+    if (kind != Scan::own_row) hit = hit & C::at_most(box.lower_x, at(r.upper_x));
+    if (kind != Scan::unordered) hit = hit & C::disjoint(r.began + k, began);
     const std::uint32_t left = end - k;
     const std::uint32_t inside = left < lanes ? (std::uint32_t{1} << left) - 1 : C::all;
-    output.add(place, r.place + k, hit.bits() & inside);
-    if (order == Order::along_x && begun.bits() != C::all) return;
+    const std::uint32_t begun_bits = begun.bits();
+    output.add(place, r.place + k, hit.bits() & begun_bits & inside);
+    if (kind != Scan::unordered && begun_bits != C::all) return;
     k += lanes;
   }
 }
-
-/// From `k` on the first box that is not past: none from the beginning of the row up to it ends before `x`.
-template <class T>
-[[gnu::always_inline]] inline std::uint32_t skip_past(const Rows<T>& r, std::uint32_t k, std::uint32_t end,
-                                                      const Lanes<T>& x) {
-  constexpr std::uint32_t lanes = lanes_of<T>;
-  for (;;) {
-    // `reach_x` ascends within the row, so the lanes that are not past yet are the last ones; what comes after the end
-    // does not matter, since `k` is cut off there.
-    const std::uint32_t ahead = Chosen<T>::at_most(x, Lanes<T>::load(r.reach_x + k)).bits();
-    const auto past = static_cast<std::uint32_t>(__builtin_ctz(ahead | (Chosen<T>::all + 1)));
-    k += past;
-    if (k >= end) return end;
-    if (past < lanes) return k;
-  }
-}
-
-/// A row that is swept along with another.
-struct Beside {
-  std::uint32_t from, end;
-};
 
 }  // namespace
 
 template <class T>
 void sweep_rows(const Rows<T>& r, PairSink& sink) {
   Output output(sink);
-  std::size_t above = 0;  // the first row of the next Y that is not behind (y + 1, z - 1)
   for (std::size_t i = 0; i < r.count; ++i) {
     const Row row = r.rows[i];
-    const std::uint32_t z = row.index % r.along_z, low = row.index + r.along_z - (z > 0 ? 1 : 0),
-                        high = row.index + r.along_z + (z + 1 < r.along_z ? 1 : 0);
-    Beside beside[4];
-    int count = 0;
-    if (r.rows[i + 1].index == row.index + 1 && z + 1 < r.along_z)
-      beside[count++] = {r.rows[i + 1].begin, r.rows[i + 1].end};
-    while (r.rows[above].index < low) ++above;
-    for (std::size_t k = above; r.rows[k].index <= high; ++k) beside[count++] = {r.rows[k].begin, r.rows[k].end};
-
-    for (std::uint32_t b = row.begin; b < row.end; ++b) {
+    for (std::uint32_t b = row.begin; b + 1 < row.end; ++b) {
       const Spread<T> box{r.lower_x[b], r.upper_x[b], r.lower_y[b], r.upper_y[b], r.lower_z[b], r.upper_z[b]};
-      const std::uint32_t place = r.place[b];
-      scan<Order::along_x>(r, box, place, b + 1, row.end, output);
-      for (int n = 0; n < count; ++n) {
-        beside[n].from = skip_past(r, beside[n].from, beside[n].end, box.lower_x);
-        scan<Order::along_x>(r, box, place, beside[n].from, beside[n].end, output);
-      }
+      scan<Scan::own_row>(r, box, r.began[b], r.place[b], b + 1, row.end, output);
     }
   }
 }
@@ -143,7 +111,9 @@ void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T
           k = past ? k + half + 1 : k;
           size = past ? size - half - 1 : half;
         }
-        scan<Order::along_x>(r, box, b->place, k, end, output);
+        const int began =
+            (y > b->low_y ? began_before_y : 0) | (r.rows[from].index % r.along_z > b->low_z ? began_before_z : 0);
+        scan<Scan::row>(r, box, began, b->place, k, end, output);
       }
     }
   }
@@ -153,7 +123,7 @@ template <class T>
 void test_all(const Rows<T>& r, std::size_t from, std::size_t end, const SweptOver<T>& b, PairSink& sink) {
   Output output(sink);
   const Spread<T> box{b.bounds[0], b.bounds[1], b.bounds[2], b.bounds[3], b.bounds[4], b.bounds[5]};
-  scan<Order::none>(r, box, b.place, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end), output);
+  scan<Scan::unordered>(r, box, 0, b.place, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end), output);
 }
 
 template void test_all(const Rows<float>&, std::size_t, std::size_t, const SweptOver<float>&, PairSink&);

@@ -57,6 +57,7 @@ Rows<T> WideBoxes<T>::Columns::rows() const {
           bounds[4].data(),
           bounds[5].data(),
           nullptr,
+          nullptr,
           place.data(),
           nullptr,
           0,

@@ -54,6 +54,21 @@ class Chosen {
 #endif
     return c;
   }
+  /// Where the numbers from `at` on have no bit in common with `bits`.
+  [[gnu::always_inline]] static Chosen disjoint(const typename Lanes<T>::Bits* at, typename Lanes<T>::Bits bits) {
+    Chosen c;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+      c.mask_ = _mm512_testn_epi32_mask(_mm512_loadu_si512(at), _mm512_set1_epi32(bits));
+    else
+      c.mask_ = _mm512_testn_epi64_mask(_mm512_loadu_si512(at), _mm512_set1_epi64(bits));
+#else
+    typename Lanes<T>::BitVector v;
+    std::memcpy(&v, at, sizeof v);
+    c.mask_.bits = (v & bits) == 0;
+#endif
+    return c;
+  }
   [[gnu::always_inline]] friend Chosen operator&(const Chosen& a, const Chosen& b) {
     Chosen c;
 #if defined(__AVX512F__)
