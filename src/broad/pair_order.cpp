@@ -11,9 +11,9 @@ namespace graze {
 
 namespace {
 
-/// Pairs are dealt into buckets of about so many by their smaller place: what one takes to sort fits into the first
+/// Pairs are dealt into buckets of about so many by their smaller place: what one takes to sort fits into the second
 /// cache. More buckets than the most would outgrow the caches' own tables.
-constexpr std::size_t pairs_per_bucket = 4096;
+constexpr std::size_t pairs_per_bucket = 32768;
 constexpr int most_bucket_bits = 11;
 /// Up to so many pairs of one place are sorted by insertion.
 constexpr std::uint32_t few = 24;

@@ -9,8 +9,9 @@ namespace graze {
 
 namespace {
 
-/// Keys are sorted by this many bits at the most: three digits. Rows take up to 24 of them, X what is left.
-constexpr int key_bits = 32;
+/// Items are sorted by so many bits at the most, three digits: rows take up to 24 of them, X what is left. Below them are
+/// the two of `began`, and below those the place.
+constexpr int key_bits = 30, began_shift = 32, key_shift = 34;
 /// X is cut finer than there are boxes in a row by this many bits, so that few share a place and need another look.
 constexpr int spare_bits = 3;
 /// Boxes are fetched from the caller's array this far ahead.
@@ -65,23 +66,24 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
     const std::uint32_t z = z_.strip(b.lower.z), last_z = z_.nearest(b.upper.z);
     const T at = std::min((b.lower.x - spans.lowest.x) * scale, most);
     const auto x = static_cast<std::uint32_t>(static_cast<std::int32_t>(at));
-    const auto key = [&](std::uint32_t row_y, std::uint32_t row_z) {
-      return std::uint64_t{(row_y * along_z + row_z) << bits_x | x} << 32 | places[i];
+    const auto item = [&](std::uint32_t row_y, std::uint32_t row_z, int began) {
+      return std::uint64_t{(row_y * along_z + row_z) << bits_x | x} << key_shift |
+             static_cast<std::uint64_t>(began) << began_shift | places[i];
     };
     // Each of the four is written, and the next one over it where the box does not reach that row.
     const std::size_t more_y = last_y > y ? 1 : 0, more_z = last_z > z ? 1 : 0;
-    keys[count++] = key(y, z);
-    keys[count] = key(y, last_z);
+    keys[count++] = item(y, z, 0);
+    keys[count] = item(y, last_z, began_before_z);
     count += more_z;
-    keys[count] = key(last_y, z);
+    keys[count] = item(last_y, z, began_before_y);
     count += more_y;
-    keys[count] = key(last_y, last_z);
+    keys[count] = item(last_y, last_z, began_before_y | began_before_z);
     count += more_y & more_z;
   }
   make_room(items_, count);
   make_room(scratch_, count);
   Digits digits;
-  digits.add(32, bits_row + bits_x);
+  digits.add(key_shift, bits_row + bits_x);
   std::uint64_t* sorted = radix_sort(
       count, [keys](std::size_t i) { return keys[i]; }, digits, [](std::uint64_t item) { return item; }, items_.data(),
       scratch_.data());
@@ -92,43 +94,48 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
 /// Boxes that share a place along X, by X itself.
 template <class T>
 void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items, std::size_t count) {
-  const auto x = [&](std::uint64_t item) { return boxes[static_cast<std::uint32_t>(item)].lower.x; };
+  const auto before = [&](std::uint64_t p, std::uint64_t q) {
+    return boxes[static_cast<std::uint32_t>(p)].lower.x < boxes[static_cast<std::uint32_t>(q)].lower.x;
+  };
   for (std::size_t i = 1; i < count; ++i) {
-    if (items[i] >> 32 != items[i - 1] >> 32) continue;
+    const std::uint64_t key = items[i - 1] >> key_shift;
+    if (items[i] >> key_shift != key) continue;
     const std::size_t begin = i - 1;
-    while (i < count && items[i] >> 32 == items[begin] >> 32) ++i;
-    std::sort(items + begin, items + i, [&](std::uint64_t p, std::uint64_t q) { return x(p) < x(q); });
+    while (i < count && items[i] >> key_shift == key) ++i;
+    if (i - begin > 2)
+      std::sort(items + begin, items + i, before);
+    else if (before(items[begin + 1], items[begin]))
+      std::swap(items[begin], items[begin + 1]);
   }
 }
 
 template <class T>
 void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items, std::size_t n, int bits_x) {
-  for (auto* column : {&lower_x_, &upper_x_, &lower_y_, &upper_y_, &lower_z_, &upper_z_, &reach_x_})
-    make_room(*column, n + row_padding);
-  make_room(place_, n + row_padding);
-  make_room(began_, n + row_padding);
+  const auto column = [n](auto& vector) {
+    make_room(vector, n + row_padding);
+    return vector.data();
+  };
+  T *const lower_x = column(lower_x_), *const upper_x = column(upper_x_), *const lower_y = column(lower_y_),
+           *const upper_y = column(upper_y_), *const lower_z = column(lower_z_), *const upper_z = column(upper_z_);
+  auto* const began = column(began_);
+  std::uint32_t* const places = column(place_);
   rows_.clear();
-  T reach{};
-  std::uint32_t y = 0, z = 0;
+  std::uint64_t last_row = ~std::uint64_t{0};
   for (std::size_t i = 0; i < n; ++i) {
     __builtin_prefetch(&boxes[static_cast<std::uint32_t>(items[std::min(i + ahead, n - 1)])]);
-    const auto place = static_cast<std::uint32_t>(items[i]);
-    const auto row = static_cast<std::uint32_t>(items[i] >> 32 >> bits_x);
+    const std::uint64_t item = items[i], row = item >> (key_shift + bits_x);
+    const auto place = static_cast<std::uint32_t>(item);
     const Aabb<T>& b = boxes[place];
-    if (rows_.empty() || rows_.back().index != row) {
-      const auto at = static_cast<std::uint32_t>(i);
-      if (!rows_.empty()) rows_.back().end = at;
-      rows_.push_back({row, at, at});
-      reach = b.upper.x;
-      y = row / z_.count(), z = row % z_.count();
-    }
-    reach = std::max(reach, b.upper.x);
-    lower_x_[i] = b.lower.x, upper_x_[i] = b.upper.x;
-    lower_y_[i] = b.lower.y, upper_y_[i] = b.upper.y;
-    lower_z_[i] = b.lower.z, upper_z_[i] = b.upper.z;
-    reach_x_[i] = reach;
-    place_[i] = place;
-    began_[i] = (y_.strip(b.lower.y) < y ? began_before_y : 0) | (z_.strip(b.lower.z) < z ? began_before_z : 0);
+    lower_x[i] = b.lower.x, upper_x[i] = b.upper.x;
+    lower_y[i] = b.lower.y, upper_y[i] = b.upper.y;
+    lower_z[i] = b.lower.z, upper_z[i] = b.upper.z;
+    began[i] = static_cast<int>(item >> began_shift & 3);
+    places[i] = place;
+    if (row == last_row) continue;
+    const auto at = static_cast<std::uint32_t>(i);
+    if (!rows_.empty()) rows_.back().end = at;
+    rows_.push_back({static_cast<std::uint32_t>(row), at, at});
+    last_row = row;
   }
   rows_.back().end = static_cast<std::uint32_t>(n);
 }
@@ -140,12 +147,17 @@ Rows<T> RowGrid<T>::rows() const {
 }
 
 template <class T>
-void RowGrid<T>::index_strips() {
+void RowGrid<T>::prepare_to_be_swept() {
   first_row_.assign(y_.count() + 1, 0);
   std::uint32_t y = 0;
   for (std::uint32_t i = 0; i < rows_.size(); ++i)
     for (; y <= rows_[i].index / z_.count(); ++y) first_row_[y] = i;
   for (; y <= y_.count(); ++y) first_row_[y] = static_cast<std::uint32_t>(rows_.size());
+  make_room(reach_x_, lower_x_.size());
+  for (const Row& row : rows_) {
+    T reach = upper_x_[row.begin];
+    for (std::uint32_t i = row.begin; i < row.end; ++i) reach_x_[i] = reach = std::max(reach, upper_x_[i]);
+  }
 }
 
 template <class T>

@@ -27,8 +27,8 @@ class RowGrid {
   void build(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, const Spans<T>& spans);
 
   Rows<T> rows() const;
-  /// Makes `strips`, which only a sweep over the rows needs.
-  void index_strips();
+  /// Makes `strips` and `Rows::reach_x`, which only `sweep_over` needs.
+  void prepare_to_be_swept();
   /// The first row with each Y or a larger, and the end.
   const std::uint32_t* strips() const { return first_row_.data(); }
   /// A box that is to be compared with this grid's.

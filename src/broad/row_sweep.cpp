@@ -102,7 +102,7 @@ void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out)
       larger_.clear();
     }
     levels_[level].build(boxes, members_, spans);
-    if (!larger_.empty()) levels_[level].index_strips();
+    if (!larger_.empty()) levels_[level].prepare_to_be_swept();
     sweep(boxes, level, sink);
     members_.swap(larger_);
   }
