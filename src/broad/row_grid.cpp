@@ -9,11 +9,14 @@ namespace graze {
 
 namespace {
 
-/// Items are sorted by so many bits at the most, three digits: rows take up to 24 of them, X what is left. Below them are
-/// the two of `began`, and below those the place.
-constexpr int key_bits = 30, began_shift = 32, key_shift = 34;
-/// X is cut finer than there are boxes in a row by this many bits, so that few share a place and need another look.
+/// Items are sorted by so many bits at the most, three digits: rows take up to 24 of them, X what is left.
+constexpr int most_key_bits = 3 * Digits::most_bits;
+/// The bits of `began`.
+constexpr int began_bits = 2;
+/// X is cut finer by this many bits than there are boxes in a row, so that few share a place and need another look.
 constexpr int spare_bits = 3;
+/// And at least into so many places to the length of a box: in heaps far apart the boxes of a row share few of them.
+constexpr int places_per_longest = 16;
 /// Boxes are fetched from the caller's array this far ahead.
 constexpr std::size_t ahead = 16;
 /// A strip is so many times as wide as the longest box: wider ones hold fewer boxes twice, narrower ones compare fewer.
@@ -45,17 +48,22 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
   const std::size_t n = places.size();
   const std::uint64_t grid = std::uint64_t{y_.count()} * z_.count();
   const int bits_row = bits_below(grid);
+  const T range = spans.highest.x - spans.lowest.x;
+  layout_.place_bits = bits_below(boxes.size());
+  const int key_shift = layout_.place_bits + began_bits, key_bits = std::min(most_key_bits, 63 - key_shift);
   // As many for X as the digits that are looked at anyway have room for.
-  const int wanted =
-      std::clamp(bits_row + bits_below(2 * n / std::min<std::uint64_t>(grid, n) + 1) + spare_bits, 1, key_bits);
+  const int by_number = bits_below(2 * n / std::min<std::uint64_t>(grid, n) + 1) + spare_bits;
+  const T lengths = range / spans.longest.x * T(places_per_longest);  // infinite for points, and not a number for one
+  const int by_length = lengths < T(1 << 15) ? bits_below(static_cast<std::uint64_t>(lengths) + 1) : by_number;
+  const int wanted = std::clamp(bits_row + std::max(by_number, by_length), 1, key_bits);
   const int bits_x =
       std::min(key_bits, (wanted + Digits::most_bits - 1) / Digits::most_bits * Digits::most_bits) - bits_row;
 
   // Rounding keeps the order of what it rounds, so the places along X never descend either; the clamp is for the last.
-  const T range = spans.highest.x - spans.lowest.x;
   const T most = static_cast<T>((std::uint32_t{1} << std::min(bits_x, 20)) - 1);
   T scale = range > T(0) ? most / range : T(0);
   if (!(scale <= std::numeric_limits<T>::max())) scale = T(0);
+  layout_.bits_x = bits_x;
   make_room(keys_, 4 * n + 1);
   std::size_t count = 0;
   std::uint64_t* const keys = keys_.data();
@@ -67,8 +75,8 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
     const T at = std::min((b.lower.x - spans.lowest.x) * scale, most);
     const auto x = static_cast<std::uint32_t>(static_cast<std::int32_t>(at));
     const auto item = [&](std::uint32_t row_y, std::uint32_t row_z, int began) {
-      return std::uint64_t{(row_y * along_z + row_z) << bits_x | x} << key_shift |
-             static_cast<std::uint64_t>(began) << began_shift | places[i];
+      return (std::uint64_t{row_y * along_z + row_z} << bits_x | x) << key_shift |
+             static_cast<std::uint64_t>(began) << layout_.place_bits | places[i];
     };
     // Each of the four is written, and the next one over it where the box does not reach that row.
     const std::size_t more_y = last_y > y ? 1 : 0, more_z = last_z > z ? 1 : 0;
@@ -88,14 +96,16 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
       count, [keys](std::size_t i) { return keys[i]; }, digits, [](std::uint64_t item) { return item; }, items_.data(),
       scratch_.data());
   sort_ties(boxes, sorted, count);
-  fill(boxes, sorted, count, bits_x);
+  fill(boxes, sorted, count);
 }
 
 /// Boxes that share a place along X, by X itself.
 template <class T>
 void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items, std::size_t count) {
+  const std::uint64_t place = (std::uint64_t{1} << layout_.place_bits) - 1;
+  const int key_shift = layout_.place_bits + began_bits;
   const auto before = [&](std::uint64_t p, std::uint64_t q) {
-    return boxes[static_cast<std::uint32_t>(p)].lower.x < boxes[static_cast<std::uint32_t>(q)].lower.x;
+    return boxes[p & place].lower.x < boxes[q & place].lower.x;
   };
   for (std::size_t i = 1; i < count; ++i) {
     const std::uint64_t key = items[i - 1] >> key_shift;
@@ -110,7 +120,7 @@ void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items,
 }
 
 template <class T>
-void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items, std::size_t n, int bits_x) {
+void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items, std::size_t n) {
   const auto column = [n](auto& vector) {
     make_room(vector, n + row_padding);
     return vector.data();
@@ -120,11 +130,13 @@ void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items
   auto* const began = column(began_);
   std::uint32_t* const places = column(place_);
   rows_.clear();
+  const std::uint64_t place_mask = (std::uint64_t{1} << layout_.place_bits) - 1;
+  const int began_shift = layout_.place_bits, row_shift = began_shift + began_bits + layout_.bits_x;
   std::uint64_t last_row = ~std::uint64_t{0};
   for (std::size_t i = 0; i < n; ++i) {
-    __builtin_prefetch(&boxes[static_cast<std::uint32_t>(items[std::min(i + ahead, n - 1)])]);
-    const std::uint64_t item = items[i], row = item >> (key_shift + bits_x);
-    const auto place = static_cast<std::uint32_t>(item);
+    __builtin_prefetch(&boxes[items[std::min(i + ahead, n - 1)] & place_mask]);
+    const std::uint64_t item = items[i], row = item >> row_shift;
+    const auto place = static_cast<std::uint32_t>(item & place_mask);
     const Aabb<T>& b = boxes[place];
     lower_x[i] = b.lower.x, upper_x[i] = b.upper.x;
     lower_y[i] = b.lower.y, upper_y[i] = b.upper.y;

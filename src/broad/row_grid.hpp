@@ -39,8 +39,14 @@ class RowGrid {
  private:
   void cut(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, const Spans<T>& spans);
   void sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items, std::size_t count);
-  void fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items, std::size_t count, int bits_x);
+  void fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items, std::size_t count);
 
+  /// The bits of an item that is sorted, from the lowest on: place, `began`, place along X, row.
+  struct Layout {
+    int place_bits, bits_x;
+  };
+
+  Layout layout_{};
   Strips<T> y_, z_;
   std::vector<T> lower_x_, upper_x_, lower_y_, upper_y_, lower_z_, upper_z_, reach_x_;
   std::vector<typename BitsOf<sizeof(T)>::type> began_;
