@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "broad/boxes.hpp"
 #include "graze/pairs.hpp"
@@ -38,6 +39,31 @@ std::size_t RowSweep<T>::memory() const {
       order_.memory();
   for (const RowGrid<T>& level : levels_) bytes += level.memory();
   return bytes;
+}
+
+/// The first level of most scenes, in which all boxes are finite and of about one size: what all of them span in one pass
+/// without branches. Returns false where some are not, and nothing is known then.
+template <class T>
+bool RowSweep<T>::all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans) {
+  spans = {boxes[0].lower, boxes[0].lower, {}};
+  Vec3<T> furthest = boxes[0].upper;
+  double sum = 0;
+  for (const Aabb<T>& box : boxes) {
+    const Vec3<T> e = box.extent();
+    spans.lowest = least(spans.lowest, box.lower);
+    spans.highest = greatest(spans.highest, box.lower);
+    furthest = greatest(furthest, box.upper);
+    spans.longest = greatest(spans.longest, e);
+    sum += static_cast<double>(greatest(e.x, greatest(e.y, e.z)));
+  }
+  const double longest = static_cast<double>(greatest(spans.longest.x, greatest(spans.longest.y, spans.longest.z)));
+  if (!is_bounded(Aabb<T>{spans.lowest, furthest}) || !is_bounded(Aabb<T>{spans.highest, furthest}) ||
+      longest > longest_per_mean * (sum / static_cast<double>(boxes.size())))
+    return false;
+  if (members_.size() != boxes.size()) members_.resize(boxes.size());
+  std::iota(members_.begin(), members_.end(), 0u);
+  larger_.clear();
+  return true;
 }
 
 /// Keeps in `members_` those that belong into the next level, and puts longer ones into `larger_`.
@@ -92,10 +118,12 @@ void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out)
                 this};
   members_.clear();
   wide_.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) (is_bounded(boxes[i]) ? members_ : wide_).push_back(i);
+  Spans<T> spans;
+  const bool alike = !boxes.empty() && all_alike(boxes, spans);
+  for (std::uint32_t i = 0; !alike && i < boxes.size(); ++i) (is_bounded(boxes[i]) ? members_ : wide_).push_back(i);
   for (std::size_t level = 0; !members_.empty(); ++level) {
     if (level == levels_.size()) levels_.emplace_back();
-    const Spans<T> spans = split(boxes);
+    if (!alike) spans = split(boxes);
     if (level == 0 && !larger_.empty() && WideBoxes<T>::worthwhile(boxes, larger_)) {
       wide_.insert(wide_.end(), larger_.begin(), larger_.end());
       std::sort(wide_.begin(), wide_.end());

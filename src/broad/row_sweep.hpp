@@ -32,6 +32,7 @@ class RowSweep {
   std::size_t memory() const;
 
  private:
+  bool all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans);
   Spans<T> split(std::span<const Aabb<T>> boxes);
   void sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairSink& sink);
 
