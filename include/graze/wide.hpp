@@ -2,7 +2,8 @@
 //
 // Guarantee: every operation is lane by lane the IEEE operation of the scalar, so that a kernel written once over its
 // scalar gives the same bits in every lane as it gives for that lane alone. Over the compilers' vector extensions
-// (g++ 12, clang 14 and later, WebAssembly), without intrinsics.
+// (g++ 12, clang 14 and later, WebAssembly), without intrinsics. All of it is inlined even without optimisation: kernels
+// are compiled for several instruction sets, and no copy for one of them may be left where another's is called.
 #pragma once
 
 #include <cmath>
@@ -28,58 +29,70 @@ struct Wide {
     static constexpr int lanes = N;
     BitVector bits;
 
-    friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
-    friend Mask operator|(const Mask& a, const Mask& b) { return {a.bits | b.bits}; }
-    friend Mask operator!(const Mask& a) { return {~a.bits}; }
-    bool operator[](int i) const { return bits[i] != 0; }
+    [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
+    [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) { return {a.bits | b.bits}; }
+    [[gnu::always_inline]] friend Mask operator!(const Mask& a) { return {~a.bits}; }
+    [[gnu::always_inline]] bool operator[](int i) const { return bits[i] != 0; }
   };
 
   Vector v;
 
-  Wide() : v{} {}
-  explicit(false) Wide(T value) : v(Vector{} + value) {}
-  static Wide of(const Vector& vector) {
+  [[gnu::always_inline]] Wide() : v{} {}
+  [[gnu::always_inline]] explicit(false) Wide(T value) : v(value - Vector{}) {}
+  [[gnu::always_inline]] static Wide of(const Vector& vector) {
     Wide w;
     w.v = vector;
     return w;
   }
-  static Wide load(const T* from) {
+  [[gnu::always_inline]] static Wide load(const T* from) {
     Wide w;
     std::memcpy(&w.v, from, sizeof w.v);
     return w;
   }
-  void store(T* to) const { std::memcpy(to, &v, sizeof v); }
-  T operator[](int i) const { return v[i]; }
-  void set(int i, T value) { v[i] = value; }
+  [[gnu::always_inline]] void store(T* to) const { std::memcpy(to, &v, sizeof v); }
+  [[gnu::always_inline]] T operator[](int i) const { return v[i]; }
+  [[gnu::always_inline]] void set(int i, T value) { v[i] = value; }
 
-  friend Wide operator+(const Wide& a, const Wide& b) { return of(a.v + b.v); }
-  friend Wide operator-(const Wide& a, const Wide& b) { return of(a.v - b.v); }
-  friend Wide operator*(const Wide& a, const Wide& b) { return of(a.v * b.v); }
-  friend Wide operator/(const Wide& a, const Wide& b) { return of(a.v / b.v); }
-  friend Wide operator-(const Wide& a) { return of(-a.v); }
-  Wide& operator+=(const Wide& b) { return *this = *this + b; }
-  Wide& operator-=(const Wide& b) { return *this = *this - b; }
-  Wide& operator*=(const Wide& b) { return *this = *this * b; }
+  [[gnu::always_inline]] friend Wide operator+(const Wide& a, const Wide& b) { return of(a.v + b.v); }
+  [[gnu::always_inline]] friend Wide operator-(const Wide& a, const Wide& b) { return of(a.v - b.v); }
+  [[gnu::always_inline]] friend Wide operator*(const Wide& a, const Wide& b) { return of(a.v * b.v); }
+  [[gnu::always_inline]] friend Wide operator/(const Wide& a, const Wide& b) { return of(a.v / b.v); }
+  [[gnu::always_inline]] friend Wide operator-(const Wide& a) { return of(-a.v); }
+  [[gnu::always_inline]] Wide& operator+=(const Wide& b) { return *this = *this + b; }
+  [[gnu::always_inline]] Wide& operator-=(const Wide& b) { return *this = *this - b; }
+  [[gnu::always_inline]] Wide& operator*=(const Wide& b) { return *this = *this * b; }
 
-  friend Mask operator<(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v < b.v)}; }
-  friend Mask operator<=(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v <= b.v)}; }
-  friend Mask operator>(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v > b.v)}; }
-  friend Mask operator>=(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v >= b.v)}; }
-  friend Mask operator==(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v == b.v)}; }
-  friend Mask operator!=(const Wide& a, const Wide& b) { return {reinterpret_cast<BitVector>(a.v != b.v)}; }
+  [[gnu::always_inline]] friend Mask operator<(const Wide& a, const Wide& b) {
+    return {reinterpret_cast<BitVector>(a.v < b.v)};
+  }
+  [[gnu::always_inline]] friend Mask operator<=(const Wide& a, const Wide& b) {
+    return {reinterpret_cast<BitVector>(a.v <= b.v)};
+  }
+  [[gnu::always_inline]] friend Mask operator>(const Wide& a, const Wide& b) {
+    return {reinterpret_cast<BitVector>(a.v > b.v)};
+  }
+  [[gnu::always_inline]] friend Mask operator>=(const Wide& a, const Wide& b) {
+    return {reinterpret_cast<BitVector>(a.v >= b.v)};
+  }
+  [[gnu::always_inline]] friend Mask operator==(const Wide& a, const Wide& b) {
+    return {reinterpret_cast<BitVector>(a.v == b.v)};
+  }
+  [[gnu::always_inline]] friend Mask operator!=(const Wide& a, const Wide& b) {
+    return {reinterpret_cast<BitVector>(a.v != b.v)};
+  }
 
-  friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
+  [[gnu::always_inline]] friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
     return of(reinterpret_cast<Vector>((reinterpret_cast<BitVector>(yes.v) & condition.bits) |
                                        (reinterpret_cast<BitVector>(no.v) & ~condition.bits)));
   }
-  friend Wide least(const Wide& a, const Wide& b) { return select(b < a, b, a); }
-  friend Wide greatest(const Wide& a, const Wide& b) { return select(a < b, b, a); }
-  friend Wide abs(const Wide& a) {
+  [[gnu::always_inline]] friend Wide least(const Wide& a, const Wide& b) { return select(b < a, b, a); }
+  [[gnu::always_inline]] friend Wide greatest(const Wide& a, const Wide& b) { return select(a < b, b, a); }
+  [[gnu::always_inline]] friend Wide abs(const Wide& a) {
     constexpr Bits sign = sizeof(T) == 4 ? Bits(0x80000000u) : Bits(0x8000000000000000u);
     return of(reinterpret_cast<Vector>(reinterpret_cast<BitVector>(a.v) & ~(BitVector{} + sign)));
   }
   /// Lane by lane: both compilers make one vector instruction of the loop.
-  friend Wide sqrt(const Wide& a) {
+  [[gnu::always_inline]] friend Wide sqrt(const Wide& a) {
     Wide r;
     for (int i = 0; i < N; ++i) r.v[i] = std::sqrt(a.v[i]);
     return r;
@@ -88,7 +101,7 @@ struct Wide {
 
 /// Whether any lane is set, or all are; and for a single scalar's `bool`, so that kernels can ask either.
 template <class M>
-bool any(const M& mask) {
+[[gnu::always_inline]] inline bool any(const M& mask) {
   if constexpr (std::is_same_v<M, bool>) {
     return mask;
   } else {
@@ -98,7 +111,7 @@ bool any(const M& mask) {
   }
 }
 template <class M>
-bool all(const M& mask) {
+[[gnu::always_inline]] inline bool all(const M& mask) {
   if constexpr (std::is_same_v<M, bool>) {
     return mask;
   } else {

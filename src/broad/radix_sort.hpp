@@ -1,48 +1,85 @@
 // Sorting by the bits of a key: linear in the number of items, and stable.
 //
-// Guarantee: items with equal keys keep their order; key bits above `bits` are not looked at.
+// Guarantee: items with equal keys keep their order; key bits outside the digits are not looked at. Fewer than 2^32
+// items.
 #pragma once
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace graze {
 
-/// A key with the place of what it belongs to.
-struct KeyedPlace {
-  std::uint64_t key;
-  std::uint32_t place;
+/// Some bits of a key: `bits` of them from `shift` on.
+struct Digit {
+  int shift, bits;
 };
 
-/// Least significant digit first, eleven bits at a time: a digit's counters fit into the first cache.
-inline void radix_sort(std::vector<KeyedPlace>& items, std::vector<KeyedPlace>& scratch, int bits) {
-  constexpr int digit = 11;
-  constexpr std::size_t buckets = std::size_t{1} << digit;
-  scratch.resize(items.size());
-  for (int shift = 0; shift < bits; shift += digit) {
-    std::array<std::uint32_t, buckets> begin{};
-    const auto bucket = [shift](const KeyedPlace& item) { return (item.key >> shift) & (buckets - 1); };
-    for (const KeyedPlace& item : items) ++begin[bucket(item)];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& count : begin) sum += std::exchange(count, sum);
-    for (const KeyedPlace& item : items) scratch[begin[bucket(item)]++] = item;
-    items.swap(scratch);
+/// The digits that a sort looks at, the least significant first.
+class Digits {
+ public:
+  /// The most bits in a digit: its counters fit into the first cache.
+  static constexpr int most_bits = 11;
+  static constexpr int most = 6;  ///< as many as 64 bits need
+
+  /// Adds `bits` from `shift` on, as the fewest digits of about one size.
+  void add(int shift, int bits) {
+    for (int left = (bits + most_bits - 1) / most_bits; left > 0; --left) {
+      const int size = (bits + left - 1) / left;
+      digits_[count_++] = {shift, size};
+      shift += size;
+      bits -= size;
+    }
   }
+  std::size_t size() const { return count_; }
+  /// The bucket of `key` in digit `i`.
+  std::size_t bucket(std::uint64_t key, std::size_t i) const {
+    return static_cast<std::size_t>(key >> digits_[i].shift) & ((std::size_t{1} << digits_[i].bits) - 1);
+  }
+
+ private:
+  std::array<Digit, most> digits_{};
+  std::size_t count_ = 0;
+};
+
+/// Least significant digit first (Knuth 1998, "The Art of Computer Programming", volume 3, section 5.2.5); the buckets of
+/// all digits are counted in one go. Item i is `source(i)`, which is asked for twice, and `key(item)` its key. `to` and
+/// `scratch` have room for `size` items each; returns the one of them that holds the result.
+template <class Item, class Source, class Key>
+Item* radix_sort(std::size_t size, const Source& source, const Digits& digits, const Key& key, Item* to,
+                 Item* scratch) {
+  std::array<std::array<std::uint32_t, std::size_t{1} << Digits::most_bits>, Digits::most> begins;
+  for (std::size_t d = 0; d < digits.size(); ++d) begins[d].fill(0);
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::uint64_t k = key(source(i));
+    for (std::size_t d = 0; d < digits.size(); ++d) ++begins[d][digits.bucket(k, d)];
+  }
+  for (std::size_t d = 0; d < digits.size(); ++d) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t& begin : begins[d]) sum += std::exchange(begin, sum);
+  }
+  const auto distribute = [&](std::size_t d, const auto& items) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const Item item = items(i);
+      to[begins[d][digits.bucket(key(item), d)]++] = item;
+    }
+  };
+  if (digits.size() == 0)
+    for (std::size_t i = 0; i < size; ++i) to[i] = source(i);
+  for (std::size_t d = 0; d < digits.size(); ++d) {
+    if (d == 0) {
+      distribute(d, source);
+      continue;
+    }
+    std::swap(to, scratch);
+    distribute(d, [scratch](std::size_t i) { return scratch[i]; });
+  }
+  return to;
 }
 
-/// Unsigned numbers of 32 bits in the order of the finite numbers they are made of; the low digits of a `double` are
-/// lost, so equal keys do not mean equal numbers.
-inline std::uint32_t order_key(float v) {
-  const auto bits = std::bit_cast<std::uint32_t>(v + 0.0f);
-  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-inline std::uint32_t order_key(double v) {
-  const auto bits = std::bit_cast<std::uint64_t>(v + 0.0);
-  return static_cast<std::uint32_t>((bits & 0x8000000000000000u ? ~bits : bits | 0x8000000000000000u) >> 32);
-}
+/// How many bits the numbers below `count` take.
+inline int bits_below(std::uint64_t count) { return count <= 1 ? 0 : static_cast<int>(std::bit_width(count - 1)); }
 
 }  // namespace graze

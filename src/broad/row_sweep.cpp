@@ -1,7 +1,7 @@
 #include "broad/row_sweep.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "broad/boxes.hpp"
@@ -11,14 +11,9 @@ namespace graze {
 
 namespace {
 
-/// A level's cells are this many times the mean of its boxes' longest sides: by Markov's inequality at most half of any
+/// A level takes boxes up to this many times the mean of all longest sides: by Markov's inequality at most half of any
 /// boxes are longer and go to the next level.
-constexpr int cells_per_mean = 2;
-/// What belongs into a level is shorter than its cell by this share: more than rounding can move a box within the grid,
-/// so that two boxes that touch are never two rows apart.
-constexpr double rounding_share = 1e-6;
-/// Cells are numbered within this. What lies further out shares the outermost row, which costs time and no pair.
-constexpr double furthest_cell = 1 << 30;
+constexpr double longest_per_mean = 2;
 
 template <class T>
 T longest_side(const Aabb<T>& box) {
@@ -26,246 +21,128 @@ T longest_side(const Aabb<T>& box) {
   return greatest(e.x, greatest(e.y, e.z));
 }
 
+/// Whether a grid can hold it: differences of such coordinates are finite.
 template <class T>
-std::int32_t cell_of(T coordinate, T origin, T cell) {
-  const double c =
-      std::floor((static_cast<double>(coordinate) - static_cast<double>(origin)) / static_cast<double>(cell));
-  return static_cast<std::int32_t>(clamp(c, -furthest_cell, furthest_cell));
+bool is_bounded(const Aabb<T>& box) {
+  constexpr T most = std::numeric_limits<T>::max() / T(4);
+  return greatest(max_abs(box.lower), max_abs(box.upper)) <= most;
 }
-
-int bits_for(std::uint64_t values) { return values <= 1 ? 0 : static_cast<int>(std::bit_width(values - 1)); }
 
 }  // namespace
 
 template <class T>
-std::size_t RowSweep<T>::Level::memory() const {
-  return (lower_x.capacity() * 6) * sizeof(T) + place.capacity() * sizeof(place[0]) + rows.capacity() * sizeof(Row);
-}
-
-template <class T>
 std::size_t RowSweep<T>::memory() const {
-  std::size_t bytes = (small_.capacity() + large_.capacity() + unbounded_.capacity() + begins_.capacity()) * 4 +
-                      (items_.capacity() + scratch_.capacity()) * sizeof(KeyedPlace) +
-                      found_.capacity() * sizeof(IdPair);
-  for (const Level& level : levels_) bytes += level.memory();
+  std::size_t bytes =
+      (members_.capacity() + larger_.capacity() + wide_.capacity() + first_.capacity() + second_.capacity()) *
+          sizeof(std::uint32_t) +
+      over_.capacity() * sizeof(SweptOver<T>) + inner_.capacity() * sizeof(IdPair) + compare_wide_.memory() +
+      order_.memory();
+  for (const RowGrid<T>& level : levels_) bytes += level.memory();
   return bytes;
 }
 
+/// The first level of most scenes, in which all boxes are finite and of about one size: what all of them span in one pass
+/// without branches. Returns false where some are not, and nothing is known then.
 template <class T>
-void RowSweep<T>::sort_into_rows(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, Level& level) {
-  std::int32_t low_y = std::numeric_limits<std::int32_t>::max(), low_z = low_y, high_y = -low_y, high_z = -low_y;
-  const auto row_y = [&](const Aabb<T>& b) { return cell_of(b.lower.y, level.origin.y, level.cell); };
-  const auto row_z = [&](const Aabb<T>& b) { return cell_of(b.lower.z, level.origin.z, level.cell); };
-  for (const std::uint32_t p : places) {
-    const std::int32_t y = row_y(boxes[p]), z = row_z(boxes[p]);
-    low_y = std::min(low_y, y), high_y = std::max(high_y, y);
-    low_z = std::min(low_z, z), high_z = std::max(high_z, z);
+bool RowSweep<T>::all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans) {
+  spans = {boxes[0].lower, boxes[0].lower, {}};
+  Vec3<T> furthest = boxes[0].upper;
+  double sum = 0;
+  for (const Aabb<T>& box : boxes) {
+    const Vec3<T> e = box.extent();
+    spans.lowest = least(spans.lowest, box.lower);
+    spans.highest = greatest(spans.highest, box.lower);
+    furthest = greatest(furthest, box.upper);
+    spans.longest = greatest(spans.longest, e);
+    sum += static_cast<double>(greatest(e.x, greatest(e.y, e.z)));
   }
-  const auto wide = static_cast<std::uint64_t>(std::int64_t{high_z} - low_z + 1);
-  const auto tall = static_cast<std::uint64_t>(std::int64_t{high_y} - low_y + 1);
-  // The key: row, then the place along X; in as few bits as the grid takes. Where rows leave less than 32 bits for X,
-  // its low ones go: the sort below puts right what they leave equal.
-  const int bits_z = bits_for(wide), bits_y = bits_for(tall), bits_x = std::min(32, 64 - bits_y - bits_z);
-  items_.clear();
-  for (const std::uint32_t p : places) {
-    const Aabb<T>& b = boxes[p];
-    const auto y = static_cast<std::uint64_t>(std::int64_t{row_y(b)} - low_y);
-    const auto z = static_cast<std::uint64_t>(std::int64_t{row_z(b)} - low_z);
-    const std::uint64_t x = std::uint64_t{order_key(b.lower.x)} >> (32 - bits_x);
-    items_.push_back({(((y << bits_z) | z) << bits_x) | x, p});
-  }
-  radix_sort(items_, scratch_, bits_x + bits_y + bits_z);
-  level.rows.clear();
-  for (std::uint32_t i = 0; i < items_.size(); ++i) {
-    const std::uint64_t row = items_[i].key >> bits_x;
-    if (i > 0 && row == items_[i - 1].key >> bits_x) {
-      level.rows.back().end = i + 1;
+  const double longest = static_cast<double>(greatest(spans.longest.x, greatest(spans.longest.y, spans.longest.z)));
+  if (!is_bounded(Aabb<T>{spans.lowest, furthest}) || !is_bounded(Aabb<T>{spans.highest, furthest}) ||
+      longest > longest_per_mean * (sum / static_cast<double>(boxes.size())))
+    return false;
+  if (members_.size() != boxes.size()) members_.resize(boxes.size());
+  std::iota(members_.begin(), members_.end(), 0u);
+  larger_.clear();
+  return true;
+}
+
+/// Keeps in `members_` those that belong into the next level, and puts longer ones into `larger_`.
+template <class T>
+Spans<T> RowSweep<T>::split(std::span<const Aabb<T>> boxes) {
+  const double share = 1 / static_cast<double>(members_.size());
+  double mean = 0;
+  for (const std::uint32_t i : members_) mean += static_cast<double>(longest_side(boxes[i])) * share;
+  larger_.clear();
+  Spans<T> spans{boxes[members_[0]].lower, boxes[members_[0]].lower, {}};
+  std::size_t kept = 0;
+  for (const std::uint32_t i : members_) {
+    const Aabb<T>& box = boxes[i];
+    // The mean is rounded, too: none of several equal boxes may be longer than twice their mean.
+    if (static_cast<double>(longest_side(box)) > longest_per_mean * mean) {
+      larger_.push_back(i);
       continue;
     }
-    const std::uint64_t mask = (std::uint64_t{1} << bits_z) - 1;
-    level.rows.push_back({static_cast<std::int32_t>(static_cast<std::int64_t>(row >> bits_z) + low_y),
-                          static_cast<std::int32_t>(static_cast<std::int64_t>(row & mask) + low_z), i, i + 1});
+    members_[kept++] = i;
+    spans.lowest = least(spans.lowest, box.lower);
+    spans.highest = greatest(spans.highest, box.lower);
+    spans.longest = greatest(spans.longest, box.extent());
   }
-  // The keys' order is that of the coordinates but for the digits that were cut off; in float none were.
-  if (sizeof(T) == sizeof(float) && bits_x == 32) return;
-  const auto before = [&](const KeyedPlace& p, const KeyedPlace& q) {
-    return boxes[p.place].lower.x < boxes[q.place].lower.x;
-  };
-  for (const auto& row : level.rows) {
-    const auto begin = items_.begin() + row.begin, end = items_.begin() + row.end;
-    if (!std::is_sorted(begin, end, before)) std::stable_sort(begin, end, before);
-  }
+  members_.resize(kept);
+  return spans;
 }
 
+/// One level with itself and with those below it.
 template <class T>
-void RowSweep<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, Level& level) {
-  sort_into_rows(boxes, places, level);
-  const std::size_t n = items_.size();
-  for (auto* column : {&level.lower_x, &level.upper_x, &level.lower_y, &level.upper_y, &level.lower_z, &level.upper_z})
-    column->resize(n);
-  level.place.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Aabb<T>& b = boxes[items_[i].place];
-    level.lower_x[i] = b.lower.x, level.upper_x[i] = b.upper.x;
-    level.lower_y[i] = b.lower.y, level.upper_y[i] = b.upper.y;
-    level.lower_z[i] = b.lower.z, level.upper_z[i] = b.upper.z;
-    level.place[i] = items_[i].place;
-  }
-}
-
-/// Box i of the level against those of one row from `from` on that begin, along X, before it ends. Whether a pair
-/// overlaps is hard to foresee, so every pair is written and only the count depends on it.
-template <class T>
-void RowSweep<T>::test_range(const Level& level, std::uint32_t i, std::uint32_t from, std::uint32_t end) {
-  const T upper_x = level.upper_x[i], lower_y = level.lower_y[i], upper_y = level.upper_y[i],
-          lower_z = level.lower_z[i], upper_z = level.upper_z[i];
-  const std::uint32_t place = level.place[i];
-  std::uint32_t last = from;
-  while (last < end && level.lower_x[last] <= upper_x) ++last;
-  if (last == from) return;
-  const std::size_t count = found_.size();
-  found_.resize(count + (last - from));
-  IdPair* out = found_.data() + count;
-  for (std::uint32_t k = from; k < last; ++k) {
-    *out = ordered(place, level.place[k]);
-    out += static_cast<int>(level.lower_y[k] <= upper_y) & static_cast<int>(lower_y <= level.upper_y[k]) &
-           static_cast<int>(level.lower_z[k] <= upper_z) & static_cast<int>(lower_z <= level.upper_z[k]);
-  }
-  found_.resize(static_cast<std::size_t>(out - found_.data()));
-}
-
-template <class T>
-void RowSweep<T>::sweep_row(const Level& level, std::uint32_t begin, std::uint32_t end) {
-  for (std::uint32_t i = begin; i + 1 < end; ++i) test_range(level, i, i + 1, end);
-}
-
-template <class T>
-void RowSweep<T>::sweep_rows(const Level& level, const typename Level::Row& r, const typename Level::Row& s) {
-  std::uint32_t i = r.begin, k = s.begin;
-  while (i < r.end && k < s.end) {
-    if (level.lower_x[i] <= level.lower_x[k])
-      test_range(level, i++, k, s.end);
-    else
-      test_range(level, k++, i, r.end);
-  }
-}
-
-template <class T>
-void RowSweep<T>::sweep_level(const Level& level) {
-  const auto& rows = level.rows;
-  std::size_t above = 0;  // the first row of the next Y that is not behind (y + 1, z - 1)
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto& row = rows[i];
-    sweep_row(level, row.begin, row.end);
-    if (i + 1 < rows.size() && rows[i + 1].y == row.y && rows[i + 1].z == row.z + 1)
-      sweep_rows(level, row, rows[i + 1]);
-    const auto behind = [&](const auto& other) {
-      return other.y < row.y + 1 || (other.y == row.y + 1 && other.z < row.z - 1);
-    };
-    while (above < rows.size() && behind(rows[above])) ++above;
-    for (std::size_t k = above; k < rows.size() && rows[k].y == row.y + 1 && rows[k].z <= row.z + 1; ++k)
-      sweep_rows(level, row, rows[k]);
-  }
-}
-
-/// A box of a higher level against all of this one.
-template <class T>
-void RowSweep<T>::sweep_over(const Level& level, const Aabb<T>& box, std::uint32_t place) {
-  const std::int32_t low_y = cell_of(box.lower.y, level.origin.y, level.cell) - 1,
-                     high_y = cell_of(box.upper.y, level.origin.y, level.cell),
-                     low_z = cell_of(box.lower.z, level.origin.z, level.cell) - 1,
-                     high_z = cell_of(box.upper.z, level.origin.z, level.cell);
-  const auto before = [](const typename Level::Row& row, const std::pair<std::int32_t, std::int32_t>& at) {
-    return row.y != at.first ? row.y < at.first : row.z < at.second;
-  };
-  auto row = std::lower_bound(level.rows.begin(), level.rows.end(), std::pair{low_y, low_z}, before);
-  while (row != level.rows.end() && row->y <= high_y) {
-    if (row->z < low_z || row->z > high_z) {
-      const std::int32_t y = row->z < low_z ? row->y : row->y + 1;
-      row = std::lower_bound(row, level.rows.end(), std::pair{y, low_z}, before);
-      continue;
-    }
-    // None of them is longer than a cell: those that begin further before this box do not reach it.
-    const auto column = level.lower_x.begin();
-    const T first = box.lower.x - level.cell - T(4) * std::numeric_limits<T>::epsilon() * std::abs(box.lower.x);
-    auto k = static_cast<std::uint32_t>(std::lower_bound(column + row->begin, column + row->end, first) - column);
-    for (; k < row->end && level.lower_x[k] <= box.upper.x; ++k)
-      if (level.upper_x[k] >= box.lower.x && level.lower_y[k] <= box.upper.y && level.upper_y[k] >= box.lower.y &&
-          level.lower_z[k] <= box.upper.z && level.upper_z[k] >= box.lower.z)
-        found_.push_back(ordered(place, level.place[k]));
-    ++row;
-  }
-}
-
-/// By the smaller place through counting, then the few of each by the larger.
-template <class T>
-void RowSweep<T>::sort_pairs(std::size_t boxes, std::vector<IdPair>& out) {
-  begins_.assign(boxes + 1, 0);
-  for (const IdPair& p : found_) ++begins_[p.a + 1];
-  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-  out.resize(found_.size());
-  for (const IdPair& p : found_) out[begins_[p.a]++] = p;
-  // `begins_[a]` is now where the pairs of a end.
-  std::size_t begin = 0;
-  for (std::size_t a = 0; a < boxes; ++a) {
-    const std::size_t end = begins_[a];
-    const auto at = [&](std::size_t i) { return out.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (end - begin > 1) std::sort(at(begin), at(end), [](const IdPair& p, const IdPair& q) { return p.b < q.b; });
-    begin = end;
-  }
-}
-
-/// What no grid can hold, against everything.
-template <class T>
-void RowSweep<T>::sweep_unbounded(std::span<const Aabb<T>> boxes) {
-  std::vector<char> is_unbounded(unbounded_.empty() ? 0 : boxes.size(), 0);
-  for (const std::uint32_t u : unbounded_) {
-    is_unbounded[u] = 1;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      if (is_unbounded[i] == 0 && overlap(boxes[u], boxes[i])) found_.push_back(ordered(u, i));
+void RowSweep<T>::sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairSink& sink) {
+  GRAZE_KERNEL(isa_, sweep_rows<T>)(levels_[level].rows(), sink);
+  for (std::size_t below = 0; below < level; ++below) {
+    over_.clear();
+    for (const std::uint32_t i : members_) over_.push_back(levels_[below].reach_of(boxes[i], i));
+    GRAZE_KERNEL(isa_, sweep_over<T>)
+    (levels_[below].rows(), levels_[below].strips(), over_.data(), over_.size(), sink);
   }
 }
 
 template <class T>
 void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
-  found_.clear();
-  small_.clear();
-  unbounded_.clear();
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    (longest_side(boxes[i]) < std::numeric_limits<T>::infinity() ? small_ : unbounded_).push_back(i);
-
-  std::size_t count = 0;
-  while (!small_.empty()) {
-    if (count == levels_.size()) levels_.emplace_back();
-    Level& level = levels_[count];
-    double sum = 0;
-    for (const std::uint32_t i : small_)
-      sum += static_cast<double>(longest_side(boxes[i])) / static_cast<double>(small_.size());
-    level.origin = boxes[small_[0]].lower;
-    // A level of points needs some size of cell: any will do.
-    constexpr double huge = static_cast<double>(std::numeric_limits<T>::max()) / 4;
-    const T some = std::numeric_limits<T>::min() + std::numeric_limits<T>::epsilon() * max_abs(level.origin);
-    level.cell = greatest(static_cast<T>(std::min(cells_per_mean * sum, huge)), some);
-    const T longest = static_cast<T>(static_cast<double>(level.cell) * (1 - rounding_share));
-    large_.clear();
-    std::erase_if(small_, [&](std::uint32_t i) {
-      if (longest_side(boxes[i]) <= longest) return false;
-      large_.push_back(i);
-      return true;
-    });
-    if (small_.empty()) {  // too long for any cell to be counted
-      unbounded_.insert(unbounded_.end(), large_.begin(), large_.end());
-      break;
+  PairSink sink{first_.data(),
+                second_.data(),
+                0,
+                first_.size(),
+                [](PairSink& s) {
+                  auto& self = *static_cast<RowSweep*>(s.owner);
+                  const std::size_t more = std::max<std::size_t>(1024, self.first_.size() * 2);
+                  self.first_.resize(more), self.second_.resize(more);
+                  s.first = self.first_.data(), s.second = self.second_.data(), s.capacity = more;
+                },
+                this};
+  members_.clear();
+  wide_.clear();
+  Spans<T> spans;
+  const bool alike = !boxes.empty() && all_alike(boxes, spans);
+  for (std::uint32_t i = 0; !alike && i < boxes.size(); ++i) (is_bounded(boxes[i]) ? members_ : wide_).push_back(i);
+  for (std::size_t level = 0; !members_.empty(); ++level) {
+    if (level == levels_.size()) levels_.emplace_back();
+    if (!alike) spans = split(boxes);
+    if (level == 0 && !larger_.empty() && WideBoxes<T>::worthwhile(boxes, larger_)) {
+      wide_.insert(wide_.end(), larger_.begin(), larger_.end());
+      std::sort(wide_.begin(), wide_.end());
+      larger_.clear();
     }
-    build(boxes, small_, level);
-    sweep_level(level);
-    for (std::size_t below = 0; below < count; ++below)
-      for (const std::uint32_t i : small_) sweep_over(levels_[below], boxes[i], i);
-    small_.swap(large_);
-    ++count;
+    levels_[level].build(boxes, members_, spans);
+    if (!larger_.empty()) levels_[level].prepare_to_be_swept();
+    sweep(boxes, level, sink);
+    members_.swap(larger_);
   }
-  sweep_unbounded(boxes);
-  sort_pairs(boxes.size(), out);
+  const std::span<const std::uint32_t> first{first_.data(), sink.count}, second{second_.data(), sink.count};
+  if (wide_.empty()) {
+    out.resize(sink.count);
+    order_.sort(first, second, boxes.size(), out.data());
+    return;
+  }
+  inner_.resize(sink.count);
+  order_.sort(first, second, boxes.size(), inner_.data());
+  compare_wide_.merge(isa_, boxes, wide_, inner_, out);
 }
 
 template <class T>

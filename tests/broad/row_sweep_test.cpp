@@ -4,12 +4,21 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 
+#include "broad/radix_sort.hpp"
+
 namespace graze {
 namespace {
+
+std::vector<Isa> available_levels() {
+  std::vector<Isa> levels{Isa::baseline, Isa::avx2, Isa::avx512};
+  std::erase_if(levels, [](Isa level) { return !isa_available(level); });
+  return levels;
+}
 
 template <class T>
 std::vector<IdPair> brute_force(const std::vector<Aabb<T>>& boxes) {
@@ -22,11 +31,14 @@ std::vector<IdPair> brute_force(const std::vector<Aabb<T>>& boxes) {
 
 template <class T>
 void expect_same(const std::vector<Aabb<T>>& boxes, const char* what) {
-  RowSweep<T> sweep;
-  std::vector<IdPair> found;
-  for (int again = 0; again < 2; ++again) {  // the second time in used memory
-    sweep.find(boxes, found);
-    EXPECT_EQ(found, brute_force(boxes)) << what << ", " << boxes.size() << " boxes";
+  const std::vector<IdPair> expected = brute_force(boxes);
+  for (const Isa level : available_levels()) {
+    RowSweep<T> sweep(level);
+    std::vector<IdPair> found;
+    for (int again = 0; again < 2; ++again) {  // the second time in used memory
+      sweep.find(boxes, found);
+      EXPECT_EQ(found, expected) << what << ", " << boxes.size() << " boxes, level " << static_cast<int>(level);
+    }
   }
 }
 
@@ -107,25 +119,106 @@ RC_GTEST_PROP(RowSweep, CountsTouchingOnALattice, (const std::vector<std::array<
     const Vec3d low{double(n[0] % 9), double(n[1] % 9), double(n[2] % 9)};
     boxes.push_back({low, low + Vec3d{double(n[3] % 4), double(n[4] % 4), double(n[5] % 4)}});
   }
-  RowSweep<double> sweep;
-  std::vector<IdPair> found;
-  sweep.find(boxes, found);
-  RC_ASSERT(found == brute_force(boxes));
+  for (const Isa level : available_levels()) {
+    RowSweep<double> sweep(level);
+    std::vector<IdPair> found;
+    sweep.find(boxes, found);
+    RC_ASSERT(found == brute_force(boxes));
+  }
 }
 
-TEST(RadixSort, IsStableAndOrdersNumbers) {
-  std::vector<KeyedPlace> items, scratch;
-  for (std::uint32_t i = 0; i < 1000; ++i) items.push_back({(i * 7919u) % 50, i});
-  radix_sort(items, scratch, 6);
-  for (std::size_t i = 1; i < items.size(); ++i)
-    EXPECT_TRUE(items[i - 1].key < items[i].key ||
-                (items[i - 1].key == items[i].key && items[i - 1].place < items[i].place));
-  const float numbers[] = {-1e30f, -2, -1e-40f, 0, 1e-40f, 1, 3e38f};
-  for (std::size_t i = 1; i < std::size(numbers); ++i) {
-    EXPECT_LT(order_key(numbers[i - 1]), order_key(numbers[i]));
-    EXPECT_LE(order_key(double(numbers[i - 1])), order_key(double(numbers[i])));
+/// What stands alone far out stretches the grid by any factor; the strips then follow the boxes.
+template <class T>
+void check_outliers() {
+  Scenes<T> s;
+  for (const double far : {1e4, 1e9, 1e30}) {
+    auto boxes = s.many(900, 10, 1);
+    const Vec3<T> away{T(far), T(-far), T(far)};
+    for (const T sign : {T(1), T(-1)}) boxes.push_back({away * sign, away * sign});
+    boxes.push_back({{T(0), T(far), T(0)}, {T(1), T(far), T(1)}});
+    expect_same(boxes, "outliers");
   }
-  EXPECT_EQ(order_key(-0.0f), order_key(0.0f));
+  auto diagonal = s.many(900, 1, 1);
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const T at = T(i / 3) * T(200);
+    diagonal[i] = {diagonal[i].lower + Vec3<T>{at, at, at}, diagonal[i].upper + Vec3<T>{at, at, at}};
+  }
+  expect_same(diagonal, "small groups on a diagonal");
+  auto points = s.many(900, 10, 0);
+  for (std::size_t i = 1; i < points.size(); i += 2) points[i] = points[i - 1];
+  expect_same(points, "points in pairs");
+  auto line = s.many(900, 1e30, 0);
+  for (auto& b : line) b = {{b.lower.x, 0, 0}, {b.lower.x, 1, 1}};
+  expect_same(line, "a line");
+  for (auto& b : line) b = {{T(1e-30) * b.lower.x, 0, 0}, {T(1e-30) * b.lower.x + T(1e-6), 1, 1}};
+  line.push_back({{T(1e30), 0, 0}, {T(1e30), 1, 1}});
+  expect_same(line, "all but one in one place along X");
+}
+TEST(RowSweep, FollowsOutliersInDouble) { check_outliers<double>(); }
+TEST(RowSweep, FollowsOutliersInFloat) { check_outliers<float>(); }
+
+/// Many rows and more than one vector of neighbours in each, which the scenes above are too small for.
+TEST(RowSweep, AgreesOnAWideScene) {
+  Scenes<float> s;
+  expect_same(s.many(6000, 12, 1.5), "dense");
+  auto uneven = s.many(6000, 12, 0.5);
+  for (std::size_t i = 0; i < uneven.size(); i += 100) uneven[i].upper = uneven[i].lower + Vec3f{9, 3, 6};
+  expect_same(uneven, "uneven");
+}
+
+TEST(RowSweep, KeepsItsMemory) {
+  Scenes<float> s;
+  const auto boxes = s.many(3000, 10, 1), other = s.many(2500, 10, 1);
+  RowSweep<float> sweep;
+  std::vector<IdPair> found;
+  for (const auto& scene : {boxes, other}) sweep.find(scene, found);
+  const std::size_t memory = sweep.memory(), room = found.capacity();
+  sweep.find(other, found);
+  sweep.find(boxes, found);
+  EXPECT_EQ(sweep.memory(), memory);
+  EXPECT_EQ(found.capacity(), room);
+}
+
+TEST(Strips, OfBoxesThatOverlapAreNeighbours) {
+  Scenes<float> s;
+  for (const double reach : {1.0, 100.0, 1e4, 1e9}) {
+    std::vector<float> begins, sorted;
+    for (int i = 0; i < 3000; ++i) begins.push_back(s.number(-reach, reach));
+    sorted = begins;
+    Strips<float> strips;
+    const auto [low, high] = std::minmax_element(begins.begin(), begins.end());
+    if (!strips.set(*low, *high, 1)) strips.adapt(sorted, 1);
+    EXPECT_LE(strips.count(), Strips<float>::most);
+    for (const float b : begins) {
+      const std::uint32_t at = strips.strip(b);
+      EXPECT_LT(at, strips.count());
+      EXPECT_EQ(strips.nearest(b), at);
+      if (b + 1 <= *high) {
+        EXPECT_LE(strips.nearest(b + 1), at + 1);
+        EXPECT_GE(strips.nearest(b + 1), at);
+      }
+    }
+    EXPECT_EQ(strips.nearest(-std::numeric_limits<float>::max()), 0u);
+    EXPECT_EQ(strips.nearest(std::numeric_limits<float>::max()), strips.count() - 1);
+  }
+}
+
+TEST(RadixSort, IsStable) {
+  for (const int bits : {0, 6, 11, 13, 32}) {
+    std::vector<std::uint64_t> items(5000), scratch(5000), expected(5000);
+    std::mt19937_64 random(1);
+    for (std::uint64_t& item : expected) item = random();
+    const std::vector<std::uint64_t> given = expected;
+    const auto digits_of = [bits](std::uint64_t v) { return v >> 7 & ((std::uint64_t{1} << bits) - 1); };
+    std::stable_sort(expected.begin(), expected.end(),
+                     [&](std::uint64_t p, std::uint64_t q) { return digits_of(p) < digits_of(q); });
+    Digits digits;
+    digits.add(7, bits);
+    const std::uint64_t* sorted = radix_sort(
+        given.size(), [&](std::size_t i) { return given[i]; }, digits, [](std::uint64_t v) { return v; }, items.data(),
+        scratch.data());
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), sorted)) << bits;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+# graze_kernels(<target> <sources...>): compiles each source once for every level of the instruction set and puts all of
+# the objects into the target. The source sees GRAZE_ISA, the namespace it is to define its functions in; which of them
+# is called is chosen at run time by lanes/dispatch.hpp.
+#
+# Object libraries, because one target cannot compile a source twice. Their objects are linked for everyone, also on
+# machines without the instructions: hence no inline function that others share may be left in them, since the linker
+# keeps any one copy. tests/lanes/kernel_symbols.cmake looks for that.
+set(graze_levels baseline)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+  list(APPEND graze_levels avx2 avx512)
+endif()
+set(graze_flags_baseline "")
+set(graze_flags_avx2 -march=x86-64-v3)
+set(graze_flags_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+
+function(graze_kernels target)
+  foreach(level IN LISTS graze_levels)
+    set(objects ${target}_kernels_${level})
+    add_library(${objects} OBJECT ${ARGN})
+    target_compile_features(${objects} PRIVATE cxx_std_20)
+    target_compile_definitions(${objects} PRIVATE GRAZE_ISA=${level})
+    target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}")
+    graze_target(${objects})
+    # Last, so that it wins over a -march among the user's own flags.
+    target_compile_options(${objects} PRIVATE ${graze_flags_${level}})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  endforeach()
+endfunction()

@@ -1,0 +1,75 @@
+// The sweep of rows of boxes: plain arrays in, plain pairs out, so that it can be compiled for each instruction set.
+//
+// Guarantee: each overlapping pair is found once. Reads up to `row_padding` boxes past the last one, and no further.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "lanes/dispatch.hpp"
+
+namespace graze {
+
+/// So many boxes more than there are can be read from the arrays of `Rows`.
+inline constexpr std::size_t row_padding = 16;
+
+/// Boxes of one row of a grid: `index` counts rows along Z first, then along Y.
+struct Row {
+  std::uint32_t index, begin, end;
+};
+
+/// Bits of a box in one of the rows it reaches: whether it begins in a row before, along Y and along Z. The pair of two
+/// boxes belongs to the one row in which the later of the two begins, along Y as well as along Z; so they have no bit in
+/// common there, and in every other row that has both of them they do.
+inline constexpr int began_before_y = 1, began_before_z = 2;
+
+template <std::size_t Size>
+struct BitsOf {
+  using type = std::int32_t;
+};
+template <>
+struct BitsOf<8> {
+  using type = std::int64_t;
+};
+
+/// Boxes sorted by row and then along X, a coordinate an array.
+template <class T>
+struct Rows {
+  const T *lower_x, *upper_x, *lower_y, *upper_y, *lower_z, *upper_z;
+  const T* reach_x;                               ///< the furthest upper_x from the beginning of the row up to here
+  const typename BitsOf<sizeof(T)>::type* began;  ///< `began_before_y` and `_z`
+  const std::uint32_t* place;
+  const Row* rows;  ///< those with boxes, by index
+  std::size_t count;
+  std::uint32_t along_z;  ///< how many rows there are along Z, with boxes or without
+};
+
+/// Where found pairs go: two places each, in any order.
+struct PairSink {
+  std::uint32_t *first, *second;
+  std::size_t count, capacity;
+  void (*grow)(PairSink&);  ///< makes room for `row_padding` more at the least
+  void* owner;
+};
+
+/// A box that is compared with rows: `lower_x`, `upper_x` and so on for Y and Z.
+template <class T>
+struct SweptOver {
+  T bounds[6];
+  std::uint32_t place;
+  std::uint32_t low_y, high_y, low_z, high_z;  ///< the rows it can reach, all included
+};
+
+// clang-format off
+GRAZE_DECLARE_KERNEL(
+    /// The pairs of boxes that share a row.
+    template <class T> void sweep_rows(const Rows<T>& rows, PairSink& sink);
+    /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
+    template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,
+                                       std::size_t count, PairSink& sink);
+    /// The pairs of one box with those from place `from` to `end` in the arrays, whatever their order; in that order.
+    template <class T> void test_all(const Rows<T>& boxes, std::size_t from, std::size_t end, const SweptOver<T>& box,
+                                     PairSink& sink);)
+// clang-format on
+
+}  // namespace graze

@@ -1,0 +1,136 @@
+#include "broad/row_kernels.hpp"
+#include "lanes/lanes.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+static_assert(lanes_of<float> <= static_cast<int>(row_padding) && chosen_room <= static_cast<int>(row_padding));
+
+/// One box in all lanes.
+template <class T>
+struct Spread {
+  Lanes<T> lower_x, upper_x, lower_y, upper_y, lower_z, upper_z;
+};
+
+/// A copy of a sink in registers: nothing that is stored elsewhere can change it.
+class Output {
+ public:
+  [[gnu::always_inline]] explicit Output(PairSink& sink) : sink_(sink) { fetch(); }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  [[gnu::always_inline]] ~Output() { sink_.count = count_; }
+
+  /// The pairs of `place` with those of `others` whose bits are set.
+  [[gnu::always_inline]] void add(std::uint32_t place, const std::uint32_t* others, std::uint32_t bits) {
+    if (count_ + row_padding > capacity_) [[unlikely]] {
+      grow(sink_, count_);
+      fetch();
+    }
+    for (int i = 0; i < chosen_room; ++i) first_[count_ + static_cast<std::size_t>(i)] = place;
+    store_chosen(second_ + count_, others, bits);
+    count_ += static_cast<std::size_t>(count_bits(bits));
+  }
+
+ private:
+  [[gnu::always_inline]] void fetch() {
+    first_ = sink_.first, second_ = sink_.second, count_ = sink_.count, capacity_ = sink_.capacity;
+  }
+  [[gnu::noinline]] static void grow(PairSink& sink, std::size_t count) {
+    sink.count = count;
+    sink.grow(sink);
+  }
+
+  PairSink& sink_;
+  std::uint32_t *first_, *second_;
+  std::size_t count_, capacity_;
+};
+
+/// Which of the columns a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
+/// end it; what comes after a box in its own row begins after it, too.
+enum class Scan { own_row, row, unordered };
+
+/// One box against those from `k` on; in rows, only where `began` has no bit in common with them. Whether a pair overlaps
+/// is hard to foresee, so every step writes all of its lanes and only the count depends on it.
+template <Scan kind, class T>
+[[gnu::always_inline]] inline void scan(const Rows<T>& r, const Spread<T>& box, typename Lanes<T>::Bits began,
+                                        std::uint32_t place, std::uint32_t k, std::uint32_t end, Output& output) {
+  constexpr std::uint32_t lanes = lanes_of<T>;
+  const auto at = [&](const T* column) { return Lanes<T>::load(column + k); };
+  using C = Chosen<T>;
+  while (k < end) {
+    const C begun = C::at_most(at(r.lower_x), box.upper_x);
+    C hit = (C::at_most(at(r.lower_y), box.upper_y) & C::at_most(box.lower_y, at(r.upper_y))) &
+            (C::at_most(at(r.lower_z), box.upper_z) & C::at_most(box.lower_z, at(r.upper_z)));
+    if (kind != Scan::own_row) hit = hit & C::at_most(box.lower_x, at(r.upper_x));
+    if (kind != Scan::unordered) hit = hit & C::disjoint(r.began + k, began);
+    const std::uint32_t left = end - k;
+    const std::uint32_t inside = left < lanes ? (std::uint32_t{1} << left) - 1 : C::all;
+    const std::uint32_t begun_bits = begun.bits();
+    output.add(place, r.place + k, hit.bits() & begun_bits & inside);
+    if (kind != Scan::unordered && begun_bits != C::all) return;
+    k += lanes;
+  }
+}
+
+}  // namespace
+
+template <class T>
+void sweep_rows(const Rows<T>& r, PairSink& sink) {
+  Output output(sink);
+  for (std::size_t i = 0; i < r.count; ++i) {
+    const Row row = r.rows[i];
+    for (std::uint32_t b = row.begin; b + 1 < row.end; ++b) {
+      const Spread<T> box{r.lower_x[b], r.upper_x[b], r.lower_y[b], r.upper_y[b], r.lower_z[b], r.upper_z[b]};
+      scan<Scan::own_row>(r, box, r.began[b], r.place[b], b + 1, row.end, output);
+    }
+  }
+}
+
+template <class T>
+void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T>* boxes, std::size_t count,
+                PairSink& sink) {
+  Output output(sink);
+  for (const SweptOver<T>* b = boxes; b != boxes + count; ++b) {
+    const Spread<T> box{b->bounds[0], b->bounds[1], b->bounds[2], b->bounds[3], b->bounds[4], b->bounds[5]};
+    for (std::uint32_t y = b->low_y; y <= b->high_y; ++y) {
+      const std::uint32_t low = y * r.along_z + b->low_z, high = y * r.along_z + b->high_z;
+      std::uint32_t from = strips[y];
+      for (std::uint32_t size = strips[y + 1] - from; size > 0;) {  // the first row that is not below `low`
+        const std::uint32_t half = size / 2;
+        const bool below = r.rows[from + half].index < low;
+        from = below ? from + half + 1 : from;
+        size = below ? size - half - 1 : half;
+      }
+      for (; from < strips[y + 1] && r.rows[from].index <= high; ++from) {
+        std::uint32_t k = r.rows[from].begin;
+        const std::uint32_t end = r.rows[from].end;
+        for (std::uint32_t size = end - k; size > static_cast<std::uint32_t>(lanes_of<T>);) {
+          const std::uint32_t half = size / 2;
+          const bool past = r.reach_x[k + half] < b->bounds[0];
+          k = past ? k + half + 1 : k;
+          size = past ? size - half - 1 : half;
+        }
+        const int began =
+            (y > b->low_y ? began_before_y : 0) | (r.rows[from].index % r.along_z > b->low_z ? began_before_z : 0);
+        scan<Scan::row>(r, box, began, b->place, k, end, output);
+      }
+    }
+  }
+}
+
+template <class T>
+void test_all(const Rows<T>& r, std::size_t from, std::size_t end, const SweptOver<T>& b, PairSink& sink) {
+  Output output(sink);
+  const Spread<T> box{b.bounds[0], b.bounds[1], b.bounds[2], b.bounds[3], b.bounds[4], b.bounds[5]};
+  scan<Scan::unordered>(r, box, 0, b.place, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end), output);
+}
+
+template void test_all(const Rows<float>&, std::size_t, std::size_t, const SweptOver<float>&, PairSink&);
+template void test_all(const Rows<double>&, std::size_t, std::size_t, const SweptOver<double>&, PairSink&);
+template void sweep_rows(const Rows<float>&, PairSink&);
+template void sweep_rows(const Rows<double>&, PairSink&);
+template void sweep_over(const Rows<float>&, const std::uint32_t*, const SweptOver<float>*, std::size_t, PairSink&);
+template void sweep_over(const Rows<double>&, const std::uint32_t*, const SweptOver<double>*, std::size_t, PairSink&);
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,49 @@
+// Which level of the instruction set kernels run at: chosen once, when first asked for.
+//
+// A kernel is a function in a `*.kernel.cpp`, which cmake/GrazeKernels.cmake compiles once a level; each copy lives in
+// the namespace of its level. Guarantee: every level gives the same bits, so that the choice is only one of speed. The
+// environment variable GRAZE_ISA (baseline, avx2, avx512) forces a level; what this machine does not have, or nobody
+// knows, is the best one there is.
+#pragma once
+
+#include <cstddef>
+
+namespace graze {
+
+enum class Isa { baseline, avx2, avx512 };
+
+/// Whether the machine and its operating system can run that level.
+bool isa_available(Isa level);
+
+/// The level that kernels run at.
+Isa chosen_isa();
+
+/// The level of that name, or the best available one: what `chosen_isa` makes of GRAZE_ISA. Null is no name.
+Isa isa_by_name(const char* name);
+
+}  // namespace graze
+
+/// Declares a kernel, given with its semicolons, for all levels.
+#if defined(__x86_64__)
+#define GRAZE_DECLARE_KERNEL(...)                                                                                      \
+  namespace baseline {                                                                                                 \
+  __VA_ARGS__                                                                                                          \
+  }                                                                                                                    \
+  namespace avx2 {                                                                                                     \
+  __VA_ARGS__                                                                                                          \
+  }                                                                                                                    \
+  namespace avx512 {                                                                                                   \
+  __VA_ARGS__                                                                                                          \
+  }
+/// The address of the copy of a kernel for one level.
+#define GRAZE_KERNEL(level, ...)                                                                                       \
+  ((level) == ::graze::Isa::avx512 ? avx512::__VA_ARGS__                                                               \
+   : (level) == ::graze::Isa::avx2 ? avx2::__VA_ARGS__                                                                 \
+                                   : baseline::__VA_ARGS__)
+#else
+#define GRAZE_DECLARE_KERNEL(...)                                                                                      \
+  namespace baseline {                                                                                                 \
+  __VA_ARGS__                                                                                                          \
+  }
+#define GRAZE_KERNEL(level, ...) (static_cast<void>(level), baseline::__VA_ARGS__)
+#endif

@@ -1,0 +1,154 @@
+// What kernels need beyond `Wide`: the width of their level, the lanes a comparison holds in as bits, and a store of
+// chosen lanes. Only for `*.kernel.cpp`.
+//
+// Guarantee: everything is inlined or lives in the namespace of the level, so that no code for one instruction set is
+// left where another's is called.
+#pragma once
+
+#include <cstdint>
+
+#include "graze/wide.hpp"
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#ifndef GRAZE_ISA
+#error "for kernels, which cmake/GrazeKernels.cmake compiles"
+#endif
+
+namespace graze::GRAZE_ISA {
+
+/// Bytes of the level's registers: wider vectors than the hardware's are slow in g++.
+#if defined(__AVX512F__)
+inline constexpr int register_bytes = 64;
+#elif defined(__AVX2__)
+inline constexpr int register_bytes = 32;
+#else
+inline constexpr int register_bytes = 16;
+#endif
+
+template <class T>
+inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(T));
+
+/// As many of T as a register holds.
+template <class T>
+using Lanes = Wide<T, lanes_of<T>>;
+
+/// The lanes in which comparisons hold, joined by &. AVX-512 compares into registers of bits; elsewhere the join is
+/// done on whole lanes, since it is their bits that cost.
+template <class T>
+class Chosen {
+ public:
+  static constexpr std::uint32_t all = (std::uint32_t{1} << lanes_of<T>)-1;
+
+  /// Where a <= b.
+  [[gnu::always_inline]] static Chosen at_most(const Lanes<T>& a, const Lanes<T>& b) {
+    Chosen c;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+      c.mask_ = _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a.v), reinterpret_cast<__m512>(b.v), _CMP_LE_OQ);
+    else
+      c.mask_ = _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a.v), reinterpret_cast<__m512d>(b.v), _CMP_LE_OQ);
+#else
+    c.mask_ = a <= b;
+#endif
+    return c;
+  }
+  /// Where the numbers from `at` on have no bit in common with `bits`.
+  [[gnu::always_inline]] static Chosen disjoint(const typename Lanes<T>::Bits* at, typename Lanes<T>::Bits bits) {
+    Chosen c;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+      c.mask_ = _mm512_testn_epi32_mask(_mm512_loadu_si512(at), _mm512_set1_epi32(bits));
+    else
+      c.mask_ = _mm512_testn_epi64_mask(_mm512_loadu_si512(at), _mm512_set1_epi64(bits));
+#else
+    typename Lanes<T>::BitVector v;
+    std::memcpy(&v, at, sizeof v);
+    c.mask_.bits = (v & bits) == 0;
+#endif
+    return c;
+  }
+  [[gnu::always_inline]] friend Chosen operator&(const Chosen& a, const Chosen& b) {
+    Chosen c;
+#if defined(__AVX512F__)
+    c.mask_ = static_cast<Mask>(a.mask_ & b.mask_);
+#else
+    c.mask_ = a.mask_ & b.mask_;
+#endif
+    return c;
+  }
+  /// Lane i is bit i.
+  [[gnu::always_inline]] std::uint32_t bits() const {
+#if defined(__AVX512F__)
+    return mask_;
+#elif defined(__AVX2__)
+    if constexpr (sizeof(T) == 4)
+      return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask_.bits)));
+    else
+      return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask_.bits)));
+#elif defined(__x86_64__)
+    if constexpr (sizeof(T) == 4)
+      return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask_.bits)));
+    else
+      return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask_.bits)));
+#else
+    std::uint32_t bits = 0;
+    for (int i = 0; i < lanes_of<T>; ++i) bits |= static_cast<std::uint32_t>(mask_.bits[i] & 1) << i;
+    return bits;
+#endif
+  }
+
+ private:
+#if defined(__AVX512F__)
+  using Mask = std::conditional_t<sizeof(T) == 4, __mmask16, __mmask8>;
+#else
+  using Mask = typename Lanes<T>::Mask;
+#endif
+  Mask mask_;
+};
+
+[[gnu::always_inline]] inline int count_bits(std::uint32_t bits) {
+#if defined(__POPCNT__) || !defined(__x86_64__)
+  return __builtin_popcount(bits);
+#else
+  // Of at most four lanes; the general one would be a call.
+  return static_cast<int>((bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1));
+#endif
+}
+
+#if defined(__AVX2__) && !defined(__AVX512F__)
+/// For eight bits the places of those that are set, a byte each.
+struct ChosenPlaces {
+  std::uint64_t bytes[256];
+  constexpr ChosenPlaces() : bytes{} {
+    for (unsigned bits = 0; bits < 256; ++bits)
+      for (unsigned lane = 0, to = 0; lane < 8; ++lane)
+        if (bits >> lane & 1) bytes[bits] |= std::uint64_t{lane} << (8 * to++);
+  }
+};
+inline constexpr ChosenPlaces chosen_places{};
+#endif
+
+/// How many numbers `store_chosen` may read and write, whatever it is asked for.
+inline constexpr int chosen_room = register_bytes / 4;
+
+/// Writes those of the lanes at `from` whose bits are set, one after the other; what follows them is overwritten too.
+[[gnu::always_inline]] inline void store_chosen(std::uint32_t* to, const std::uint32_t* from, std::uint32_t bits) {
+#if defined(__AVX512F__)
+  // Not straight to memory: that is microcode on some processors.
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_loadu_si512(from)));
+#elif defined(__AVX2__)
+  const __m256i places = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(chosen_places.bytes[bits])));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                      _mm256_permutevar8x32_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)), places));
+#else
+  std::uint32_t at = 0;
+  for (int i = 0; i < chosen_room; ++i) {
+    to[at] = from[i];
+    at += bits >> i & 1;
+  }
+#endif
+}
+
+}  // namespace graze::GRAZE_ISA
