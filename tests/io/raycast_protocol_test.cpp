@@ -113,7 +113,9 @@ TEST(RaycastProtocol, InTwoDimensions) {
     const double x = answer["normal"][0].get<double>(), y = answer["normal"][1].get<double>();
     EXPECT_NEAR(x * x + y * y, 1, 1e-12) << shape;
     EXPECT_LT(x, 0) << shape;
-    if (left > 0) EXPECT_NEAR(answer["t"].get<double>(), 3 - left, 1e-9) << shape;
+    if (left > 0) {
+      EXPECT_NEAR(answer["t"].get<double>(), 3 - left, 1e-9) << shape;
+    }
   }
   // On the tapered capsule's side: its centres (0, -1) and (0, 1), the side's normals (-cos, sin) with sin = 1/8.
   const double sine = 0.125, cosine = std::sqrt(1 - sine * sine);

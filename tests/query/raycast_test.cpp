@@ -143,7 +143,7 @@ class RaycastKind : public ::testing::TestWithParam<int> {
 TEST_P(RaycastKind, HitsAndMissesAreProven) {
   Random random(static_cast<unsigned>(GetParam()) + 1);
   Tally tally;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const double scale = std::pow(10.0, i % 9 - 4);
     const auto f = static_cast<float>(scale);
     const Case<double> c(
@@ -153,8 +153,8 @@ TEST_P(RaycastKind, HitsAndMissesAreProven) {
     if (HasFatalFailure()) return;
   }
   // Most rays are aimed well; a segment is hit by chance only where it is rounded, which one in three is.
-  EXPECT_GT(tally.hits, kind() == Kind::segment ? 700 : 2000);
-  EXPECT_LT(tally.hits, 20000);
+  EXPECT_GT(tally.hits, kind() == Kind::segment ? 350 : 1000);
+  EXPECT_LT(tally.hits, 10000);
 }
 
 TEST_P(RaycastKind, InFloat) {
@@ -171,7 +171,7 @@ TEST_P(RaycastKind, InFloat) {
 TEST_P(RaycastKind, Degenerate) {
   Random random(static_cast<unsigned>(GetParam()) + 200);
   Tally tally;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 600; ++i) {
     const Case<double> c(on_lattice(degenerate_specimen(kind(), 1, random), 1, random));
     for (int k = 0; k < 4; ++k) {
       Ray<double> ray = random_ray<double>(1, 3, random);
@@ -188,6 +188,115 @@ TEST_P(RaycastKind, Degenerate) {
         ASSERT_NO_FATAL_FAILURE(expect_proven_miss(c, ray));
       }
     }
+  }
+}
+
+// What begins on the surface and heads into a solid does not get past it, and is hit before it has gone anywhere.
+TEST_P(RaycastKind, FromTheSurface) {
+  Random random(static_cast<unsigned>(GetParam()) + 300);
+  for (int i = 0; i < 300; ++i) {
+    const double scale = std::pow(10.0, i % 9 - 4);
+    const auto f = static_cast<float>(scale);
+    const Case<double> c(
+        {random_specimen(kind(), f, random), random_vector(random, 0.2f * f), random_rotation(random)});
+    SCOPED_TRACE(describe(c.placed));
+    for (int k = 0; k < 10; ++k) {
+      const Ray<double> aimed = random_ray<double>(scale, 3, random);
+      const auto hit = raycast(c.shape, c.pose, aimed);
+      if (!hit) continue;
+      const auto again = raycast(c.shape, c.pose, {hit->point, aimed.direction});
+      const double tol = c.tolerance_from(aimed.origin, hit->t);
+      // A ray that only grazes may leave by rounding; any that goes deeper may not.
+      const Vec3d deeper = hit->point + normalized(aimed.direction) * (1e-3 * scale);
+      const bool enters = closest(c.shape, c.pose, deeper).distance < -tol;
+      ASSERT_TRUE(again || !enters);
+      // By how far the point is off across the surface, it is off along the ray by more the more the ray grazes.
+      const double steep = greatest(1e-6, -dot(hit->normal, normalized(aimed.direction)));
+      ASSERT_LE(again ? again->t : 0, 2 * tol / steep);
+    }
+  }
+}
+
+// One end of `length` to the other: none, exactly to the hit, and the numbers that are not one.
+TEST(Raycast, Lengths) {
+  const Shape<double> ball(Sphere<double>(1.0));
+  const Ray<double> ray{{0, 5, 0}, {0, -0.25, 0}};
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(raycast(ball, {}, ray));
+  EXPECT_TRUE(raycast(ball, {}, ray, infinity));
+  EXPECT_EQ(raycast(ball, {}, ray, 4.0).value().t, 4);
+  EXPECT_FALSE(raycast(ball, {}, ray, 3.999));
+  EXPECT_FALSE(raycast(ball, {}, ray, 0.0));
+  EXPECT_TRUE(raycast(ball, {}, {{}, {1, 0, 0}}, 0.0));
+  EXPECT_FALSE(raycast(ball, {}, ray, -1.0));
+  EXPECT_FALSE(raycast(ball, {}, ray, nan));
+}
+
+TEST(Raycast, RaysThatAreNoneHitNothing) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const Shape<double> shapes[] = {Sphere<double>(1.0), Box<double>({1, 1, 1}), HalfSpace<double>()};
+  for (const Shape<double>& shape : shapes)
+    for (const Ray<double>& ray : {Ray<double>{{0, 0, 0}, {0, 0, 0}}, Ray<double>{{nan, 0, 0}, {1, 0, 0}},
+                                   Ray<double>{{0, 0, 0}, {nan, 0, 0}}, Ray<double>{{0, infinity, 0}, {0, -1, 0}},
+                                   Ray<double>{{0, 5, 0}, {0, -infinity, 0}}, Ray<double>{{0, 1e300, 0}, {0, -1, 0}}}) {
+      EXPECT_FALSE(raycast(shape, {}, ray));
+      EXPECT_FALSE(raycast_any(shape, {}, ray));
+    }
+  // Directions of any length but zero will do.
+  EXPECT_NEAR(raycast(shapes[0], {}, {{0, 5, 0}, {0, -1e-300, 0}}).value().t, 4, 1e-12);
+  EXPECT_NEAR(raycast(shapes[0], {}, {{0, 5, 0}, {0, -1e300, 0}}).value().t, 4, 1e-12);
+}
+
+// A triangle has no thickness and two sides, of which the back can be left out. The same in a mesh.
+TEST(Raycast, BackFacesByChoice) {
+  const Shape<double> triangle(Triangle<double>({-1, 0, 1}, {1, 0, 1}, {0, 0, -1}));  // its front is +Y
+  const Shape<double> mesh(Mesh<double>({{-1, 0, 1}, {1, 0, 1}, {0, 0, -1}}, {{0, 1, 2}}));
+  const Ray<double> down{{0, 2, 0}, {0, -1, 0}}, up{{0, -2, 0}, {0, 1, 0}};
+  for (const Shape<double>& shape : {triangle, mesh}) {
+    EXPECT_EQ(raycast(shape, {}, down).value().normal, Vec3d({0, 1, 0}));
+    EXPECT_EQ(raycast(shape, {}, up).value().normal, Vec3d({0, -1, 0}));
+    EXPECT_TRUE(raycast(shape, {}, down, 10.0, BackFaces::ignored));
+    EXPECT_FALSE(raycast(shape, {}, up, 10.0, BackFaces::ignored));
+    EXPECT_FALSE(raycast_any(shape, {}, up, 10.0, BackFaces::ignored));
+  }
+}
+
+// A compound answers with the nearest child and its number; all hits come sorted.
+TEST(Raycast, CompoundsNameTheChild) {
+  const Shape<double> ball(Sphere<double>(0.5));
+  const Shape<double> pair(Compound<double>({{ball, {{0, 0, 0}, {}}}, {ball, {{1, 0, 0}, {}}}}));
+  const Shape<double> row(Compound<double>({{ball, {{6, 0, 0}, {}}}, {pair, {{2, 0, 0}, {}}}}));
+  const Ray<double> ray{{-1, 0, 0}, {3, 0, 0}};
+  const auto first = raycast(row, {}, ray);
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->t, 2.5, 1e-12);
+  EXPECT_EQ(first->piece, 1u);
+  std::vector<RayHit<double>> hits;
+  EXPECT_EQ(raycast_all(row, {}, ray, hits), 3u);
+  EXPECT_NEAR(hits[0].t, 2.5, 1e-12);
+  EXPECT_NEAR(hits[1].t, 3.5, 1e-12);
+  EXPECT_NEAR(hits[2].t, 6.5, 1e-12);
+  EXPECT_EQ(hits[2].piece, 0u);
+  EXPECT_EQ(raycast_all(row, {}, ray, hits, 4.0), 2u);  // appended
+  EXPECT_EQ(hits.size(), 5u);
+}
+
+// Segments and points are met by rays that are aimed at them, within the ray's own rounding.
+TEST(Raycast, ThinThingsAreMetWhenAimedAt) {
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3d a = cast<double>(random_vector(random, 1)), b = cast<double>(random_vector(random, 1));
+    const Vec3d target = a + (b - a) * static_cast<double>(uniform(random, 0, 1));
+    const Vec3d from = cast<double>(random_vector(random, 5));
+    const Pose<double> pose{cast<double>(random_vector(random, 3)), normalized(cast<double>(random_rotation(random)))};
+    const auto hit = raycast(Shape<double>(LineSegment<double>(a, b)), pose,
+                             {transform(pose, from), rotate(pose.rotation, target - from)});
+    ASSERT_TRUE(hit);
+    // How far the nearest point is along the segment is less sure where the ray runs along it.
+    const double sine = length(cross(normalized(b - a), normalized(target - from)));
+    ASSERT_NEAR(hit->t, length(target - from), 1e-13 / greatest(sine, 1e-13));
+    ASSERT_TRUE(raycast(Shape<double>(Sphere<double>(0.0)), {transform(pose, target), {}},
+                        {transform(pose, from), rotate(pose.rotation, target - from)}));
   }
 }
 

@@ -84,13 +84,15 @@ inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t
     if (!(length(scaled_down(ray.at(t))) <= 1) || t < ray.begin || t > ray.end) return {};
     return hit_at(ray, t, normal);
   }
-  const Vec3d o = scaled_down(ray.origin), d = scaled_down(ray.direction);
-  const Roots r = roots(dot(d, d), dot(o, d), dot(o, o) - 1);
-  if (!r.real) return {};
-  const Vec3d p = ray.at(r.first);
+  // As for the ball: the quadratic's coefficients would cancel where the ellipse is thin and the ray begins far from it.
+  const Vec3d d = scaled_down(ray.direction);
+  const double speed = length(d);
+  const Span span = ball_span({scaled_down(ray.origin), d / speed, 0, 0, 0}, {}, 1);
+  if (!(span.enter <= span.leave)) return {};
+  const Vec3d p = ray.at(span.enter / speed);
   normal[u] = p[u] / (radii[u] * radii[u]);
   normal[v] = p[v] / (radii[v] * radii[v]);
-  return entered(ray, r.first, r.second, normalized(normal));
+  return entered(ray, span.enter / speed, span.leave / speed, normalized(normal, -ray.direction));
 }
 
 /// In the space where it is the unit ball; t is the same there.
