@@ -96,9 +96,8 @@ MaybeHit cast_at(const HalfSpace<T>&, T margin, const LocalRay& ray, BackFaces) 
 /// Whether the ray comes near the ball about a shape's origin that holds it; `radius` is a sum in the shape's scalar.
 template <class T>
 bool near_ball(const LocalRay& ray, double radius) {
-  const rays::Recentered near = rays::recentered(ray, {});
   const double reach = radius * (1 + 8 * wide(std::numeric_limits<T>::epsilon())) + ray.blur;
-  return length_squared(near.ray.origin) <= reach * reach;
+  return length_squared(ray.at(clamp(-dot(ray.origin, ray.direction), ray.begin, ray.end))) <= reach * reach;
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ struct LocalHit {
 using MaybeHit = std::optional<LocalHit>;
 
 /// A ray whose origin is its point nearest to `center`, and how far that was moved. Squares of coordinates then are of
-/// the order of the shape and not of the distance that the ray comes from.
+/// the order of the shape and not of the distance that the ray comes from. The ray's end has no part in it: where a ray
+/// hits does not depend, by rounding, on how far it was to be followed.
 struct Recentered {
   LocalRay ray;
   double shift;
@@ -43,7 +44,7 @@ struct Recentered {
   }
 };
 inline Recentered recentered(const LocalRay& ray, const Vec3d& center) {
-  const double shift = clamp(dot(center - ray.origin, ray.direction), ray.begin, ray.end);
+  const double shift = greatest(dot(center - ray.origin, ray.direction), ray.begin);
   return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
 }
 
@@ -69,8 +70,6 @@ inline MaybeHit entered(const LocalRay& ray, double enter, double leave, const V
 inline Vec3d against(const LocalRay& ray, const Vec3d& normal) {
   return dot(normal, ray.direction) > 0 ? -normal : normal;
 }
-
-inline MaybeHit nearer(const MaybeHit& a, const MaybeHit& b) { return !a || (b && b->t < a->t) ? b : a; }
 
 /// The real roots of a t^2 + 2 b t + c, lesser first; of a linear one, both the same. Each by the formula that does not
 /// cancel (Higham 2002, "Accuracy and stability of numerical algorithms", section 1.8).
