@@ -9,6 +9,7 @@
 #include "graze/geometry.hpp"
 #include "graze/pairs.hpp"
 #include "graze/query.hpp"
+#include "graze/raycast.hpp"
 #include "graze/shape.hpp"
 #include "graze/trace.hpp"
 #include "graze/wide.hpp"

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "graze/query.hpp"
+#include "graze/raycast.hpp"
 
 namespace graze::io {
 
@@ -95,6 +96,15 @@ void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
   out.key("normal").vector(in_plane(c.normal, q.dimension), q.dimension);
 }
 
+template <class T>
+void write_raycast(const Question<T>& q, JsonWriter& out) {
+  const std::optional<RayHit<T>> hit = raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length);
+  out.key("hit").value(hit.has_value());
+  if (!hit) return;
+  out.key("t").number(hit->t).key("point").vector(hit->point, q.dimension);
+  out.key("normal").vector(in_plane(hit->normal, q.dimension), q.dimension);
+}
+
 }  // namespace
 
 template <class T>
@@ -141,10 +151,10 @@ void write_answer(const Question<T>& q, JsonWriter& out) {
   case QueryKind::distance: write_distance(q, asked, out); break;
   case QueryKind::contacts: write_contacts(q, asked, out); break;
   case QueryKind::closest: write_closest(q, asked, out); break;
-  case QueryKind::raycast:
+  case QueryKind::raycast: write_raycast(q, out); break;
   case QueryKind::cast:
-    throw InvalidValue("query", "one of overlap, distance, contacts, closest (rays and casts are not in this version)",
-                       q.query == QueryKind::cast ? "\"cast\"" : "\"raycast\"");
+    throw InvalidValue("query", "one of overlap, distance, contacts, raycast, closest (casts are not in this version)",
+                       "\"cast\"");
   }
   if (q.dimension == 2) leave_plane_axes(trace);
   if (asked) write_trace(trace, out);

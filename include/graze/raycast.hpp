@@ -1,0 +1,67 @@
+// Ray casts: what a ray hits first, whether it hits at all, and everything that it enters.
+//
+// Guarantee: every shape answers. The point of a hit lies on the surface within `tolerance<T>` (see `query.hpp`) times
+// the shape's size, plus the rounding of the ray itself: `T`'s epsilon times the distance of its origin. Everything is
+// computed in double and in the shape's own frame, so a scene far from the origin of the world loses nothing. A closed
+// mesh is watertight: no ray slips between triangles that share an edge or a vertex (Woop, Benthin, Wald 2013,
+// "Watertight ray/triangle intersection"). Nothing throws or prints; only `raycast_all` allocates. Safe from any thread.
+//
+// Solids are hit where the ray enters them. What has no thickness (segments, points) is met within the ray's rounding.
+// A ray whose direction is zero, of which a number is not finite, or whose origin has a coordinate that cannot be
+// squared (beyond 1e37 in float, 1e150 in double) hits nothing; nor does any further along than that.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "graze/lines.hpp"
+#include "graze/shape.hpp"
+
+namespace graze {
+
+/// Where a ray meets a shape, in world space.
+template <class T>
+struct RayHit {
+  T t{};            ///< how far along the ray, in units of length (not in multiples of its direction)
+  Vec3<T> point{};  ///< on the surface; the ray's origin when that lies inside a solid
+  Vec3<T>
+      normal{};  ///< unit, against the ray (by rounding across it); minus the ray's direction when its origin lies inside a solid
+  std::uint32_t piece = 0;  ///< the triangle of a mesh or the child of a compound (of the outermost one), else 0
+};
+
+/// What a ray meets that comes upon a triangle, alone or of a mesh, from behind: from where its vertices run clockwise.
+/// Triangles with a margin are solids and have no back.
+enum class BackFaces : std::uint8_t {
+  hit,     ///< the triangle, as from the front, with the normal turned against the ray
+  ignored  ///< nothing
+};
+
+/// The first hit with 0 <= t <= `length`; nothing on a miss. `ray.direction` need not be unit; `length` is in the
+/// caller's unit of length. A ray that starts in a solid (distance <= 0) hits at t = 0.
+/// Cost: constant for spheres, capsules, boxes, cylinders, cones, ellipsoids and triangles; the number of faces for
+/// convex hulls; a few GJK runs for rounded hulls, rounded ellipsoids and shapes of the user's own; logarithmic in
+/// the triangles for meshes; the sum of the children for compounds.
+/// Sources: Kay, Kajiya 1986 (slabs); Cyrus, Beck 1978 (clipping by planes); Woop, Benthin, Wald 2013 (triangles);
+/// van den Bergen 2004, "Ray casting against general convex objects with application to continuous collision
+/// detection" (everything that is known by its distance or its support function).
+template <class T>
+std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                 T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
+
+/// Whether the ray hits anything with 0 <= t <= `length`, as for shadows and lines of sight: `raycast` would return a
+/// hit. Parameters and cost as there, but a composite stops at whichever piece is found first.
+template <class T>
+bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                 T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
+
+/// Appends where the ray enters each piece of the shape with 0 <= t <= `length`, sorted by t (of equals, by piece): at
+/// most one hit for a convex shape, one for each triangle of a mesh that is met and for each convex shape in a
+/// compound. A ray through an edge of a mesh meets both its triangles. Parameters as for `raycast`; cost: as there, for
+/// all pieces that are hit, and the sort. Returns how many were appended.
+template <class T>
+std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, std::vector<RayHit<T>>& hits,
+                        T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
+
+}  // namespace graze

@@ -1,0 +1,91 @@
+// A ray in the frame of what it is cast at, and a hit there.
+//
+// Guarantee: double, whichever scalar the shapes have; the direction is of unit length, so that t is a length.
+#pragma once
+
+#include <optional>
+
+#include "graze/lines.hpp"
+#include "graze/pose.hpp"
+
+namespace graze::rays {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The points origin + t direction with begin <= t <= end.
+struct LocalRay {
+  Vec3d origin, direction;
+  double begin, end;
+  /// What rounding of the caller's numbers moves the ray by: how thick things without thickness are taken to be.
+  double blur;
+
+  Vec3d at(double t) const { return origin + direction * t; }
+};
+
+/// The point is carried along, since `t` cannot have its digits when the ray comes from afar.
+struct LocalHit {
+  double t;
+  Vec3d point, normal;
+};
+
+using MaybeHit = std::optional<LocalHit>;
+
+/// A ray whose origin is its point nearest to `center`, and how far that was moved. Squares of coordinates then are of
+/// the order of the shape and not of the distance that the ray comes from. The ray's end has no part in it: where a ray
+/// hits does not depend, by rounding, on how far it was to be followed.
+struct Recentered {
+  LocalRay ray;
+  double shift;
+
+  MaybeHit restored(MaybeHit hit) const {
+    if (hit) hit->t += shift;
+    return hit;
+  }
+};
+inline Recentered recentered(const LocalRay& ray, const Vec3d& center) {
+  const double shift = greatest(dot(center - ray.origin, ray.direction), ray.begin);
+  return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
+}
+
+/// The same ray seen from a frame that stands at `pose` in the present one.
+inline LocalRay seen_from(const Posed& pose, const LocalRay& ray) {
+  const Quat<double> back = conjugate(pose.rotation);
+  return {rotate(back, ray.origin - pose.translation), normalized(rotate(back, ray.direction)), ray.begin, ray.end,
+          ray.blur};
+}
+
+inline LocalHit hit_at(const LocalRay& ray, double t, const Vec3d& normal) { return {t, ray.at(t), normal}; }
+/// Of a ray that begins inside.
+inline LocalHit hit_inside(const LocalRay& ray) { return hit_at(ray, ray.begin, -ray.direction); }
+
+/// The hit of a solid that the ray is in from `enter` to `leave` (empty when `enter` is not the lesser).
+inline MaybeHit entered(const LocalRay& ray, double enter, double leave, const Vec3d& normal) {
+  if (!(enter <= leave) || !(leave >= ray.begin) || !(enter <= ray.end)) return {};
+  if (enter <= ray.begin) return hit_inside(ray);
+  return hit_at(ray, enter, normal);
+}
+
+/// `normal` or its opposite, whichever faces the ray.
+inline Vec3d against(const LocalRay& ray, const Vec3d& normal) {
+  return dot(normal, ray.direction) > 0 ? -normal : normal;
+}
+
+/// The real roots of a t^2 + 2 b t + c, lesser first; of a linear one, both the same. Each by the formula that does not
+/// cancel (Higham 2002, "Accuracy and stability of numerical algorithms", section 1.8).
+struct Roots {
+  bool real;
+  double first, second;
+};
+inline Roots roots(double a, double b, double c) {
+  const double under = b * b - a * c;
+  if (!(under >= 0)) return {false, 0, 0};
+  const double q = -(b + std::copysign(std::sqrt(under), b));
+  if (q == 0) return {a != 0, 0, 0};  // b = c = 0, or a constant
+  const double one = c / q;
+  if (a == 0) return {true, one, one};
+  const double other = q / a;
+  return {true, least(one, other), greatest(one, other)};
+}
+
+}  // namespace graze::rays

@@ -1,0 +1,81 @@
+// Rays against what planes bound: half-spaces, boxes and convex hulls, by clipping the ray (Cyrus, Beck 1978,
+// "Generalized two- and three-dimensional clipping"; for boxes Kay, Kajiya 1986, "Ray tracing complex scenes").
+#pragma once
+
+#include "narrow/rays/round.hpp"
+#include "narrow/rays/sheared.hpp"
+
+namespace graze::rays {
+
+/// y <= height.
+inline MaybeHit hit_half_space(const LocalRay& ray, double height) {
+  const double above = ray.at(ray.begin).y - height;
+  if (above <= 0) return hit_inside(ray);
+  if (!(ray.direction.y < 0)) return {};
+  const double t = ray.begin - above / ray.direction.y;
+  if (!(t <= ray.end) || t == infinity) return {};
+  const Vec3d p = ray.at(t);
+  return LocalHit{t, {p.x, height, p.z}, {0, 1, 0}};
+}
+
+/// |q_i| <= half_i. With one extent of zero a rectangle, with two a segment.
+inline MaybeHit hit_box(const LocalRay& far, const Vec3d& half) {
+  if ((half.x <= 0) + (half.y <= 0) + (half.z <= 0) >= 2) return hit_balls(far, -half, 0, half, 0);
+  const Recentered near = recentered(far, {});
+  const LocalRay& ray = near.ray;
+  double enter = -infinity, leave = infinity;
+  Vec3d normal;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = ray.direction[i], o = ray.origin[i];
+    if (d == 0) {
+      if (std::abs(o) > half[i]) return {};
+      continue;
+    }
+    const double in = d > 0 ? (-half[i] - o) / d : (half[i] - o) / d;
+    const double out = d > 0 ? (half[i] - o) / d : (-half[i] - o) / d;
+    leave = least(leave, out);
+    if (in <= enter) continue;
+    enter = in;
+    normal = {};
+    normal[i] = d > 0 ? -1 : 1;
+  }
+  return near.restored(entered(ray, enter, leave, normal));
+}
+
+template <class T>
+MaybeHit hit_polyhedron(const LocalRay& far, const HullData<T>& hull) {
+  const Recentered near = recentered(far, {});
+  const LocalRay& ray = near.ray;
+  double enter = -infinity, leave = infinity;
+  Vec3d normal = -ray.direction;
+  for (const Plane<T>& plane : hull.planes) {
+    const Vec3d n = cast<double>(plane.normal);
+    const double above = dot(n, ray.origin) - static_cast<double>(plane.offset), toward = dot(n, ray.direction);
+    if (toward == 0) {
+      if (above > 0) return {};
+    } else if (const double t = -above / toward; toward > 0) {
+      leave = least(leave, t);
+    } else if (t > enter) {
+      enter = t;
+      normal = n;
+    }
+    if (enter > leave) return {};
+  }
+  return near.restored(entered(ray, enter, leave, normalized(normal)));
+}
+
+template <class T>
+MaybeHit hit_hull(const LocalRay& ray, const HullData<T>& hull) {
+  const auto vertex = [&](std::size_t i) { return cast<double>(hull.vertices[i]); };
+  switch (hull.dimension) {
+  case 0: return hit_ball(ray, vertex(0), 0);
+  case 1: return hit_balls(ray, vertex(0), 0, vertex(1), 0);
+  case 2: {
+    const auto loop = hull.loop(0);
+    return hit_polygon(ray, loop.size(), [&](std::size_t i) { return vertex(loop[i]); });
+  }
+  default: return hit_polyhedron(ray, hull);
+  }
+}
+
+}  // namespace graze::rays

@@ -1,0 +1,151 @@
+#include "graze/raycast.hpp"
+
+#include <algorithm>
+
+#include "narrow/raycast.hpp"
+#include "narrow/rays/mesh.hpp"
+
+namespace graze {
+
+namespace {
+
+using rays::LocalHit;
+using rays::LocalRay;
+
+/// A pose in double, its rotation of unit length in that: float's is so only in float, and lengths would change by it.
+template <class T>
+Posed precise(const Pose<T>& pose) {
+  return {cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
+}
+
+/// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
+template <class T>
+constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
+
+template <class T>
+bool usable(const Vec3d& v) {
+  return max_abs(v) <= longest<T> && v == v;  // not so for NaN
+}
+
+/// The ray in the frame of `pose`; nothing when it cannot hit.
+template <class T>
+std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose) {
+  constexpr double limit = std::numeric_limits<double>::max();
+  const Vec3d origin = cast<double>(ray.origin), direction = cast<double>(ray.direction);
+  const bool aimed = max_abs(direction) <= limit && direction == direction && direction != Vec3d{};
+  if (!usable<T>(origin) || !aimed || !(length >= T(0))) return {};
+  const double end = least(static_cast<double>(length), longest<T>);
+  LocalRay local = seen_from(pose, LocalRay{origin, normalized(direction), 0, end, 0});
+  local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
+  return local;
+}
+
+/// Calls `found(hit, piece)` for what the ray hits; `found` returns how far the ray has still to be followed, less than
+/// zero for no further. `pose` places the shape in the frame of the outermost one, which is the ray's and the hits'.
+template <class T, class Found>
+void visit_hits(const Shape<T>& shape, const Posed& pose, LocalRay& outer, BackFaces back, std::uint32_t piece,
+                bool outermost, Found& found) {
+  const LocalRay ray = seen_from(pose, outer);
+  const auto report = [&](const LocalHit& hit, std::uint32_t number) {
+    return outer.end = found({hit.t, transform(pose, hit.point), rotate(pose.rotation, hit.normal)}, number);
+  };
+  if (const auto* compound = shape.template as<Compound<T>>()) {
+    std::uint32_t number = 0;
+    for (const Placed<T>& child : compound->children()) {
+      if (outer.end < outer.begin) return;
+      visit_hits(child.shape, compose(pose, precise(child.pose)), outer, back, outermost ? number : piece, false,
+                 found);
+      ++number;
+    }
+  } else if (const auto* mesh = shape.template as<Mesh<T>>()) {
+    const auto numbered = [&](const LocalHit& hit, std::uint32_t triangle) {
+      return report(hit, outermost ? triangle : piece);
+    };
+    rays::cast_at_mesh(mesh->data(), ray, back == BackFaces::hit, numbered);
+  } else if (const auto hit = convex_raycast(shape, ray, back)) {
+    report(*hit, piece);
+  }
+}
+
+/// The first of equals is that of the least piece, in whichever order they are found.
+struct Candidate {
+  LocalHit hit{rays::infinity, {}, {}};
+  std::uint32_t piece = 0;
+};
+
+/// The normal without the little by which rounding may turn it along the ray where that grazes.
+Vec3d opposing(const Vec3d& normal, const Vec3d& direction) {
+  const double along = dot(normal, direction);
+  return along > 0 ? normalized(normal - direction * along, -direction) : normal;
+}
+
+template <class T>
+RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
+  const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), normalized(cast<double>(ray.direction)));
+  return {least(static_cast<T>(c.hit.t), length), cast<T>(transform(pose, c.hit.point)), normalized(cast<T>(normal)),
+          c.piece};
+}
+
+bool before(const Candidate& a, const Candidate& b) {
+  return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.piece < b.piece;
+}
+
+}  // namespace
+
+template <class T>
+std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
+                                 BackFaces back) {
+  const Posed frame = precise(pose);
+  std::optional<LocalRay> local = local_ray(ray, length, frame);
+  if (!local) return {};
+  Candidate first;
+  auto nearest = [&](const LocalHit& hit, std::uint32_t piece) {
+    const Candidate found{hit, piece};
+    if (before(found, first)) first = found;
+    return first.hit.t;
+  };
+  visit_hits(shape, Posed{}, *local, back, 0, true, nearest);
+  if (!(first.hit.t < rays::infinity)) return {};
+  return in_world(first, frame, ray, length);
+}
+
+template <class T>
+bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length, BackFaces back) {
+  std::optional<LocalRay> local = local_ray(ray, length, precise(pose));
+  if (!local) return false;
+  bool hit = false;
+  auto stop = [&](const LocalHit&, std::uint32_t) {
+    hit = true;
+    return -rays::infinity;
+  };
+  visit_hits(shape, Posed{}, *local, back, 0, true, stop);
+  return hit;
+}
+
+template <class T>
+std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, std::vector<RayHit<T>>& hits,
+                        T length, BackFaces back) {
+  const Posed frame = precise(pose);
+  std::optional<LocalRay> local = local_ray(ray, length, frame);
+  if (!local) return 0;
+  std::vector<Candidate> all;
+  auto keep = [&, end = local->end](const LocalHit& hit, std::uint32_t piece) {
+    all.push_back({hit, piece});
+    return end;
+  };
+  visit_hits(shape, Posed{}, *local, back, 0, true, keep);
+  std::sort(all.begin(), all.end(), before);
+  for (const Candidate& c : all) hits.push_back(in_world(c, frame, ray, length));
+  return all.size();
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template std::optional<RayHit<T>> raycast(const Shape<T>&, const Pose<T>&, const Ray<T>&, T, BackFaces);             \
+  template bool raycast_any(const Shape<T>&, const Pose<T>&, const Ray<T>&, T, BackFaces);                             \
+  template std::size_t raycast_all(const Shape<T>&, const Pose<T>&, const Ray<T>&, std::vector<RayHit<T>>&, T,         \
+                                   BackFaces);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze
