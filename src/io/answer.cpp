@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "graze/cast.hpp"
 #include "graze/query.hpp"
 
 namespace graze::io {
@@ -95,6 +96,21 @@ void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
   out.key("normal").vector(in_plane(c.normal, q.dimension), q.dimension);
 }
 
+template <class T>
+void write_cast(const Question<T>& q, Trace* trace, JsonWriter& out) {
+  const auto &a = *q.a, &b = *q.b;
+  const std::optional<CastHit<T>> hit =
+      cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular}, q.duration);
+  if (trace) trace->method = "conservative advancement";
+  if (hit && hit->status != Status::converged)
+    throw InvalidValue("a, b", "bodies that turn less often before they touch",
+                       "so many turns so near each other that their first contact cannot be told");
+  out.key("hit").value(hit.has_value());
+  if (!hit) return;
+  out.key("t").number(hit->t).key("normal").vector(in_plane(hit->normal, q.dimension), q.dimension);
+  out.key("point").vector(hit->point, q.dimension);
+}
+
 }  // namespace
 
 template <class T>
@@ -141,10 +157,10 @@ void write_answer(const Question<T>& q, JsonWriter& out) {
   case QueryKind::distance: write_distance(q, asked, out); break;
   case QueryKind::contacts: write_contacts(q, asked, out); break;
   case QueryKind::closest: write_closest(q, asked, out); break;
+  case QueryKind::cast: write_cast(q, asked, out); break;
   case QueryKind::raycast:
-  case QueryKind::cast:
-    throw InvalidValue("query", "one of overlap, distance, contacts, closest (rays and casts are not in this version)",
-                       q.query == QueryKind::cast ? "\"cast\"" : "\"raycast\"");
+    throw InvalidValue("query", "one of overlap, distance, contacts, cast, closest (rays are not in this version)",
+                       "\"raycast\"");
   }
   if (q.dimension == 2) leave_plane_axes(trace);
   if (asked) write_trace(trace, out);
