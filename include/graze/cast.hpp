@@ -3,13 +3,15 @@
 // Guarantee: no hit is missed and none is passed. With D = `cast_tolerance<T>` times the size of the pair (the larger
 // radius about a shape's own origin) plus the rounding of the path (some units in the last place of its length): at the
 // time of a hit the shapes are no more than D apart and overlap by no more than D (unless they did at the start), and at
-// no time before they were closer than D/4. A pass at more than D is a miss, one at less may be a hit. In `float`
-// rounding the time itself moves the bodies by as much again; it is rounded down. Answers are computed in double, in a
+// no time before they were closer than D/4. So t is never later than the true time, and earlier by no more than D over
+// the speed at which the gap closes there. A pass at more than D is a miss, one at less may be a hit. In `float` rounding the time itself moves the bodies by as much again; it is rounded down. Answers are computed in double, in a
 // frame that moves with A: moving the scene does not change them. Nothing throws or prints; safe from any thread.
 //
-// Method: conservative advancement (Mirtich 1996, "Impulse-based dynamic simulation of rigid body systems", section 2.3;
-// Zhang, Lee, Kim 2006, "Interactive continuous collision detection for non-convex polyhedra"), see
-// src/narrow/time_of_impact.hpp.
+// Method: translations of convex shapes by GJK's ray cast (van den Bergen 2004, "Ray casting against general convex objects
+// with application to continuous collision detection"), all else by conservative advancement (Mirtich 1996,
+// "Impulse-based dynamic simulation of rigid body systems", section 2.3; Zhang, Lee, Kim 2006, "Interactive continuous
+// collision detection for non-convex polyhedra"). Cost: of two boxes about four times that of their distance, turning
+// about twenty to forty times.
 #pragma once
 
 #include <cstdint>

@@ -1,18 +1,18 @@
 #include "narrow/time_of_impact.hpp"
 
 #include "narrow/convex_pair.hpp"
+#include "narrow/envelope.hpp"
 #include "narrow/general.hpp"
-#include "narrow/separation.hpp"
+#include "narrow/gjk.hpp"
+#include "narrow/translation.hpp"
 
 namespace graze {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A translation takes some ten steps, one that just passes by some thirty. A shape that turns at a gap of d times its
-/// radius takes 2 pi / sqrt(2 d) steps a turn: this many are three turns at a millionth or a hundred at a thousandth, and
-/// cost some milliseconds.
+/// A translation takes one step or two. A shape that turns takes ten to twenty, but at a gap of d times its radius, which
+/// is not that of its envelope, 2 pi / sqrt(2 d) a turn: this many are three turns at a millionth or a hundred at a
+/// thousandth, and cost some milliseconds.
 constexpr int most_steps = 1 << 14;
 
 /// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are no
@@ -23,44 +23,10 @@ template <>
 constexpr double sliding<float> = 1e-4;
 
 template <class T>
-bool is_half_space(const Piece<T>& piece) {
-  return piece.shape.template as<HalfSpace<T>>() != nullptr;
-}
-
-template <class T>
 double radius_of(const Piece<T>& piece) {
   return piece.shape.visit([&](const auto& c) {
     return static_cast<double>(rounding_radius(c, T(0))) + static_cast<double>(piece.shape.margin());
   });
-}
-
-template <class T>
-double core_reach(const Piece<T>& piece) {
-  if (is_half_space(piece)) return infinity;
-  return length(piece.local.translation) +
-         piece.shape.visit([](const auto& c) { return static_cast<double>(c.core_extent()); });
-}
-
-/// The unit quaternion that turns the unit vector `axis` to +Y: half way of a half turn about what lies between them.
-Quatd to_y(const Vec3d& axis) {
-  const Vec3d between = unit(axis + Vec3d{0, axis.y < 0 ? -1.0 : 1.0, 0});
-  return {between.x, between.y, between.z, 0};  // half a turn swaps the two, up to sign of Y
-}
-
-/// No point of the core is further than this from the axis about which its body turns.
-template <class T>
-double turning_radius(const Piece<T>& piece, const Turning& turning) {
-  if (turning.none()) return 0;
-  if (is_half_space(piece)) return infinity;
-  const Vec3d axis = unit(rotate(conjugate(turning.start), turning.angular));
-  const Posed upright = compose(Posed{{}, to_y(axis)}, piece.local);
-  const double reach = core_reach(piece);
-  const Vec3d far = piece.shape.visit([&](const auto& c) {
-    const Aabb<T> box = c.core_bounds(cast<T>(upright));
-    return cast<double>(greatest(abs(box.lower), abs(box.upper)));
-  });
-  constexpr double slack = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  return least(reach, std::sqrt(far.x * far.x + far.z * far.z) + slack * reach);
 }
 
 /// The part of the interval in which the balls about the bodies' origins that hold the pieces come within `margin`.
@@ -88,15 +54,28 @@ class Advancement {
         radius_b_(radius_of(b)),
         turning_radius_a_(turning_radius(a, motion.a)),
         turning_radius_b_(turning_radius(b, motion.b)),
+        envelope_a_(a, motion.a, turning_radius_a_),
+        envelope_b_(b, motion.b, turning_radius_b_),
         tolerance_(tolerance),
         separating_(separating) {}
 
   std::optional<Impact> first(const Interval& interval) const {
-    double t = interval.begin, floor = 0;
+    double t = interval.begin, floor = -sinking * tolerance_;
+    std::optional<Impact> known;  // the impact at t, when it is there already
+    if (still() && !is_half_space(a_) && !is_half_space(b_)) {
+      MovingDifference difference(*this, interval.begin);
+      const FreeTranslation free = difference.free(interval.end - interval.begin);
+      if (free.t == infinity) return std::nullopt;
+      t = least(interval.begin + free.t, interval.end);
+      known = difference.impact(free, t);
+    }
     std::optional<Impact> pressing;  // where the contact that is under way began to press
     for (int i = 0;; ++i) {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
-      Impact impact = at(t, a, b);
+      Impact impact = known ? *known : at(t, a, b);
+      known.reset();
+      // A plane has just proven them apart, and no iteration makes closest points that are nearer than they are.
+      if (t > interval.begin && impact.distance > 0) impact.status = Status::converged;
       const Separation<T> separation(a, b, radius_a_ + radius_b_, impact.normal, motion_.offset_at(t), motion_.velocity,
                                      {impact.normal, motion_.a.angular, turning_radius_a_},
                                      {impact.normal, motion_.b.angular, turning_radius_b_});
@@ -105,7 +84,8 @@ class Advancement {
       double step = 0;
       if (!touch) {
         pressing.reset();
-        step = separation.stays_above(tolerance_ / 2, tolerance_ / 8, left);
+        step = greatest(separation.stays_above(tolerance_ / 2, tolerance_ / 8, left),
+                        stays_outside(impact.normal, t, a, b));
         if (step >= left) return std::nullopt;
       } else {
         if (separating_ == Separating::hit) return impact;
@@ -130,6 +110,61 @@ class Advancement {
   }
 
  private:
+  /// B - A of the cores of two bodies that do not turn, in world axes about A's moving origin.
+  class MovingDifference {
+   public:
+    MovingDifference(const Advancement& asked, double begin)
+        : asked_(asked),
+          a_(asked.a_, asked.motion_.a.start),
+          b_(asked.b_, asked.motion_.b.start),
+          offset_(asked.motion_.offset_at(begin)) {}
+
+    SupportPoint support(const Vec3d& n) const {
+      const Vec3d a = a_.support(n), b = b_.support(-n) + offset_;
+      return {a, b, b - a};
+    }
+    double reach() const { return greatest(core_reach(asked_.a_), core_reach(asked_.b_)) + max_abs(offset_); }
+
+    /// Until when they stay half the tolerance apart.
+    FreeTranslation free(double duration) const {
+      const double radii = asked_.radius_a_ + asked_.radius_b_, tolerance = asked_.tolerance_;
+      return free_translation([this](const Vec3d& n) { return support(n); }, offset_, asked_.motion_.velocity,
+                              radii + tolerance / 2, radii + tolerance, duration);
+    }
+
+    /// What GJK makes of the simplex left then; nothing when it does not prove the cores apart as well as it should.
+    std::optional<Impact> impact(const FreeTranslation& free, double t) {
+      offset_ += asked_.motion_.velocity * free.t;
+      const double exact = asked_.tolerance_ * 1e-4, radii = asked_.radius_a_ + asked_.radius_b_;
+      const GjkResult g = gjk_from(free.simplex, *this, {exact});
+      if (g.end == GjkEnd::touching || !(g.lower > 0) || g.upper - g.lower > asked_.tolerance_ / 4) return std::nullopt;
+      return Impact{t,
+                    g.upper - radii,
+                    g.normal,
+                    g.simplex.point_a() + g.normal * asked_.radius_a_,
+                    g.simplex.point_b() - g.normal * asked_.radius_b_,
+                    Status::converged};
+    }
+
+   private:
+    const Advancement& asked_;
+    PieceAt<T> a_, b_;
+    Vec3d offset_;
+  };
+
+  /// For how long bodies that turn do not come out of the sides of a plane that they stay behind whatever their turn.
+  double stays_outside(const Vec3d& n, double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
+    const auto unbounded = [](const Piece<T>& piece, const Turning& turning) {
+      return is_half_space(piece) && !turning.none();
+    };
+    if (still() || unbounded(a_, motion_.a) || unbounded(b_, motion_.b)) return 0;
+    const double gap = dot(n, motion_.offset_at(t)) - envelope_a_.along(n, a) - envelope_b_.along(-n, b) - radius_a_ -
+                       radius_b_ - tolerance_ / 2;
+    if (!(gap > 0)) return 0;
+    const double closing = -dot(n, motion_.velocity);
+    return closing > 0 ? gap / closing : infinity;
+  }
+
   bool still() const { return motion_.a.none() && motion_.b.none(); }
   /// Faster than in sliding along.
   bool approaching(const Separation<T>& separation) const {
@@ -139,16 +174,25 @@ class Advancement {
   }
   static double finite(double radius) { return radius < infinity ? radius : 0; }
 
+  /// A distance that is not as exact as it could be may still be exact enough for a cast.
+  Status enough(Status status, double error) const {
+    return status == Status::bounded && error <= tolerance_ / 4 ? Status::converged : status;
+  }
+
   Impact at(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const Posed pose_b{b.pose().translation + motion_.offset_at(t), b.pose().rotation};
     if (is_half_space(a_) != is_half_space(b_)) return on_half_space(t, a, b);
     if constexpr (std::is_same_v<T, double>) {
       const Distance<double> d = convex_distance(a_.shape, a.pose(), b_.shape, pose_b, nullptr);
-      return {t, d.distance, d.normal, d.a, d.b, d.status};
+      return {t, d.distance, d.normal, d.a, d.b, enough(d.status, d.error)};
     } else if (is_half_space(a_)) {
       const Distance<T> d = convex_distance(a_.shape, cast<T>(a.pose()), b_.shape, cast<T>(pose_b), nullptr);
-      return {t,       static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b),
-              d.status};
+      return {t,
+              static_cast<double>(d.distance),
+              cast<double>(d.normal),
+              cast<double>(d.a),
+              cast<double>(d.b),
+              enough(d.status, static_cast<double>(d.error))};
     } else {
       // Closed forms of float shapes are no better than float: the general path answers in double.
       const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b), nullptr);
@@ -158,7 +202,7 @@ class Advancement {
               n,
               transform(a.pose(), g.core.a) + n * radius_a_,
               transform(a.pose(), g.core.b) - n * radius_b_,
-              g.status};
+              enough(g.status, g.error)};
     }
   }
 
@@ -175,7 +219,9 @@ class Advancement {
 
   const PairMotion& motion_;
   const Piece<T>&a_, &b_;
-  double radius_a_, radius_b_, turning_radius_a_, turning_radius_b_, tolerance_;
+  double radius_a_, radius_b_, turning_radius_a_, turning_radius_b_;
+  Envelope<T> envelope_a_, envelope_b_;
+  double tolerance_;
   Separating separating_;
 };
 
