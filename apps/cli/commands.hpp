@@ -10,6 +10,7 @@ namespace graze::cli {
 /// What a command does when it was chosen; returns the exit code.
 using Run = std::function<int()>;
 
+Run add_cast(CLI::App& app);
 Run add_collide(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_info(CLI::App& app);

@@ -19,7 +19,7 @@ Run add_query(CLI::App& app) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->footer(
-      "Queries: overlap, distance, contacts, closest. Exit code: 0 when every line was answered, 1 when an\n"
+      "Queries: overlap, distance, contacts, cast, closest. Exit code: 0 when every line was answered, 1 when an\n"
       "answer was an error, 2 when the file cannot be read.\n\n"
       "Example:\n"
       "  echo '{\"query\": \"closest\", \"a\": {\"shape\": {\"type\": \"box\"}}, \"point\": [2, 0, 0]}' | graze query");

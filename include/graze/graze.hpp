@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graze/broad_phase.hpp"
+#include "graze/cast.hpp"
 #include "graze/contact.hpp"
 #include "graze/contact_motion.hpp"
 #include "graze/error.hpp"
@@ -11,5 +12,6 @@
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 #include "graze/shape.hpp"
+#include "graze/swept.hpp"
 #include "graze/trace.hpp"
 #include "graze/wide.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "graze/cast.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 
@@ -97,12 +98,28 @@ void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
 }
 
 template <class T>
-void write_raycast(const Question<T>& q, JsonWriter& out) {
+void write_raycast(const Question<T>& q, Trace* trace, JsonWriter& out) {
   const std::optional<RayHit<T>> hit = raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length);
+  if (trace) trace->method = "ray cast";
   out.key("hit").value(hit.has_value());
   if (!hit) return;
   out.key("t").number(hit->t).key("point").vector(hit->point, q.dimension);
   out.key("normal").vector(in_plane(hit->normal, q.dimension), q.dimension);
+}
+
+template <class T>
+void write_cast(const Question<T>& q, Trace* trace, JsonWriter& out) {
+  const auto &a = *q.a, &b = *q.b;
+  const std::optional<CastHit<T>> hit =
+      cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular}, q.duration);
+  if (trace) trace->method = "conservative advancement";
+  if (hit && hit->status != Status::converged)
+    throw InvalidValue("a, b", "bodies that turn less often before they touch",
+                       "so many turns so near each other that their first contact cannot be told");
+  out.key("hit").value(hit.has_value());
+  if (!hit) return;
+  out.key("t").number(hit->t).key("normal").vector(in_plane(hit->normal, q.dimension), q.dimension);
+  out.key("point").vector(hit->point, q.dimension);
 }
 
 }  // namespace
@@ -151,10 +168,8 @@ void write_answer(const Question<T>& q, JsonWriter& out) {
   case QueryKind::distance: write_distance(q, asked, out); break;
   case QueryKind::contacts: write_contacts(q, asked, out); break;
   case QueryKind::closest: write_closest(q, asked, out); break;
-  case QueryKind::raycast: write_raycast(q, out); break;
-  case QueryKind::cast:
-    throw InvalidValue("query", "one of overlap, distance, contacts, raycast, closest (casts are not in this version)",
-                       "\"cast\"");
+  case QueryKind::raycast: write_raycast(q, asked, out); break;
+  case QueryKind::cast: write_cast(q, asked, out); break;
   }
   if (q.dimension == 2) leave_plane_axes(trace);
   if (asked) write_trace(trace, out);

@@ -1,7 +1,8 @@
 // Composites taken apart: the convex pieces of a shape that come near a region.
 //
 // Guarantee: every piece whose bounds lie within the limit of the region is visited, and the same ones in the same
-// order for the same input; nearer subtrees first, so that a limit that shrinks prunes the rest.
+// order for the same input; nearer subtrees first, so that a limit that shrinks prunes the rest. A region is anything
+// that `within` and `order` are written for: a box and a distance here, a moving box and a time in `mid/sweep.hpp`.
 #pragma once
 
 #include "graze/shape.hpp"
@@ -22,22 +23,27 @@ bool within(const Aabb<T>& a, const Aabb<T>& b, T limit) {
   return gap == T(0) || (limit > T(0) && gap <= limit * limit);
 }
 
+/// What comes first where it is less.
+template <class T>
+T order(const Aabb<T>& a, const Aabb<T>& b) {
+  return gap_squared(a, b);
+}
+
 /// Calls `f(shape, pose, number)` for each child or triangle of a composite that comes within `limit()` of `region` (in
 /// the composite's frame); a convex shape is its own only piece.
-template <class T, class Limit, class F>
-void visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Aabb<T>& region, const Limit& limit, F&& f);
+template <class T, class Region, class Limit, class F>
+void visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Region& region, const Limit& limit, F&& f);
 
 namespace detail {
 
-template <class T, class Limit, class F>
-void visit_triangles(const MeshData<T>& mesh, std::uint32_t index, const Pose<T>& pose, const Aabb<T>& region,
+template <class T, class Region, class Limit, class F>
+void visit_triangles(const MeshData<T>& mesh, std::uint32_t index, const Pose<T>& pose, const Region& region,
                      const Limit& limit, F& f) {
   const auto& node = mesh.tree.nodes()[index];
   if (!within(node.box, region, limit())) return;
   if (node.count == 0) {
     const std::uint32_t left = index + 1, right = node.first;
-    const bool right_first =
-        gap_squared(mesh.tree.nodes()[right].box, region) < gap_squared(mesh.tree.nodes()[left].box, region);
+    const bool right_first = order(mesh.tree.nodes()[right].box, region) < order(mesh.tree.nodes()[left].box, region);
     visit_triangles(mesh, right_first ? right : left, pose, region, limit, f);
     visit_triangles(mesh, right_first ? left : right, pose, region, limit, f);
     return;
@@ -45,15 +51,15 @@ void visit_triangles(const MeshData<T>& mesh, std::uint32_t index, const Pose<T>
   for (const std::uint32_t t : mesh.tree.pieces(node)) {
     const auto& corner = mesh.triangles[t];
     const Vec3<T>&a = mesh.points[corner[0]], &b = mesh.points[corner[1]], &c = mesh.points[corner[2]];
-    if (within({least(a, least(b, c)), greatest(a, greatest(b, c))}, region, limit()))
+    if (within(Aabb<T>{least(a, least(b, c)), greatest(a, greatest(b, c))}, region, limit()))
       f(Shape<T>(Triangle<T>(a, b, c)), pose, t);
   }
 }
 
 }  // namespace detail
 
-template <class T, class Limit, class F>
-void visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Aabb<T>& region, const Limit& limit, F&& f) {
+template <class T, class Region, class Limit, class F>
+void visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Region& region, const Limit& limit, F&& f) {
   if (const auto* mesh = shape.template as<Mesh<T>>()) {
     detail::visit_triangles(mesh->data(), 0, pose, region, limit, f);
   } else if (const auto* compound = shape.template as<Compound<T>>()) {

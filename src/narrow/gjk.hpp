@@ -38,17 +38,20 @@ struct GjkGoal {
   double proximity = -1;   ///< ... or not to exceed this (if >= 0)
 };
 
+/// From a simplex of points that are the difference's, such as one that was left nearby.
 template <class Difference>
-GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
   using std::sqrt;
   GjkResult r{};
   r.lower = -std::numeric_limits<double>::infinity();
   const double touching = rounding * difference.reach();
 
-  const Vec3d start = unit(difference.center_offset());
-  r.simplex.push(difference.support(start));
-  r.nearest = nearest_to_origin(r.simplex).point;
-  r.simplex.points[0].weight = 1;
+  r.simplex = simplex;
+  const Nearest first = nearest_to_origin(simplex);
+  r.end = GjkEnd::touching;
+  if (first.enclosed) return r;
+  reduce(r.simplex, first);
+  r.nearest = first.point;
   r.upper = length(r.nearest);
 
   int idle = 0;
@@ -101,6 +104,13 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
     r.upper = upper;
   }
   return r;
+}
+
+template <class Difference>
+GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+  Simplex simplex;
+  simplex.push(difference.support(unit(difference.center_offset())));
+  return gjk_from(simplex, difference, goal, trace);
 }
 
 }  // namespace graze

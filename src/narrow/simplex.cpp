@@ -14,7 +14,10 @@ Nearest edge(const Simplex& s, std::size_t i, std::size_t j) {
   if (along >= whole) return vertex(s, j);
   const double t = along / whole;
   // From the end that is nearer: the error of t then is multiplied by the shorter piece.
-  const Vec3d point = t < 0.5 ? p + d * t : q - d * (1 - t);
+  const Vec3d near = t < 0.5 ? p + d * t : q - d * (1 - t);
+  // What rounding left along the edge is large beside a point near the origin. Taken off once more, the direction of
+  // the point is at right angles to the edge in all its digits.
+  const Vec3d point = near - d * (dot(near, d) / whole);
   return {point, false, 2, {i, j}, {1 - t, t}};
 }
 

@@ -1,8 +1,8 @@
 // The point of a simplex nearest to the origin: GJK's subproblem.
 //
 // By Voronoi regions (Ericson 2005, "Real-time collision detection", sections 5.1.5 and 5.1.6). In the interior of a
-// triangle the point is made from the triangle's normal and not from its barycentric coordinates: its direction then
-// keeps all its digits however close to the origin the triangle lies.
+// triangle the point is made from the triangle's normal and not from its barycentric coordinates, and on an edge it is
+// made orthogonal to it twice: its direction then keeps all its digits however close to the origin the simplex lies.
 #pragma once
 
 #include <array>

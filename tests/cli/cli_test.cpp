@@ -49,6 +49,28 @@ TEST(Cli, CollideAsJsonIsTheSameInBothPrecisions) {
   for (std::size_t i = 0; i < d.size(); ++i) EXPECT_EQ(d[i]["a"], f[i]["a"]);
 }
 
+TEST(Cli, CastTellsWhatIsHitFirstAndDrawsTheWay) {
+  const auto file = std::filesystem::temp_directory_path() / "graze_cli_cast_test.glb";
+  const std::string move = "cast " + demo + " --from 'crate 1' --motion 8,0,0 --slide";
+  const Result r = run(move + " --spin 0,3,0 --out " + file.string());
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.output.find("crate 1 hits crate 2"), std::string::npos) << r.output;
+  EXPECT_EQ(run("info " + file.string()).code, 0);  // what we write we read
+  std::filesystem::remove(file);
+
+  const auto all = nlohmann::json::parse(run(move + " --all --json").output);
+  ASSERT_GE(all["hits"].size(), 3u);
+  for (std::size_t i = 1; i < all["hits"].size(); ++i) EXPECT_LE(all["hits"][i - 1]["t"], all["hits"][i]["t"]);
+  const auto single = nlohmann::json::parse(run(move + " --json --precision float").output);
+  EXPECT_EQ(single["hits"].size(), 1u);
+  EXPECT_NEAR(single["hits"][0]["t"].get<double>(), all["hits"][0]["t"].get<double>(), 1e-6);
+  EXPECT_NE(run("cast " + demo + " --from 'crate 4' --motion 0,5,0 --slide").output.find("hits nothing"),
+            std::string::npos);
+  EXPECT_EQ(run("cast " + demo + " --from nobody").code, 2);
+  EXPECT_EQ(run("cast " + demo + " --from floor --motion 1,2").code, 2);
+  EXPECT_EQ(run("cast " + demo).code, 2);
+}
+
 TEST(Cli, BadInputIsNamedAndExitsWithTwo) {
   Result r = run("collide /nonexistent.glb");
   EXPECT_EQ(r.code, 2);
@@ -71,7 +93,7 @@ TEST(Cli, QueryExitsWithOneWhenAnAnswerIsAnError) {
 
 TEST(Cli, HelpHasAnExampleForEachCommand) {
   EXPECT_EQ(run("--help").code, 0);
-  for (const char* command : {"collide", "info", "query"}) {
+  for (const char* command : {"cast", "collide", "info", "query"}) {
     const Result r = run(std::string(command) + " --help");
     EXPECT_EQ(r.code, 0);
     EXPECT_NE(r.output.find("Example"), std::string::npos) << command;

@@ -1,0 +1,123 @@
+// graze cast: one body of a scene moved through the rest.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "graze/io/cast_scene.hpp"
+#include "scene_options.hpp"
+
+namespace graze::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  SceneOptions scene;
+  std::string from, precision = "double", out;
+  std::vector<double> motion{0, 0, 0}, spin{0, 0, 0}, about;
+  double duration = 1;
+  bool slide = false, all = false, json = false;
+};
+
+Vec3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+Json array(const Vec3d& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+
+Json json_of(const io::Scene& scene, const io::SceneHit& hit) {
+  return {{"t", hit.t},
+          {"collider", scene.colliders[hit.collider].name},
+          {"hits", scene.colliders[hit.other].name},
+          {"colliderA", hit.collider},
+          {"colliderB", hit.other},
+          {"point", array(hit.point)},
+          {"normal", array(hit.normal)},
+          {"depth", hit.depth},
+          {"certain", hit.status == Status::converged}};
+}
+
+void print_json(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
+  Json list = Json::array();
+  for (const io::SceneHit& hit : hits) list.push_back(json_of(scene, hit));
+  const Json whole{{"scene", scene.source}, {"from", question.from}, {"duration", question.duration},
+                   {"hit", !hits.empty()},  {"hits", list},          {"notices", scene.notices}};
+  fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+/// What four digits show as zero is shown without a sign.
+double shown(double v) { return std::abs(v) < 5e-5 ? 0.0 : v; }
+std::string shown(const Vec3d& v) { return fmt::format("{:9.4f} {:9.4f} {:9.4f}", shown(v.x), shown(v.y), shown(v.z)); }
+
+void print_table(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
+  for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
+  if (hits.empty()) {
+    fmt::print("{}: {} hits nothing in {:.6g}\n", scene.source, question.from, question.duration);
+    return;
+  }
+  const io::SceneHit& first = hits.front();
+  fmt::print("{}: {} hits {} at {:.6g}\n\n", scene.source, question.from, scene.colliders[first.other].name, first.t);
+  std::size_t width = 4;
+  for (const io::SceneHit& hit : hits) width = std::max(width, scene.colliders[hit.other].name.size());
+  fmt::print("{:>12}  {:<{}}  {:>29}  {:>29}  {:>10}\n", "time", "hits", width, "point", "normal towards it", "depth");
+  for (const io::SceneHit& hit : hits)
+    fmt::print("{:>12.9g}  {:<{}}  {}  {}  {:>10.4g}{}\n", hit.t, scene.colliders[hit.other].name, width,
+               shown(hit.point), shown(hit.normal), hit.depth,
+               hit.status == Status::converged ? "" : "  (not certain: may only come near)");
+}
+
+int run(const Options& options) {
+  const io::Scene scene = options.scene.load();
+  io::SceneCast question;
+  question.from = options.from;
+  question.velocity = {vector_of(options.motion), vector_of(options.spin)};
+  question.duration = options.duration;
+  if (!options.about.empty()) question.about = vector_of(options.about);
+  question.options.separating = options.slide ? Separating::ignored : Separating::hit;
+  question.precision = options.precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
+  std::vector<io::SceneHit> hits = io::cast_scene(scene, question);
+  if (!options.out.empty()) {
+    const auto& files = options.scene.files;
+    const std::string source = files.size() == 1 ? files[0] : "";  // several have no file to be drawn into
+    for (const std::string& notice : io::write_cast(options.out, scene, question, hits, source))
+      fmt::print(stderr, "note: {}\n", notice);
+  }
+  if (!options.all && hits.size() > 1) hits.resize(1);
+  options.json ? print_json(scene, question, hits) : print_table(scene, question, hits);
+  return 0;
+}
+
+CLI::Option* add_vector(CLI::App& command, const char* name, std::vector<double>& value, const char* what) {
+  return command.add_option(name, value, what)->delimiter(',')->expected(3);
+}
+
+}  // namespace
+
+Run add_cast(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("cast", "Move one body of a scene and find what it hits first");
+  options->scene.add_to(*command);
+  command->add_option("--from", options->from, "The body that moves, or one collider, by name")->required();
+  add_vector(*command, "--motion", options->motion, "How far it moves a unit of time: x,y,z")->capture_default_str();
+  add_vector(*command, "--spin", options->spin, "How it turns a unit of time: the axis times radians, x,y,z")
+      ->capture_default_str();
+  add_vector(*command, "--about", options->about, "The point it turns about (default: its first collider's origin)");
+  command->add_option("--duration", options->duration, "For how long")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_flag("--slide", options->slide, "What it touches and leaves or slides along does not count");
+  command->add_flag("--all", options->all, "List everything on its way, not only what is hit first");
+  command->add_flag("--json", options->json, "Print as JSON");
+  command->add_option("--precision", options->precision, "Compute in double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out,
+                      "Write the scene with the way, the impact and the contact drawn in (.glb)");
+  command->footer("Everything else stands still. Triggers and what collision filters forbid are not hit. Exit code: 0, "
+                  "or 2 when a\n"
+                  "file cannot be read or the name is not that of one body.\n\n"
+                  "Example:\n"
+                  "  graze cast scene.glb --from \"crate 1\" --motion 8,0,0 --spin 0,3,0 --slide --out cast.glb");
+  return [options] { return run(*options); };
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,252 @@
+#include "narrow/time_of_impact.hpp"
+
+#include "narrow/convex_pair.hpp"
+#include "narrow/envelope.hpp"
+#include "narrow/general.hpp"
+#include "narrow/gjk.hpp"
+#include "narrow/translation.hpp"
+
+namespace graze {
+
+namespace {
+
+/// A translation takes one step or two. A shape that turns takes ten to twenty, but at a gap of d times its radius, which
+/// is not that of its envelope, 2 pi / sqrt(2 d) a turn: this many are three turns at a millionth or a hundred at a
+/// thousandth, and cost some milliseconds.
+constexpr int most_steps = 1 << 14;
+
+/// Shapes that turn deep in each other may get deeper by so much of their depth: less takes thousands of steps a turn.
+constexpr double sinking_turned = 1.0 / 8;
+
+/// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are no
+/// better than the square root of their distance.
+template <class T>
+constexpr double sliding = 1e-6;
+template <>
+constexpr double sliding<float> = 1e-4;
+
+template <class T>
+double radius_of(const Piece<T>& piece) {
+  return piece.shape.visit([&](const auto& c) {
+    return static_cast<double>(rounding_radius(c, T(0))) + static_cast<double>(piece.shape.margin());
+  });
+}
+
+/// The part of the interval in which the balls about the bodies' origins that hold the pieces come within `margin`.
+std::optional<Interval> when_near(const PairMotion& motion, double radii, Interval interval, double margin) {
+  // The balls are taken a little larger, so that rounding excludes nothing.
+  const double r = radii * 1.0001 + 2 * margin, speed = length(motion.velocity);
+  if (!(r < infinity)) return interval;
+  if (!(speed > 0)) return length(motion.offset) <= r ? std::optional(interval) : std::nullopt;
+  const Vec3d along = motion.velocity / speed;
+  const double middle = -dot(motion.offset, along), aside = length(motion.offset + along * middle);
+  if (aside > r) return std::nullopt;
+  const double half = std::sqrt((r - aside) * (r + aside));
+  interval = {greatest(interval.begin, (middle - half) / speed), least(interval.end, (middle + half) / speed)};
+  return interval.begin <= interval.end ? std::optional(interval) : std::nullopt;
+}
+
+template <class T>
+class Advancement {
+ public:
+  Advancement(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, double tolerance, Separating separating)
+      : motion_(motion),
+        a_(a),
+        b_(b),
+        radius_a_(radius_of(a)),
+        radius_b_(radius_of(b)),
+        turning_radius_a_(turning_radius(a, motion.a)),
+        turning_radius_b_(turning_radius(b, motion.b)),
+        envelope_a_(a, motion.a, turning_radius_a_),
+        envelope_b_(b, motion.b, turning_radius_b_),
+        tolerance_(tolerance),
+        separating_(separating) {}
+
+  std::optional<Impact> first(const Interval& interval) const {
+    double t = interval.begin, sink = sinking * tolerance_, floor = -sink;
+    std::optional<Impact> known;  // the impact at t, when it is there already
+    if (still() && !is_half_space(a_) && !is_half_space(b_)) {
+      MovingDifference difference(*this, interval.begin);
+      const FreeTranslation free = difference.free(interval.end - interval.begin);
+      if (free.t == infinity) return std::nullopt;
+      t = least(interval.begin + free.t, interval.end);
+      known = difference.impact(free, t);
+    }
+    std::optional<Impact> pressing;  // where the contact that is under way began to press
+    for (int i = 0;; ++i) {
+      const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
+      Impact impact = known ? *known : at(t, a, b);
+      known.reset();
+      const Separation<T> separation(a, b, radius_a_ + radius_b_, impact.normal, motion_.offset_at(t), motion_.velocity,
+                                     {impact.normal, motion_.a.angular, turning_radius_a_},
+                                     {impact.normal, motion_.b.angular, turning_radius_b_});
+      const double left = interval.end - t;
+      const bool touch = impact.distance <= tolerance_;
+      // Points of both shapes are that near, however good a bound of the depth or of the gap has been found.
+      if (touch && impact.status == Status::bounded) impact.status = Status::converged;
+      double step = 0;
+      if (!touch) {
+        pressing.reset();
+        step = greatest(separation.stays_above(tolerance_ / 2, tolerance_ / 8, left),
+                        stays_outside(impact.normal, t, a, b));
+        if (step >= left) return std::nullopt;
+      } else {
+        if (separating_ == Separating::hit) return impact;
+        // The distance of convex shapes is a convex function of a translation: one that does not fall never will.
+        if (still() && separation.opening() >= 0) return std::nullopt;
+        if (i == 0) {
+          if (!still()) sink = greatest(sink, -impact.distance * sinking_turned);
+          floor = least(0.0, impact.distance) - sink;
+        }
+        const double fell = pressing ? pressing->distance - impact.distance : 0;
+        if (!approaching(separation))
+          pressing.reset();
+        else if (!pressing)
+          pressing = impact;
+        if (impact.distance < floor) return pressing ? pressing : impact;
+        if (!(left > 0)) return fell > tolerance_ ? pressing : std::nullopt;
+        step = least(left, separation.stays_above(floor - sink / 2, tolerance_ / 8, left));
+      }
+      if (i == most_steps || !(t + step > t)) {
+        impact.status = Status::bounded;
+        return impact;
+      }
+      t = step < left ? t + step : interval.end;
+    }
+  }
+
+ private:
+  /// B - A of the cores of two bodies that do not turn, in world axes about A's moving origin.
+  class MovingDifference {
+   public:
+    MovingDifference(const Advancement& asked, double begin)
+        : asked_(asked),
+          a_(asked.a_, asked.motion_.a.start),
+          b_(asked.b_, asked.motion_.b.start),
+          offset_(asked.motion_.offset_at(begin)) {}
+
+    SupportPoint support(const Vec3d& n) const {
+      const Vec3d a = a_.support(n), b = b_.support(-n) + offset_;
+      return {a, b, b - a};
+    }
+    double reach() const { return greatest(core_reach(asked_.a_), core_reach(asked_.b_)) + max_abs(offset_); }
+
+    /// Until when they stay half the tolerance apart.
+    FreeTranslation free(double duration) const {
+      const double radii = asked_.radius_a_ + asked_.radius_b_, tolerance = asked_.tolerance_;
+      return free_translation([this](const Vec3d& n) { return support(n); }, offset_, asked_.motion_.velocity,
+                              radii + tolerance / 2, radii + tolerance, duration);
+    }
+
+    /// What GJK makes of the simplex left then; nothing when it does not prove the cores apart as well as it should.
+    std::optional<Impact> impact(const FreeTranslation& free, double t) {
+      offset_ += asked_.motion_.velocity * free.t;
+      const double exact = asked_.tolerance_ * 1e-4, radii = asked_.radius_a_ + asked_.radius_b_;
+      const GjkResult g = gjk_from(free.simplex, *this, {exact});
+      if (g.end == GjkEnd::touching || !(g.lower > 0) || g.upper - g.lower > asked_.tolerance_ / 4) return std::nullopt;
+      return Impact{t,
+                    g.upper - radii,
+                    g.normal,
+                    g.simplex.point_a() + g.normal * asked_.radius_a_,
+                    g.simplex.point_b() - g.normal * asked_.radius_b_,
+                    Status::converged};
+    }
+
+   private:
+    const Advancement& asked_;
+    PieceAt<T> a_, b_;
+    Vec3d offset_;
+  };
+
+  /// For how long all that the bodies ever turn through stays on its sides of the plane across `n`.
+  double stays_outside(const Vec3d& n, double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
+    const auto unbounded = [](const Piece<T>& piece, const Turning& turning) {
+      return is_half_space(piece) && !turning.none();
+    };
+    if (still() || unbounded(a_, motion_.a) || unbounded(b_, motion_.b)) return 0;
+    const double gap = dot(n, motion_.offset_at(t)) - envelope_a_.along(n, a) - envelope_b_.along(-n, b) - radius_a_ -
+                       radius_b_ - tolerance_ / 2;
+    if (!(gap > 0)) return 0;
+    const double closing = -dot(n, motion_.velocity);
+    return closing > 0 ? gap / closing : infinity;
+  }
+
+  bool still() const { return motion_.a.none() && motion_.b.none(); }
+  /// Faster than in sliding along.
+  bool approaching(const Separation<T>& separation) const {
+    const double speed = length(motion_.velocity) + length(motion_.a.angular) * finite(turning_radius_a_) +
+                         length(motion_.b.angular) * finite(turning_radius_b_);
+    return separation.closing(sliding<T>) > sliding<T> * speed;
+  }
+  static double finite(double radius) { return radius < infinity ? radius : 0; }
+
+  Impact at(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
+    const Posed pose_b{b.pose().translation + motion_.offset_at(t), b.pose().rotation};
+    if (is_half_space(a_) != is_half_space(b_)) return on_half_space(t, a, b);
+    if constexpr (std::is_same_v<T, double>) {
+      const Distance<double> d = convex_distance(a_.shape, a.pose(), b_.shape, pose_b, nullptr);
+      return {t, d.distance, d.normal, d.a, d.b, d.status};
+    } else if (is_half_space(a_)) {
+      const Distance<T> d = convex_distance(a_.shape, cast<T>(a.pose()), b_.shape, cast<T>(pose_b), nullptr);
+      return {t,       static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b),
+              d.status};
+    } else {
+      // Closed forms of float shapes are no better than float: the general path answers in double.
+      const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b), nullptr);
+      const Vec3d n = rotate(a.pose().rotation, g.core.normal);
+      return {t,
+              g.core.distance - radius_a_ - radius_b_,
+              n,
+              transform(a.pose(), g.core.a) + n * radius_a_,
+              transform(a.pose(), g.core.b) - n * radius_b_,
+              g.status};
+    }
+  }
+
+  /// Along the half-space's normal and no other: any other has no extent to speak of.
+  Impact on_half_space(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
+    const bool half_a = is_half_space(a_);
+    const Vec3d up = rotate((half_a ? a : b).pose().rotation, Vec3d{0, 1, 0});
+    const Vec3d n = unit(half_a ? up : -up);
+    Vec3d pa = a.support(n) + n * radius_a_, pb = b.support(-n) - n * radius_b_ + motion_.offset_at(t);
+    const double distance = dot(n, pb - pa);
+    (half_a ? pa : pb) = half_a ? pb - n * distance : pa + n * distance;
+    return {t, distance, n, pa, pb, Status::converged};
+  }
+
+  const PairMotion& motion_;
+  const Piece<T>&a_, &b_;
+  double radius_a_, radius_b_, turning_radius_a_, turning_radius_b_;
+  Envelope<T> envelope_a_, envelope_b_;
+  double tolerance_;
+  Separating separating_;
+};
+
+}  // namespace
+
+Quatd Turning::at(double t) const {
+  if (none()) return start;
+  return Quatd::from_axis_angle(normalized(angular), length(angular) * t) * start;
+}
+
+template <class T>
+double reach_of(const Piece<T>& piece) {
+  return core_reach(piece) + radius_of(piece);
+}
+
+template <class T>
+std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b,
+                                     const Interval& interval, double tolerance, Separating separating) {
+  const auto near = when_near(motion, reach_of(a) + reach_of(b), interval, tolerance);
+  if (!near) return std::nullopt;
+  return Advancement<T>(motion, a, b, tolerance, separating).first(*near);
+}
+
+template double reach_of(const Piece<float>&);
+template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<float>&, const Piece<float>&,
+                                              const Interval&, double, Separating);
+template double reach_of(const Piece<double>&);
+template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<double>&, const Piece<double>&,
+                                              const Interval&, double, Separating);
+
+}  // namespace graze

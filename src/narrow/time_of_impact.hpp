@@ -1,0 +1,62 @@
+// When two convex pieces of moving bodies first touch.
+//
+// Guarantee: as `graze/cast.hpp` for convex shapes. Everything is in double and in world axes about A's moving origin.
+//
+// Method: conservative advancement. At a time when the shapes are apart, the plane between them is proven to stay between
+// them for a while; then the distance is asked anew. How long it stays is where the work is saved. A translation follows
+// its planes exactly, GJK searching for better ones as it goes (see `free_translation`). Of a shape that turns, bounding
+// the speed alone (Mirtich) gains a constant factor a step, while the shapes' extents along the plane's turning normal
+// gain ever more digits a step (see `Separation`); and where all that a shape ever turns through stays behind the plane,
+// it stays for any number of turns (see `Envelope`).
+#pragma once
+
+#include <optional>
+
+#include "graze/cast.hpp"
+
+namespace graze {
+
+/// How a body turns: about its origin, from `start`.
+struct Turning {
+  Quatd start{};
+  Vec3d angular{};
+
+  Quatd at(double t) const;
+  bool none() const { return angular == Vec3d{}; }
+};
+
+/// Two bodies on their ways: how each turns, and B's origin seen from A's.
+struct PairMotion {
+  Turning a, b;
+  Vec3d offset{}, velocity{};
+
+  Vec3d offset_at(double t) const { return offset + velocity * t; }
+};
+
+/// A convex piece and where it sits in its body.
+template <class T>
+struct Piece {
+  const Shape<T>& shape;
+  Posed local{};
+};
+
+/// The radius about its body's origin of a ball that holds the piece; infinite for a half-space.
+template <class T>
+double reach_of(const Piece<T>& piece);
+
+struct Interval {
+  double begin, end;
+};
+
+struct Impact {
+  double t, distance;
+  Vec3d normal, a, b;  ///< the points about A's origin at time t
+  Status status;
+};
+
+/// The first time in the interval at which the pieces come within `tolerance` (the D of `graze/cast.hpp`).
+template <class T>
+std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b,
+                                     const Interval& interval, double tolerance, Separating separating);
+
+}  // namespace graze

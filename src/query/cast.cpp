@@ -1,0 +1,186 @@
+#include "graze/cast.hpp"
+
+#include <algorithm>
+
+#include "mid/composite.hpp"
+#include "mid/moving_pieces.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Roundings that a point of a path goes through: a product, a sum, and what came before them.
+constexpr double path_rounding = 8 * std::numeric_limits<double>::epsilon();
+
+/// A long way of composites that turn is gone in stretches of about the smaller body's size, so that each meets few
+/// pieces; more stretches than this cost more in looking them up than they save.
+constexpr double most_stretches = 64;
+
+double finite(double size) { return size < std::numeric_limits<double>::infinity() ? size : 0; }
+
+/// The question in double, seen from A.
+template <class T>
+struct Asked {
+  PairMotion motion;
+  Piece<T> a, b;
+  double duration, tolerance;
+  Separating separating;
+
+  Asked(const Shape<T>& shape_a, const Pose<T>& pose_a, const Velocity<T>& va, const Shape<T>& shape_b,
+        const Pose<T>& pose_b, const Velocity<T>& vb, T until, const CastOptions& options)
+      : a{shape_a, {}}, b{shape_b, {}}, duration(static_cast<double>(until)), separating(options.separating) {
+    const Posed in_a = in_double(pose_a), in_b = in_double(pose_b);
+    motion = {{in_a.rotation, cast<double>(va.angular)},
+              {in_b.rotation, cast<double>(vb.angular)},
+              in_b.translation - in_a.translation,
+              cast<double>(vb.linear) - cast<double>(va.linear)};
+    const double size = greatest(finite(reach_of(a)), finite(reach_of(b)));
+    const double path = length(motion.offset) + length(motion.velocity) * duration;
+    tolerance = static_cast<double>(cast_tolerance<T>) * size + path_rounding * path;
+  }
+
+  std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval) const {
+    return time_of_impact(motion, piece_a, piece_b, interval, tolerance, separating);
+  }
+};
+
+struct PieceImpact {
+  Impact impact;
+  std::uint32_t piece_a, piece_b;
+};
+
+bool earlier(const PieceImpact& x, const PieceImpact& y) {
+  if (x.impact.t != y.impact.t) return x.impact.t < y.impact.t;
+  if (x.impact.distance != y.impact.distance) return x.impact.distance < y.impact.distance;
+  return std::pair(x.piece_a, x.piece_b) < std::pair(y.piece_a, y.piece_b);
+}
+
+template <class T>
+std::size_t stretches(const Asked<T>& asked) {
+  const PairMotion& m = asked.motion;
+  if (m.a.none() && m.b.none()) return 1;
+  const double ra = finite(reach_of(asked.a)), rb = finite(reach_of(asked.b));
+  const double path = asked.duration * (length(m.velocity) + length(m.a.angular) * ra + length(m.b.angular) * rb);
+  const double step = 2 * (ra > 0 && rb > 0 ? least(ra, rb) : greatest(ra, rb));
+  if (!(path > step)) return 1;
+  return static_cast<std::size_t>(std::ceil(least(most_stretches, path / step)));
+}
+
+/// Calls `found` for the first contact of every pair of pieces, but not for those later than `until()` in stretches
+/// behind it; in each stretch anew.
+template <class T, class Until, class Found>
+void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found) {
+  const std::size_t count = stretches(asked);
+  const double step = asked.duration / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Interval stretch{static_cast<double>(i) * step,
+                           i + 1 == count ? asked.duration : static_cast<double>(i + 1) * step};
+    if (i > 0 && until() < stretch.begin) return;
+    const auto limit = [&] {
+      if (until() >= stretch.end) return T(1);
+      const T part = static_cast<T>((until() - stretch.begin) / (stretch.end - stretch.begin));
+      return part + T(8) * std::numeric_limits<T>::epsilon();
+    };
+    auto meet = [&](const NumberedPiece<T>& a, const NumberedPiece<T>& b) {
+      const auto impact = asked.of(a.piece, b.piece, {stretch.begin, least(until(), stretch.end)});
+      if (impact) found({*impact, a.number, b.number});
+    };
+    visit_moving_pairs<T>(asked.motion, {asked.a}, {asked.b}, stretch, asked.tolerance, limit, meet);
+  }
+}
+
+template <class T>
+std::optional<PieceImpact> first_impact(const Asked<T>& asked) {
+  if (asked.a.shape.convex() && asked.b.shape.convex()) {
+    const auto impact = asked.of(asked.a, asked.b, {0, asked.duration});
+    return impact ? std::optional(PieceImpact{*impact, 0, 0}) : std::nullopt;
+  }
+  std::optional<PieceImpact> first;
+  const auto until = [&] { return first ? first->impact.t : asked.duration; };
+  visit_impacts(asked, until, [&](const PieceImpact& impact) {
+    if (!first || earlier(impact, *first)) first = impact;
+  });
+  return first;
+}
+
+/// The largest T that is no later.
+template <class T>
+T rounded_down(double t) {
+  const T near = static_cast<T>(t);
+  return static_cast<double>(near) > t ? std::nextafter(near, T(0)) : near;
+}
+
+template <class T>
+CastHit<T> hit_of(const PieceImpact& found, const Pose<T>& pose_a, const Velocity<T>& velocity_a) {
+  const Impact& impact = found.impact;
+  const Vec3d origin = cast<double>(pose_a.translation) + cast<double>(velocity_a.linear) * impact.t;
+  return {rounded_down<T>(impact.t),
+          cast<T>(origin + (impact.a + impact.b) * 0.5),
+          cast<T>(impact.normal),
+          static_cast<T>(greatest(0.0, -impact.distance)),
+          impact.status,
+          found.piece_a,
+          found.piece_b};
+}
+
+}  // namespace
+
+template <class T>
+Pose<T> pose_at(const Pose<T>& pose, const Velocity<T>& velocity, T t) {
+  const Vec3<T> translation = pose.translation + velocity.linear * t;
+  if (velocity.angular == Vec3<T>{}) return {translation, pose.rotation};
+  const Turning turning{in_double(pose).rotation, cast<double>(velocity.angular)};
+  return {translation, normalized(cast<T>(turning.at(static_cast<double>(t))))};
+}
+
+template <class T>
+std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
+                               const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration,
+                               const CastOptions& options) {
+  const Asked<T> asked(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
+  const std::optional<PieceImpact> first = first_impact(asked);
+  // In float `overlap` rounds more than a cast does. What it calls touching touches here too.
+  if (std::is_same_v<T, float> && options.separating == Separating::hit && !(first && first->impact.t == 0) &&
+      any_overlap<T>(a, pose_a, b, pose_b, nullptr)) {
+    const Distance<T> d = any_distance<T>(a, pose_a, b, pose_b, nullptr);
+    return CastHit<T>{T(0), (d.a + d.b) * T(0.5), d.normal, greatest(T(0), -d.distance), d.status};
+  }
+  return first ? std::optional(hit_of(*first, pose_a, velocity_a)) : std::nullopt;
+}
+
+template <class T>
+void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
+              const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::vector<CastHit<T>>& hits,
+              const CastOptions& options) {
+  const Asked<T> asked(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
+  std::vector<PieceImpact> impacts;
+  const auto until = [&] { return asked.duration; };
+  visit_impacts(asked, until, [&](const PieceImpact& impact) { impacts.push_back(impact); });
+  // A pair is found again in every stretch that it touches in: only its first contact counts.
+  const auto pair_of = [](const PieceImpact& i) { return std::pair(i.piece_a, i.piece_b); };
+  std::sort(impacts.begin(), impacts.end(), [&](const PieceImpact& x, const PieceImpact& y) {
+    return pair_of(x) != pair_of(y) ? pair_of(x) < pair_of(y) : earlier(x, y);
+  });
+  const auto again = [&](const PieceImpact& x, const PieceImpact& y) { return pair_of(x) == pair_of(y); };
+  impacts.erase(std::unique(impacts.begin(), impacts.end(), again), impacts.end());
+  std::sort(impacts.begin(), impacts.end(), earlier);
+  for (const PieceImpact& impact : impacts) hits.push_back(hit_of(impact, pose_a, velocity_a));
+}
+
+template Pose<float> pose_at(const Pose<float>&, const Velocity<float>&, float);
+template std::optional<CastHit<float>> cast(const Shape<float>&, const Pose<float>&, const Velocity<float>&,
+                                            const Shape<float>&, const Pose<float>&, const Velocity<float>&, float,
+                                            const CastOptions&);
+template void cast_all(const Shape<float>&, const Pose<float>&, const Velocity<float>&, const Shape<float>&,
+                       const Pose<float>&, const Velocity<float>&, float, std::vector<CastHit<float>>&,
+                       const CastOptions&);
+
+template Pose<double> pose_at(const Pose<double>&, const Velocity<double>&, double);
+template std::optional<CastHit<double>> cast(const Shape<double>&, const Pose<double>&, const Velocity<double>&,
+                                             const Shape<double>&, const Pose<double>&, const Velocity<double>&, double,
+                                             const CastOptions&);
+template void cast_all(const Shape<double>&, const Pose<double>&, const Velocity<double>&, const Shape<double>&,
+                       const Pose<double>&, const Velocity<double>&, double, std::vector<CastHit<double>>&,
+                       const CastOptions&);
+
+}  // namespace graze
