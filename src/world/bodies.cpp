@@ -33,6 +33,7 @@ std::uint32_t BodyArrays<T>::checked(BodyId id) const {
 
 template <class T>
 void BodyArrays<T>::change(std::uint32_t index) {
+  ++revision_;
   if (changed_[index] == 0) changes_.push_back(index);
   changed_[index] = 1;
 }

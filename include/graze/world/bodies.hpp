@@ -74,6 +74,8 @@ class BodyArrays {
   std::span<const std::uint8_t> changed() const { return changed_; }
   std::span<const std::uint32_t> changes();
   void settle();
+  /// Grows with every change.
+  std::uint64_t revision() const { return revision_; }
 
   std::size_t memory() const;
 
@@ -90,6 +92,7 @@ class BodyArrays {
   std::vector<T> margins_;
   std::vector<std::uint8_t> alive_, fixed_, triggers_, changed_;
   std::vector<std::uint32_t> generations_, free_, changes_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace graze

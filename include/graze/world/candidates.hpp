@@ -4,11 +4,10 @@
 // whichever structure found them. Work proportional to what moved while that is little, else N log N.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "graze/broad_phase.hpp"
+#include "graze/dynamic_tree.hpp"
 #include "graze/pairs.hpp"
 
 namespace graze {
@@ -16,27 +15,28 @@ namespace graze {
 template <class T>
 class CandidateFinder {
  public:
-  CandidateFinder();
-
   /// `boxes` and `alive` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere since the last
   /// call.
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                std::span<const std::uint32_t> changes);
 
-  /// All boxes as of the last `find`, for queries.
-  const BroadPhase<T>& tree() const { return *tree_; }
+  /// The boxes of all that is alive, for queries: brought up to date for what changed in `find` and for `changes`. Not
+  /// from several threads at a time; the tree itself may be.
+  const DynamicTree<T>& tree(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                             std::span<const std::uint32_t> changes);
 
   std::size_t memory() const;
 
  private:
-  void update_tree(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                   std::span<const std::uint32_t> changes);
+  void note_stale(std::size_t bodies, std::span<const std::uint32_t> changes);
   void find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive);
-  void find_changed(std::span<const std::uint32_t> changes);
+  void find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                    std::span<const std::uint32_t> changes);
 
-  std::unique_ptr<BroadPhase<T>> tree_;
+  DynamicTree<T> tree_;
   PairFinder<T> finder_;
-  std::vector<std::uint8_t> in_tree_;
+  std::vector<std::uint8_t> in_tree_, is_stale_;
+  std::vector<std::uint32_t> stale_;  ///< what the tree does not know yet
   std::vector<Aabb<T>> compact_;
   std::vector<std::uint32_t> index_;
   std::vector<IdPair> pairs_, moved_, merged_;
