@@ -46,7 +46,7 @@ struct CastHit {
   T t{};
   Vec3<T> point{};   ///< in the world at time t, in the middle of what is left of the gap
   Vec3<T> normal{};  ///< unit, from A to B, in the world at time t
-  T depth{};         ///< of shapes that overlap at the start: how deep; else 0 (or up to D)
+  T depth{};         ///< of shapes that overlap at the start: how deep, as `distance` says; else 0 (or up to D)
   /// `bounded` when the bound on iterations was reached first: t is then the earliest time that is not excluded, and
   /// whether the shapes touch at all is not known. Bodies that turn a thousand times a hair's breadth apart do that, as
   /// does a half-space that turns.
@@ -64,7 +64,8 @@ enum class Separating : std::uint8_t {
 };
 
 /// How much deeper, in D, shapes in contact may get that are said to slide: what rounding of poses and velocities does
-/// along a way of many sizes. The last contact of a cast, with no time left to get as deep, counts from D on.
+/// along a way of many sizes. For shapes that start deep in each other and turn it is an eighth of their depth, if that
+/// is more. The last contact of a cast, with no time left to get as deep, counts from D on.
 inline constexpr int sinking = 1000;
 
 struct CastOptions {

@@ -15,6 +15,9 @@ namespace {
 /// thousandth, and cost some milliseconds.
 constexpr int most_steps = 1 << 14;
 
+/// Shapes that turn deep in each other may get deeper by so much of their depth: less takes thousands of steps a turn.
+constexpr double sinking_turned = 1.0 / 8;
+
 /// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are no
 /// better than the square root of their distance.
 template <class T>
@@ -60,7 +63,7 @@ class Advancement {
         separating_(separating) {}
 
   std::optional<Impact> first(const Interval& interval) const {
-    double t = interval.begin, floor = -sinking * tolerance_;
+    double t = interval.begin, sink = sinking * tolerance_, floor = -sink;
     std::optional<Impact> known;  // the impact at t, when it is there already
     if (still() && !is_half_space(a_) && !is_half_space(b_)) {
       MovingDifference difference(*this, interval.begin);
@@ -74,13 +77,13 @@ class Advancement {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
       known.reset();
-      // A plane has just proven them apart, and no iteration makes closest points that are nearer than they are.
-      if (t > interval.begin && impact.distance > 0) impact.status = Status::converged;
       const Separation<T> separation(a, b, radius_a_ + radius_b_, impact.normal, motion_.offset_at(t), motion_.velocity,
                                      {impact.normal, motion_.a.angular, turning_radius_a_},
                                      {impact.normal, motion_.b.angular, turning_radius_b_});
       const double left = interval.end - t;
       const bool touch = impact.distance <= tolerance_;
+      // Points of both shapes are that near, however good a bound of the depth or of the gap has been found.
+      if (touch && impact.status == Status::bounded) impact.status = Status::converged;
       double step = 0;
       if (!touch) {
         pressing.reset();
@@ -91,7 +94,10 @@ class Advancement {
         if (separating_ == Separating::hit) return impact;
         // The distance of convex shapes is a convex function of a translation: one that does not fall never will.
         if (still() && separation.opening() >= 0) return std::nullopt;
-        if (i == 0) floor = least(0.0, impact.distance) - sinking * tolerance_;
+        if (i == 0) {
+          if (!still()) sink = greatest(sink, -impact.distance * sinking_turned);
+          floor = least(0.0, impact.distance) - sink;
+        }
         const double fell = pressing ? pressing->distance - impact.distance : 0;
         if (!approaching(separation))
           pressing.reset();
@@ -99,7 +105,7 @@ class Advancement {
           pressing = impact;
         if (impact.distance < floor) return pressing ? pressing : impact;
         if (!(left > 0)) return fell > tolerance_ ? pressing : std::nullopt;
-        step = least(left, separation.stays_above(floor - sinking * tolerance_ / 2, tolerance_ / 8, left));
+        step = least(left, separation.stays_above(floor - sink / 2, tolerance_ / 8, left));
       }
       if (i == most_steps || !(t + step > t)) {
         impact.status = Status::bounded;
@@ -174,25 +180,16 @@ class Advancement {
   }
   static double finite(double radius) { return radius < infinity ? radius : 0; }
 
-  /// A distance that is not as exact as it could be may still be exact enough for a cast.
-  Status enough(Status status, double error) const {
-    return status == Status::bounded && error <= tolerance_ / 4 ? Status::converged : status;
-  }
-
   Impact at(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const Posed pose_b{b.pose().translation + motion_.offset_at(t), b.pose().rotation};
     if (is_half_space(a_) != is_half_space(b_)) return on_half_space(t, a, b);
     if constexpr (std::is_same_v<T, double>) {
       const Distance<double> d = convex_distance(a_.shape, a.pose(), b_.shape, pose_b, nullptr);
-      return {t, d.distance, d.normal, d.a, d.b, enough(d.status, d.error)};
+      return {t, d.distance, d.normal, d.a, d.b, d.status};
     } else if (is_half_space(a_)) {
       const Distance<T> d = convex_distance(a_.shape, cast<T>(a.pose()), b_.shape, cast<T>(pose_b), nullptr);
-      return {t,
-              static_cast<double>(d.distance),
-              cast<double>(d.normal),
-              cast<double>(d.a),
-              cast<double>(d.b),
-              enough(d.status, static_cast<double>(d.error))};
+      return {t,       static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b),
+              d.status};
     } else {
       // Closed forms of float shapes are no better than float: the general path answers in double.
       const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b), nullptr);
@@ -202,7 +199,7 @@ class Advancement {
               n,
               transform(a.pose(), g.core.a) + n * radius_a_,
               transform(a.pose(), g.core.b) - n * radius_b_,
-              enough(g.status, g.error)};
+              g.status};
     }
   }
 
