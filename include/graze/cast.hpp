@@ -23,11 +23,12 @@
 namespace graze {
 
 /// How near, relative to the size of the pair, counts as contact of moving shapes. Ten times the tolerance of a distance:
-/// the normal is the direction of what is left of the gap, and loses as many digits as that has zeros.
+/// the normal is the direction of what is left of the gap, and loses as many digits as that has zeros. `float`'s is some
+/// ten roundings of the support points of a user's shape, and no more than rounding the time to float costs.
 template <class T>
 inline constexpr T cast_tolerance = T(1e-9);
 template <>
-inline constexpr float cast_tolerance<float> = 1e-6f;
+inline constexpr float cast_tolerance<float> = 2e-6f;
 
 /// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant rate.
 template <class T>
@@ -49,7 +50,7 @@ struct CastHit {
   T depth{};         ///< of shapes that overlap at the start: how deep, as `distance` says; else 0 (or up to D)
   /// `bounded` when the bound on iterations was reached first: t is then the earliest time that is not excluded, and
   /// whether the shapes touch at all is not known. Bodies that turn a thousand times a hair's breadth apart do that, as
-  /// does a half-space that turns.
+  /// does a half-space that turns, and in `float` one cast in some 50,000 of a user's shape.
   Status status = Status::converged;
   std::uint32_t piece_a = 0, piece_b = 0;  ///< which child or triangle of a composite it is, else 0
 };

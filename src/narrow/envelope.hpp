@@ -36,7 +36,7 @@ template <class T>
 double round_radius(const Piece<T>& piece, const Posed& upright) {
   return piece.shape.visit([&](const auto& c) {
     if constexpr (requires { c.radius_bottom(); }) {
-      const double h = static_cast<double>(c.half_height());
+      const auto h = static_cast<double>(c.half_height());
       return greatest(from_axis(transform(upright, {0, -h, 0})) + static_cast<double>(c.radius_bottom()),
                       from_axis(transform(upright, {0, h, 0})) + static_cast<double>(c.radius_top()));
     } else {

@@ -158,7 +158,7 @@ class Advancement {
     Vec3d offset_;
   };
 
-  /// For how long bodies that turn do not come out of the sides of a plane that they stay behind whatever their turn.
+  /// For how long all that the bodies ever turn through stays on its sides of the plane across `n`.
   double stays_outside(const Vec3d& n, double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const auto unbounded = [](const Piece<T>& piece, const Turning& turning) {
       return is_half_space(piece) && !turning.none();
@@ -242,12 +242,11 @@ std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a
   return Advancement<T>(motion, a, b, tolerance, separating).first(*near);
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                           \
-  template double reach_of(const Piece<T>&);                                                                           \
-  template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<T>&, const Piece<T>&, const Interval&,  \
-                                                double, Separating);
-GRAZE_INSTANTIATE(float)
-GRAZE_INSTANTIATE(double)
-#undef GRAZE_INSTANTIATE
+template double reach_of(const Piece<float>&);
+template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<float>&, const Piece<float>&,
+                                              const Interval&, double, Separating);
+template double reach_of(const Piece<double>&);
+template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<double>&, const Piece<double>&,
+                                              const Interval&, double, Separating);
 
 }  // namespace graze

@@ -167,14 +167,20 @@ void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& veloc
   for (const PieceImpact& impact : impacts) hits.push_back(hit_of(impact, pose_a, velocity_a));
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Pose<T> pose_at(const Pose<T>&, const Velocity<T>&, T);                                                     \
-  template std::optional<CastHit<T>> cast(const Shape<T>&, const Pose<T>&, const Velocity<T>&, const Shape<T>&,        \
-                                          const Pose<T>&, const Velocity<T>&, T, const CastOptions&);                  \
-  template void cast_all(const Shape<T>&, const Pose<T>&, const Velocity<T>&, const Shape<T>&, const Pose<T>&,         \
-                         const Velocity<T>&, T, std::vector<CastHit<T>>&, const CastOptions&);
-GRAZE_INSTANTIATE(float)
-GRAZE_INSTANTIATE(double)
-#undef GRAZE_INSTANTIATE
+template Pose<float> pose_at(const Pose<float>&, const Velocity<float>&, float);
+template std::optional<CastHit<float>> cast(const Shape<float>&, const Pose<float>&, const Velocity<float>&,
+                                            const Shape<float>&, const Pose<float>&, const Velocity<float>&, float,
+                                            const CastOptions&);
+template void cast_all(const Shape<float>&, const Pose<float>&, const Velocity<float>&, const Shape<float>&,
+                       const Pose<float>&, const Velocity<float>&, float, std::vector<CastHit<float>>&,
+                       const CastOptions&);
+
+template Pose<double> pose_at(const Pose<double>&, const Velocity<double>&, double);
+template std::optional<CastHit<double>> cast(const Shape<double>&, const Pose<double>&, const Velocity<double>&,
+                                             const Shape<double>&, const Pose<double>&, const Velocity<double>&, double,
+                                             const CastOptions&);
+template void cast_all(const Shape<double>&, const Pose<double>&, const Velocity<double>&, const Shape<double>&,
+                       const Pose<double>&, const Velocity<double>&, double, std::vector<CastHit<double>>&,
+                       const CastOptions&);
 
 }  // namespace graze

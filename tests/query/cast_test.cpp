@@ -2,7 +2,7 @@
 //
 // A claim of no contact at a time is proven by a direction along which the reference finds the shapes apart; a claim of
 // contact by a point that is near both shapes. Where the proof fails the reference's own distance decides. For one cast in
-// `bisect_every` of polytopes the time itself is found by the reference alone: dense samples, then bisection.
+// `bisect_every` the time itself is found by the reference alone: dense samples, then bisection.
 //
 // How many casts a pair of kinds: GRAZE_TEST_CASTS in the environment, else 60; GRAZE_TEST_SEARCH_EVERY for bisection.
 #include "graze/cast.hpp"
@@ -227,22 +227,30 @@ class Casts : public ::testing::TestWithParam<std::pair<Kind, Kind>> {
   template <class T>
   void check(bool turning, float scale, int casts) {
     const auto [ka, kb] = GetParam();
-    int hits = 0;
+    int hits = 0, unknown = 0;
+    // A support function that is rounded to float can stop GJK at some ten times that: the answer then says so.
+    const bool rounded = std::is_same_v<T, float> && (ka == Kind::user || kb == Kind::user);
     for (int i = 0; i < casts; ++i) {
       const auto [a, b] = random_movers(ka, kb, scale, turning, random);
       const Case<T> c(a, b);
       const auto hit = c.ask();
-      if (hit) {
+      if (rounded && hit && hit->status == Status::bounded) {
+        ++unknown;
+        check_no_earlier(c, hit->t);
+      } else if (hit) {
         hits += hit->t > T(0);
         check_contact(c, *hit);
         check_no_earlier(c, hit->t);
       } else {
         check_miss(c);
       }
-      if (std::is_same_v<T, double> && !curved(ka) && !curved(kb) && i % bisect_every() == 0)
+      // The reference takes milliseconds for a distance of curved shapes: those are left to long runs.
+      const bool slow = curved(ka) || curved(kb);
+      if (std::is_same_v<T, double> && i % bisect_every() == 0 && (!slow || casts >= 1000))
         check_against_bisection(c, hit);
       if (HasFatalFailure()) return;
     }
+    EXPECT_LE(unknown, 1 + casts / 1000);
     // Two segments in space hardly ever meet.
     if (casts >= 50 && kb != Kind::segment && ka != Kind::segment) {
       EXPECT_GT(hits, casts / 10);
