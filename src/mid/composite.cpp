@@ -1,36 +1,17 @@
 #include "mid/composite.hpp"
 
 #include "mid/group.hpp"
-#include "mid/pieces.hpp"
+#include "mid/piece_pairs.hpp"
 #include "narrow/convex_pair.hpp"
 
 namespace graze {
 
 namespace {
 
-/// Calls `f` for all pairs of convex pieces that come within `limit()` of each other.
-/// `f(shape_a, pose_a, piece_a, shape_b, pose_b, piece_b)`; a piece number is that of the outermost composite.
-template <class T, class Limit, class F>
-void visit_pairs(const Shape<T>& a, const Pose<T>& pose_a, std::uint32_t piece_a, const Shape<T>& b,
-                 const Pose<T>& pose_b, std::uint32_t piece_b, const Limit& limit, F& f, bool outer_a = true,
-                 bool outer_b = true) {
-  if (!a.convex()) {
-    const Aabb<T> region = bounds(b, relative(pose_a, pose_b));
-    visit_pieces(a, pose_a, region, limit, [&](const Shape<T>& piece, const Pose<T>& pose, std::uint32_t number) {
-      visit_pairs(piece, pose, outer_a ? number : piece_a, b, pose_b, piece_b, limit, f, false, outer_b);
-    });
-  } else if (!b.convex()) {
-    const Aabb<T> region = bounds(a, relative(pose_b, pose_a));
-    visit_pieces(b, pose_b, region, limit, [&](const Shape<T>& piece, const Pose<T>& pose, std::uint32_t number) {
-      visit_pairs(a, pose_a, piece_a, piece, pose, outer_b ? number : piece_b, limit, f, false, false);
-    });
-  } else {
-    f(a, pose_a, piece_a, b, pose_b, piece_b);
-  }
-}
-
 template <class T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
+
+constexpr const char* method = "pieces of composites";
 
 }  // namespace
 
@@ -41,26 +22,25 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   Distance<T> best;
   best.distance = infinity<T>;
   const auto limit = [&] { return best.distance; };
-  auto nearer = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t, const Shape<T>& pb, const Pose<T>& qb,
-                    std::uint32_t) {
-    const Distance<T> d = convex_distance(pa, qa, pb, qb, nullptr);
+  auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
+    const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
     if (d.distance < best.distance) best = d;
   };
-  visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, nearer);
-  if (trace) trace->method = "pieces of composites";
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, nearer);
+  if (trace) trace->method = method;
   return best;
 }
 
 template <class T>
 bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
   if (a.convex() && b.convex()) return convex_overlap(a, pose_a, b, pose_b, trace);
-  bool found = false;
   const auto limit = [] { return T(0); };
-  auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t, const Shape<T>& pb, const Pose<T>& qb,
-                   std::uint32_t) { found = found || convex_overlap(pa, qa, pb, qb, nullptr); };
-  visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
-  if (trace) trace->method = "pieces of composites";
-  return found;
+  auto apart = [&](const Part<T>& pa, const Part<T>& pb) {
+    return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
+  };
+  const bool all_apart = visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, apart);
+  if (trace) trace->method = method;
+  return !all_apart;
 }
 
 template <class T>
@@ -73,19 +53,19 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     return distance;
   }
   T least_distance = infinity<T>;
-  const std::size_t first = manifolds.size();
+  ManifoldGroups<T> groups(manifolds);
   const auto limit = [&] { return margin; };
-  auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t na, const Shape<T>& pb, const Pose<T>& qb,
-                   std::uint32_t nb) {
+  auto touch = [&](const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
-    manifold.piece_a = na;
-    manifold.piece_b = nb;
-    least_distance = least(least_distance, convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr));
-    if (!manifold.points.empty()) manifolds.push_back(manifold);
+    manifold.piece_a = pa.number;
+    manifold.piece_b = pb.number;
+    const T distance = convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr);
+    least_distance = least(least_distance, distance);
+    if (!manifold.points.empty()) groups.add(manifold);
   };
-  visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
-  group_by_normal(manifolds, first);
-  if (trace) trace->method = "pieces of composites";
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, touch);
+  groups.finish();
+  if (trace) trace->method = method;
   return least_distance;
 }
 

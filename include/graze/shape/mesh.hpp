@@ -1,7 +1,8 @@
 // Triangle meshes: surfaces without thickness, both sides of which count.
 //
 // Guarantee: any finite triangles, degenerate ones included; indices are checked once, when built. Shared and
-// immutable, with a tree of bounds over the triangles, so that copies are cheap and queries from any thread safe.
+// immutable, with a tree of bounds over the triangles, so that copies are cheap and queries from any thread safe. A
+// triangle that repeats another, the same corners in the same turn, counts once: answers name the first.
 #pragma once
 
 #include <array>
@@ -25,11 +26,15 @@ class Mesh {
   static constexpr const char* name = "mesh";
   using Index = std::array<std::uint32_t, 3>;
 
-  /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n. Throws `InvalidValue`.
+  /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a million
+  /// triangles; besides points and triangles some 15 bytes for each are kept. Throws `InvalidValue`.
   Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles);
 
   std::span<const Vec3<T>> points() const;
   std::span<const Index> triangles() const;
+  /// Whether the triangles bound a solid: each edge, by its indices, is shared by two that run through it in opposite
+  /// directions. Such a mesh has a mass, and an inside for `closest`.
+  bool closed() const;
   const MeshData<T>& data() const { return *data_; }
 
   T core_extent() const;

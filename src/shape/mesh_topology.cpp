@@ -1,0 +1,98 @@
+#include "shape/mesh_topology.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace graze {
+
+namespace {
+
+using Index = std::array<std::uint32_t, 3>;
+
+bool repeats_corner(const Index& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+template <class T>
+bool before(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/// A triangle's corners in an order that tells whether two are the same.
+template <class T>
+std::array<Vec3<T>, 3> canonical(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
+  if (a == b || b == c || c == a) {
+    const Vec3<T>& other = a == b ? c : b;  // of the two places
+    return before(a, other) ? std::array{a, a, other} : std::array{other, other, a};
+  }
+  if (before(a, b)) return before(a, c) ? std::array{a, b, c} : std::array{c, a, b};
+  return before(b, c) ? std::array{b, c, a} : std::array{c, a, b};
+}
+
+/// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the finaliser.
+std::uint64_t mixed(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+template <class T>
+std::uint64_t hash_of(const std::array<Vec3<T>, 3>& corners) {
+  std::uint64_t hash = 0;
+  for (const Vec3<T>& p : corners)
+    for (std::size_t i = 0; i < 3; ++i)  // + 0: the two zeros are one number
+      hash = mixed(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(static_cast<double>(p[i]) + 0.0));
+  return hash;
+}
+
+}  // namespace
+
+bool bounds_solid(std::span<const Index> triangles, std::size_t points) {
+  // The directed edges in the order of their lesser end: the other end times two, and in which direction.
+  std::vector<std::uint32_t> begin(points + 1, 0);
+  const auto each_edge = [&](const auto& f) {
+    for (const Index& t : triangles) {
+      if (repeats_corner(t)) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+        from < to ? f(from, std::uint64_t{to} * 2) : f(to, std::uint64_t{from} * 2 + 1);
+      }
+    }
+  };
+  each_edge([&](std::uint32_t low, std::uint64_t) { ++begin[low + 1]; });
+  for (std::size_t i = 0; i < points; ++i) begin[i + 1] += begin[i];
+  std::vector<std::uint64_t> ends(begin[points]);
+  std::vector<std::uint32_t> filled(begin.begin(), begin.end() - 1);
+  each_edge([&](std::uint32_t low, std::uint64_t end) { ends[filled[low]++] = end; });
+  for (std::size_t i = 0; i < points; ++i) {
+    const auto first = ends.begin() + begin[i], last = ends.begin() + begin[i + 1];
+    std::sort(first, last);
+    for (auto at = first; at != last; at += 2)
+      if (at + 1 == last || at[0] % 2 != 0 || at[1] != at[0] + 1 || (at + 2 != last && at[2] == at[1])) return false;
+  }
+  return !ends.empty();
+}
+
+template <class T>
+std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points, std::span<const Index> triangles) {
+  constexpr std::uint32_t none = 0xffffffffu;
+  const std::size_t places = std::bit_ceil(2 * triangles.size() + 1);
+  std::vector<std::uint32_t> table(places, none), out;
+  out.reserve(triangles.size());
+  const auto corners = [&](std::uint32_t i) {
+    const Index& t = triangles[i];
+    return canonical(points[t[0]], points[t[1]], points[t[2]]);
+  };
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const std::array<Vec3<T>, 3> own = corners(i);
+    std::size_t place = hash_of(own) & (places - 1);
+    while (table[place] != none && corners(table[place]) != own) place = (place + 1) & (places - 1);
+    if (table[place] != none) continue;
+    table[place] = i;
+    out.push_back(i);
+  }
+  return out;
+}
+
+template std::vector<std::uint32_t> different_triangles(std::span<const Vec3f>, std::span<const Index>);
+template std::vector<std::uint32_t> different_triangles(std::span<const Vec3d>, std::span<const Index>);
+
+}  // namespace graze
