@@ -45,6 +45,13 @@ inline ConvexHull<float> single(const ConvexHull<double>& h) { return ConvexHull
 inline Mesh<float> single(const Mesh<double>& m) {
   return {points(m.points()), {m.triangles().begin(), m.triangles().end()}};
 }
+inline HeightField<float> single(const HeightField<double>& f) {
+  std::vector<float> heights;
+  heights.reserve(f.heights().size());
+  for (const double h : f.heights()) heights.push_back(static_cast<float>(h));
+  return {f.columns(), f.rows(), std::move(heights), static_cast<float>(f.spacing_x()),
+          static_cast<float>(f.spacing_z())};
+}
 inline Compound<float> single(const Compound<double>& c) {
   std::vector<Placed<float>> children;
   for (const Placed<double>& child : c.children())

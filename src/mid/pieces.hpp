@@ -6,15 +6,21 @@
 
 #include "graze/shape.hpp"
 #include "shape/compound_data.hpp"
+#include "shape/height_field_data.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze {
 
-/// Calls `f(surface)` with the data of a mesh: `hierarchy()` and `triangle(number)`. False for another shape.
+/// Calls `f(surface)` with the data of a mesh or height field: `hierarchy()`, `triangle(number)` and `extent`. False for
+/// another shape.
 template <class T, class F>
 bool with_surface(const Shape<T>& shape, F&& f) {
   if (const auto* mesh = shape.template as<Mesh<T>>()) {
     f(mesh->data());
+    return true;
+  }
+  if (const auto* field = shape.template as<HeightField<T>>()) {
+    f(field->data());
     return true;
   }
   return false;

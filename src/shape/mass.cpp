@@ -307,6 +307,10 @@ Moments of(const HalfSpace<T>&, double) {
   return {};
 }
 template <class T>
+Moments of(const HeightField<T>&, double) {
+  return {};
+}
+template <class T>
 Moments of(const Mesh<T>& mesh, double) {
   if (!mesh.closed()) return {};
   const auto points = mesh.points();
