@@ -11,6 +11,32 @@ namespace {
 template <class T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
 
+/// What the nearest pair so far leaves to look for.
+template <class T>
+struct Nearer {
+  const Distance<T>& best;
+
+  T operator()() const { return best.distance; }
+  Vec3<T> direction() const { return best.normal; }
+};
+
+/// Whether two pieces are further apart along the best normal so far than what is nearest: two support points tell, where
+/// the distance takes an iteration. Triangles have been asked before.
+template <class T>
+bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
+  const Shape<T>&shape_a = a.shape, &shape_b = b.shape;
+  if (!(best.distance < infinity<T>) || shape_a.template as<HalfSpace<T>>() || shape_b.template as<HalfSpace<T>>() ||
+      (shape_a.template as<Triangle<T>>() && shape_b.template as<Triangle<T>>()))
+    return false;
+  // Seen from A, since far from the world's origin both points would be rounded.
+  const Vec3<T> normal = rotate(conjugate(a.pose.rotation), best.normal);
+  const Pose<T> b_in_a = relative(a.pose, b.pose);
+  const Vec3<T> high = support(shape_a, normal);
+  const Vec3<T> low = transform(b_in_a, support(shape_b, rotate(conjugate(b_in_a.rotation), -normal)));
+  const T slack = T(32) * std::numeric_limits<T>::epsilon() * (max_abs(high) + max_abs(low));
+  return dot(low - high, normal) > best.distance + slack;
+}
+
 constexpr const char* method = "pieces of composites";
 
 }  // namespace
@@ -21,8 +47,9 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b, trace);
   Distance<T> best;
   best.distance = infinity<T>;
-  const auto limit = [&] { return best.distance; };
+  const Nearer<T> limit{best};
   auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
+    if (ruled_out(pa, pb, best)) return;
     const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
     if (d.distance < best.distance) best = d;
   };

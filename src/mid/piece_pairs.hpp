@@ -44,6 +44,10 @@ bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Limit& limit
         const Corners<T> corners_a = surface_a.triangle(i), own_b = surface_b.triangle(j);
         Corners<T> corners_b = own_b;
         for (Vec3<T>& p : corners_b) p = rotation * p + b_in_a.translation;
+        if constexpr (requires { limit.direction(); }) {
+          const Vec3<T> direction = rotate(conjugate(a.pose.rotation), limit.direction());
+          if (!may_come_within_along(corners_a, corners_b, direction, static_cast<T>(limit()), slack)) return true;
+        }
         if (!may_come_within(corners_a, corners_b, static_cast<T>(limit()), slack)) return true;
         const Shape<T> shape_a = triangle_shape(corners_a), shape_b = triangle_shape(own_b);
         return go_on(f, a.piece(shape_a, a.pose, i), b.piece(shape_b, b.pose, j));
@@ -80,7 +84,8 @@ bool visit_child_pairs(const CompoundData<T>& data_a, const Part<T>& a, const Co
 }  // namespace detail
 
 /// Calls `f(part_a, part_b)` for all pairs of convex pieces that may come within `limit()` of each other. `f` may return
-/// false to end the visit; returns whether it went to the end.
+/// false to end the visit; returns whether it went to the end. A limit may also have a `direction()`, a unit vector from A
+/// to B in the world or zero: pairs that are further than the limit apart along it are left out.
 template <class T, class Limit, class F>
 bool visit_convex_pairs(const Part<T>& a, const Part<T>& b, const Limit& limit, F& f) {
   const bool convex_a = a.shape.convex(), convex_b = b.shape.convex();

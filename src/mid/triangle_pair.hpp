@@ -32,6 +32,15 @@ bool may_come_within_plane(const Corners<T>& a, const Corners<T>& b, T limit, T 
   return !(signed_square(apart) > signed_square(limit + slack) * length_squared(n));
 }
 
+/// Whether two triangles of one frame come within `limit` of each other along a unit vector from A to B: no distance is
+/// less than what parts them along any. The best normal so far rules out nearly all pairs of two smooth surfaces.
+template <class T>
+bool may_come_within_along(const Corners<T>& a, const Corners<T>& b, const Vec3<T>& direction, T limit, T slack) {
+  const T high = greatest(dot(a[0], direction), greatest(dot(a[1], direction), dot(a[2], direction)));
+  const T low = least(dot(b[0], direction), least(dot(b[1], direction), dot(b[2], direction)));
+  return !(low - high > limit + slack);
+}
+
 /// Two triangles of one frame. `slack`: what the rounding of their corners may be.
 template <class T>
 bool may_come_within(const Corners<T>& a, const Corners<T>& b, T limit, T slack) {

@@ -63,6 +63,7 @@ struct HeightFieldData {
   }
 
   bool empty() const { return false; }
+  std::size_t size() const { return std::size_t{2} * (columns - 1) * (rows - 1); }
   const Aabb<T>& bounds() const { return all; }
   Ref root() const { return {0, 0, static_cast<std::uint32_t>(levels.size())}; }
   bool leaf(const Ref& ref) const { return ref.level == 0; }

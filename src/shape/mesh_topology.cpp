@@ -35,11 +35,10 @@ std::uint64_t mixed(std::uint64_t z) {
 }
 
 template <class T>
-std::uint64_t hash_of(const std::array<Vec3<T>, 3>& corners) {
+std::uint64_t hash_of(const Vec3<T>& p) {
   std::uint64_t hash = 0;
-  for (const Vec3<T>& p : corners)
-    for (std::size_t i = 0; i < 3; ++i)  // + 0: the two zeros are one number
-      hash = mixed(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(static_cast<double>(p[i]) + 0.0));
+  for (std::size_t i = 0; i < 3; ++i)  // + 0: the two zeros are one number
+    hash = mixed(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(static_cast<double>(p[i]) + 0.0));
   return hash;
 }
 
@@ -73,20 +72,29 @@ bool bounds_solid(std::span<const Index> triangles, std::size_t points) {
 
 template <class T>
 std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points, std::span<const Index> triangles) {
-  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint64_t> hashes(points.size());
+  std::transform(points.begin(), points.end(), hashes.begin(), [](const Vec3<T>& p) { return hash_of(p); });
+  // A place holds a part of the hash, by which most others are told from it, and the triangle's number plus one.
   const std::size_t places = std::bit_ceil(2 * triangles.size() + 1);
-  std::vector<std::uint32_t> table(places, none), out;
+  std::vector<std::uint64_t> table(places, 0);
+  std::vector<std::uint32_t> out;
   out.reserve(triangles.size());
   const auto corners = [&](std::uint32_t i) {
     const Index& t = triangles[i];
     return canonical(points[t[0]], points[t[1]], points[t[2]]);
   };
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const std::array<Vec3<T>, 3> own = corners(i);
-    std::size_t place = hash_of(own) & (places - 1);
-    while (table[place] != none && corners(table[place]) != own) place = (place + 1) & (places - 1);
-    if (table[place] != none) continue;
-    table[place] = i;
+    const std::uint64_t a = hashes[triangles[i][0]], b = hashes[triangles[i][1]], c = hashes[triangles[i][2]];
+    // A sum knows no order, and each place counts once in it.
+    const std::uint64_t hash = mixed(a + (b != a ? b : 0) + (c != a && c != b ? c : 0));
+    const std::uint64_t part = hash & 0xffffffff00000000u;
+    const auto repeats = [&](std::uint64_t held) {
+      return (held & 0xffffffff00000000u) == part && corners(static_cast<std::uint32_t>(held) - 1) == corners(i);
+    };
+    std::size_t place = hash & (places - 1);
+    while (table[place] != 0 && !repeats(table[place])) place = (place + 1) & (places - 1);
+    if (table[place] != 0) continue;
+    table[place] = part | (std::uint64_t{i} + 1);
     out.push_back(i);
   }
   return out;

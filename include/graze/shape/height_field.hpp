@@ -52,6 +52,7 @@ class HeightField {
   std::array<Vec3<T>, 3> triangle(std::uint32_t number) const;
 
   T core_extent() const;
+  /// Of more than 256 triangles and turned, up to 1/128 of the field's size too wide on each side.
   Aabb<T> core_bounds(const Pose<T>& pose) const;
 
  private:

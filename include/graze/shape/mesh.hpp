@@ -38,6 +38,7 @@ class Mesh {
   const MeshData<T>& data() const { return *data_; }
 
   T core_extent() const;
+  /// Of more than 256 triangles and turned, up to 1/128 of the mesh's size too wide on each side.
   Aabb<T> core_bounds(const Pose<T>& pose) const;
 
  private:
