@@ -77,6 +77,9 @@ struct Closest {
   Status status = Status::converged;
 };
 
+/// Negative inside of a convex shape, of a closed mesh (see `Mesh::closed`; its winding tells which side is inside), and
+/// of a compound that has such a child there; other meshes and height fields have no inside. On a mesh's surface the
+/// normal is the surface's own.
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace = nullptr);
 
