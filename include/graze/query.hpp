@@ -57,7 +57,8 @@ Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
                      Trace* trace = nullptr);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
-/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin).
+/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface that has `Sides::front`
+/// counts where it is met from the front.
 template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace = nullptr);

@@ -54,7 +54,7 @@ MappedShape mapped_mesh(const Mesh<double>& mesh, const Affine& map) {
   std::vector<Mesh<double>::Index> triangles(mesh.triangles().begin(), mesh.triangles().end());
   if (determinant(map.linear) < 0)
     for (auto& t : triangles) std::swap(t[1], t[2]);  // a mirror turns the winding around
-  return {Mesh<double>(std::move(points), std::move(triangles)), {map.translation, {}}, ""};
+  return {Mesh<double>(std::move(points), std::move(triangles), mesh.sides()), {map.translation, {}}, ""};
 }
 
 /// A height field as the triangles that it is: under most maps it is no grid any more.
@@ -67,7 +67,7 @@ MappedShape mapped_height_field(const HeightField<double>& field, const Affine& 
     for (const Vec3d& p : field.triangle(i)) points.push_back(p);
     triangles.push_back({first, first + 1, first + 2});
   }
-  return mapped_mesh(Mesh<double>(std::move(points), std::move(triangles)), map);
+  return mapped_mesh(Mesh<double>(std::move(points), std::move(triangles), field.sides()), map);
 }
 
 /// The half-space under any map: its normal goes with the inverse transpose, the product of the mapped X and Z axes.

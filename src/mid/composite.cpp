@@ -37,6 +37,17 @@ bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   return dot(low - high, normal) > best.distance + slack;
 }
 
+/// Whether a triangle that pushes from its front alone would push along a direction that leads from its back. A sliver's
+/// normal is rounding, and along an edge the direction lies in the triangle's plane but for that: both push.
+template <class T>
+bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
+  const auto* triangle = part.front_only ? part.shape.template as<Triangle<T>>() : nullptr;
+  if (!triangle) return false;
+  const Vec3<T> u = triangle->point(1) - triangle->point(0), v = triangle->point(2) - triangle->point(0);
+  const T along = dot(rotate(part.pose.rotation, cross(u, v)), outward);
+  return along < -same_normal<T> * max_abs(u) * max_abs(v);
+}
+
 constexpr const char* method = "pieces of composites";
 
 }  // namespace
@@ -87,6 +98,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     manifold.piece_a = pa.number;
     manifold.piece_b = pb.number;
     const T distance = convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr);
+    if (from_behind(pa, manifold.normal) || from_behind(pb, -manifold.normal)) return;
     least_distance = least(least_distance, distance);
     if (!manifold.points.empty()) groups.add(manifold);
   };

@@ -17,18 +17,20 @@ struct Part {
   const Pose<T>& pose;
   std::uint32_t number = 0;
   bool outermost = true;
+  bool front_only = false;  ///< a triangle that pushes from its front alone
 
   Part piece(const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t child_number) const {
-    return {child, child_pose, outermost ? child_number : number, false};
+    return {child, child_pose, outermost ? child_number : number, false, one_sided(shape)};
   }
 };
 
 namespace detail {
 
-/// What the corners of two bodies may be off by when they are seen from one of them.
+/// What the corners of two bodies may be off by when they are seen from one of them; twice what the pairs' own routines
+/// take for touching, which must not be ruled out before.
 template <class T>
 T corner_rounding(T extent_a, T extent_b, const Vec3<T>& translation) {
-  return T(32) * std::numeric_limits<T>::epsilon() * (extent_a + extent_b + max_abs(translation));
+  return T(64) * std::numeric_limits<T>::epsilon() * (extent_a + extent_b + max_abs(translation));
 }
 
 /// Two meshes or height fields.
@@ -62,12 +64,13 @@ bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Limit& limit
 template <class T, class Limit, class F>
 bool visit_pieces_near(const Part<T>& a, const Part<T>& b, const Limit& limit, F&& f) {
   const Pose<T> b_in_a = relative(a.pose, b.pose);
-  if (!b.shape.template as<HalfSpace<T>>()) return visit_pieces(a.shape, a.pose, bounds(b.shape, b_in_a), limit, f);
+  const auto extent = [](const Shape<T>& shape) { return shape.visit([](const auto& c) { return c.core_extent(); }); };
+  const T slack = corner_rounding(extent(a.shape), extent(b.shape) + b.shape.margin(), b_in_a.translation);
+  if (!b.shape.template as<HalfSpace<T>>())
+    return visit_pieces(a.shape, a.pose, inflated(bounds(b.shape, b_in_a), slack), limit, f);
   // A tilted half-space has no bounds, but is as easily asked about.
   const Vec3<T> up = rotate(b_in_a.rotation, Vec3<T>{T(0), T(1), T(0)});
-  const T extent = a.shape.visit([](const auto& c) { return c.core_extent(); });
   const T surface = dot(up, b_in_a.translation) + b.shape.margin();
-  const T slack = corner_rounding(extent, b.shape.margin(), b_in_a.translation);
   return visit_pieces(a.shape, a.pose, PlaneQuestion<T>{up, surface + slack}, limit, f);
 }
 

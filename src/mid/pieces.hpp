@@ -26,6 +26,14 @@ bool with_surface(const Shape<T>& shape, F&& f) {
   return false;
 }
 
+/// Whether the triangles of a shape push from their front alone.
+template <class T>
+bool one_sided(const Shape<T>& shape) {
+  bool front = false;
+  with_surface(shape, [&](const auto& surface) { front = surface.sides == Sides::front; });
+  return front;
+}
+
 /// A triangle as a shape, without a margin.
 template <class T>
 Shape<T> triangle_shape(const std::array<Vec3<T>, 3>& corners) {

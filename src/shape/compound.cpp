@@ -1,9 +1,12 @@
 #include "shape/compound_data.hpp"
+#include "shape/hierarchy_pairs.hpp"
 #include "shape/placed_bounds.hpp"
 
 namespace graze {
 
 namespace {
+
+constexpr std::size_t few_children = 256;
 
 template <class T>
 bool finite(const Aabb<T>& box) {
@@ -51,7 +54,14 @@ Aabb<T> Compound<T>::core_bounds(const Pose<T>& pose) const {
     const Placed<T>& child = data_->children[i];
     return bounds(child.shape, compose(pose, child.pose));
   };
-  Aabb<T> all = data_->tree.empty() ? Aabb<T>::empty() : placed_bounds(data_->tree, pose, placed);
+  // Each child once, since compounds in compounds ask theirs in turn; of very many, their boxes have to do.
+  Aabb<T> all = Aabb<T>::empty();
+  if (data_->tree.size() <= few_children) {
+    for (std::uint32_t i = 0; i < data_->children.size(); ++i) all = merged(all, placed(i));
+    return all;
+  }
+  const TurnedBoxes<T> turned(pose, data_->tree.bounds());
+  all = placed_bounds(data_->tree, pose, [&](std::uint32_t i) { return turned(data_->boxes[i]); });
   for (const std::uint32_t i : data_->unbounded) all = merged(all, placed(i));
   return all;
 }

@@ -68,13 +68,15 @@ std::vector<T> with_holes(std::vector<T> heights, std::span<const std::uint8_t> 
 }  // namespace
 
 template <class T>
-HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x, T spacing_z) {
+HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x, T spacing_z,
+                            Sides sides) {
   check(columns, rows, heights);
   validate::extent(spacing_x, "spacing[0]");
   validate::extent(spacing_z, "spacing[1]");
   auto data = std::make_shared<HeightFieldData<T>>();
   data->columns = static_cast<std::uint32_t>(columns);
   data->rows = static_cast<std::uint32_t>(rows);
+  data->sides = sides;
   data->spacing_x = spacing_x;
   data->spacing_z = spacing_z;
   data->heights = std::move(heights);
@@ -93,8 +95,8 @@ HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T
 
 template <class T>
 HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights,
-                            std::span<const std::uint8_t> holes, T spacing_x, T spacing_z)
-    : HeightField(columns, rows, with_holes(std::move(heights), holes), spacing_x, spacing_z) {}
+                            std::span<const std::uint8_t> holes, T spacing_x, T spacing_z, Sides sides)
+    : HeightField(columns, rows, with_holes(std::move(heights), holes), spacing_x, spacing_z, sides) {}
 
 template <class T>
 std::size_t HeightField<T>::columns() const {
@@ -111,6 +113,10 @@ T HeightField<T>::spacing_x() const {
 template <class T>
 T HeightField<T>::spacing_z() const {
   return data_->spacing_z;
+}
+template <class T>
+Sides HeightField<T>::sides() const {
+  return data_->sides;
 }
 template <class T>
 std::span<const T> HeightField<T>::heights() const {

@@ -39,6 +39,7 @@ struct HeightFieldData {
   std::vector<Level> levels;  ///< the last is one block
   T extent = T(0);            ///< the greatest distance of a corner from the frame's origin
   Aabb<T> all;
+  Sides sides = Sides::both;
 
   const HeightFieldData& hierarchy() const { return *this; }
 

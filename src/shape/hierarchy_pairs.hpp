@@ -18,9 +18,9 @@ class TurnedBoxes {
   TurnedBoxes(const Pose<T>& pose, const Aabb<T>& all)
       : rotation_(rotation_matrix(pose.rotation)), translation_(pose.translation) {
     for (std::size_t i = 0; i < 3; ++i) absolute_.row[i] = abs(rotation_.row[i]);
-    // As for the bounds of a shape: some sixteen roundings of the largest number involved.
+    // Some sixteen roundings of the largest number involved, and what the routines of pairs take for touching.
     const T reach = max_abs(translation_) + T(3) * greatest(max_abs(all.lower), max_abs(all.upper));
-    slack_ = T(16) * std::numeric_limits<T>::epsilon() * reach;
+    slack_ = T(64) * std::numeric_limits<T>::epsilon() * reach;
   }
 
   Aabb<T> operator()(const Aabb<T>& box) const {

@@ -5,7 +5,7 @@
 namespace graze {
 
 template <class T>
-Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles) {
+Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(std::isfinite(points[i].x) && std::isfinite(points[i].y) && std::isfinite(points[i].z)))
       validate::point(points[i], "points[" + std::to_string(i) + "]");
@@ -17,6 +17,7 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles) {
                            "an index below " + std::to_string(points.size()), std::to_string(triangles[i][k]));
   auto data = std::make_shared<MeshData<T>>();
   for (const Vec3<T>& p : points) data->extent = greatest(data->extent, length(p));
+  data->sides = sides;
   data->closed = bounds_solid(triangles, points.size());
   data->points = std::move(points);
   data->triangles = std::move(triangles);
@@ -39,6 +40,10 @@ std::span<const typename Mesh<T>::Index> Mesh<T>::triangles() const {
 template <class T>
 bool Mesh<T>::closed() const {
   return data_->closed;
+}
+template <class T>
+Sides Mesh<T>::sides() const {
+  return data_->sides;
 }
 template <class T>
 T Mesh<T>::core_extent() const {

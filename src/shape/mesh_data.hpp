@@ -15,6 +15,7 @@ struct MeshData {
   WideTree<T> tree;
   T extent = T(0);      ///< the greatest distance of a point from the frame's origin
   bool closed = false;  ///< bounds a solid
+  Sides sides = Sides::both;
 
   const WideTree<T>& hierarchy() const { return tree; }
   std::array<Vec3<T>, 3> triangle(std::uint32_t number) const {

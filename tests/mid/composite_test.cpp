@@ -212,6 +212,43 @@ TEST(Composite, PiecesThatShareANormalShareAManifold) {
   for (const auto& p : manifolds[0].points) EXPECT_NEAR(p.distance, -0.01, 1e-12);
 }
 
+// Every level is looked at a few times and not each time anew for the level below.
+TEST(Composite, CompoundsNestAsDeepAsWished) {
+  Shaped nested = Sphere<double>(0.5);
+  const Quatd turn = Quatd::from_axis_angle({1, 0, 0}, 0.3);
+  for (int i = 0; i < 300; ++i) nested = Compound<double>({{nested, {{0.01, 0, 0}, turn}}});
+  EXPECT_NEAR(distance(nested, {}, Shaped(Sphere<double>(0.5)), {}).distance, 2, 1e-9);
+  EXPECT_NEAR(distance(nested, {}, nested, {{0, 4, 0}, turn}).distance, 3, 1e-9);
+  EXPECT_NEAR(closest(nested, {}, {0, 0, 0}).distance, 2.5, 1e-9);
+  EXPECT_TRUE(overlap(nested, {}, nested, {{0, 0.5, 0}, {}}));
+}
+
+// A one-sided floor carries what lies on it and lets through what comes from below; geometry knows no sides.
+TEST(Composite, OneSidedSurfacesPushFromTheirFrontAlone) {
+  const std::vector<Vec3d> points{{-2, 0, -2}, {2, 0, -2}, {-2, 0, 2}, {2, 0, 2}};
+  const std::vector<Mesh<double>::Index> up{{0, 3, 1}, {0, 2, 3}};
+  const std::vector<double> level(4, 0.0);
+  const Shaped ball = Sphere<double>(1), other = Mesh<double>(points, up);
+  for (const Shaped& floor :
+       {Shaped(Mesh<double>(points, up, Sides::front)), Shaped(HeightField<double>(2, 2, level, 4, 4, Sides::front)),
+        Shaped(Compound<double>({{Mesh<double>(points, up, Sides::front), {}}}))}) {
+    Manifolds<double> manifolds;
+    EXPECT_TRUE(contacts(floor, {}, ball, {{1, 0.9, -1}, {}}, 0.0, manifolds));
+    ASSERT_EQ(manifolds.size(), 1u);
+    EXPECT_NEAR(manifolds[0].normal.y, 1, 1e-12);
+    EXPECT_TRUE(contacts(ball, {{1, 0.9, -1}, {}}, floor, {}, 0.0, manifolds));
+    manifolds.clear();
+    const Posed below{{1, -0.9, -1}, {}};
+    EXPECT_FALSE(contacts(floor, {}, ball, below, 0.0, manifolds));
+    EXPECT_FALSE(contacts(ball, below, floor, {}, 0.0, manifolds));
+    EXPECT_TRUE(manifolds.empty());
+    EXPECT_TRUE(overlap(floor, {}, ball, below));
+    EXPECT_NEAR(distance(floor, {}, ball, below).distance, -0.1, 1e-12);
+  }
+  Manifolds<double> manifolds;
+  EXPECT_TRUE(contacts(other, {}, ball, {{1, -0.9, -1}, {}}, 0.0, manifolds));
+}
+
 TEST(Mesh, NamesWhatItCannotTake) {
   const std::vector<Vec3d> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   try {

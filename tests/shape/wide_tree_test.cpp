@@ -5,6 +5,7 @@
 #include <set>
 
 #include "common/specimen.hpp"
+#include "shape/hierarchy_pairs.hpp"
 #include "shape/wide_tree.hpp"
 
 namespace graze::testing {
@@ -137,6 +138,56 @@ TEST(WideTree, VisitsEndWhenTheyAreTold) {
   EXPECT_FALSE(visit(
       tree, Aabbd{{0, 0, 0}, {1000, 0, 0}}, [] { return 0.0; }, [&](std::uint32_t) { return ++visited < 5; }));
   EXPECT_EQ(visited, 5u);
+}
+
+// Two trees under a relative pose: every pair whose boxes come within the limit, and each once.
+TYPED_TEST(WideTrees, FindEveryPairOfTwo) {
+  using T = TypeParam;
+  Random random(4);
+  for (int i = 0; i < 30; ++i) {
+    const auto pieces_a = random_pieces<T>(random, 1 + random() % 200, 3, 0.3f, 0),
+               pieces_b = random_pieces<T>(random, 1 + random() % 200, 3, 0.3f, 0);
+    const WideTree<T> a(pieces_a), b(pieces_b);
+    const Pose<T> b_in_a{cast<T>(random_vector(random, 4)), normalized(cast<T>(random_rotation(random)))};
+    const T limit = T(uniform(random, 0, 0.5f));
+    std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+    visit_pairs(
+        a, b, b_in_a, [&] { return limit; },
+        [&](std::uint32_t p, std::uint32_t q) {
+          EXPECT_TRUE(found.insert({p, q}).second);
+        });
+    for (const auto& p : pieces_a)
+      for (const auto& q : pieces_b) {
+        // The distance of the boxes' middles less their radii is less than that of the boxes.
+        const T apart = length(p.box.center() - transform(b_in_a, q.box.center()));
+        const auto inner = [](const Aabb<T>& box) {
+          const Vec3<T> e = box.extent() * T(0.5);
+          return least(e.x, least(e.y, e.z));
+        };
+        if (apart - inner(p.box) - inner(q.box) < limit * T(0.999)) {
+          EXPECT_TRUE(found.count({p.number, q.number}));
+        }
+      }
+  }
+}
+
+// Two sheets one above the other: the pairs looked at grow with the sheets and not with their product.
+TEST(WideTree, TwoSheetsCostTheirSum) {
+  const auto sheet = [](std::uint32_t n) {
+    std::vector<TreePiece<double>> pieces;
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+      const Vec3d p{1.0 * (i % n), 0, 1.0 * (i / n)};
+      pieces.push_back({{p, p + Vec3d{1, 0, 1}}, i});
+    }
+    return WideTree<double>(std::move(pieces));
+  };
+  const WideTree<double> a = sheet(200);
+  const Posed above{{0.5, 0.01, 0.5}, Quatd::from_axis_angle({0, 1, 0}, 0.1)};
+  std::size_t pairs = 0;
+  visit_pairs(
+      a, a, above, [] { return 0.02; }, [&](std::uint32_t, std::uint32_t) { ++pairs; });
+  EXPECT_GT(pairs, 40000u);
+  EXPECT_LT(pairs, 40000u * 32);
 }
 
 // What no split tells apart: equal boxes, equal middles, boxes without extent, coordinates whose squares overflow.

@@ -1,4 +1,4 @@
-// Height fields: surfaces over a grid, without thickness, both sides of which count.
+// Height fields: surfaces over a grid, without thickness, both sides of which count unless told.
 //
 // Guarantee: any finite heights; what is needed is checked once, when built. Shared and immutable, safe to query from any
 // thread. Triangles are made when asked for: besides the heights an eighth of their memory is kept, the lowest and highest
@@ -13,6 +13,7 @@
 
 #include "graze/aabb.hpp"
 #include "graze/pose.hpp"
+#include "graze/shape/sides.hpp"
 #include "graze/validate.hpp"
 
 namespace graze {
@@ -30,16 +31,18 @@ class HeightField {
 
   /// At least two columns and rows; spacings finite and >= 0; columns * rows heights, finite, or not a number for a hole.
   /// At least one cell has to be whole. Throws `InvalidValue`. Cost: the number of heights.
-  HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x = T(1), T spacing_z = T(1));
+  HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x = T(1), T spacing_z = T(1),
+              Sides sides = Sides::both);
 
   /// The same with holes named apart, by a flag for each height that is not zero for a hole.
   HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, std::span<const std::uint8_t> holes,
-              T spacing_x = T(1), T spacing_z = T(1));
+              T spacing_x = T(1), T spacing_z = T(1), Sides sides = Sides::both);
 
   std::size_t columns() const;
   std::size_t rows() const;
   T spacing_x() const;
   T spacing_z() const;
+  Sides sides() const;
   /// As given, but a hole is not a number.
   std::span<const T> heights() const;
   bool hole(std::size_t column, std::size_t row) const;
