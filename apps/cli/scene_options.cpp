@@ -49,6 +49,7 @@ std::string words(const ConvexHull<double>& h) {
   return fmt::format("{} vertices, {} faces", h.data().vertices.size(), h.data().planes.size());
 }
 std::string words(const Mesh<double>& m) { return fmt::format("{} triangles", m.triangles().size()); }
+std::string words(const HeightField<double>& f) { return fmt::format("{} x {} heights", f.columns(), f.rows()); }
 std::string words(const Compound<double>& c) {
   return c.children().size() == 1 ? "of one " + told(c.children()[0].shape)
                                   : fmt::format("{} children", c.children().size());

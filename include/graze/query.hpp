@@ -57,7 +57,8 @@ Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
                      Trace* trace = nullptr);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
-/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin).
+/// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface that has `Sides::front`
+/// counts where it is met from the front.
 template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace = nullptr);
@@ -77,6 +78,9 @@ struct Closest {
   Status status = Status::converged;
 };
 
+/// Negative inside of a convex shape, of a closed mesh (see `Mesh::closed`; its winding tells which side is inside), and
+/// of a compound that has such a child there; other meshes and height fields have no inside. On a mesh's surface the
+/// normal is the surface's own.
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace = nullptr);
 

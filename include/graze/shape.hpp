@@ -16,6 +16,7 @@
 #include "graze/shape/cylinder.hpp"
 #include "graze/shape/ellipsoid.hpp"
 #include "graze/shape/half_space.hpp"
+#include "graze/shape/height_field.hpp"
 #include "graze/shape/mesh.hpp"
 #include "graze/shape/rectangle.hpp"
 #include "graze/shape/sphere.hpp"
@@ -26,8 +27,9 @@ namespace graze {
 
 /// All shapes. The order is the order of pairs: a pair is computed with the shape that stands first here as A.
 template <class T>
-using ShapeList = std::variant<Sphere<T>, Capsule<T>, Box<T>, Rectangle<T>, Cylinder<T>, Ellipsoid<T>, LineSegment<T>,
-                               Triangle<T>, ConvexHull<T>, UserConvex<T>, HalfSpace<T>, Mesh<T>, Compound<T>>;
+using ShapeList =
+    std::variant<Sphere<T>, Capsule<T>, Box<T>, Rectangle<T>, Cylinder<T>, Ellipsoid<T>, LineSegment<T>, Triangle<T>,
+                 ConvexHull<T>, UserConvex<T>, HalfSpace<T>, Mesh<T>, HeightField<T>, Compound<T>>;
 
 /// Bounded convex shapes: those with a support function.
 template <class C>
@@ -116,7 +118,8 @@ struct MassProperties {
   Mat3<T> inertia{};  ///< about `center`, in the shape's frame
 };
 
-/// The mass properties of a solid, rounding included. Surfaces and half-spaces have none: volume 0 and all else zero;
+/// The mass properties of a solid, rounding included. Surfaces (height fields and open meshes too) and half-spaces have
+/// none: volume 0 and all else zero;
 /// a closed mesh has those of the solid it bounds; a compound the sum of its children's.
 template <class T>
 MassProperties<T> mass_properties(const Shape<T>& shape);
@@ -125,6 +128,8 @@ extern template class ConvexHull<float>;
 extern template class ConvexHull<double>;
 extern template class Mesh<float>;
 extern template class Mesh<double>;
+extern template class HeightField<float>;
+extern template class HeightField<double>;
 extern template class Compound<float>;
 extern template class Compound<double>;
 

@@ -41,6 +41,13 @@ Vec3<T> point(const Vec3<T>& v, const std::string& path) {
   return v;
 }
 
+/// The same without a string made for a path that is rarely needed.
+template <class T>
+Vec3<T> point(const Vec3<T>& v, const char* path) {
+  if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) return v;
+  return point(v, std::string(path));
+}
+
 /// A finite quaternion that is not zero, returned at unit length.
 template <class T>
 Quat<T> rotation(const Quat<T>& q, const std::string& path) {

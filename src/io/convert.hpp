@@ -43,7 +43,15 @@ std::vector<Vec3f> points(const From& from) {
 }
 inline ConvexHull<float> single(const ConvexHull<double>& h) { return ConvexHull<float>(points(h.data().vertices)); }
 inline Mesh<float> single(const Mesh<double>& m) {
-  return {points(m.points()), {m.triangles().begin(), m.triangles().end()}};
+  return {points(m.points()), {m.triangles().begin(), m.triangles().end()}, m.sides()};
+}
+inline HeightField<float> single(const HeightField<double>& f) {
+  std::vector<float> heights;
+  heights.reserve(f.heights().size());
+  for (const double h : f.heights()) heights.push_back(static_cast<float>(h));
+  return {
+      f.columns(), f.rows(), std::move(heights), static_cast<float>(f.spacing_x()), static_cast<float>(f.spacing_z()),
+      f.sides()};
 }
 inline Compound<float> single(const Compound<double>& c) {
   std::vector<Placed<float>> children;

@@ -66,7 +66,6 @@ Shape<T> read_mesh(const JsonValue& json) {
   return built(json, [&] { return Shape<T>(Mesh<T>(std::move(points), std::move(triangles))); });
 }
 
-/// As the surface that it is: two triangles a cell, split along (c, r) - (c + 1, r + 1), facing +Y.
 template <class T>
 Shape<T> read_height_field(const JsonValue& json) {
   json.keys({"columns", "rows", "spacing", "heights"});
@@ -82,33 +81,15 @@ Shape<T> read_height_field(const JsonValue& json) {
     dx = parts[0].length<T>();
     dz = parts[1].length<T>();
   }
-  const JsonValue heights = json.at("heights");
+  const JsonValue list = json.at("heights");
   // Compared by division, so that huge counts cannot overflow into a match.
-  if (!heights.json().is_array() || heights.json().size() / columns != rows || heights.json().size() % columns != 0)
-    heights.fail("an array of columns x rows = " + std::to_string(columns) + " x " + std::to_string(rows) + " values");
+  if (!list.json().is_array() || list.json().size() / columns != rows || list.json().size() % columns != 0)
+    list.fail("an array of columns x rows = " + std::to_string(columns) + " x " + std::to_string(rows) + " values");
 
-  std::vector<Vec3<T>> points;
-  std::vector<char> hole;
-  const auto values = heights.elements();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    hole.push_back(values[i].json().is_null());
-    const std::size_t column = i % columns, row = i / columns;
-    const T x = (static_cast<T>(column) - static_cast<T>(columns - 1) / T(2)) * dx;
-    const T z = (static_cast<T>(row) - static_cast<T>(rows - 1) / T(2)) * dz;
-    points.push_back({x, hole.back() ? T(0) : values[i].number<T>(), z});
-  }
-  std::vector<typename Mesh<T>::Index> triangles;
-  for (std::size_t r = 0; r + 1 < rows; ++r)
-    for (std::size_t c = 0; c + 1 < columns; ++c) {
-      const std::size_t i = r * columns + c, j = i + columns;
-      if (hole[i] || hole[i + 1] || hole[j] || hole[j + 1]) continue;
-      const auto p = static_cast<std::uint32_t>(i), q = static_cast<std::uint32_t>(i + 1),
-                 s = static_cast<std::uint32_t>(j), t = static_cast<std::uint32_t>(j + 1);
-      triangles.push_back({p, t, q});
-      triangles.push_back({p, s, t});
-    }
-  if (triangles.empty()) heights.fail("at least one cell without a null corner");
-  return built(json, [&] { return Shape<T>(Mesh<T>(std::move(points), std::move(triangles))); });
+  std::vector<T> heights;
+  for (const JsonValue& value : list.elements())
+    heights.push_back(value.json().is_null() ? std::numeric_limits<T>::quiet_NaN() : value.number<T>());
+  return built(json, [&] { return Shape<T>(HeightField<T>(columns, rows, std::move(heights), dx, dz)); });
 }
 
 template <class T>

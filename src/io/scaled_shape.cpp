@@ -54,7 +54,20 @@ MappedShape mapped_mesh(const Mesh<double>& mesh, const Affine& map) {
   std::vector<Mesh<double>::Index> triangles(mesh.triangles().begin(), mesh.triangles().end());
   if (determinant(map.linear) < 0)
     for (auto& t : triangles) std::swap(t[1], t[2]);  // a mirror turns the winding around
-  return {Mesh<double>(std::move(points), std::move(triangles)), {map.translation, {}}, ""};
+  return {Mesh<double>(std::move(points), std::move(triangles), mesh.sides()), {map.translation, {}}, ""};
+}
+
+/// A height field as the triangles that it is: under most maps it is no grid any more.
+MappedShape mapped_height_field(const HeightField<double>& field, const Affine& map) {
+  std::vector<Vec3d> points;
+  std::vector<Mesh<double>::Index> triangles;
+  for (std::uint32_t i = 0; i < field.triangle_numbers(); ++i) {
+    if (!field.has_triangle(i)) continue;
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Vec3d& p : field.triangle(i)) points.push_back(p);
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  return mapped_mesh(Mesh<double>(std::move(points), std::move(triangles), field.sides()), map);
 }
 
 /// The half-space under any map: its normal goes with the inverse transpose, the product of the mapped X and Z axes.
@@ -90,6 +103,7 @@ std::optional<Shaped> scaled_kind(const Shaped& shape, const Vec3d& s) {
 MappedShape mapped(const Shaped& shape, const Affine& map) {
   if (shape.as<HalfSpace<double>>()) return mapped_half_space(map);
   if (const auto* mesh = shape.as<Mesh<double>>()) return mapped_mesh(*mesh, map);
+  if (const auto* field = shape.as<HeightField<double>>()) return mapped_height_field(*field, map);
   if (const auto* hull = shape.as<ConvexHull<double>>()) return mapped_points(hull->data().vertices, map);
   if (const auto rigid = without_shear(map))
     if (const auto kind = scaled_kind(shape, rigid->scale)) return {*kind, rigid->pose, ""};

@@ -39,6 +39,19 @@ Polygons of_mesh(const Mesh<double>& mesh, const Posed& pose) {
   return out;
 }
 
+/// Two triangles for each cell that is no hole.
+Polygons of_height_field(const HeightField<double>& field, const Posed& pose) {
+  Polygons out;
+  out.closed = false;
+  for (std::uint32_t i = 0; i < field.triangle_numbers(); ++i) {
+    if (!field.has_triangle(i)) continue;
+    const auto first = static_cast<std::uint32_t>(out.points.size());
+    for (const Vec3d& p : field.triangle(i)) out.points.push_back(transform(pose, p));
+    out.loops.push_back({first, first + 1, first + 2});
+  }
+  return out;
+}
+
 Polygons of_half_space(const Posed& pose, double lift, const Vec3d& center, double size) {
   const Vec3d up = rotate(pose.rotation, Vec3d{0, 1, 0}), u = any_perpendicular(up), v = cross(up, u);
   const Vec3d foot = center - up * (dot(up, center - pose.translation) - lift);
@@ -78,6 +91,7 @@ Polygons sampled(const Shaped& shape, const Posed& pose) {
 Polygons tessellate(const Shaped& shape, const Posed& pose, const Vec3d& center, double half_space_size) {
   if (shape.as<HalfSpace<double>>()) return of_half_space(pose, shape.margin(), center, half_space_size);
   if (const auto* mesh = shape.as<Mesh<double>>()) return of_mesh(*mesh, pose);
+  if (const auto* field = shape.as<HeightField<double>>()) return of_height_field(*field, pose);
   if (const auto* compound = shape.as<Compound<double>>()) {
     Polygons out;
     for (const Placed<double>& child : compound->children())

@@ -2,7 +2,7 @@
 
 #include "mid/group.hpp"
 #include "mid/internal_edges.hpp"
-#include "mid/pieces.hpp"
+#include "mid/piece_pairs.hpp"
 #include "mid/spanning_points.hpp"
 #include "narrow/convex_pair.hpp"
 
@@ -10,29 +10,47 @@ namespace graze {
 
 namespace {
 
-/// Calls `f` for all pairs of convex pieces that come within `limit()` of each other.
-/// `f(shape_a, pose_a, piece_a, shape_b, pose_b, piece_b)`; a piece number is that of the outermost composite.
-template <class T, class Limit, class F>
-void visit_pairs(const Shape<T>& a, const Pose<T>& pose_a, std::uint32_t piece_a, const Shape<T>& b,
-                 const Pose<T>& pose_b, std::uint32_t piece_b, const Limit& limit, F& f, bool outer_a = true,
-                 bool outer_b = true) {
-  if (!a.convex()) {
-    const Aabb<T> region = bounds(b, relative(pose_a, pose_b));
-    visit_pieces(a, pose_a, region, limit, [&](const Shape<T>& piece, const Pose<T>& pose, std::uint32_t number) {
-      visit_pairs(piece, pose, outer_a ? number : piece_a, b, pose_b, piece_b, limit, f, false, outer_b);
-    });
-  } else if (!b.convex()) {
-    const Aabb<T> region = bounds(a, relative(pose_b, pose_a));
-    visit_pieces(b, pose_b, region, limit, [&](const Shape<T>& piece, const Pose<T>& pose, std::uint32_t number) {
-      visit_pairs(a, pose_a, piece_a, piece, pose, outer_b ? number : piece_b, limit, f, false, false);
-    });
-  } else {
-    f(a, pose_a, piece_a, b, pose_b, piece_b);
-  }
-}
-
 template <class T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
+
+/// What the nearest pair so far leaves to look for.
+template <class T>
+struct Nearer {
+  const Distance<T>& best;
+
+  T operator()() const { return best.distance; }
+  Vec3<T> direction() const { return best.normal; }
+};
+
+/// Whether two pieces are further apart along the best normal so far than what is nearest: two support points tell, where
+/// the distance takes an iteration. Triangles have been asked before.
+template <class T>
+bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
+  const Shape<T>&shape_a = a.shape, &shape_b = b.shape;
+  if (!(best.distance < infinity<T>) || shape_a.template as<HalfSpace<T>>() || shape_b.template as<HalfSpace<T>>() ||
+      (shape_a.template as<Triangle<T>>() && shape_b.template as<Triangle<T>>()))
+    return false;
+  // Seen from A, since far from the world's origin both points would be rounded.
+  const Vec3<T> normal = rotate(conjugate(a.pose.rotation), best.normal);
+  const Pose<T> b_in_a = relative(a.pose, b.pose);
+  const Vec3<T> high = support(shape_a, normal);
+  const Vec3<T> low = transform(b_in_a, support(shape_b, rotate(conjugate(b_in_a.rotation), -normal)));
+  const T slack = T(32) * std::numeric_limits<T>::epsilon() * (max_abs(high) + max_abs(low));
+  return dot(low - high, normal) > best.distance + slack;
+}
+
+/// Whether a triangle that pushes from its front alone would push along a direction that leads from its back. A sliver's
+/// normal is rounding, and along an edge the direction lies in the triangle's plane but for that: both push.
+template <class T>
+bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
+  const auto* triangle = part.front_only ? part.shape.template as<Triangle<T>>() : nullptr;
+  if (!triangle) return false;
+  const Vec3<T> u = triangle->point(1) - triangle->point(0), v = triangle->point(2) - triangle->point(0);
+  const T along = dot(rotate(part.pose.rotation, cross(u, v)), outward);
+  return along < -same_normal<T> * max_abs(u) * max_abs(v);
+}
+
+constexpr const char* method = "pieces of composites";
 
 }  // namespace
 
@@ -42,27 +60,27 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b, trace);
   Distance<T> best;
   best.distance = infinity<T>;
-  const auto limit = [&] { return best.distance; };
-  auto nearer = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t, const Shape<T>& pb, const Pose<T>& qb,
-                    std::uint32_t) {
-    const Distance<T> d = convex_distance(pa, qa, pb, qb, nullptr);
+  const Nearer<T> limit{best};
+  auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
+    if (ruled_out(pa, pb, best)) return;
+    const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
     if (d.distance < best.distance) best = d;
   };
-  visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, nearer);
-  if (trace) trace->method = "pieces of composites";
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, nearer);
+  if (trace) trace->method = method;
   return best;
 }
 
 template <class T>
 bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
   if (a.convex() && b.convex()) return convex_overlap(a, pose_a, b, pose_b, trace);
-  bool found = false;
   const auto limit = [] { return T(0); };
-  auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t, const Shape<T>& pb, const Pose<T>& qb,
-                   std::uint32_t) { found = found || convex_overlap(pa, qa, pb, qb, nullptr); };
-  visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
-  if (trace) trace->method = "pieces of composites";
-  return found;
+  auto apart = [&](const Part<T>& pa, const Part<T>& pb) {
+    return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
+  };
+  const bool all_apart = visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, apart);
+  if (trace) trace->method = method;
+  return !all_apart;
 }
 
 template <class T>
@@ -77,28 +95,28 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   T least_distance = infinity<T>;
   Manifold<T> instead;
   const std::size_t first = manifolds.size();
+  ManifoldGroups<T> groups(manifolds);
   const auto limit = [&] { return margin; };
-  auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t na, const Shape<T>& pb, const Pose<T>& qb,
-                   std::uint32_t nb) {
+  auto touch = [&](const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
-    manifold.piece_a = na;
-    manifold.piece_b = nb;
-    const T distance = convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr);
-    if (manifold.points.empty()) {
-      least_distance = least(least_distance, distance);
-      return;
-    }
-    const Settled<T> settled = settle_normal<T>({a, pose_a, pa, qa}, {b, pose_b, pb, qb}, margin, manifold);
-    if (distance < least_distance) instead = settled.instead;
+    manifold.piece_a = pa.number;
+    manifold.piece_b = pb.number;
+    const T distance = convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr);
+    if (from_behind(pa, manifold.normal) || from_behind(pb, -manifold.normal)) return;
+    const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
-    if (!settled.manifold.points.empty()) manifolds.push_back(settled.manifold);
+    if (manifold.points.empty()) return;
+    const Settled<T> settled =
+        settle_normal<T>({a, pose_a, pa.shape, pa.pose}, {b, pose_b, pb.shape, pb.pose}, margin, manifold);
+    if (nearest) instead = settled.instead;
+    if (!settled.manifold.points.empty()) groups.add(settled.manifold);
   };
-  visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, touch);
+  groups.finish();
   // What touches is not left without a point.
   if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);
-  group_by_normal(manifolds, first);
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i]);
-  if (trace) trace->method = "pieces of composites";
+  if (trace) trace->method = method;
   return least_distance;
 }
 

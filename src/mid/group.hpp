@@ -1,9 +1,15 @@
 // Manifolds of neighbouring pieces that share a normal become one.
+//
+// Guarantee: each group stands where its first manifold was found and keeps its points in the order found, but for those
+// that coincide with an earlier one on both shapes (a vertex that two triangles share). What is held stays within twice
+// of what is handed out.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "graze/contact.hpp"
 
@@ -13,47 +19,115 @@ namespace graze {
 template <class T>
 inline constexpr T same_normal = T(64) * std::numeric_limits<T>::epsilon();
 
-/// Joins the manifolds from `first` on that share a normal, keeping the order of the first of each group; points that
-/// coincide on both shapes (a vertex that two triangles share) are kept once. Sorted by normal, so n log n.
+namespace detail {
+
+/// Drops the points that repeat an earlier one. n log n, but for few, which are compared with each other.
+template <class T>
+void keep_different(std::vector<ContactPoint<T>>& points) {
+  const auto same = [](const ContactPoint<T>& p, const ContactPoint<T>& q) { return p.a == q.a && p.b == q.b; };
+  std::size_t kept = 0;
+  if (points.size() <= 16) {
+    for (const ContactPoint<T>& p : points) {
+      const auto end = points.begin() + static_cast<std::ptrdiff_t>(kept);
+      if (std::none_of(points.begin(), end, [&](const ContactPoint<T>& q) { return same(p, q); })) points[kept++] = p;
+    }
+  } else {
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto key = [&](std::uint32_t i, std::size_t k) { return k < 3 ? points[i].a[k] : points[i].b[k - 3]; };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      for (std::size_t k = 0; k < 6; ++k)
+        if (key(i, k) != key(j, k)) return key(i, k) < key(j, k);
+      return i < j;
+    });
+    std::vector<char> repeats(points.size(), 0);
+    for (std::size_t i = 1; i < order.size(); ++i)
+      repeats[order[i]] = same(points[order[i - 1]], points[order[i]]) ? 1 : 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!repeats[i]) points[kept++] = points[i];
+  }
+  points.resize(kept);
+}
+
+/// For each manifold the place of the first one of its normal.
+template <class T>
+std::vector<std::size_t> leaders(std::span<const Manifold<T>> manifolds) {
+  // Sorted along a direction that no model is built along, so that normals near each other there are few.
+  const Vec3<T> along{T(0.4767), T(0.6229), T(0.6203)};
+  // Normals that differ by so much in each coordinate differ by less than twice that along a unit vector.
+  const T window = T(2) * same_normal<T>;
+  std::vector<std::pair<T, std::size_t>> order(manifolds.size());
+  for (std::size_t i = 0; i < manifolds.size(); ++i) order[i] = {dot(manifolds[i].normal, along), i};
+  std::sort(order.begin(), order.end());
+
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> leader(manifolds.size(), none), group;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Vec3<T>& normal = manifolds[order[i].second].normal;
+    if (leader[order[i].second] != none) continue;
+    group.clear();
+    for (std::size_t j = i; j < order.size() && order[j].first - order[i].first <= window; ++j) {
+      const std::size_t other = order[j].second;
+      if (leader[other] == none && max_abs(manifolds[other].normal - normal) <= same_normal<T>) group.push_back(other);
+    }
+    const std::size_t front = *std::min_element(group.begin(), group.end());
+    for (const std::size_t member : group) leader[member] = front;
+  }
+  return leader;
+}
+
+}  // namespace detail
+
+/// Joins the manifolds from `first` on that share a normal.
 template <class T>
 void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
   const std::size_t count = manifolds.size() - first;
   if (count < 2) return;
+  const std::vector<std::size_t> leader = detail::leaders(std::span<const Manifold<T>>(manifolds).subspan(first));
+  // The members of each group, one behind the other.
   std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), first);
-  const auto key = [&](std::size_t i) { return manifolds[i].normal; };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i).x < key(j).x; });
-
-  // Each manifold that has no leader yet leads all those of its normal, the first of them in front.
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> leader(manifolds.size(), none);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (leader[order[i]] != none) continue;
-    std::vector<std::size_t> group;
-    for (std::size_t j = i; j < count && key(order[j]).x - key(order[i]).x <= same_normal<T>; ++j)
-      if (leader[order[j]] == none && max_abs(key(order[j]) - key(order[i])) <= same_normal<T>)
-        group.push_back(order[j]);
-    const std::size_t front = *std::min_element(group.begin(), group.end());
-    for (const std::size_t member : group) leader[member] = front;
-  }
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return leader[i] < leader[j]; });
 
   std::size_t kept = first;
-  std::vector<std::size_t> place(manifolds.size());
-  for (std::size_t i = first; i < manifolds.size(); ++i) {
-    const std::size_t root = leader[i];
-    if (root == i) {
-      place[i] = kept;
-      if (kept != i) manifolds[kept] = manifolds[i];
-      ++kept;
-      continue;
+  std::vector<ContactPoint<T>> points;
+  for (std::size_t i = 0, end = 0; i < count; i = end) {
+    const std::size_t front = leader[order[i]];
+    while (end < count && leader[order[end]] == front) ++end;
+    // Groups come in the order of their first member, so that none is overwritten before it is read.
+    Manifold<T> joined = manifolds[first + front];
+    if (end - i > 1) {
+      points.clear();
+      for (std::size_t k = i; k < end; ++k)
+        for (const ContactPoint<T>& p : manifolds[first + order[k]].points) points.push_back(p);
+      detail::keep_different(points);
+      joined.points.clear();
+      for (const ContactPoint<T>& p : points) joined.points.push_back(p);
     }
-    Manifold<T>& into = manifolds[place[root]];
-    for (const ContactPoint<T>& p : manifolds[i].points) {
-      const auto same = [&](const ContactPoint<T>& q) { return q.a == p.a && q.b == p.b; };
-      if (std::none_of(into.points.begin(), into.points.end(), same)) into.points.push_back(p);
-    }
+    manifolds[kept++] = std::move(joined);
   }
   manifolds.resize(kept);
 }
+
+/// Manifolds as they are found, joined whenever they have doubled.
+template <class T>
+class ManifoldGroups {
+ public:
+  /// Appends to `manifolds`; what is there stays apart.
+  explicit ManifoldGroups(Manifolds<T>& manifolds) : manifolds_(manifolds), first_(manifolds.size()) {}
+
+  void add(const Manifold<T>& manifold) {
+    manifolds_.push_back(manifold);
+    if (manifolds_.size() - first_ < next_) return;
+    finish();
+    next_ = 2 * (manifolds_.size() - first_) + few;
+  }
+  void finish() { group_by_normal(manifolds_, first_); }
+
+ private:
+  static constexpr std::size_t few = 256;
+  Manifolds<T>& manifolds_;
+  std::size_t first_, next_ = few;
+};
 
 }  // namespace graze

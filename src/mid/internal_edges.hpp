@@ -5,7 +5,7 @@
 // the Voronoi region of the feature that it stands on (Mirtich 1998, "V-Clip", section 2), which is to say that nothing
 // of the surface around its point rises above the plane through the point that it is the normal of.
 //
-// Guarantee: a contact whose normal is not the surface's is laid along the normal of the piece's own face, or left out
+// Guarantee: a contact of a solid whose normal is not the surface's is laid along the normal of the piece's own face, or left out
 // where that face is not met. It is decided by where the pieces lie and not by which vertices they share, so that
 // duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies are all alike.
 #pragma once
@@ -255,6 +255,13 @@ Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool
   return manifold;
 }
 
+/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
+/// is right wherever it is met.
+template <class T>
+bool is_solid(const Shape<T>& shape) {
+  return !shape.template as<Triangle<T>>() && !shape.template as<HalfSpace<T>>();
+}
+
 /// What becomes of the manifold of two pieces.
 template <class T>
 struct Settled {
@@ -269,7 +276,7 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const PieceOf<T>&self = of_a ? a : b, &other = of_a ? b : a;
-    if ((self.whole.convex() && self.beside.empty()) || now.points.empty()) continue;
+    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || !is_solid(other.piece)) continue;
     const Vec3<T> face = face_along(self, of_a ? now.normal : -now.normal);
     if (face != Vec3<T>{} && face != (of_a ? now.normal : -now.normal)) {
       const Manifold<T> tilted = now;

@@ -62,13 +62,13 @@ void visit_moving_pairs(const PairMotion& motion, const NumberedPiece<T>& a, con
                         const Interval& interval, double margin, const Limit& limit, F& f) {
   if (!a.piece.shape.convex()) {
     const Sweep<T> region = sweep_of(motion, a.piece, b.piece, interval, margin);
-    visit_pieces(a.piece.shape, cast<T>(a.piece.local), region, limit,
+    visit_pieces(a.piece.shape, cast<T>(a.piece.local), SweepQuestion<T>{region}, limit,
                  [&](const Shape<T>& shape, const Pose<T>& local, std::uint32_t number) {
                    visit_moving_pairs(motion, a.child(shape, local, number), b, interval, margin, limit, f);
                  });
   } else if (!b.piece.shape.convex()) {
     const Sweep<T> region = sweep_of(exchanged(motion), b.piece, a.piece, interval, margin);
-    visit_pieces(b.piece.shape, cast<T>(b.piece.local), region, limit,
+    visit_pieces(b.piece.shape, cast<T>(b.piece.local), SweepQuestion<T>{region}, limit,
                  [&](const Shape<T>& shape, const Pose<T>& local, std::uint32_t number) {
                    visit_moving_pairs(motion, a, b.child(shape, local, number), interval, margin, limit, f);
                  });

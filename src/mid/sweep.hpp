@@ -51,14 +51,15 @@ T entry(const Aabb<T>& still, const Sweep<T>& sweep) {
   return first <= last ? first : never;
 }
 
-/// For `visit_pieces`: whether the box is reached by a time, and the order in which boxes are.
+/// For `visit_pieces`: the boxes that are reached by a time, the first reached first.
 template <class T>
-bool within(const Aabb<T>& still, const Sweep<T>& sweep, T time) {
-  return entry(still, sweep) <= time;
-}
-template <class T>
-T order(const Aabb<T>& still, const Sweep<T>& sweep) {
-  return entry(still, sweep);
-}
+struct SweepQuestion {
+  using Key = T;
+  Sweep<T> sweep;
+
+  T operator()(const Aabb<T>& still) const { return entry(still, sweep); }
+  /// Finite, so that what is never reached is left out.
+  T key(const T& time) const { return least(time, std::numeric_limits<T>::max()); }
+};
 
 }  // namespace graze

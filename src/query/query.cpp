@@ -1,5 +1,6 @@
 #include "graze/query.hpp"
 
+#include "mid/closest.hpp"
 #include "mid/composite.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
@@ -44,8 +45,7 @@ bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const
 
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace) {
-  const Distance<T> d = any_distance(shape, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, trace);
-  return {d.distance, d.a, d.normal, d.status};
+  return any_closest(shape, pose, point, trace);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

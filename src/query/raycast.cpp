@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "mid/pieces.hpp"
 #include "narrow/raycast.hpp"
-#include "narrow/rays/mesh.hpp"
+#include "narrow/rays/surface.hpp"
 
 namespace graze {
 
@@ -50,21 +51,33 @@ void visit_hits(const Shape<T>& shape, const Posed& pose, LocalRay& outer, BackF
     return outer.end = found({hit.t, transform(pose, hit.point), rotate(pose.rotation, hit.normal)}, number);
   };
   if (const auto* compound = shape.template as<Compound<T>>()) {
-    std::uint32_t number = 0;
-    for (const Placed<T>& child : compound->children()) {
-      if (outer.end < outer.begin) return;
+    const CompoundData<T>& data = compound->data();
+    const auto cast_at_child = [&](std::uint32_t number) {
+      const Placed<T>& child = data.children[number];
       visit_hits(child.shape, compose(pose, precise(child.pose)), outer, back, outermost ? number : piece, false,
                  found);
-      ++number;
-    }
-  } else if (const auto* mesh = shape.template as<Mesh<T>>()) {
+      return outer.end >= outer.begin;
+    };
+    for (const std::uint32_t number : data.unbounded)
+      if (!cast_at_child(number)) return;
+    if (data.tree.empty()) return;
+    // Some ten operations on coordinates up to these.
+    const Aabb<T>& all = data.tree.bounds();
+    const double extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
+    const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
+    visit_ray(
+        data.tree, ray.origin, rays::inverse_of(ray.direction), [&] { return outer.end; }, cast_at_child, ray.begin,
+        slack);
+    return;
+  }
+  const auto of_surface = [&](const auto& surface) {
     const auto numbered = [&](const LocalHit& hit, std::uint32_t triangle) {
       return report(hit, outermost ? triangle : piece);
     };
-    rays::cast_at_mesh(mesh->data(), ray, back == BackFaces::hit, numbered);
-  } else if (const auto hit = convex_raycast(shape, ray, back)) {
-    report(*hit, piece);
-  }
+    rays::cast_at_surface(surface, ray, back == BackFaces::hit, numbered);
+  };
+  if (with_surface(shape, of_surface)) return;
+  if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, piece);
 }
 
 /// The first of equals is that of the least piece, in whichever order they are found.

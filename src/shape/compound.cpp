@@ -1,35 +1,68 @@
-#include "graze/shape.hpp"
+#include "shape/compound_data.hpp"
+#include "shape/hierarchy_pairs.hpp"
+#include "shape/placed_bounds.hpp"
 
 namespace graze {
+
+namespace {
+
+constexpr std::size_t few_children = 256;
+
+template <class T>
+bool finite(const Aabb<T>& box) {
+  return max_abs(box.lower) < std::numeric_limits<T>::infinity() &&
+         max_abs(box.upper) < std::numeric_limits<T>::infinity();
+}
+
+}  // namespace
 
 template <class T>
 Compound<T>::Compound(std::vector<Placed<T>> children) {
   if (children.empty()) throw InvalidValue("children", "at least one child", "none");
-  for (std::size_t i = 0; i < children.size(); ++i) {
+  auto data = std::make_shared<CompoundData<T>>();
+  std::vector<TreePiece<T>> pieces;
+  for (std::uint32_t i = 0; i < children.size(); ++i) {
+    Placed<T>& child = children[i];
     const std::string path = "children[" + std::to_string(i) + "]";
-    validate::point(children[i].pose.translation, path + ".translation");
-    children[i].pose.rotation = validate::rotation(children[i].pose.rotation, path + ".rotation");
+    validate::point(child.pose.translation, path + ".translation");
+    child.pose.rotation = validate::rotation(child.pose.rotation, path + ".rotation");
+
+    const T reach = child.shape.visit([](const auto& c) { return c.core_extent(); }) + child.shape.margin();
+    data->extent = greatest(data->extent, length(child.pose.translation) + reach);
+    data->boxes.push_back(bounds(child.shape, child.pose));
+    if (finite(data->boxes[i]))
+      pieces.push_back({data->boxes[i], i});
+    else
+      data->unbounded.push_back(i);
   }
-  children_ = std::make_shared<const std::vector<Placed<T>>>(std::move(children));
+  data->children = std::move(children);
+  data->tree = WideTree<T>(std::move(pieces));
+  data_ = std::move(data);
 }
 
 template <class T>
 std::span<const Placed<T>> Compound<T>::children() const {
-  return *children_;
+  return data_->children;
 }
 template <class T>
 T Compound<T>::core_extent() const {
-  T extent = T(0);
-  for (const Placed<T>& child : *children_) {
-    const T reach = child.shape.visit([](const auto& c) { return c.core_extent(); }) + child.shape.margin();
-    extent = greatest(extent, length(child.pose.translation) + reach);
-  }
-  return extent;
+  return data_->extent;
 }
 template <class T>
 Aabb<T> Compound<T>::core_bounds(const Pose<T>& pose) const {
+  const auto placed = [&](std::uint32_t i) {
+    const Placed<T>& child = data_->children[i];
+    return bounds(child.shape, compose(pose, child.pose));
+  };
+  // Each child once, since compounds in compounds ask theirs in turn; of very many, their boxes have to do.
   Aabb<T> all = Aabb<T>::empty();
-  for (const Placed<T>& child : *children_) all = merged(all, bounds(child.shape, compose(pose, child.pose)));
+  if (data_->tree.size() <= few_children) {
+    for (std::uint32_t i = 0; i < data_->children.size(); ++i) all = merged(all, placed(i));
+    return all;
+  }
+  const TurnedBoxes<T> turned(pose, data_->tree.bounds());
+  all = placed_bounds(data_->tree, pose, [&](std::uint32_t i) { return turned(data_->boxes[i]); });
+  for (const std::uint32_t i : data_->unbounded) all = merged(all, placed(i));
   return all;
 }
 

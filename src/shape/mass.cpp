@@ -256,19 +256,6 @@ Moments of_box(const Vec3<T>& half_t, double r) {
   return of_points(corners, r);
 }
 
-/// Every edge once in each direction: the surface of a solid.
-template <class T>
-bool closed(const Mesh<T>& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const auto& t : mesh.triangles())
-    for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [edge, count] : edges) {
-    const auto back = edges.find({edge.second, edge.first});
-    if (count != 1 || back == edges.end()) return false;
-  }
-  return true;
-}
-
 template <class T>
 Moments of(const Sphere<T>& s, double margin) {
   const double r = static_cast<double>(s.radius()) + margin;
@@ -320,8 +307,12 @@ Moments of(const HalfSpace<T>&, double) {
   return {};
 }
 template <class T>
+Moments of(const HeightField<T>&, double) {
+  return {};
+}
+template <class T>
 Moments of(const Mesh<T>& mesh, double) {
-  if (!closed(mesh)) return {};
+  if (!mesh.closed()) return {};
   const auto points = mesh.points();
   const Vec3d base = cast<double>(points[mesh.triangles()[0][0]]);
   const auto corner = [&](std::uint32_t i) { return cast<double>(points[i]) - base; };

@@ -1,10 +1,10 @@
 // What a mesh is made of.
 //
-// Guarantee: indices are in range; the tree covers every triangle.
+// Guarantee: indices are in range; the tree covers every triangle, but for those that repeat another.
 #pragma once
 
 #include "graze/shape/mesh.hpp"
-#include "shape/bounds_tree.hpp"
+#include "shape/wide_tree.hpp"
 
 namespace graze {
 
@@ -12,8 +12,21 @@ template <class T>
 struct MeshData {
   std::vector<Vec3<T>> points;
   std::vector<typename Mesh<T>::Index> triangles;
-  BoundsTree<T> tree;
-  T extent = T(0);  ///< the greatest distance of a point from the frame's origin
+  WideTree<T> tree;
+  T extent = T(0);      ///< the greatest distance of a point from the frame's origin
+  bool closed = false;  ///< bounds a solid
+  Sides sides = Sides::both;
+
+  const WideTree<T>& hierarchy() const { return tree; }
+  std::array<Vec3<T>, 3> triangle(std::uint32_t number) const {
+    const auto& t = triangles[number];
+    return {points[t[0]], points[t[1]], points[t[2]]};
+  }
 };
+
+template <class T>
+Aabb<T> bounds_of(const std::array<Vec3<T>, 3>& corners) {
+  return {least(corners[0], least(corners[1], corners[2])), greatest(corners[0], greatest(corners[1], corners[2]))};
+}
 
 }  // namespace graze

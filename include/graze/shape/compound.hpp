@@ -1,6 +1,7 @@
 // Several shapes that move as one, nested as wished.
 //
-// Guarantee: shared and immutable; the children keep the order in which they were given.
+// Guarantee: shared and immutable, with a tree of bounds over the children, so that copies are cheap, a query looks only
+// at children that come near, and queries from any thread are safe. The children keep the order in which they were given.
 #pragma once
 
 #include <memory>
@@ -18,20 +19,24 @@ template <class T>
 struct Placed;
 
 template <class T>
+struct CompoundData;
+
+template <class T>
 class Compound {
  public:
   static constexpr const char* name = "compound";
 
-  /// At least one child, each at its pose in the compound's frame. Throws `InvalidValue`.
+  /// At least one child, each at its pose in the compound's frame. Cost n log n. Throws `InvalidValue`.
   explicit Compound(std::vector<Placed<T>> children);
 
   std::span<const Placed<T>> children() const;
+  const CompoundData<T>& data() const { return *data_; }
 
   T core_extent() const;
   Aabb<T> core_bounds(const Pose<T>& pose) const;
 
  private:
-  std::shared_ptr<const std::vector<Placed<T>>> children_;
+  std::shared_ptr<const CompoundData<T>> data_;
 };
 
 }  // namespace graze

@@ -1,0 +1,65 @@
+// Height fields: surfaces over a grid, without thickness, both sides of which count unless told.
+//
+// Guarantee: any finite heights; what is needed is checked once, when built. Shared and immutable, safe to query from any
+// thread. Triangles are made when asked for: besides the heights an eighth of their memory is kept, the lowest and highest
+// of each four by four cells, of each four by four of those, and so on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "graze/aabb.hpp"
+#include "graze/pose.hpp"
+#include "graze/shape/sides.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+template <class T>
+struct HeightFieldData;
+
+/// heights[r * columns + c] stands at x = (c - (columns - 1) / 2) spacing_x, z = (r - (rows - 1) / 2) spacing_z, y up. A
+/// cell is split along (c, r) - (c + 1, r + 1) into two triangles that face +Y: first the one with (c + 1, r), then the
+/// one with (c, r + 1). A cell one corner of which is a hole is none.
+template <class T>
+class HeightField {
+ public:
+  static constexpr const char* name = "heightfield";
+
+  /// At least two columns and rows; spacings finite and >= 0; columns * rows heights, finite, or not a number for a hole.
+  /// At least one cell has to be whole. Throws `InvalidValue`. Cost: the number of heights.
+  HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x = T(1), T spacing_z = T(1),
+              Sides sides = Sides::both);
+
+  /// The same with holes named apart, by a flag for each height that is not zero for a hole.
+  HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, std::span<const std::uint8_t> holes,
+              T spacing_x = T(1), T spacing_z = T(1), Sides sides = Sides::both);
+
+  std::size_t columns() const;
+  std::size_t rows() const;
+  T spacing_x() const;
+  T spacing_z() const;
+  Sides sides() const;
+  /// As given, but a hole is not a number.
+  std::span<const T> heights() const;
+  bool hole(std::size_t column, std::size_t row) const;
+  const HeightFieldData<T>& data() const { return *data_; }
+
+  /// Triangles have numbers: 2 (r (columns - 1) + c), and one more for the second of a cell; holes are counted too.
+  std::uint32_t triangle_numbers() const;
+  /// Whether a number's cell is whole, and its corners, counter-clockwise seen from above.
+  bool has_triangle(std::uint32_t number) const;
+  std::array<Vec3<T>, 3> triangle(std::uint32_t number) const;
+
+  T core_extent() const;
+  /// Of more than 256 triangles and turned, up to 1/128 of the field's size too wide on each side.
+  Aabb<T> core_bounds(const Pose<T>& pose) const;
+
+ private:
+  std::shared_ptr<const HeightFieldData<T>> data_;
+};
+
+}  // namespace graze

@@ -1,0 +1,106 @@
+#include "shape/mesh_topology.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace graze {
+
+namespace {
+
+using Index = std::array<std::uint32_t, 3>;
+
+bool repeats_corner(const Index& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+template <class T>
+bool before(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/// A triangle's corners in an order that tells whether two are the same.
+template <class T>
+std::array<Vec3<T>, 3> canonical(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
+  if (a == b || b == c || c == a) {
+    const Vec3<T>& other = a == b ? c : b;  // of the two places
+    return before(a, other) ? std::array{a, a, other} : std::array{other, other, a};
+  }
+  if (before(a, b)) return before(a, c) ? std::array{a, b, c} : std::array{c, a, b};
+  return before(b, c) ? std::array{b, c, a} : std::array{c, a, b};
+}
+
+/// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators": the finaliser.
+std::uint64_t mixed(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+template <class T>
+std::uint64_t hash_of(const Vec3<T>& p) {
+  std::uint64_t hash = 0;
+  for (std::size_t i = 0; i < 3; ++i)  // + 0: the two zeros are one number
+    hash = mixed(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(static_cast<double>(p[i]) + 0.0));
+  return hash;
+}
+
+}  // namespace
+
+bool bounds_solid(std::span<const Index> triangles, std::size_t points) {
+  // The directed edges in the order of their lesser end: the other end times two, and in which direction.
+  std::vector<std::uint32_t> begin(points + 1, 0);
+  const auto each_edge = [&](const auto& f) {
+    for (const Index& t : triangles) {
+      if (repeats_corner(t)) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+        from < to ? f(from, std::uint64_t{to} * 2) : f(to, std::uint64_t{from} * 2 + 1);
+      }
+    }
+  };
+  each_edge([&](std::uint32_t low, std::uint64_t) { ++begin[low + 1]; });
+  for (std::size_t i = 0; i < points; ++i) begin[i + 1] += begin[i];
+  std::vector<std::uint64_t> ends(begin[points]);
+  std::vector<std::uint32_t> filled(begin.begin(), begin.end() - 1);
+  each_edge([&](std::uint32_t low, std::uint64_t end) { ends[filled[low]++] = end; });
+  for (std::size_t i = 0; i < points; ++i) {
+    const auto first = ends.begin() + begin[i], last = ends.begin() + begin[i + 1];
+    std::sort(first, last);
+    for (auto at = first; at != last; at += 2)
+      if (at + 1 == last || at[0] % 2 != 0 || at[1] != at[0] + 1 || (at + 2 != last && at[2] == at[1])) return false;
+  }
+  return !ends.empty();
+}
+
+template <class T>
+std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points, std::span<const Index> triangles) {
+  std::vector<std::uint64_t> hashes(points.size());
+  std::transform(points.begin(), points.end(), hashes.begin(), [](const Vec3<T>& p) { return hash_of(p); });
+  // A place holds a part of the hash, by which most others are told from it, and the triangle's number plus one.
+  const std::size_t places = std::bit_ceil(2 * triangles.size() + 1);
+  std::vector<std::uint64_t> table(places, 0);
+  std::vector<std::uint32_t> out;
+  out.reserve(triangles.size());
+  const auto corners = [&](std::uint32_t i) {
+    const Index& t = triangles[i];
+    return canonical(points[t[0]], points[t[1]], points[t[2]]);
+  };
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const std::uint64_t a = hashes[triangles[i][0]], b = hashes[triangles[i][1]], c = hashes[triangles[i][2]];
+    // A sum knows no order, and each place counts once in it.
+    const std::uint64_t hash = mixed(a + (b != a ? b : 0) + (c != a && c != b ? c : 0));
+    const std::uint64_t part = hash & 0xffffffff00000000u;
+    const auto repeats = [&](std::uint64_t held) {
+      return (held & 0xffffffff00000000u) == part && corners(static_cast<std::uint32_t>(held) - 1) == corners(i);
+    };
+    std::size_t place = hash & (places - 1);
+    while (table[place] != 0 && !repeats(table[place])) place = (place + 1) & (places - 1);
+    if (table[place] != 0) continue;
+    table[place] = part | (std::uint64_t{i} + 1);
+    out.push_back(i);
+  }
+  return out;
+}
+
+template std::vector<std::uint32_t> different_triangles(std::span<const Vec3f>, std::span<const Index>);
+template std::vector<std::uint32_t> different_triangles(std::span<const Vec3d>, std::span<const Index>);
+
+}  // namespace graze
