@@ -132,7 +132,7 @@ void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out)
     levels_[level].build(boxes, members_, spans);
     if (!larger_.empty()) levels_[level].prepare_to_be_swept();
     sweep(boxes, level, sink);
-    members_.swap(larger_);
+    members_ = larger_;
   }
   const std::span<const std::uint32_t> first{first_.data(), sink.count}, second{second_.data(), sink.count};
   if (wide_.empty()) {
