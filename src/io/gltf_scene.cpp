@@ -140,6 +140,8 @@ class SceneReader {
     Filter filter;
     const std::uint64_t own = systems(json, "collisionSystems");
     filter.category = own != 0 ? own : unnamed;
+    if (json.has("collideWithSystems") && json.has("notCollideWithSystems"))
+      throw InvalidValue(json.path(), "collideWithSystems or notCollideWithSystems", "both, which exclude each other");
     if (json.has("collideWithSystems"))
       filter.mask = systems(json, "collideWithSystems");
     else

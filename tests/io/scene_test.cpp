@@ -116,6 +116,15 @@ TEST(GltfScene, FiltersBodiesAndTriggers) {
   EXPECT_TRUE(collide(load(json)).empty());
 }
 
+// A list of what to collide with and one of what not to exclude each other.
+TEST(GltfScene, FilterWithBothListsIsRefused) {
+  Json json = base();
+  json["extensions"]["KHR_physics_rigid_bodies"]["collisionFilters"][1]["collideWithSystems"] = {"b"};
+  EXPECT_EQ(refusal(json),
+            "test.gltf: extensions.KHR_physics_rigid_bodies.collisionFilters[1]: expected collideWithSystems or "
+            "notCollideWithSystems, got both, which exclude each other");
+}
+
 TEST(GltfScene, AppendJoinsSystemsByName) {
   Json json = base();
   physics(json, 0)["collider"]["collisionFilter"] = 0;
