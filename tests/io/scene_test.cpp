@@ -173,6 +173,45 @@ TEST(GltfScene, BrokenFilesAreRefused) {
   EXPECT_NE(refusal(std::string(100000, '[')).find("nested"), std::string::npos);
 }
 
+// What tinygltf refuses without a place, or takes for absent.
+TEST(GltfScene, FaultsOfBuffersAndAccessorsAreNamed) {
+  const auto with = [](const std::function<void(Json&)>& change) {
+    Json json = base();
+    json["meshes"] = Json::parse(R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])");
+    json["accessors"] = Json::parse(R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])");
+    json["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 36}])");
+    json["buffers"] = Json::parse(
+        R"([{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])");
+    physics(json, 0)["collider"]["geometry"] = {{"mesh", 0}};
+    change(json);
+    return refusal(json);
+  };
+  EXPECT_EQ(with([](Json&) {}), "loaded");
+  EXPECT_EQ(with([](Json& j) { j["buffers"][0].erase("uri"); }),
+            "test.gltf: buffers[0].uri: expected a value, of all but the first buffer of a .glb, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["buffers"][0]["byteLength"] = 40; }),
+            "test.gltf: buffers[0].byteLength: expected the 36 bytes of its uri, got 40");
+  EXPECT_EQ(with([](Json& j) { j["buffers"][0]["uri"] = "x.bin"; }),
+            "test.gltf: buffers[0].uri: expected a file below the scene's folder, got \"x.bin\"");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0].erase("buffer"); }),
+            "test.gltf: bufferViews[0].buffer: expected a value, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0]["byteOffset"] = -3; }),
+            "test.gltf: bufferViews[0].byteOffset: expected a whole number >= 0, got -3");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0]["byteStride"] = 3; }),
+            "test.gltf: bufferViews[0].byteStride: expected a multiple of 4 from 4 to 252, got 3");
+  EXPECT_EQ(with([](Json& j) { j["accessors"][0].erase("count"); }),
+            "test.gltf: accessors[0].count: expected a value, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["accessors"][0]["componentType"] = 7; }),
+            "test.gltf: accessors[0].componentType: expected a component type of glTF: 5120 to 5126, got 7");
+  EXPECT_EQ(with([](Json& j) { j["accessors"][0].erase("bufferView"); }),
+            "test.gltf: accessors[0].bufferView: expected a value, of an accessor that is not sparse, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["meshes"][0]["primitives"][0]["indices"] = "x"; }),
+            "test.gltf: meshes[0].primitives[0].indices: expected a whole number >= 0, got \"x\"");
+  EXPECT_EQ(with([](Json& j) { j["materials"] = {3}; }), "test.gltf: materials[0]: expected an object, got 3");
+  EXPECT_EQ(with([](Json& j) { j["asset"]["version"] = "1.0"; }),
+            "test.gltf: asset.version: expected a version 2.x of glTF, got \"1.0\"");
+}
+
 // A gigabyte of points claimed in a kilobyte of file.
 TEST(GltfScene, CountsBeyondTheBufferAreRefused) {
   Json json = base();
