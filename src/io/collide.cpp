@@ -33,11 +33,15 @@ void fill(World<T>& world, const Scene& scene) {
   const bool moves = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                  [](const io::Body& b) { return b.type != MotionType::fixed; });
   for (const Collider& c : scene.colliders) {
-    graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
-    body.filter = c.filter;
-    body.filter.group = -1 - static_cast<std::int32_t>(c.body);
-    body.fixed = moves && scene.bodies[c.body].type == MotionType::fixed;
-    world.add(std::move(body));
+    try {
+      graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
+      body.filter = c.filter;
+      body.filter.group = -1 - static_cast<std::int32_t>(c.body);
+      body.fixed = moves && scene.bodies[c.body].type == MotionType::fixed;
+      world.add(std::move(body));
+    } catch (const InvalidValue& e) {  // what double could hold and float cannot
+      throw e.below(scene.source + ": " + c.name);
+    }
   }
 }
 

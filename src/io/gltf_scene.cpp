@@ -247,7 +247,7 @@ class SceneReader {
       scene_.bodies.push_back({name_of(node), static_cast<int>(node), MotionType::fixed, {}});
       body = static_cast<int>(scene_.bodies.size()) - 1;
     }
-    const MappedShape result = mapped(shape, map);
+    const MappedShape result = mapped_at(node, shape, map);
     if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);
     return {name_of(node),
             static_cast<int>(node),
@@ -257,6 +257,17 @@ class SceneReader {
             {},
             false,
             {}};
+  }
+
+  /// Transforms multiply from node to node, and so may grow out of bounds.
+  MappedShape mapped_at(std::size_t node, const Shaped& shape, const Affine& map) const {
+    const std::string path = nodes_[node].path() + " (in the world)";
+    validate::point(map.translation, path + ".translation");
+    try {
+      return mapped(shape, map);
+    } catch (const InvalidValue& e) {
+      throw e.below(path);
+    }
   }
 
   /// `shape` is an index of KHR_implicit_shapes; `node` (of older drafts) or `mesh` name triangles.

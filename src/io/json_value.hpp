@@ -12,6 +12,7 @@
 
 #include "graze/error.hpp"
 #include "graze/pose.hpp"
+#include "graze/validate.hpp"
 
 namespace graze::io {
 
@@ -63,22 +64,36 @@ class JsonValue {
     if (!std::isfinite(value)) fail("a finite number");
     return value;
   }
+  /// One that is >= 0 as well.
   template <class T>
-  T length() const {
+  T positive_or_zero() const {
     const T value = json_->is_number() ? static_cast<T>(json_->get<double>()) : T(-1);
     if (!(value >= T(0) && std::isfinite(value))) fail("a finite number >= 0");
+    return value;
+  }
+  /// Lengths and coordinates are no larger than `largest_magnitude`.
+  template <class T>
+  T length() const {
+    const T value = positive_or_zero<T>();
+    if (const char* expectation = validate::fault_of_length(value)) fail(expectation);
+    return value;
+  }
+  template <class T>
+  T coordinate() const {
+    const T value = number<T>();
+    if (const char* expectation = validate::fault_of_coordinate(value)) fail(expectation);
     return value;
   }
   template <class T>
   Vec3<T> vector() const {
     const auto parts = elements(3);
-    return {parts[0].number<T>(), parts[1].number<T>(), parts[2].number<T>()};
+    return {parts[0].coordinate<T>(), parts[1].coordinate<T>(), parts[2].coordinate<T>()};
   }
   /// Two coordinates, in the plane z = 0.
   template <class T>
   Vec3<T> plane_vector() const {
     const auto parts = elements(2);
-    return {parts[0].number<T>(), parts[1].number<T>(), T(0)};
+    return {parts[0].coordinate<T>(), parts[1].coordinate<T>(), T(0)};
   }
   template <class T>
   Vec3<T> lengths() const {

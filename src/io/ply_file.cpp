@@ -136,7 +136,8 @@ class PlyReader {
       const double value = number(p.type);
       const std::size_t axis = p.name == "x" ? 0 : p.name == "y" ? 1 : p.name == "z" ? 2 : 3;
       if (!vertex || axis == 3) continue;
-      if (!std::isfinite(value)) fail(element, i, p, "a finite number", validate::number(value));
+      if (const char* expectation = validate::fault_of_coordinate(value))
+        fail(element, i, p, expectation, validate::number(value));
       point[axis] = value;
     }
     if (vertex) soup_.points.push_back(point);

@@ -2,6 +2,17 @@
 
 namespace graze {
 
+namespace {
+
+/// From the compound's origin.
+template <class T>
+T reach_of(const Placed<T>& child) {
+  const T reach = child.shape.visit([](const auto& c) { return c.core_extent(); }) + child.shape.margin();
+  return length(child.pose.translation) + reach;
+}
+
+}  // namespace
+
 template <class T>
 Compound<T>::Compound(std::vector<Placed<T>> children) {
   if (children.empty()) throw InvalidValue("children", "at least one child", "none");
@@ -9,6 +20,12 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
     const std::string path = "children[" + std::to_string(i) + "]";
     validate::point(children[i].pose.translation, path + ".translation");
     children[i].pose.rotation = validate::rotation(children[i].pose.rotation, path + ".rotation");
+    // One in another in another adds up.
+    constexpr T furthest = T(8) * largest_magnitude<T>;
+    const T reach = reach_of(children[i]);
+    if (!(reach <= furthest))
+      validate::fail(path, "a child that reaches at most " + validate::number(static_cast<double>(furthest)),
+                     static_cast<double>(reach));
   }
   children_ = std::make_shared<const std::vector<Placed<T>>>(std::move(children));
 }
@@ -20,10 +37,7 @@ std::span<const Placed<T>> Compound<T>::children() const {
 template <class T>
 T Compound<T>::core_extent() const {
   T extent = T(0);
-  for (const Placed<T>& child : *children_) {
-    const T reach = child.shape.visit([](const auto& c) { return c.core_extent(); }) + child.shape.margin();
-    extent = greatest(extent, length(child.pose.translation) + reach);
-  }
+  for (const Placed<T>& child : *children_) extent = greatest(extent, reach_of(child));
   return extent;
 }
 template <class T>

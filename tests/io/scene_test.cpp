@@ -173,6 +173,33 @@ TEST(GltfScene, BrokenFilesAreRefused) {
   EXPECT_NE(refusal(std::string(100000, '[')).find("nested"), std::string::npos);
 }
 
+// Transforms multiply from node to node; and what double holds may be too large for float.
+TEST(GltfScene, MagnitudesAreBounded) {
+  Json json = base();
+  json["nodes"].push_back({{"scale", {1e25, 1e25, 1e25}}, {"children", {0}}});
+  json["nodes"][0]["translation"] = {1e25, 0, 0};
+  json["scenes"][0]["nodes"] = {2, 1};
+  EXPECT_EQ(refusal(json), "test.gltf: nodes[0] (in the world).translation[0]: expected a magnitude of at most 1e48, "
+                           "got 1.0000000000000003e+50");
+  json["nodes"][0] = base()["nodes"][0];
+  json["nodes"][0]["scale"] = {1e25, 1e25, 1e25};
+  EXPECT_EQ(
+      refusal(json),
+      "test.gltf: nodes[0] (in the world).size[0]: expected a magnitude of at most 1e48, got 1.0000000000000003e+50");
+  json["nodes"][0]["scale"] = {1, 1, 1};
+  const Scene scene = load(json);
+  EXPECT_EQ(collide(scene).size(), 1u);
+  CollideOptions single;
+  single.precision = Precision::single_precision;
+  try {
+    collide(scene, single);
+    FAIL() << "a box of 1e25 in float";
+  } catch (const InvalidValue& e) {
+    EXPECT_STREQ(e.what(),
+                 "test.gltf: box.size[0]: expected a magnitude of at most 1e17 (in float), got 9.999999562023526e+24");
+  }
+}
+
 // What tinygltf refuses without a place, or takes for absent.
 TEST(GltfScene, FaultsOfBuffersAndAccessorsAreNamed) {
   const auto with = [](const std::function<void(Json&)>& change) {
