@@ -22,6 +22,10 @@ using Json = nlohmann::json;
 /// `max_json_depth`. A number too large for a double becomes a marked string, so that it can be named where it stands.
 Json parse_json(std::string_view text);
 
+/// The value of a key of a JSON object as it is written there, on one line; of duplicate keys the last, which counts.
+/// `text` has been parsed before, and is an object with that key.
+std::string member_text(std::string_view text, std::string_view key);
+
 /// Bounds recursion over a parsed value to a fraction of the usual eight megabytes of stack.
 inline constexpr int max_json_depth = 2000;
 

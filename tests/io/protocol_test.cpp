@@ -150,6 +150,18 @@ TEST(Protocol, EchoesTheIdInAnswersAndErrors) {
   for (const char* bad : {"", "{", "[]", "1", "{} {}", "{\"id\": 1} x", "\xff"}) EXPECT_FALSE(ask(bad).contains("id"));
 }
 
+TEST(Protocol, EchoesTheIdAsItIsWritten) {
+  for (const char* id : {"12345678901234567890123", "1.10", "-0", "1e400", "1E+5", "\"\\u0041 \\\" , } \"",
+                         "[1.0, {\"a\": [] }]", "{}", "null", "\"\xc3\xa9\""}) {
+    const std::string head = std::string("{\"id\":") + id + ",";
+    for (const std::string& line :
+         {std::string("{\"id\": ") + id + "}", std::string("{\"x\": {\"id\": 3}, \"id\" :") + id + " \t}",
+          std::string("{\"id\": 5, \"a\": \"id\", \"\\u0069d\":\r\n") + id + "\n, \"b\": []}"})
+      EXPECT_EQ(answer_line(line, Precision::double_precision).text.substr(0, head.size()), head) << line;
+  }
+  EXPECT_EQ(answer_line("{\"id\": [1,\n2]}", Precision::double_precision).text.substr(0, 13), "{\"id\":[1, 2],");
+}
+
 TEST(Protocol, ContactsGiveTheWholeManifold) {
   const Json answer = ask(
       R"({"query": "contacts", "a": {"shape": {"type": "box", "box": {"size": [2, 2, 2]}}},
