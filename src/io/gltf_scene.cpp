@@ -85,7 +85,10 @@ class SceneReader {
       if (!list(*physics, "physicsJoints").empty()) notice("physicsJoints are skipped: joints are for a solver");
     }
     walk();
-    if (scene_.colliders.empty() || options_.chosen) meshes_collide();
+    if (scene_.colliders.empty())
+      meshes_collide();
+    else if (options_.chosen)
+      notice("the file has colliders of its own, which stay: none are made of its meshes");
     if (skipped_primitives_ > 0)
       notice(std::to_string(skipped_primitives_) + " primitives of points or lines are skipped");
     return std::move(scene_);

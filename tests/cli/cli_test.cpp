@@ -59,6 +59,17 @@ TEST(Cli, BadInputIsNamedAndExitsWithTwo) {
   EXPECT_EQ(run("query /nonexistent").code, 2);
 }
 
+// The colliders that a file has stay, and it is said that none are made of its meshes.
+TEST(Cli, CollidersOfMeshesLeaveThoseOfTheFileAlone) {
+  const Result own = run("info " + demo), asked = run("info " + demo + " --colliders hull");
+  EXPECT_EQ(asked.code, 0);
+  const std::string note = "note: the file has colliders of its own, which stay: none are made of its meshes\n";
+  EXPECT_NE(asked.output.find(note), std::string::npos) << asked.output;
+  std::string rest = asked.output;
+  if (const auto at = rest.find(note); at != std::string::npos) rest.erase(at, note.size());
+  EXPECT_EQ(rest, own.output);
+}
+
 TEST(Cli, QueryExitsWithOneWhenAnAnswerIsAnError) {
   EXPECT_EQ(run("query < /dev/null").code, 0);
   const auto file = std::filesystem::temp_directory_path() / "graze_cli_test.jsonl";
