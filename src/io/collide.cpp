@@ -57,10 +57,18 @@ Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifo
   return out;
 }
 
+/// Names the number that was given, not what became of it in T.
+template <class T>
+T checked_margin(double margin) {
+  const auto value = static_cast<T>(margin);
+  if (const char* expectation = validate::fault_of_length(value)) validate::fail("margin", expectation, margin);
+  return value;
+}
+
 template <class T>
 std::vector<TouchingPair> collide_in(const Scene& scene, const CollideOptions& options) {
   ProgressExecutor executor(options.progress);
-  World<T> world({static_cast<T>(options.margin), {}}, &executor);
+  World<T> world({checked_margin<T>(options.margin), {}}, &executor);
   fill(world, scene);
   world.update();
   std::vector<TouchingPair> touching;
