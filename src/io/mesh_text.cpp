@@ -21,6 +21,12 @@ bool finite_numbers(const Words& words) {
   });
 }
 
+/// What is not used may be no number: programs write normals of triangles without area as nan.
+bool numbers(const Words& words, std::size_t from) {
+  return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(from), words.end(),
+                     [](std::string_view word) { return number_in(word).has_value(); });
+}
+
 /// One of an OBJ file's lists that faces point into, counted from 1, or backwards from the face by negative numbers.
 struct ObjList {
   const char* name;
@@ -75,15 +81,21 @@ void check_obj(std::string_view text) {
       const std::size_t count = words.size() - 1;
       if ((count != 3 && count != 4 && count != 6) || !finite_numbers(words))
         lines.fail("v and 3 finite numbers (or 4 with a weight, or 6 with a colour), in single precision");
+      if (count == 4 && number_in(words[4]) == 0.0) lines.fail("a weight that is not zero");
       ++check.points.count;
-    } else if (words[0] == "vt" || words[0] == "vn") {
-      ++(words[0] == "vt" ? check.textures : check.normals).count;
-    } else if (words[0] == "f") {
-      faces = true;
+    } else if (words[0] == "vn") {
+      if (words.size() != 4 || !numbers(words, 1)) lines.fail("vn and 3 numbers");
+      ++check.normals.count;
+    } else if (words[0] == "vt") {
+      if (words.size() < 2 || words.size() > 4 || !numbers(words, 1)) lines.fail("vt and 1 to 3 numbers");
+      ++check.textures.count;
+    } else if (words[0] == "f" || words[0] == "l" || words[0] == "p") {
+      faces = faces || words[0] == "f";
       for (std::size_t i = 1; i < words.size(); ++i)
         if (!check.corner(words[i], lines.line()))
           throw InvalidValue(lines.place(),
-                             "corners of a face: indices from 1 to " + std::to_string(check.points.count) +
+                             "corners of a face, line or point: indices from 1 to " +
+                                 std::to_string(check.points.count) +
                                  ", or backwards from -1, as 1, 1/1, 1//1 or 1/1/1",
                              quoted(words[i]));
     }
@@ -112,7 +124,10 @@ void check_stl(std::string_view bytes) {
   std::size_t corners = 0;
   while (lines.next()) {
     const Words words = lines.words();
-    if (words.empty() || words[0] != "vertex") continue;
+    if (words.empty()) continue;
+    if (words[0] == "facet" && (words.size() != 5 || words[1] != "normal" || !numbers(words, 2)))
+      lines.fail("facet normal and 3 numbers");
+    if (words[0] != "vertex") continue;
     if (words.size() != 4 || !finite_numbers(words)) lines.fail("vertex and 3 finite numbers, in single precision");
     ++corners;
   }

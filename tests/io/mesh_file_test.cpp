@@ -181,6 +181,10 @@ TEST(ObjFile, FaultsAreNamedByLineAndValue) {
   for (const char* index : {"0", "-4", "1.5", "x", "1/2/3/4", "/1", "99999999999999999999"})
     EXPECT_NE(refusal(points + "f 1 2 " + index + "\n", "obj").find(std::string("got \"") + index + "\""),
               std::string::npos);
+  EXPECT_NE(refusal(points + "f 1 2 3\nl 1 7\n", "obj").find("line 5: "), std::string::npos);
+  EXPECT_NE(refusal(points + "vn 0 1\nf 1 2 3\n", "obj").find("line 4: expected vn"), std::string::npos);
+  EXPECT_NE(refusal(points + "vt x\nf 1 2 3\n", "obj").find("line 4: expected vt"), std::string::npos);
+  EXPECT_NE(refusal("v 0 0 0 0\n" + points + "f 1 2 3\n", "obj").find("line 1: expected a weight"), std::string::npos);
   EXPECT_EQ(refusal(points, "obj"),
             "expected a mesh with triangles, got a file without faces (lines that begin with f)");
 }
@@ -211,6 +215,13 @@ TEST(StlFile, TextIsReadAndItsFaultsAreNamedByLine) {
   bad.replace(bad.find("1 0 0"), 5, "1 nan 0");
   EXPECT_EQ(refusal(bad, "stl"),
             "line 5: expected vertex and 3 finite numbers, in single precision, got \"vertex 1 nan 0\"");
+  bad = text;
+  bad.replace(bad.find("0 0 1"), 5, "0 0");
+  EXPECT_EQ(refusal(bad, "stl"), "line 2: expected facet normal and 3 numbers, got \"facet normal 0 0\"");
+  for (const char* normal : {"nan nan nan", "-nan inf 0"}) {
+    bad = text;
+    EXPECT_EQ(refusal(bad.replace(bad.find("0 0 1"), 5, normal), "stl"), "read") << normal;
+  }
 }
 
 }  // namespace
