@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "checked.hpp"
 #include "commands.hpp"
 #include "graze/io/collide.hpp"
 #include "graze/io/picture.hpp"
@@ -98,15 +99,15 @@ class Progress {
 };
 
 int run(const Options& options) {
-  const io::Scene scene = options.scene.load();
   io::CollideOptions how;
-  how.margin = options.margin;
-  how.precision = options.precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
+  how.precision = precision_of(options.precision);
+  how.margin = checked_margin(options.margin, how.precision);
+  const Vec3d direction = checked_direction(options.direction);
+  const io::Scene scene = options.scene.load();
   how.progress = [progress = Progress()](std::size_t done, std::size_t all) mutable { progress(done, all); };
   const auto pairs = io::collide(scene, how);
   options.json ? print_json(scene, pairs) : print_table(scene, pairs);
-  if (!options.svg.empty())
-    io::write_picture(options.svg, scene, pairs, {options.direction[0], options.direction[1], options.direction[2]});
+  if (!options.svg.empty()) io::write_picture(options.svg, scene, pairs, direction);
   if (!options.out.empty()) {
     const auto& files = options.scene.files;
     const std::string source = files.size() == 1 ? files[0] : "";  // several have no file to be drawn into
@@ -123,9 +124,7 @@ Run add_collide(CLI::App& app) {
   CLI::App* command = app.add_subcommand("collide", "Find the contacts of a scene");
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "Print all manifolds as JSON");
-  command->add_option("--margin", options->margin, "Also report what is up to this far apart")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  command->add_option("--margin", options->margin, "Also report what is up to this far apart")->capture_default_str();
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
@@ -137,7 +136,7 @@ Run add_collide(CLI::App& app) {
       ->capture_default_str();
   command->footer("Pairs of one body and pairs that collision filters forbid are left out; where anything can move, so "
                   "are pairs of\n"
-                  "which neither can. Exit code: 0, or 2 when a file cannot be read.\n\n"
+                  "which neither can. Exit code: 0, or 2 when a file or an option cannot be used.\n\n"
                   "Example:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb");
   return [options] { return run(*options); };
 }

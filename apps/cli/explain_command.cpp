@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "checked.hpp"
 #include "commands.hpp"
 #include "graze/error.hpp"
 #include "graze/io/explain.hpp"
@@ -33,11 +34,8 @@ std::string read_line(const Options& options) {
 }
 
 int run(const Options& options) {
-  const auto precision =
-      options.precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
-  const Vec3d direction{options.direction[0], options.direction[1], options.direction[2]};
-  if (direction == Vec3d{}) throw InvalidValue("--direction", "a direction that is not zero", "0, 0, 0");
-  const io::Explanation explanation = io::explain(read_line(options), precision);
+  const Vec3d direction = checked_direction(options.direction);
+  const io::Explanation explanation = io::explain(read_line(options), precision_of(options.precision));
   fmt::print("{}", io::explanation_text(explanation));
   if (options.svg.empty()) return 0;
   std::ofstream out(options.svg, std::ios::binary);

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "checked.hpp"
 #include "commands.hpp"
 #include "graze/io/protocol.hpp"
 
@@ -24,8 +25,7 @@ Run add_query(CLI::App& app) {
       "Example:\n"
       "  echo '{\"query\": \"closest\", \"a\": {\"shape\": {\"type\": \"box\"}}, \"point\": [2, 0, 0]}' | graze query");
   return [options] {
-    const auto precision =
-        options->precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
+    const io::Precision precision = precision_of(options->precision);
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
     if (options->file.empty() || options->file == "-")

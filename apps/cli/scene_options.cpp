@@ -9,8 +9,8 @@ void SceneOptions::add_to(CLI::App& command) {
       ->required();
   command
       .add_option("--colliders", colliders,
-                  "Make colliders of the meshes: their triangles, their convex hull, a tight box, a bounding sphere "
-                  "(default: mesh, where a file has no colliders of its own)")
+                  "What the meshes of a file without colliders of its own become: their triangles (the default), their "
+                  "convex hull, a tight box, a bounding sphere")
       ->check(CLI::IsMember({"hull", "mesh", "box", "sphere"}));
 }
 

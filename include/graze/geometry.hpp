@@ -105,8 +105,10 @@ ClosestParameters<T> closest_parameters(const Segment<T>& p, const Segment<T>& q
   const T a = dot(d1, d1), e = dot(d2, d2), b = dot(d1, d2);
   // The numerators by the cross product, which loses no digits to cancellation for near-parallel segments.
   const Vec3<T> n = cross(d1, d2);
-  const T nn = dot(n, n);
-  const T s_line = clamp(ratio(dot(cross(d2, r), n), nn), T(0), T(1));
+  // Scaled, so that lengths are multiplied twice and not four times.
+  const T scale = max_abs(n);
+  const Vec3<T> m = n / select(scale > T(0), scale, T(1));
+  const T s_line = clamp(ratio(ratio(dot(cross(d2, r), m), scale), dot(m, m)), T(0), T(1));
   // Clamp one, answer with the other, clamp that, and answer once more (Ericson 2005, section 5.1.9).
   const T t = clamp(ratio(b * s_line + dot(d2, r), e), T(0), T(1));
   const T s = clamp(ratio(b * t - dot(d1, r), a), T(0), T(1));

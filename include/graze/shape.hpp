@@ -43,7 +43,7 @@ class Shape {
   static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;
 
   /// `concrete`, rounded by `margin`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a margin
-  /// that is negative, not finite, or given to a composite.
+  /// that is negative, larger than `largest_magnitude`, or given to a composite.
   template <class C>
   requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T margin = T(0))
       : list_(std::move(concrete)), margin_(validate::extent(margin, "margin")) {

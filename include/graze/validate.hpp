@@ -1,6 +1,7 @@
 // What the constructors of shapes demand of their numbers.
 //
-// Guarantee: a value that passes is finite and of the stated sign; one that does not raises `InvalidValue` naming it.
+// Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; one that does not
+// raises `InvalidValue` naming it.
 #pragma once
 
 #include <cmath>
@@ -10,6 +11,27 @@
 #include "graze/quat.hpp"
 #include "graze/vec3.hpp"
 
+namespace graze {
+
+/// The largest length or coordinate that is accepted: of shapes, poses, margins, points, rays and velocities. Queries
+/// multiply lengths with each other, and a product that overflows gives a wrong answer or none.
+///
+/// With M for this number: a shape reaches at most 8 M from its own origin (of convex ones, a hull reaches furthest,
+/// sqrt(3) M and its margin M; a compound is held to it), so the difference of two shapes reaches 20 M: 8 M each and
+/// the 2 sqrt(3) M between their origins.
+///
+/// What is computed in double has six factors at most: GJK compares the sides of a tetrahedron's face by a product of
+/// two volumes, each up to 40 * 40 * 40 M^3. 4.1e9 M^6 stays below 1.8e308 up to M = 5.9e49.
+template <class T>
+inline constexpr T largest_magnitude = T(1e48);
+/// What is computed in float has two factors: the squared length of a difference is up to 400 M^2, and nearest points
+/// of segments take the dot product of a vector of up to 16 * 20 M^2 with one of sqrt(3). 555 M^2 stays below 3.4e38 up
+/// to M = 7.8e17.
+template <>
+inline constexpr float largest_magnitude<float> = 1e17f;
+
+}  // namespace graze
+
 namespace graze::validate {
 
 /// How numbers are printed in errors: shortest form that reads back to the same value.
@@ -17,27 +39,41 @@ std::string number(double value);
 
 [[noreturn]] void fail(const std::string& path, const std::string& expectation, double found);
 
-/// A finite length >= 0, returned as it came.
+/// What is expected of a coordinate that `value` is not, or null.
+template <class T>
+const char* fault_of_coordinate(T value) {
+  if (!std::isfinite(value)) return "a finite number";
+  if (value >= -largest_magnitude<T> && value <= largest_magnitude<T>) return nullptr;
+  return sizeof(T) == sizeof(float) ? "a magnitude of at most 1e17 (in float)" : "a magnitude of at most 1e48";
+}
+/// The same of a length.
+template <class T>
+const char* fault_of_length(T value) {
+  return std::isfinite(value) && value >= T(0) ? fault_of_coordinate(value) : "a finite number >= 0";
+}
+
+/// A length from 0 to `largest_magnitude`, returned as it came.
 template <class T>
 T extent(T value, const char* path) {
-  if (!(std::isfinite(value) && value >= T(0))) fail(path, "a finite number >= 0", static_cast<double>(value));
+  if (const char* expectation = fault_of_length(value)) fail(path, expectation, static_cast<double>(value));
   return value;
 }
 
-/// A vector of finite lengths >= 0.
+/// A vector of such lengths.
 template <class T>
 Vec3<T> extents(const Vec3<T>& v, const std::string& path) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (!(std::isfinite(v[i]) && v[i] >= T(0)))
-      fail(path + "[" + std::to_string(i) + "]", "a finite number >= 0", static_cast<double>(v[i]));
+    if (const char* expectation = fault_of_length(v[i]))
+      fail(path + "[" + std::to_string(i) + "]", expectation, static_cast<double>(v[i]));
   return v;
 }
 
-/// A point with finite coordinates.
+/// A point with coordinates up to `largest_magnitude`.
 template <class T>
 Vec3<T> point(const Vec3<T>& v, const std::string& path) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (!std::isfinite(v[i])) fail(path + "[" + std::to_string(i) + "]", "a finite number", static_cast<double>(v[i]));
+    if (const char* expectation = fault_of_coordinate(v[i]))
+      fail(path + "[" + std::to_string(i) + "]", expectation, static_cast<double>(v[i]));
   return v;
 }
 

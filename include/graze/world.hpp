@@ -29,14 +29,15 @@ struct WorldSettings {
 template <class T>
 class World {
  public:
+  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
   explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)
       : settings_(std::move(settings)), executor_(executor ? executor : &serial_), bodies_(settings_.margin) {}
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Throws `InvalidValue` for a pose or velocity that is not finite.
+  /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`.
   BodyId add(Body<T> body) { return bodies_.add(std::move(body)); }
-  /// These throw `InvalidValue` for a handle whose body was removed, and for what is not finite.
+  /// These throw `InvalidValue` for a handle whose body was removed, and for what `add` refuses.
   void remove(BodyId id) { bodies_.remove(id); }
   void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear = {}, const Vec3<T>& angular = {}) {
     bodies_.move(id, pose, linear, angular);

@@ -33,11 +33,15 @@ void fill(World<T>& world, const Scene& scene) {
   const bool moves = std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                  [](const io::Body& b) { return b.type != MotionType::fixed; });
   for (const Collider& c : scene.colliders) {
-    graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
-    body.filter = c.filter;
-    body.filter.group = -1 - static_cast<std::int32_t>(c.body);
-    body.fixed = moves && scene.bodies[c.body].type == MotionType::fixed;
-    world.add(std::move(body));
+    try {
+      graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
+      body.filter = c.filter;
+      body.filter.group = -1 - static_cast<std::int32_t>(c.body);
+      body.fixed = moves && scene.bodies[c.body].type == MotionType::fixed;
+      world.add(std::move(body));
+    } catch (const InvalidValue& e) {  // what double could hold and float cannot
+      throw e.below(scene.source + ": " + c.name);
+    }
   }
 }
 
@@ -53,10 +57,18 @@ Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifo
   return out;
 }
 
+/// Names the number that was given, not what became of it in T.
+template <class T>
+T checked_margin(double margin) {
+  const auto value = static_cast<T>(margin);
+  if (const char* expectation = validate::fault_of_length(value)) validate::fail("margin", expectation, margin);
+  return value;
+}
+
 template <class T>
 std::vector<TouchingPair> collide_in(const Scene& scene, const CollideOptions& options) {
   ProgressExecutor executor(options.progress);
-  World<T> world({static_cast<T>(options.margin), {}}, &executor);
+  World<T> world({checked_margin<T>(options.margin), {}}, &executor);
   fill(world, scene);
   world.update();
   std::vector<TouchingPair> touching;

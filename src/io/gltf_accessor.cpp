@@ -92,9 +92,7 @@ Elements::Elements(const AccessorSource& source, int index, int wanted_type, con
     return;
   }
   const std::string view_path = name + ".bufferView";
-  if (accessor.bufferView < 0)
-    throw InvalidValue(view_path, "an index below " + std::to_string(model.bufferViews.size()),
-                       std::to_string(accessor.bufferView));
+  if (accessor.bufferView < 0) throw InvalidValue(view_path, "a value, of an accessor that is not sparse", "nothing");
   const Place place = located(model, static_cast<std::size_t>(accessor.bufferView),
                               {accessor.byteOffset, count_, element_}, view_path, name + ".count");
   begin_ = place.begin;

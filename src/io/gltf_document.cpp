@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "io/gltf_accessor.hpp"
+#include "io/gltf_check.hpp"
 
 namespace graze::io {
 
@@ -70,6 +71,7 @@ bool no_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const
 /// Buffers may be read from below the scene's folder only.
 struct Files {
   std::filesystem::path folder;
+  std::string missing{};  ///< what was asked for and is not there
 
   bool allowed(const std::string& name) const {
     if (folder.empty()) return false;
@@ -83,7 +85,10 @@ tinygltf::FsCallbacks callbacks(Files& files) {
   c.user_data = &files;
   c.FileExists = [](const std::string& name, void* user) {
     std::error_code ignored;
-    return static_cast<Files*>(user)->allowed(name) && std::filesystem::is_regular_file(name, ignored);
+    auto& own = *static_cast<Files*>(user);
+    const bool there = own.allowed(name) && std::filesystem::is_regular_file(name, ignored);
+    if (!there) own.missing = name;
+    return there;
   };
   c.ExpandFilePath = [](const std::string& name, void*) { return name; };
   c.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& name, void* user) {
@@ -118,6 +123,8 @@ GltfDocument::GltfDocument(const std::string& bytes, const std::filesystem::path
   const std::string_view text = json_text(bytes);
   json_ = parse_json(text);  // bounds the nesting, which tinygltf does not
   if (!json_.is_object()) throw InvalidValue("", "a glTF object", shown(json_));
+  // A chunk of bytes behind the first has a header of its own.
+  check_gltf(json_, bytes.starts_with("glTF") && bytes.size() >= 20 + text.size() + 8);
 
   const auto changed = with_stand_in_views(bytes, text, json_);
   const std::string& file = changed ? *changed : bytes;
@@ -137,8 +144,11 @@ GltfDocument::GltfDocument(const std::string& bytes, const std::filesystem::path
   } catch (const std::exception& e) {
     error = e.what();
   }
+  if (loaded) return;
+  check_gltf_buffers(json_, files.missing);
   while (!error.empty() && (error.back() == '\n' || error.back() == ' ')) error.pop_back();
-  if (!loaded) throw InvalidValue("", "a glTF 2.0 scene", "one that cannot be read: " + error);
+  std::replace(error.begin(), error.end(), '\n', ' ');
+  throw InvalidValue("", "a glTF 2.0 scene", "one that cannot be read: " + error);
 }
 
 namespace {

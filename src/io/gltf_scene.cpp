@@ -85,7 +85,10 @@ class SceneReader {
       if (!list(*physics, "physicsJoints").empty()) notice("physicsJoints are skipped: joints are for a solver");
     }
     walk();
-    if (scene_.colliders.empty() || options_.chosen) meshes_collide();
+    if (scene_.colliders.empty())
+      meshes_collide();
+    else if (options_.chosen)
+      notice("the file has colliders of its own, which stay: none are made of its meshes");
     if (skipped_primitives_ > 0)
       notice(std::to_string(skipped_primitives_) + " primitives of points or lines are skipped");
     return std::move(scene_);
@@ -140,6 +143,8 @@ class SceneReader {
     Filter filter;
     const std::uint64_t own = systems(json, "collisionSystems");
     filter.category = own != 0 ? own : unnamed;
+    if (json.has("collideWithSystems") && json.has("notCollideWithSystems"))
+      throw InvalidValue(json.path(), "collideWithSystems or notCollideWithSystems", "both, which exclude each other");
     if (json.has("collideWithSystems"))
       filter.mask = systems(json, "collideWithSystems");
     else
@@ -245,7 +250,7 @@ class SceneReader {
       scene_.bodies.push_back({name_of(node), static_cast<int>(node), MotionType::fixed, {}});
       body = static_cast<int>(scene_.bodies.size()) - 1;
     }
-    const MappedShape result = mapped(shape, map);
+    const MappedShape result = mapped_at(node, shape, map);
     if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);
     return {name_of(node),
             static_cast<int>(node),
@@ -255,6 +260,17 @@ class SceneReader {
             {},
             false,
             {}};
+  }
+
+  /// Transforms multiply from node to node, and so may grow out of bounds.
+  MappedShape mapped_at(std::size_t node, const Shaped& shape, const Affine& map) const {
+    const std::string path = nodes_[node].path() + " (in the world)";
+    validate::point(map.translation, path + ".translation");
+    try {
+      return mapped(shape, map);
+    } catch (const InvalidValue& e) {
+      throw e.below(path);
+    }
   }
 
   /// `shape` is an index of KHR_implicit_shapes; `node` (of older drafts) or `mesh` name triangles.

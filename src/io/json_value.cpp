@@ -12,6 +12,25 @@ constexpr std::size_t longest_shown = 80;
 
 bool in_number(char c) { return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E'; }
 
+/// The place behind the string that begins at `i`.
+std::size_t string_end(std::string_view text, std::size_t i) {
+  for (++i; i < text.size() && text[i] != '"'; ++i)
+    if (text[i] == '\\') ++i;
+  return i + 1;
+}
+
+/// The place behind the value that begins at `i`, in text that is JSON.
+std::size_t value_end(std::string_view text, std::size_t i) {
+  for (int depth = 0; i < text.size();) {
+    const char c = text[i];
+    if (depth == 0 && (c == ',' || c == '}' || c == ']')) return i;
+    if (c == '{' || c == '[') ++depth;
+    if (c == '}' || c == ']') --depth;
+    i = c == '"' ? string_end(text, i) : i + 1;
+  }
+  return text.size();
+}
+
 /// A first pass over the text, outside of strings: bounds the nesting and marks the numbers that overflow.
 class Scan {
  public:
@@ -24,16 +43,11 @@ class Scan {
  private:
   std::size_t step(std::size_t i) {
     const char c = text_[i];
-    if (c == '"') return string_end(i);
+    if (c == '"') return string_end(text_, i);
     if (in_number(c)) return number_end(i);
     if ((c == '{' || c == '[') && ++depth_ > max_json_depth)
       throw InvalidValue("", "JSON nested at most " + std::to_string(max_json_depth) + " deep", "deeper nesting");
     if (c == '}' || c == ']') --depth_;
-    return i + 1;
-  }
-  std::size_t string_end(std::size_t i) const {
-    for (++i; i < text_.size() && text_[i] != '"'; ++i)
-      if (text_[i] == '\\') ++i;
     return i + 1;
   }
   std::size_t number_end(std::size_t begin) {
@@ -72,6 +86,22 @@ Json parse_json(std::string_view text) {
     if (why.size() > 300) why = why.substr(0, 300) + "...";
     throw InvalidValue("", "one JSON object", "text that is none: " + why);
   }
+}
+
+std::string member_text(std::string_view text, std::string_view key) {
+  std::string found;
+  for (std::size_t i = text.find('"'); i < text.size(); i = text.find('"', i)) {
+    const std::size_t colon = string_end(text, i), value = text.find_first_not_of(" \t\r\n:", colon);
+    // A key may be written with escapes.
+    const bool same = Json::parse(text.substr(i, colon - i)) == key;
+    i = value_end(text, value);
+    if (!same) continue;
+    found = text.substr(value, i - value);
+    found.erase(found.find_last_not_of(" \t\r\n") + 1);
+  }
+  for (char& c : found)
+    if (c == '\n' || c == '\r') c = ' ';  // these stand between values only: an answer is one line
+  return found;
 }
 
 std::string shown(const Json& value) {

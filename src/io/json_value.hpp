@@ -12,6 +12,7 @@
 
 #include "graze/error.hpp"
 #include "graze/pose.hpp"
+#include "graze/validate.hpp"
 
 namespace graze::io {
 
@@ -20,6 +21,10 @@ using Json = nlohmann::json;
 /// Parses one JSON text. Throws `InvalidValue` (without a path) for what is not one, or is nested deeper than
 /// `max_json_depth`. A number too large for a double becomes a marked string, so that it can be named where it stands.
 Json parse_json(std::string_view text);
+
+/// The value of a key of a JSON object as it is written there, on one line; of duplicate keys the last, which counts.
+/// `text` has been parsed before, and is an object with that key.
+std::string member_text(std::string_view text, std::string_view key);
 
 /// Bounds recursion over a parsed value to a fraction of the usual eight megabytes of stack.
 inline constexpr int max_json_depth = 2000;
@@ -63,22 +68,36 @@ class JsonValue {
     if (!std::isfinite(value)) fail("a finite number");
     return value;
   }
+  /// One that is >= 0 as well.
   template <class T>
-  T length() const {
+  T positive_or_zero() const {
     const T value = json_->is_number() ? static_cast<T>(json_->get<double>()) : T(-1);
     if (!(value >= T(0) && std::isfinite(value))) fail("a finite number >= 0");
+    return value;
+  }
+  /// Lengths and coordinates are no larger than `largest_magnitude`.
+  template <class T>
+  T length() const {
+    const T value = positive_or_zero<T>();
+    if (const char* expectation = validate::fault_of_length(value)) fail(expectation);
+    return value;
+  }
+  template <class T>
+  T coordinate() const {
+    const T value = number<T>();
+    if (const char* expectation = validate::fault_of_coordinate(value)) fail(expectation);
     return value;
   }
   template <class T>
   Vec3<T> vector() const {
     const auto parts = elements(3);
-    return {parts[0].number<T>(), parts[1].number<T>(), parts[2].number<T>()};
+    return {parts[0].coordinate<T>(), parts[1].coordinate<T>(), parts[2].coordinate<T>()};
   }
   /// Two coordinates, in the plane z = 0.
   template <class T>
   Vec3<T> plane_vector() const {
     const auto parts = elements(2);
-    return {parts[0].number<T>(), parts[1].number<T>(), T(0)};
+    return {parts[0].coordinate<T>(), parts[1].coordinate<T>(), T(0)};
   }
   template <class T>
   Vec3<T> lengths() const {

@@ -5,6 +5,9 @@
 
 #include <assimp/Importer.hpp>
 
+#include "io/mesh_text.hpp"
+#include "io/ply_file.hpp"
+
 namespace graze::io {
 
 namespace {
@@ -28,9 +31,17 @@ void append_mesh(const aiMesh& mesh, const aiMatrix4x4& map, TriangleSoup& soup)
   }
 }
 
-}  // namespace
+/// assimp's words on one line, without the name that it gives to bytes in memory.
+std::string told(std::string why) {
+  const std::string made_up = "$$$___magic___$$$.";
+  for (std::size_t at = why.find(made_up); at != std::string::npos; at = why.find(made_up))
+    why.replace(at, made_up.size(), "a file of ending ");
+  for (char& c : why)
+    if (c < ' ' || c > '~') c = ' ';
+  return why;
+}
 
-TriangleSoup read_mesh_file(const std::string& bytes, const std::string& format) {
+TriangleSoup read_by_assimp(const std::string& bytes, const std::string& format) {
   TriangleSoup soup;
   Assimp::Importer importer;
   const aiScene* scene = nullptr;
@@ -43,8 +54,17 @@ TriangleSoup read_mesh_file(const std::string& bytes, const std::string& format)
   } catch (const std::exception& e) {
     why = e.what();
   }
-  if (!scene) throw InvalidValue("", "a " + format + " mesh", "one that cannot be read: " + why);
+  if (!scene) throw InvalidValue("", "a " + format + " mesh", "one that cannot be read: " + told(why));
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) append_mesh(*scene->mMeshes[i], {}, soup);
+  return soup;
+}
+
+}  // namespace
+
+TriangleSoup read_mesh_file(const std::string& bytes, const std::string& format) {
+  if (format == "obj") check_obj(bytes);
+  if (format == "stl") check_stl(bytes);
+  TriangleSoup soup = format == "ply" ? read_ply(bytes) : read_by_assimp(bytes, format);
   if (soup.triangles.empty()) throw InvalidValue("", "a mesh with triangles", "none");
   return soup;
 }

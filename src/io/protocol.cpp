@@ -36,7 +36,8 @@ AnswerLine answer_line(std::string_view line, Precision precision) {
   try {
     const Json json = parse_json(line);
     if (!json.is_object()) throw InvalidValue("", "one JSON object", shown(json));
-    if (const auto found = json.find("id"); found != json.end()) id = found->dump();
+    // As it stands: parsed and written again, a long number would lose its digits.
+    if (json.contains("id")) id = member_text(line, "id");
     return {precision == Precision::double_precision ? answered<double>(json, id) : answered<float>(json, id), false};
   } catch (const InvalidValue& e) {
     return failed(id, e.what());

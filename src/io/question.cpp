@@ -41,8 +41,17 @@ Ray<T> read_ray(const JsonValue& json, bool plane, T& length) {
   };
   const Ray<T> ray{vector("origin"), vector("direction")};
   if (ray.direction == Vec3<T>{}) json.at("direction").fail("a direction that is not zero");
-  if (const auto l = json.find("length")) length = l->length<T>();
+  if (const auto l = json.find("length")) length = l->positive_or_zero<T>();
   return ray;
+}
+
+/// Where the body ends is a coordinate like any other.
+template <class T>
+void check_journey(const JsonValue& json, const MovingBody<T>& body, T duration) {
+  const Vec3<T> way = body.linear * duration;
+  if (!(max_abs(way) <= largest_magnitude<T>))
+    json.at("linear").fail("a velocity that leads no further than " +
+                           validate::number(static_cast<double>(largest_magnitude<T>)) + " within the duration");
 }
 
 bool asks_for_two(QueryKind query) { return query != QueryKind::raycast && query != QueryKind::closest; }
@@ -80,10 +89,13 @@ Question<T> read_question(const JsonValue& json) {
 
   if (q.query == QueryKind::raycast && !q.ray) json.at("ray");
   if (q.query == QueryKind::closest && !q.point) json.at("point");
-  if (q.query == QueryKind::cast)
+  if (q.query == QueryKind::cast) {
+    check_journey(json.at("a"), *q.a, q.duration);
+    check_journey(json.at("b"), *q.b, q.duration);
     for (const auto* body : {&q.a, &q.b})
       if (*body && is_half_space(**body) && (**body).angular != Vec3<T>{})
         json.at(body == &q.a ? "a" : "b").at("angular").fail("no angular velocity of a half-space");
+  }
   return q;
 }
 

@@ -144,6 +144,12 @@ void read_plane_bodies(const JsonValue& json, Question<T>& question) {
   };
   both(T(0));
   const T wide = reach(question.a->shape) + (question.b ? reach(question.b->shape) : T(0));
+  // The prism is four times as deep as the figures are wide, and a box like any other.
+  if (!(T(4) * wide <= largest_magnitude<T>))
+    throw InvalidValue(question.b ? "a, b" : "a",
+                       "figures that reach at most " + validate::number(static_cast<double>(largest_magnitude<T>) / 4) +
+                           " from their origins, together",
+                       validate::number(static_cast<double>(wide)));
   both(wide > T(0) ? T(2) * wide : T(1));
 }
 

@@ -27,8 +27,14 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
     validate::point(child.pose.translation, path + ".translation");
     child.pose.rotation = validate::rotation(child.pose.rotation, path + ".rotation");
 
-    const T reach = child.shape.visit([](const auto& c) { return c.core_extent(); }) + child.shape.margin();
-    data->extent = greatest(data->extent, length(child.pose.translation) + reach);
+    const T reach = length(child.pose.translation) + child.shape.margin() +
+                    child.shape.visit([](const auto& c) { return c.core_extent(); });
+    // One in another in another adds up.
+    constexpr T furthest = T(8) * largest_magnitude<T>;
+    if (!(reach <= furthest))
+      validate::fail(path, "a child that reaches at most " + validate::number(static_cast<double>(furthest)),
+                     static_cast<double>(reach));
+    data->extent = greatest(data->extent, reach);
     data->boxes.push_back(bounds(child.shape, child.pose));
     if (finite(data->boxes[i]))
       pieces.push_back({data->boxes[i], i});

@@ -81,6 +81,37 @@ TEST(Cli, BadInputIsNamedAndExitsWithTwo) {
   EXPECT_EQ(run("query /nonexistent").code, 2);
 }
 
+// Options are input too.
+TEST(Cli, OptionsThatAreNoNumbersAreRefused) {
+  const auto refusal = [](const std::string& options) {
+    const Result r = run("collide " + demo + " " + options);
+    EXPECT_EQ(r.code, 2) << options;
+    return r.output;
+  };
+  EXPECT_EQ(refusal("--margin nan"), "graze: --margin: expected a finite number >= 0, got nan\n");
+  EXPECT_EQ(refusal("--margin inf"), "graze: --margin: expected a finite number >= 0, got inf\n");
+  EXPECT_EQ(refusal("--margin -1"), "graze: --margin: expected a finite number >= 0, got -1\n");
+  EXPECT_EQ(refusal("--margin 1e300"), "graze: --margin: expected a magnitude of at most 1e48, got 1e+300\n");
+  EXPECT_EQ(refusal("--precision float --margin 1e300"),
+            "graze: --margin: expected a finite number >= 0, got 1e+300\n");
+  EXPECT_EQ(refusal("--precision float --margin 1e18"),
+            "graze: --margin: expected a magnitude of at most 1e17 (in float), got 1e+18\n");
+  EXPECT_EQ(refusal("--direction nan,0,1"), "graze: --direction[0]: expected a finite number, got nan\n");
+  EXPECT_EQ(refusal("--direction nan 0 1 --svg n.svg"), "graze: --direction[0]: expected a finite number, got nan\n");
+  EXPECT_EQ(refusal("--direction 0,0,0"), "graze: --direction: expected a direction that is not zero, got 0, 0, 0\n");
+}
+
+// The colliders that a file has stay, and it is said that none are made of its meshes.
+TEST(Cli, CollidersOfMeshesLeaveThoseOfTheFileAlone) {
+  const Result own = run("info " + demo), asked = run("info " + demo + " --colliders hull");
+  EXPECT_EQ(asked.code, 0);
+  const std::string note = "note: the file has colliders of its own, which stay: none are made of its meshes\n";
+  EXPECT_NE(asked.output.find(note), std::string::npos) << asked.output;
+  std::string rest = asked.output;
+  if (const auto at = rest.find(note); at != std::string::npos) rest.erase(at, note.size());
+  EXPECT_EQ(rest, own.output);
+}
+
 TEST(Cli, QueryExitsWithOneWhenAnAnswerIsAnError) {
   EXPECT_EQ(run("query < /dev/null").code, 0);
   const auto file = std::filesystem::temp_directory_path() / "graze_cli_test.jsonl";

@@ -101,10 +101,10 @@ PlacedSpecimen on_lattice(Specimen specimen, float scale, Random& random) {
 }
 
 template <class T>
-Shape<T> build(const Specimen& s) {
-  const T a(s.size[0]), b(s.size[1]), c(s.size[2]), margin(s.margin);
+Shape<T> build(const Specimen& s, T scale) {
+  const T a = T(s.size[0]) * scale, b = T(s.size[1]) * scale, c = T(s.size[2]) * scale, margin = T(s.margin) * scale;
   std::vector<Vec3<T>> points;
-  for (const Vec3f& p : s.points) points.push_back(cast<T>(p));
+  for (const Vec3f& p : s.points) points.push_back(cast<T>(p) * scale);
   switch (s.kind) {
   case Kind::sphere: return {Sphere<T>(a), margin};
   case Kind::capsule: return {Capsule<T>(a, b), margin};
@@ -122,15 +122,15 @@ Shape<T> build(const Specimen& s) {
   default: return {HalfSpace<T>(), margin};
   }
 }
-template Shape<float> build(const Specimen&);
-template Shape<double> build(const Specimen&);
+template Shape<float> build(const Specimen&, float);
+template Shape<double> build(const Specimen&, double);
 
 template <class T>
-Pose<T> pose_of(const PlacedSpecimen& p) {
-  return {cast<T>(p.translation), normalized(cast<T>(p.rotation))};
+Pose<T> pose_of(const PlacedSpecimen& p, T scale) {
+  return {cast<T>(p.translation) * scale, normalized(cast<T>(p.rotation))};
 }
-template Pose<float> pose_of(const PlacedSpecimen&);
-template Pose<double> pose_of(const PlacedSpecimen&);
+template Pose<float> pose_of(const PlacedSpecimen&, float);
+template Pose<double> pose_of(const PlacedSpecimen&, double);
 
 reference::Placed reference_of(const PlacedSpecimen& p) {
   using namespace reference;

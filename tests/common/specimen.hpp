@@ -62,10 +62,11 @@ Specimen degenerate_specimen(Kind kind, float scale, Random& random);
 /// A pose of the lattice: half steps of `scale`, turns of 45, 90 and 120 degrees.
 PlacedSpecimen on_lattice(Specimen specimen, float scale, Random& random);
 
+/// In units of `scale`.
 template <class T>
-Shape<T> build(const Specimen& specimen);
+Shape<T> build(const Specimen& specimen, T scale = T(1));
 template <class T>
-Pose<T> pose_of(const PlacedSpecimen& placed);
+Pose<T> pose_of(const PlacedSpecimen& placed, T scale = T(1));
 
 reference::Placed reference_of(const PlacedSpecimen& placed);
 

@@ -90,6 +90,46 @@ TEST(Protocol, NumbersAreFiniteInThePrecisionAskedFor) {
   EXPECT_TRUE(ask(big).contains("distance"));
 }
 
+// Lengths are multiplied with each other: what would overflow is refused where it stands.
+TEST(Protocol, MagnitudesAreBounded) {
+  const std::string ball = R"({"shape": {"type": "sphere"}})", far = R"(1.1e48)", near = R"(1e48)";
+  const auto placed = [](const std::string& x) {
+    return R"({"shape": {"type": "box"}, "translation": [)" + x + R"(, 0, 0]})";
+  };
+  const auto between = [&](const std::string& a, const std::string& more = "") {
+    return R"({"query": "distance", "a": )" + a + R"(, "b": )" + ball + more + "}";
+  };
+  EXPECT_EQ(error(between(placed(far))), "a.translation[0]: expected a magnitude of at most 1e48, got 1.1e+48");
+  EXPECT_NEAR(ask(between(placed(near)))["distance"].get<double>() / 1e48, 1, 1e-12);
+  EXPECT_EQ(error(between(placed("2e17")), Precision::single_precision),
+            "a.translation[0]: expected a magnitude of at most 1e17 (in float), got 2e+17");
+  EXPECT_NEAR(ask(between(placed("-1e17")), Precision::single_precision)["distance"].get<double>() / 1e17, 1, 1e-5);
+  EXPECT_EQ(error(between(R"({"shape": {"type": "sphere", "margin": 1e49}})")),
+            "a.shape.margin: expected a magnitude of at most 1e48, got 1e+49");
+  EXPECT_EQ(error(between(R"({"shape": {"type": "box", "box": {"size": [1, 1, 1e49]}}})")),
+            "a.shape.box.size[2]: expected a magnitude of at most 1e48, got 1e+49");
+  EXPECT_EQ(error(between(ball, R"(, "margin": 1e49)")), "margin: expected a magnitude of at most 1e48, got 1e+49");
+  EXPECT_EQ(error(R"({"query": "closest", "point": [1e25, 0, 0], "a": )" + ball + "}", Precision::single_precision),
+            "point[0]: expected a magnitude of at most 1e17 (in float), got 1e+25");
+  EXPECT_EQ(
+      error(R"({"query": "raycast", "ray": {"origin": [0, 1e49, 0], "direction": [1, 0, 0]}, "a": )" + ball + "}"),
+      "ray.origin[1]: expected a magnitude of at most 1e48, got 1e+49");
+  EXPECT_EQ(
+      error(R"({"query": "cast", "duration": 10, "a": {"shape": {"type": "sphere"}, "linear": [2e47, 0, 0]}, "b": )" +
+            ball + "}"),
+      "a.linear: expected a velocity that leads no further than 1e+48 within the duration, got [2e+47,0,0]");
+  EXPECT_EQ(
+      error(R"({"dimension": 2, "query": "overlap", "a": {"shape": {"type": "circle", "circle": {"radius": 5e47}}},
+                      "b": {"shape": {"type": "circle", "circle": {"radius": 1}}}})"),
+      "a, b: expected figures that reach at most 2.5e+47 from their origins, together, got 5e+47");
+  // Children of children add up.
+  std::string child = placed("1e48");
+  for (int i = 0; i < 9; ++i)
+    child =
+        R"({"translation": [1e48, 0, 0], "shape": {"type": "compound", "compound": {"children": [)" + child + "]}}}";
+  EXPECT_NE(error(between(child)).find("expected a child that reaches at most 8e+48, got "), std::string::npos);
+}
+
 TEST(Protocol, UnknownKeysAreErrorsAndCommentsAreNot) {
   EXPECT_EQ(error(to_ball(R"({"type": "sphere", "sphere": {"radios": 1}})")),
             "a.shape.sphere.radios: expected one of the keys radius, got an unknown key");
@@ -108,6 +148,18 @@ TEST(Protocol, EchoesTheIdInAnswersAndErrors) {
   EXPECT_EQ(ask(to_ball(R"({"type": "sphere"})", R"(, "id": null)"))["id"], nullptr);
   EXPECT_FALSE(ask(to_ball(R"({"type": "sphere"})")).contains("id"));
   for (const char* bad : {"", "{", "[]", "1", "{} {}", "{\"id\": 1} x", "\xff"}) EXPECT_FALSE(ask(bad).contains("id"));
+}
+
+TEST(Protocol, EchoesTheIdAsItIsWritten) {
+  for (const char* id : {"12345678901234567890123", "1.10", "-0", "1e400", "1E+5", "\"\\u0041 \\\" , } \"",
+                         "[1.0, {\"a\": [] }]", "{}", "null", "\"\xc3\xa9\""}) {
+    const std::string head = std::string("{\"id\":") + id + ",";
+    for (const std::string& line :
+         {std::string("{\"id\": ") + id + "}", std::string("{\"x\": {\"id\": 3}, \"id\" :") + id + " \t}",
+          std::string("{\"id\": 5, \"a\": \"id\", \"\\u0069d\":\r\n") + id + "\n, \"b\": []}"})
+      EXPECT_EQ(answer_line(line, Precision::double_precision).text.substr(0, head.size()), head) << line;
+  }
+  EXPECT_EQ(answer_line("{\"id\": [1,\n2]}", Precision::double_precision).text.substr(0, 13), "{\"id\":[1, 2],");
 }
 
 TEST(Protocol, ContactsGiveTheWholeManifold) {

@@ -116,6 +116,15 @@ TEST(GltfScene, FiltersBodiesAndTriggers) {
   EXPECT_TRUE(collide(load(json)).empty());
 }
 
+// A list of what to collide with and one of what not to exclude each other.
+TEST(GltfScene, FilterWithBothListsIsRefused) {
+  Json json = base();
+  json["extensions"]["KHR_physics_rigid_bodies"]["collisionFilters"][1]["collideWithSystems"] = {"b"};
+  EXPECT_EQ(refusal(json),
+            "test.gltf: extensions.KHR_physics_rigid_bodies.collisionFilters[1]: expected collideWithSystems or "
+            "notCollideWithSystems, got both, which exclude each other");
+}
+
 TEST(GltfScene, AppendJoinsSystemsByName) {
   Json json = base();
   physics(json, 0)["collider"]["collisionFilter"] = 0;
@@ -162,6 +171,72 @@ TEST(GltfScene, BrokenFilesAreRefused) {
   std::string glb("glTF\2\0\0\0\xff\xff\xff\x7f\xff\xff\xff\x7fJSON", 20);
   EXPECT_NE(refusal(glb).find("header.length"), std::string::npos);
   EXPECT_NE(refusal(std::string(100000, '[')).find("nested"), std::string::npos);
+}
+
+// Transforms multiply from node to node; and what double holds may be too large for float.
+TEST(GltfScene, MagnitudesAreBounded) {
+  Json json = base();
+  json["nodes"].push_back({{"scale", {1e25, 1e25, 1e25}}, {"children", {0}}});
+  json["nodes"][0]["translation"] = {1e25, 0, 0};
+  json["scenes"][0]["nodes"] = {2, 1};
+  EXPECT_EQ(refusal(json), "test.gltf: nodes[0] (in the world).translation[0]: expected a magnitude of at most 1e48, "
+                           "got 1.0000000000000003e+50");
+  json["nodes"][0] = base()["nodes"][0];
+  json["nodes"][0]["scale"] = {1e25, 1e25, 1e25};
+  EXPECT_EQ(
+      refusal(json),
+      "test.gltf: nodes[0] (in the world).size[0]: expected a magnitude of at most 1e48, got 1.0000000000000003e+50");
+  json["nodes"][0]["scale"] = {1, 1, 1};
+  const Scene scene = load(json);
+  EXPECT_EQ(collide(scene).size(), 1u);
+  CollideOptions single;
+  single.precision = Precision::single_precision;
+  try {
+    collide(scene, single);
+    FAIL() << "a box of 1e25 in float";
+  } catch (const InvalidValue& e) {
+    EXPECT_STREQ(e.what(),
+                 "test.gltf: box.size[0]: expected a magnitude of at most 1e17 (in float), got 9.999999562023526e+24");
+  }
+}
+
+// What tinygltf refuses without a place, or takes for absent.
+TEST(GltfScene, FaultsOfBuffersAndAccessorsAreNamed) {
+  const auto with = [](const std::function<void(Json&)>& change) {
+    Json json = base();
+    json["meshes"] = Json::parse(R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])");
+    json["accessors"] = Json::parse(R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])");
+    json["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 36}])");
+    json["buffers"] = Json::parse(
+        R"([{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])");
+    physics(json, 0)["collider"]["geometry"] = {{"mesh", 0}};
+    change(json);
+    return refusal(json);
+  };
+  EXPECT_EQ(with([](Json&) {}), "loaded");
+  EXPECT_EQ(with([](Json& j) { j["buffers"][0].erase("uri"); }),
+            "test.gltf: buffers[0].uri: expected a value, of all but the first buffer of a .glb, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["buffers"][0]["byteLength"] = 40; }),
+            "test.gltf: buffers[0].byteLength: expected the 36 bytes of its uri, got 40");
+  EXPECT_EQ(with([](Json& j) { j["buffers"][0]["uri"] = "x.bin"; }),
+            "test.gltf: buffers[0].uri: expected a file below the scene's folder, got \"x.bin\"");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0].erase("buffer"); }),
+            "test.gltf: bufferViews[0].buffer: expected a value, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0]["byteOffset"] = -3; }),
+            "test.gltf: bufferViews[0].byteOffset: expected a whole number >= 0, got -3");
+  EXPECT_EQ(with([](Json& j) { j["bufferViews"][0]["byteStride"] = 3; }),
+            "test.gltf: bufferViews[0].byteStride: expected a multiple of 4 from 4 to 252, got 3");
+  EXPECT_EQ(with([](Json& j) { j["accessors"][0].erase("count"); }),
+            "test.gltf: accessors[0].count: expected a value, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["accessors"][0]["componentType"] = 7; }),
+            "test.gltf: accessors[0].componentType: expected a component type of glTF: 5120 to 5126, got 7");
+  EXPECT_EQ(with([](Json& j) { j["accessors"][0].erase("bufferView"); }),
+            "test.gltf: accessors[0].bufferView: expected a value, of an accessor that is not sparse, got nothing");
+  EXPECT_EQ(with([](Json& j) { j["meshes"][0]["primitives"][0]["indices"] = "x"; }),
+            "test.gltf: meshes[0].primitives[0].indices: expected a whole number >= 0, got \"x\"");
+  EXPECT_EQ(with([](Json& j) { j["materials"] = {3}; }), "test.gltf: materials[0]: expected an object, got 3");
+  EXPECT_EQ(with([](Json& j) { j["asset"]["version"] = "1.0"; }),
+            "test.gltf: asset.version: expected a version 2.x of glTF, got \"1.0\"");
 }
 
 // A gigabyte of points claimed in a kilobyte of file.

@@ -15,7 +15,7 @@
 namespace graze::io {
 
 struct CollideOptions {
-  double margin = 0;
+  double margin = 0;  ///< >= 0, up to `largest_magnitude` of the precision
   Precision precision = Precision::double_precision;
   /// Called from time to time with how much of a part of the work is done, of how much.
   std::function<void(std::size_t, std::size_t)> progress;
@@ -34,6 +34,7 @@ struct TouchingPair {
   std::size_t point_count() const;
 };
 
+/// Throws `InvalidValue` for a margin, shape or pose that is too large for the precision.
 std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options = {});
 
 }  // namespace graze::io

@@ -67,7 +67,7 @@ enum class MeshColliders : std::uint8_t { hull, mesh, box, sphere };
 
 struct LoadOptions {
   MeshColliders mesh_colliders = MeshColliders::mesh;
-  bool chosen = false;  ///< `mesh_colliders` was asked for: meshes collide even where the file has colliders of its own
+  bool chosen = false;  ///< asked for, not the default: a file with colliders of its own, which stay, says so
 };
 
 /// Reads a scene file. glTF 2.0 (.gltf, .glb) with KHR_implicit_shapes and KHR_physics_rigid_bodies; OBJ, STL and PLY as one mesh each.

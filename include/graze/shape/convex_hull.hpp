@@ -65,7 +65,7 @@ class ConvexHull {
  public:
   static constexpr const char* name = "convex";
 
-  /// The hull of at least one finite point. Expected time n log n. Throws `InvalidValue`.
+  /// The hull of at least one point, up to `largest_magnitude`. Expected time n log n. Throws `InvalidValue`.
   explicit ConvexHull(std::span<const Vec3<T>> points);
 
   const HullData<T>& data() const { return *data_; }

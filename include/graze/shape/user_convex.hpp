@@ -27,7 +27,8 @@ class UserConvex {
  public:
   static constexpr const char* name = "user";
 
-  /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite.
+  /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger
+  /// than `largest_magnitude`.
   explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
     if (!function_) throw InvalidValue("function", "a support function", "null");
     const Aabb<T> box = core_bounds({});

@@ -12,6 +12,7 @@
 
 #include "graze/filter.hpp"
 #include "graze/shape.hpp"
+#include "graze/validate.hpp"
 
 namespace graze {
 
@@ -39,9 +40,13 @@ template <class T>
 class BodyArrays {
  public:
   /// With `margin` contacts begin that far from every body, without it at each one's `contact_margin`.
-  explicit BodyArrays(std::optional<T> margin = {}) : margin_(margin) {}
+  /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
+  explicit BodyArrays(std::optional<T> margin = {}) : margin_(margin) {
+    if (margin) validate::extent(*margin, "margin");
+  }
 
-  /// Throws `InvalidValue` for a pose or velocity that is not finite; turns the quaternion to unit length.
+  /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`; turns the
+  /// quaternion to unit length.
   BodyId add(Body<T> body);
   /// These throw `InvalidValue` for a handle whose body is gone.
   void remove(BodyId id);

@@ -1,0 +1,18 @@
+// PLY files (Turk 1994, "The PLY polygon file format"), ASCII and binary of either byte order, as triangles.
+//
+// Guarantee: memory stays within a small multiple of the file, whatever it claims: a count is compared with the bytes
+// that are left before anything is made of it. Read here and not by assimp 5.2, which believes the counts (a file of
+// 120 bytes took 11 GB) and takes a binary body that begins with the byte 10 for one that begins after it.
+#pragma once
+
+#include <string_view>
+
+#include "io/gltf_document.hpp"
+
+namespace graze::io {
+
+/// The polygons of the element `face` and the strips of `tristrips` over the points of `vertex`; what else the file
+/// holds is left out. Throws `InvalidValue`.
+TriangleSoup read_ply(std::string_view bytes);
+
+}  // namespace graze::io

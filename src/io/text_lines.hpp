@@ -1,0 +1,46 @@
+// The lines of a text and the words in them, for formats that are told line by line.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace graze::io {
+
+using Words = std::vector<std::string_view>;
+
+inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Text as it appears in an error: in quotes, shortened when long, without what no terminal shows.
+std::string quoted(std::string_view text);
+
+/// The number that a whole word is, infinite or not a number included; or nothing.
+std::optional<double> number_in(std::string_view word);
+
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : rest_(text) {}
+
+  /// Goes on to the next line, which ends with \n or \r\n; false at the end.
+  bool next();
+  /// Lines that end with a backslash go on in the next.
+  bool next_joined();
+
+  Words words() const;
+  std::size_t line() const { return line_; }       ///< counted from 1
+  std::string_view rest() const { return rest_; }  ///< behind this line
+  std::string place() const { return "line " + std::to_string(line_); }
+
+  /// The whole number >= 0 that a word of this line must be.
+  std::size_t whole(std::string_view word) const;
+  [[noreturn]] void fail(const std::string& expectation) const;
+
+ private:
+  std::string_view rest_, text_;
+  std::string joined_;
+  std::size_t line_ = 0, lines_ = 0;
+};
+
+}  // namespace graze::io
