@@ -114,6 +114,59 @@ TEST(Manifold, PointsLieOnBothShapesWhateverThePair) {
   }
 }
 
+/// Of a rounded shape, whose surface is as far from its core as the margin is wide: told from the core alone.
+Real beside_surface(PlacedSpecimen placed, const Vec3d& point) {
+  const auto margin = static_cast<Real>(placed.specimen.margin);
+  placed.specimen.margin = 0;
+  return std::abs(reference::outside_distance(reference_of(placed), vector_of(point)) - margin);
+}
+
+// A lid rests 11 degrees aslant on a slab: the point over its edge lies on the edge's quarter round, not a radius below
+// the edge.
+TEST(Manifold, PointsOfATiltedRoundedBoxLieOnItsSurface) {
+  const Shaped slab = Box<double>({4, 1, 4}), lid = Shaped(Box<double>({1, 1, 1}), 0.3);
+  const double angle = 2 * std::atan(0.2);
+  const Posed pose{{0, 1.35, 0}, Quatd::from_axis_angle({0, 0, 1}, angle)};
+  const Manifold<double> m = only_manifold(slab, {}, lid, pose, 0.6);
+  ASSERT_EQ(m.points.size(), 4u);
+  for (const auto& p : m.points) {
+    EXPECT_EQ(p.a.y, 0.5);
+    EXPECT_NEAR(closest(lid, pose, p.b).distance, 0, 1e-12);
+  }
+}
+
+// Rounded shapes one on the other, aslant by up to 17 degrees (so that feet fall beyond edges and corners), apart and
+// overlapping.
+TEST(Manifold, PointsOfRoundedShapesLieOnBothSurfaces) {
+  Random random(14);
+  int points = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto ka = static_cast<Kind>(random() % bounded_kinds), kb = static_cast<Kind>(random() % kind_count);
+    PlacedSpecimen a{random_specimen(ka, 1, random), random_vector(random, 0.4f), random_rotation(random)};
+    PlacedSpecimen b{random_specimen(kb, 1, random), random_vector(random, 0.4f), a.rotation};
+    if (i % 4 != 0) a.specimen.margin = uniform(random, 0.01f, 0.3f);
+    if (i % 4 != 1) b.specimen.margin = uniform(random, 0.01f, 0.3f);
+    if (kb == Kind::half_space) b.translation *= 0.2f;
+    const Vec3f tilt = random_vector(random, i % 2 ? 0.15f : 0.01f);
+    b.rotation = normalized(b.rotation * Quatf{tilt.x, tilt.y, tilt.z, 1});
+    const Shaped sa = build<double>(a.specimen), sb = build<double>(b.specimen);
+    Manifolds<double> manifolds;
+    contacts(sa, pose_of<double>(a), sb, pose_of<double>(b), 0.3, manifolds);
+    for (const auto& m : manifolds)
+      for (const auto& p : m.points) {
+        ++points;
+        EXPECT_LT(length(p.b - p.a - m.normal * p.distance), 1e-12);
+        if (a.specimen.margin > 0) {
+          EXPECT_LT(beside_surface(a, p.a), 2e-6L) << describe(a) << "\n" << describe(b);
+        }
+        if (b.specimen.margin > 0 && kb != Kind::half_space) {
+          EXPECT_LT(beside_surface(b, p.b), 2e-6L) << describe(a) << "\n" << describe(b);
+        }
+      }
+  }
+  EXPECT_GT(points, 20000);
+}
+
 TEST(Manifold, SwappingTheShapesMirrorsPointsAndFeatures) {
   Random random(8);
   const Shaped box = Box<double>({1, 0.6, 0.8}), can = Cylinder<double>(0.8, 0.4);
