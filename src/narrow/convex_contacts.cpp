@@ -137,6 +137,20 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
   return true;
 }
 
+/// Appends a point, unless one of the same features is known, or one at the same place: rounding splits a point in two
+/// where edges end about on a corner. Of the two the deeper is kept, so that names are unique within a manifold.
+template <class T>
+void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
+  for (ContactPoint<T>& known : manifold.points) {
+    const bool same = known.feature == point.feature ||
+                      (max_abs(known.a - point.a) <= together && max_abs(known.b - point.b) <= together);
+    if (!same) continue;
+    if (point.distance < known.distance) known = point;
+    return;
+  }
+  manifold.points.push_back(point);
+}
+
 /// The points of two faces laid over each other that are at most `limit` apart, appended to the manifold. Distances are
 /// measured before the points are rounded to T and to the world. Returns the smallest of all.
 template <class T>
@@ -145,6 +159,7 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
   FaceContacts faces;
   lay_over(face_a, face_b, normal, faces);
   const RoundedFace rounded_a(face_a, normal, a.radius()), rounded_b(face_b, -normal, b.radius());
+  const T together = tolerance<T> * static_cast<T>(smaller_size(a, b));
   double nearest = std::numeric_limits<double>::infinity();
   for (const FaceContact& c : faces) {
     Vec3d on_a, on_b;
@@ -152,8 +167,8 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
     const double apart = dot(on_b - on_a, normal);
     nearest = std::min(nearest, apart);
     if (apart > limit) continue;
-    manifold.points.push_back(
-        {cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature});
+    add_point<T>({cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature},
+                 together, manifold);
   }
   manifold.normal = cast<T>(rotate(frame.rotation, normal));
   return nearest;
@@ -272,8 +287,9 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
     const Vec3d low = face.vertices[i] - up * rise;
     const double apart = low.y - lift;
     if (apart > static_cast<double>(margin)) continue;
-    manifold.points.push_back({cast<T>(transform(frame, Vec3d{low.x, lift, low.z})), cast<T>(transform(frame, low)),
-                               static_cast<T>(apart), feature_id(face_feature(0), vertex_feature(face.ids[i]))});
+    add_point<T>({cast<T>(transform(frame, Vec3d{low.x, lift, low.z})), cast<T>(transform(frame, low)),
+                  static_cast<T>(apart), feature_id(face_feature(0), vertex_feature(face.ids[i]))},
+                 tolerance<T> * static_cast<T>(side.size()), manifold);
   }
   manifold.normal = cast<T>(rotate(frame.rotation, up));
 }

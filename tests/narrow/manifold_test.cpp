@@ -121,7 +121,7 @@ Real beside_surface(PlacedSpecimen placed, const Vec3d& point) {
   return std::abs(reference::outside_distance(reference_of(placed), vector_of(point)) - margin);
 }
 
-// A lid rests 11 degrees aslant on a slab: the point over its edge lies on the edge's quarter round, not a radius below
+// A lid hangs 23 degrees aslant on a slab: the point over its edge lies on the edge's quarter round, not a radius below
 // the edge.
 TEST(Manifold, PointsOfATiltedRoundedBoxLieOnItsSurface) {
   const Shaped slab = Box<double>({4, 1, 4}), lid = Shaped(Box<double>({1, 1, 1}), 0.3);
@@ -135,7 +135,7 @@ TEST(Manifold, PointsOfATiltedRoundedBoxLieOnItsSurface) {
   }
 }
 
-// Rounded shapes one on the other, aslant by up to 17 degrees (so that feet fall beyond edges and corners), apart and
+// Rounded shapes one on the other, aslant by up to 30 degrees (so that feet fall beyond edges and corners), apart and
 // overlapping.
 TEST(Manifold, PointsOfRoundedShapesLieOnBothSurfaces) {
   Random random(14);
@@ -165,6 +165,44 @@ TEST(Manifold, PointsOfRoundedShapesLieOnBothSurfaces) {
       }
   }
   EXPECT_GT(points, 20000);
+}
+
+// A cylinder's line touches a box's face about at its corner, whose end the line's end all but meets: one point.
+TEST(Manifold, PointsThatRoundingSplitsAreOne) {
+  const Shape<float> can = Cylinder<float>(0.8043799f, 0.5724918f),
+                     box = Box<float>({0.14606866f, 0.6359927f, 0.6081095f});
+  const Posef at_can{{0.70013446f, -0.06977015f, 0.68350122f}, {}};
+  const Posef at_box{{-0.24040722f, 0.00180585f, 0.42755058f},
+                     normalized(Quatf{-0.42470438f, -0.81927955f, -0.00680978f, 0.33611954f})};
+  Manifolds<float> manifolds;
+  contacts(can, at_can, box, at_box, 0.0f, manifolds);
+  ASSERT_EQ(manifolds.size(), 1u);
+  EXPECT_EQ(manifolds[0].points.size(), 1u);
+}
+
+TEST(Manifold, PointsHaveNamesAndPlacesOfTheirOwn) {
+  Random random(15);
+  for (int i = 0; i < 20000; ++i) {
+    const auto ka = static_cast<Kind>(random() % bounded_kinds), kb = static_cast<Kind>(random() % kind_count);
+    const PlacedSpecimen a{random_specimen(ka, 1, random), random_vector(random, 0.5f), random_rotation(random)};
+    PlacedSpecimen b{random_specimen(kb, 1, random), random_vector(random, 0.5f), random_rotation(random)};
+    if (i % 2 == 0) b.rotation = a.rotation;
+    const auto check = [&]<class T>(T margin, double same) {
+      Manifolds<T> manifolds;
+      contacts(build<T>(a.specimen), pose_of<T>(a), build<T>(b.specimen), pose_of<T>(b), margin, manifolds);
+      for (const auto& m : manifolds)
+        for (std::size_t k = 0; k < m.points.size(); ++k)
+          for (std::size_t l = 0; l < k; ++l) {
+            const auto &p = m.points[k], &q = m.points[l];
+            EXPECT_NE(p.feature, q.feature) << describe(a) << "\n" << describe(b);
+            EXPECT_GT(static_cast<double>(std::max(max_abs(p.a - q.a), max_abs(p.b - q.b))), same)
+                << describe(a) << "\n"
+                << describe(b);
+          }
+    };
+    check(0.05f, 1e-7);
+    check(0.05, 1e-12);
+  }
 }
 
 TEST(Manifold, SwappingTheShapesMirrorsPointsAndFeatures) {
