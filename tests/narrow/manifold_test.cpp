@@ -205,6 +205,31 @@ TEST(Manifold, PointsHaveNamesAndPlacesOfTheirOwn) {
   }
 }
 
+// The bound that `contacts` states, over pairs of all kinds, those with faces about parallel among them. (A margin for
+// contacts is a hundredth of the smaller shape.)
+TEST(Manifold, TheDeepestPointIsAsDeepAsTheDistanceUpToATwoHundredth) {
+  Random random(16);
+  for (int i = 0; i < 40000; ++i) {
+    const auto ka = static_cast<Kind>(random() % bounded_kinds), kb = static_cast<Kind>(random() % kind_count);
+    const PlacedSpecimen a{random_specimen(ka, 1, random), random_vector(random, 0.5f), random_rotation(random)};
+    PlacedSpecimen b{random_specimen(kb, 1, random), random_vector(random, 0.5f), random_rotation(random)};
+    if (i % 2 == 0) {
+      const Vec3f tilt = random_vector(random, 0.02f);
+      b.rotation = normalized(a.rotation * Quatf{tilt.x, tilt.y, tilt.z, 1});
+    }
+    const Shaped sa = build<double>(a.specimen), sb = build<double>(b.specimen);
+    Manifolds<double> manifolds;
+    contacts(sa, pose_of<double>(a), sb, pose_of<double>(b), 0.05, manifolds);
+    if (manifolds.empty()) continue;
+    double deepest = 1;
+    for (const auto& p : manifolds.at(0).points) deepest = std::min(deepest, p.distance);
+    const double truth = distance(sa, pose_of<double>(a), sb, pose_of<double>(b)).distance;
+    EXPECT_LE(std::abs(deepest - truth), contact_margin(sa, sb) / 2 + 1e-9) << deepest << " " << truth << "\n"
+                                                                            << describe(a) << "\n"
+                                                                            << describe(b);
+  }
+}
+
 TEST(Manifold, SwappingTheShapesMirrorsPointsAndFeatures) {
   Random random(8);
   const Shaped box = Box<double>({1, 0.6, 0.8}), can = Cylinder<double>(0.8, 0.4);
