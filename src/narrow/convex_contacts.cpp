@@ -39,6 +39,7 @@ class Side {
 
   double radius() const { return radius_; }
   double size() const { return size_; }
+  bool round_side() const { return shape_.template as<Cylinder<T>>() != nullptr; }
 
   Vec3d core_support(const Vec3d& direction) const {
     return transform(pose_, ShapeCore<T>(shape_).core_support(rotate(conjugate(pose_.rotation), direction)));
@@ -105,6 +106,10 @@ double smaller_size(const Side<T>& a, const Side<T>& b) {
 /// tolerance, and far above the rounding of its poses.
 constexpr double on_surface = 1e-6;
 
+/// The same for a place on the side of a cylinder, which is round across its line: a place beside the line by this much
+/// is off the side by half its square. A depth is right to ten digits and its normal, which tells the line, to five.
+constexpr double on_side = 2e-5;
+
 /// The points on the two surfaces over a place where the cores' faces meet, one straight above the other. Two edges
 /// that are not quite parallel are also apart across the normal: the gap is shared in the ratio of the radii, so that
 /// both points lie on their rounded edges. False when the edges are too sharp for that.
@@ -115,9 +120,10 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
   const Vec3d across = c.b - c.a - normal * apart;
   on_a = c.a;
   Vec3d from_b = c.b;
-  if (length(across) > on_surface * smaller_size(a, b)) {
-    if (!(radii > 0)) return false;
-    const double share = a.radius() / radii;
+  const double beside = length(across), smaller = smaller_size(a, b);
+  if (beside > on_surface * smaller) {
+    if (!(radii > 0) && !((a.round_side() || b.round_side()) && beside <= on_side * smaller)) return false;
+    const double share = radii > 0 ? a.radius() / radii : a.round_side() ? 1 : 0;
     on_a += across * share;
     from_b -= across * (1 - share);
   }
@@ -217,9 +223,15 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
     const Vec3d normal = preferred_normal(side_a, closest_a, side_b, closest_b, closest_normal, distance);
     const bool same = normal == closest_normal;
-    const double nearest = add_points(side_a, same ? closest_a : side_a.face(normal, true), side_b,
-                                      same ? closest_b : side_b.face(-normal, true), normal,
-                                      furthest_kept(side_a, side_b, margin, distance), frame, manifold);
+    const double limit = furthest_kept(side_a, side_b, margin, distance);
+    double nearest = add_points(side_a, same ? closest_a : side_a.face(normal, true), side_b,
+                                same ? closest_b : side_b.face(-normal, true), normal, limit, frame, manifold);
+    if (manifold.points.empty() && (side_a.round_side() || side_b.round_side())) {
+      // A line along the edge of a side, and not over the side by as much as the normal is off, still meets that edge.
+      const PlacedFace edge_a = side_a.face(normal), edge_b = side_b.face(-normal);
+      if (edge_a.vertices.size() == 2 && edge_b.vertices.size() == 2)
+        nearest = add_points(side_a, edge_a, side_b, edge_b, normal, limit, frame, manifold);
+    }
     // Faces that miss what is nearest serve worse than the closest points.
     if (nearest <= distance + face_preference * smaller_size(side_a, side_b) && !manifold.points.empty()) return;
     manifold.points.clear();

@@ -352,6 +352,27 @@ TEST(Manifold, MovingTheSceneMovesThePoints) {
   }
 }
 
+// The line of a cylinder's side lies along a box's edge, which the normal of the depth, right to half the digits of the
+// depth, places a few millionths beside it: two points wherever the scene stands.
+TEST(Manifold, ACylinderAlongABoxesEdgeTouchesInTwoPointsHoweverTheSceneIsTurned) {
+  Random random(17);
+  const Shaped can = Cylinder<double>(0.79, 0.3513), box = Box<double>({0.77, 0.303, 0.3});
+  const Posed at_can{{-0.1805, -0.2852, 0.511}, {}};
+  const Posed at_box{{-0.7145, -0.648, 0.7669}, Quatd::from_axis_angle({1, 0, 0}, std::acos(-1) / 2)};
+  for (int i = 0; i < 1000; ++i) {
+    const Posed move{cast<double>(random_vector(random, 50)), normalized(cast<double>(random_rotation(random)))};
+    const Posed pa = compose(move, at_can), pb = compose(move, at_box);
+    const Manifold<double> m = only_manifold(can, pa, box, pb);
+    ASSERT_EQ(m.points.size(), 2u) << i;
+    EXPECT_EQ(std::min(m.points[0].feature, m.points[1].feature), 0x40008084u);
+    EXPECT_EQ(std::max(m.points[0].feature, m.points[1].feature), 0x80014001u);
+    for (const auto& p : m.points) {
+      EXPECT_NEAR(closest(can, pa, p.a).distance, 0, 1e-10);
+      EXPECT_NEAR(closest(box, pb, p.b).distance, 0, 1e-10);
+    }
+  }
+}
+
 // A box of 1 m rests on another, tilted up to 5 mrad, about 1 mm deep, its pose drawn anew in each frame: the manifold
 // of a stack must not flicker, whether the boxes are aligned, shifted or turned.
 TEST(Manifold, RestingBoxesDoNotFlicker) {
