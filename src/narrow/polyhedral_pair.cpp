@@ -47,7 +47,7 @@ SeparatingAxis axis_of(AxisKind kind, const BoxAxis<double>& axis) {
 }
 
 std::string box_axis_name(const SeparatingAxis& axis) {
-  if (axis.kind == AxisKind::edges) return numbered(numbered("A", axis.a) + "xB", axis.b);
+  if (axis.kind == AxisKind::edges) return numbered(numbered("A", axis.a) + "×B", axis.b);
   return axis.kind == AxisKind::face_a ? numbered("A", axis.a) : numbered("B", axis.b);
 }
 

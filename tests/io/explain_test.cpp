@@ -71,6 +71,27 @@ TEST(Explain, InThePlaneTwoBoxesHaveFourAxes) {
   for (const auto& p : e.manifolds[0].points) EXPECT_EQ(p.a.z, 0);
 }
 
+TEST(Explain, InThePlaneAlignedBoxesHaveFourAxesToo) {
+  const Explanation e = explain(
+      R"({"query": "contacts", "dimension": 2, "a": {"shape": {"type": "box", "box": {"size": [2, 2]}}},
+          "b": {"shape": {"type": "box", "box": {"size": [2, 2]}}, "translation": [1.5, 1]}})",
+      Precision::double_precision);
+  std::string names;
+  for (const TraceAxis& axis : e.trace.axes) names += axis.name + " ";
+  EXPECT_EQ(names, "A0 A1 B0 B1 normal ");
+}
+
+TEST(Explain, ProductsOfEdgesAreWrittenWithTheirSign) {
+  const auto has = [](const Explanation& e, const std::string& name) {
+    return std::any_of(e.trace.axes.begin(), e.trace.axes.end(), [&](const auto& axis) { return axis.name == name; });
+  };
+  EXPECT_TRUE(has(explain(question("distance", shapes[3], shapes[3], 1), Precision::double_precision), "A1×B0"));
+  EXPECT_TRUE(has(explain(question("distance", shapes[3], shapes[1], 1), Precision::double_precision), "A0×B"));
+  const Explanation hulls = explain(question("distance", shapes[8], shapes[9], 0), Precision::double_precision);
+  EXPECT_TRUE(std::any_of(hulls.trace.axes.begin(), hulls.trace.axes.end(),
+                          [](const TraceAxis& axis) { return axis.name.find(" × B edge ") != std::string::npos; }));
+}
+
 TEST(Explain, ClosestAndSinglePrecisionAreExplainedToo) {
   const Explanation e = explain(R"({"query": "closest", "a": {"shape": {"type": "box", "box": {"size": [2, 2, 2]}}},
                                     "point": [0.25, 0.75, 0]})",

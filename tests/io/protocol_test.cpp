@@ -158,6 +158,15 @@ TEST(Protocol, ExplainAddsTheTrace) {
   EXPECT_FALSE(answer["trace"]["gjk"].empty());
 }
 
+// A half-space covers all that lies below it, which has no number.
+TEST(Protocol, AnEndlessIntervalOfATraceSaysSo) {
+  Json answer = ask(to_ball(R"({"type": "plane"})", R"(, "explain": true)"));
+  EXPECT_EQ(answer["trace"]["axes"][0]["a"], Json::parse(R"(["-infinity", 0.0])"));
+  answer = ask(R"({"query": "distance", "explain": true, "a": {"shape": {"type": "sphere"}, "translation": [0, 1, 0]},
+                   "b": {"shape": {"type": "plane"}}})");
+  EXPECT_EQ(answer["trace"]["axes"][0]["b"], Json::parse(R"([0.0, "infinity"])"));
+}
+
 TEST(Protocol, DeepNestingIsAnErrorAndNotACrash) {
   EXPECT_EQ(error(std::string(1000000, '[')), "expected JSON nested at most 2000 deep, got deeper nesting");
   std::string shape = R"({"type": "sphere"})";
