@@ -1,5 +1,6 @@
 #include "mid/composite.hpp"
 
+#include "mid/deciding_pair.hpp"
 #include "mid/group.hpp"
 #include "mid/pieces.hpp"
 #include "narrow/convex_pair.hpp"
@@ -41,13 +42,15 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   Distance<T> best;
   best.distance = infinity<T>;
   const auto limit = [&] { return best.distance; };
-  auto nearer = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t, const Shape<T>& pb, const Pose<T>& qb,
-                    std::uint32_t) {
+  DecidingPair<T> deciding(trace);
+  auto nearer = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t na, const Shape<T>& pb, const Pose<T>& qb,
+                    std::uint32_t nb) {
     const Distance<T> d = convex_distance(pa, qa, pb, qb, nullptr);
+    deciding.offer(d.distance, pa, qa, na, pb, qb, nb);
     if (d.distance < best.distance) best = d;
   };
   visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, nearer);
-  if (trace) trace->method = "pieces of composites";
+  deciding.explain(a, b, convex_distance<T>);
   return best;
 }
 
@@ -59,7 +62,7 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t, const Shape<T>& pb, const Pose<T>& qb,
                    std::uint32_t) { found = found || convex_overlap(pa, qa, pb, qb, nullptr); };
   visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
-  if (trace) trace->method = "pieces of composites";
+  if (trace) any_distance(a, pose_a, b, pose_b, trace);
   return found;
 }
 
@@ -75,17 +78,27 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   T least_distance = infinity<T>;
   const std::size_t first = manifolds.size();
   const auto limit = [&] { return margin; };
+  DecidingPair<T> deciding(trace);
   auto touch = [&](const Shape<T>& pa, const Pose<T>& qa, std::uint32_t na, const Shape<T>& pb, const Pose<T>& qb,
                    std::uint32_t nb) {
     Manifold<T> manifold;
     manifold.piece_a = na;
     manifold.piece_b = nb;
-    least_distance = least(least_distance, convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr));
+    const T distance = convex_contacts(pa, qa, pb, qb, margin, manifold, nullptr);
+    least_distance = least(least_distance, distance);
+    deciding.offer(distance, pa, qa, na, pb, qb, nb);
     if (!manifold.points.empty()) manifolds.push_back(manifold);
   };
   visit_pairs(a, pose_a, 0u, b, pose_b, 0u, limit, touch);
   group_by_normal(manifolds, first);
-  if (trace) trace->method = "pieces of composites";
+  if (trace && manifolds.size() == first) {
+    any_distance(a, pose_a, b, pose_b, trace);
+  } else {
+    deciding.explain(a, b, [&](const auto& pa, const auto& qa, const auto& pb, const auto& qb, Trace* asked) {
+      Manifold<T> manifold;
+      convex_contacts(pa, qa, pb, qb, margin, manifold, asked);
+    });
+  }
   return least_distance;
 }
 

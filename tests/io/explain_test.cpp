@@ -92,6 +92,24 @@ TEST(Explain, ProductsOfEdgesAreWrittenWithTheirSign) {
                           [](const TraceAxis& axis) { return axis.name.find(" × B edge ") != std::string::npos; }));
 }
 
+TEST(Explain, OfCompositesThePairOfPiecesThatDecides) {
+  const std::string two = R"({"type": "compound", "compound": {"children": [
+      {"shape": {"type": "box", "box": {"size": [1, 1, 1]}}},
+      {"shape": {"type": "box", "box": {"size": [1, 1, 1]}}, "translation": [3, 0, 0]}]}})";
+  const std::string box = R"({"type": "box", "box": {"size": [1, 1, 1]}})";
+  for (const std::string query : {"overlap", "distance", "contacts"})
+    for (const double y : {0.9, 1.05, 4.0}) {  // overlapping, within the margin, apart
+      const std::string asked = R"({"query": ")" + query + R"(", )" +
+                                (query == "contacts" ? R"("margin": 0.1, )" : "") +
+                                R"("explain": true, "a": {"shape": )" + two + R"(}, "b": {"shape": )" + box +
+                                R"(, "translation": [2.9, )" + std::to_string(y) + R"(, 0]}})";
+      const Explanation e = explain(asked, Precision::double_precision);
+      EXPECT_EQ(e.trace.method.find("pieces of composites, A piece 1 and B: "), 0u) << asked << e.trace.method;
+      ASSERT_GT(e.trace.axes.size(), 6u) << asked;
+      EXPECT_NEAR(e.trace.axes[1].overlap(), 1 - y, 1e-12);
+    }
+}
+
 TEST(Explain, ClosestAndSinglePrecisionAreExplainedToo) {
   const Explanation e = explain(R"({"query": "closest", "a": {"shape": {"type": "box", "box": {"size": [2, 2, 2]}}},
                                     "point": [0.25, 0.75, 0]})",
