@@ -65,6 +65,9 @@ Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
 /// along the best direction, or less deep, where the deepest corner of one shape hangs over the rim of the other's face
 /// and so has no point of that face before it. No point stands for that corner: it would come and go with the rounding
 /// of poses wherever edges of stacked boxes about coincide.
+///
+/// Two half-spaces that are not opposite overlap without a depth and so without points: they have no manifold, alone or
+/// as children of compounds, and the answer is still that the shapes overlap.
 template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace = nullptr);

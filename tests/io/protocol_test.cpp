@@ -127,6 +127,21 @@ TEST(Protocol, HalfSpacesThatAreNotOpposite) {
             "a, b: expected shapes of finite depth, got two half-spaces that are not opposite");
 }
 
+// They overlap without a depth, and so without points, alone and as children.
+TEST(Protocol, HalfSpacesThatAreNotOppositeHaveNoManifold) {
+  const std::string plane = R"({"type": "plane"})", ball = R"({"type": "sphere"})";
+  const auto contacts = [&](const std::string& a) {
+    return ask(R"({"query": "contacts", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + plane + "}}");
+  };
+  Json answer = contacts(plane);
+  EXPECT_EQ(answer["overlap"], true);
+  EXPECT_TRUE(answer["manifolds"].empty());
+  answer = contacts(R"({"type": "compound", "compound": {"children": [{"shape": )" + plane + R"(}, {"shape": )" + ball +
+                    "}]}}");
+  EXPECT_EQ(answer["overlap"], true);
+  EXPECT_EQ(answer["manifolds"].size(), 1u);
+}
+
 TEST(Protocol, TwoDimensions) {
   const auto plane = [](const std::string& query, const std::string& a, const std::string& b) {
     return ask(R"({"dimension": 2, "query": ")" + query + R"(", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + b +
