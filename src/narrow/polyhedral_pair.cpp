@@ -31,7 +31,8 @@ PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
     p[u] = at_u ? half[u] : -half[u];
     p[v] = at_v ? half[v] : -half[v];
     face.vertices.push_back(p);
-    face.ids.push_back(static_cast<std::uint32_t>((positive << major) | (at_u << u) | (at_v << v)));
+    face.ids.push_back(
+        static_cast<std::uint32_t>((positive << major) | ((at_u && half[u] > 0) << u) | ((at_v && half[v] > 0) << v)));
   };
   corner(false, false);
   corner(positive, !positive);  // u, v, major are right-handed

@@ -373,6 +373,42 @@ TEST(Manifold, ACylinderAlongABoxesEdgeTouchesInTwoPointsHoweverTheSceneIsTurned
   }
 }
 
+// What rounding decides must not decide the names: which end of a side of no length it is, and on which side of a box's
+// rim a capsule's line lies that runs along it.
+TEST(Manifold, PointsKeepTheirNumberAndNamesWhenTheSceneIsTurned) {
+  struct Case {
+    Shaped a, b;
+    Posed at_a, at_b;
+    std::multiset<std::uint32_t> features;
+  };
+  const Case cases[] = {
+      {Rectangle<double>(0.527, 0.566),
+       Capsule<double>(0.749, 0.873),
+       at(-0.219, -0.61, 0.149),
+       at(0.842, -0.504, 0.631),
+       {0x40058001}},
+      {Shaped(Rectangle<double>(0.772, 0.139)),
+       Shaped(Capsule<double>(0.559, 0.81), 0.213),
+       at(-0.372, -0.483, 0.227),
+       at(0.211, -0.222, 0.286),
+       {0x80848001}},
+      {Box<double>({0.119, 0.987, 0.532}),
+       Capsule<double>(0.752, 0.361),
+       at(0.505, 0.747, 0.691),
+       at(0.842, 0.975, 0.276),
+       {0x80824000, 0x40038001}},
+  };
+  Random random(18);
+  for (const Case& c : cases)
+    for (int i = 0; i < 500; ++i) {
+      const Posed move{cast<double>(random_vector(random, 50)), normalized(cast<double>(random_rotation(random)))};
+      std::multiset<std::uint32_t> features;
+      for (const auto& p : only_manifold(c.a, compose(move, c.at_a), c.b, compose(move, c.at_b)).points)
+        features.insert(p.feature);
+      ASSERT_EQ(features, c.features) << i;
+    }
+}
+
 // A box of 1 m rests on another, tilted up to 5 mrad, about 1 mm deep, its pose drawn anew in each frame: the manifold
 // of a stack must not flicker, whether the boxes are aligned, shifted or turned.
 TEST(Manifold, RestingBoxesDoNotFlicker) {
