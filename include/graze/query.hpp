@@ -60,6 +60,16 @@ Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
 /// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface that has `Sides::front`
 /// counts where it is met from the front.
+///
+/// A manifold stands on the normal of a face where that separates the shapes nearly as well as the best direction, and
+/// each of its points has its own true distance along that normal. The deepest of them is as deep as `distance` up to a
+/// two-hundredth of the smaller shape (the radius about its own origin), either way: deeper along a face's normal than
+/// along the best direction, or less deep, where the deepest corner of one shape hangs over the rim of the other's face
+/// and so has no point of that face before it. No point stands for that corner: it would come and go with the rounding
+/// of poses wherever edges of stacked boxes about coincide.
+///
+/// Two half-spaces that are not opposite overlap without a depth and so without points: they have no manifold, alone or
+/// as children of compounds, and the answer is still that the shapes overlap.
 template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace = nullptr);

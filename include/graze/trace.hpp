@@ -14,7 +14,7 @@ namespace graze {
 
 /// One separating axis: the intervals that both shapes cover on it.
 struct TraceAxis {
-  std::string name;  ///< "A0", "B2", "A1xB0", "face 12", "normal"
+  std::string name;  ///< "A0", "B2", "A1×B0", "A face 12", "A edge 1 × B edge 7", "normal"
   Vec3d direction;   ///< unit, from A to B
   double a_lower, a_upper, b_lower, b_upper;
   /// Positive when the shapes' intervals overlap along `direction`, negative when there is a gap.

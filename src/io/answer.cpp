@@ -23,6 +23,14 @@ void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
   out.close(']');
 }
 
+/// [lower, upper]. A half-space reaches down without end, which no number of JSON says: "-infinity" does.
+void write_interval(double lower, double upper, JsonWriter& out) {
+  out.open('[');
+  for (const double end : {lower, upper})
+    std::isfinite(end) ? out.number(end) : out.raw(end < 0 ? R"("-infinity")" : R"("infinity")");
+  out.close(']');
+}
+
 void write_trace(const Trace& trace, JsonWriter& out) {
   out.key("trace").open('{').key("method").raw(Json(trace.method).dump());
   if (!trace.winner.empty()) out.key("winner").raw(Json(trace.winner).dump());
@@ -30,8 +38,8 @@ void write_trace(const Trace& trace, JsonWriter& out) {
   out.key("axes").open('[');
   for (const TraceAxis& axis : trace.axes) {
     out.open('{').key("name").raw(Json(axis.name).dump()).key("direction").vector(axis.direction);
-    out.key("a").open('[').number(axis.a_lower).number(axis.a_upper).close(']');
-    out.key("b").open('[').number(axis.b_lower).number(axis.b_upper).close(']');
+    write_interval(axis.a_lower, axis.a_upper, out.key("a"));
+    write_interval(axis.b_lower, axis.b_upper, out.key("b"));
     out.key("overlap").number(axis.overlap()).close('}');
   }
   out.close(']').key("gjk").open('[');
@@ -148,7 +156,8 @@ void leave_plane_axes(Trace& trace) {
     const auto twin = std::find_if(kept.begin(), kept.end(), [&](const TraceAxis& k) {
       return length(cross(k.direction, axis.direction)) <= same;
     });
-    if (twin == kept.end() || axis.name == "normal") {
+    const bool product = axis.name.find("×") != std::string::npos;
+    if (twin == kept.end() || !product) {
       kept.push_back(std::move(axis));
     } else if (axis.name == trace.winner) {
       trace.winner = twin->name;

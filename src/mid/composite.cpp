@@ -1,5 +1,6 @@
 #include "mid/composite.hpp"
 
+#include "mid/deciding_pair.hpp"
 #include "mid/group.hpp"
 #include "mid/internal_edges.hpp"
 #include "mid/piece_pairs.hpp"
@@ -50,8 +51,6 @@ bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
   return along < -same_normal<T> * max_abs(u) * max_abs(v);
 }
 
-constexpr const char* method = "pieces of composites";
-
 }  // namespace
 
 template <class T>
@@ -61,13 +60,15 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   Distance<T> best;
   best.distance = infinity<T>;
   const Nearer<T> limit{best};
+  DecidingPair<T> deciding(trace);
   auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
     if (ruled_out(pa, pb, best)) return;
     const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
+    deciding.offer(d.distance, pa, pb);
     if (d.distance < best.distance) best = d;
   };
   visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, nearer);
-  if (trace) trace->method = method;
+  deciding.explain(a, b, convex_distance<T>);
   return best;
 }
 
@@ -79,7 +80,7 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
     return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
   };
   const bool all_apart = visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, apart);
-  if (trace) trace->method = method;
+  if (trace) any_distance(a, pose_a, b, pose_b, trace);
   return !all_apart;
 }
 
@@ -96,6 +97,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   Manifold<T> instead;
   const std::size_t first = manifolds.size();
   ManifoldGroups<T> groups(manifolds);
+  DecidingPair<T> deciding(trace);
   const auto limit = [&] { return margin; };
   auto touch = [&](const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
@@ -103,6 +105,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     manifold.piece_b = pb.number;
     const T distance = convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr);
     if (from_behind(pa, manifold.normal) || from_behind(pb, -manifold.normal)) return;
+    deciding.offer(distance, pa, pb);
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
@@ -116,7 +119,14 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   // What touches is not left without a point.
   if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i]);
-  if (trace) trace->method = method;
+  if (trace && manifolds.size() == first) {
+    any_distance(a, pose_a, b, pose_b, trace);
+  } else {
+    deciding.explain(a, b, [&](const auto& pa, const auto& qa, const auto& pb, const auto& qb, Trace* asked) {
+      Manifold<T> manifold;
+      convex_contacts(pa, qa, pb, qb, margin, manifold, asked);
+    });
+  }
   return least_distance;
 }
 

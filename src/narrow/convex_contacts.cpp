@@ -2,10 +2,13 @@
 #include <algorithm>
 
 #include "narrow/convex_pair.hpp"
+#include "narrow/core.hpp"
 #include "narrow/explain.hpp"
+#include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -18,6 +21,9 @@ namespace {
 /// shapes overlap, and every point carries its true distance along the chosen normal.
 constexpr double face_preference = 1.0 / 200;
 
+/// Newton's method begins close and doubles its digits: three steps are the rule.
+constexpr int newton_steps = 8;
+
 /// One of the two shapes, seen from the frame of A.
 template <class T>
 class Side {
@@ -26,11 +32,14 @@ class Side {
     shape.visit([&](const auto& c) {
       radius_ = static_cast<double>(rounding_radius(c, shape.margin()));
       size_ = static_cast<double>(c.core_extent()) + radius_;
+      using C = std::decay_t<decltype(c)>;
+      whole_ = has_core(c) || std::is_same_v<C, Triangle<T>>;
     });
   }
 
   double radius() const { return radius_; }
   double size() const { return size_; }
+  bool round_side() const { return shape_.template as<Cylinder<T>>() != nullptr; }
 
   Vec3d core_support(const Vec3d& direction) const {
     return transform(pose_, ShapeCore<T>(shape_).core_support(rotate(conjugate(pose_.rotation), direction)));
@@ -53,11 +62,33 @@ class Side {
     for (const std::uint32_t id : face.ids) placed.ids.push_back(id);
     return placed;
   }
+  /// How far beyond a place on the face the surface lies, along the unit vector `outward`; nothing where it passes by.
+  std::optional<double> rise(const RoundedFace& face, const Vec3d& from, const Vec3d& outward) const {
+    const auto exit = face.exit(from);
+    if (!exit) return std::nullopt;
+    return !whole_ && !exit->on_plane ? around_core(from, outward, exit->rise) : exit->rise;
+  }
 
  private:
+  /// Newton's method on the distance to the core, which is convex along the line. A face of a curved core is a polygon
+  /// inscribed in the rim, or one line of the side, and the surface bulges out between their balls; of a hull, another
+  /// face may stand out beyond a sharp corner.
+  double around_core(const Vec3d& from, const Vec3d& outward, double rise) const {
+    const Shape<T> point = Sphere<T>(T(0));
+    const Vec3d local = inverse_transform(pose_, from), direction = rotate(conjugate(pose_.rotation), outward);
+    for (int i = 0; i < newton_steps; ++i) {
+      const auto core = general_distance(shape_, point, Posed{local + direction * rise, {}}, nullptr).core;
+      const double short_of = radius_ - core.distance, slope = dot(core.normal, direction);
+      if (!(std::abs(short_of) > rounding * size_) || !(slope > 0)) break;
+      rise += short_of / slope;
+    }
+    return rise;
+  }
+
   const Shape<T>& shape_;
   Posed pose_;
   double radius_ = 0, size_ = 0;
+  bool whole_ = false;  ///< nothing of the rounded core stands out over the edges of its rounded face
 };
 
 template <class T>
@@ -75,26 +106,55 @@ double smaller_size(const Side<T>& a, const Side<T>& b) {
 /// tolerance, and far above the rounding of its poses.
 constexpr double on_surface = 1e-6;
 
+/// The same for a place on the side of a cylinder, which is round across its line: a place beside the line by this much
+/// is off the side by half its square. A depth is right to ten digits and its normal, which tells the line, to five.
+constexpr double on_side = 2e-5;
+
 /// The points on the two surfaces over a place where the cores' faces meet, one straight above the other. Two edges
 /// that are not quite parallel are also apart across the normal: the gap is shared in the ratio of the radii, so that
 /// both points lie on their rounded edges. False when the edges are too sharp for that.
-bool rounded(const FaceContact& c, double radius_a, double radius_b, double slack, const Vec3d& normal, Vec3d& on_a,
-             Vec3d& on_b) {
-  const double apart = dot(c.b - c.a, normal), radii = radius_a + radius_b;
+template <class T>
+bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face_a, const Side<T>& b,
+                 const RoundedFace& face_b, const Vec3d& normal, Vec3d& on_a, Vec3d& on_b) {
+  const double apart = dot(c.b - c.a, normal), radii = a.radius() + b.radius();
   const Vec3d across = c.b - c.a - normal * apart;
-  const double beside = length(across);
-  if (beside <= slack) {
-    on_a = c.a + normal * radius_a;
-    on_b = on_a + normal * (apart - radii);
-    return true;
+  on_a = c.a;
+  Vec3d from_b = c.b;
+  const double beside = length(across), smaller = smaller_size(a, b);
+  if (beside > on_surface * smaller) {
+    if (!(radii > 0) && !((a.round_side() || b.round_side()) && beside <= on_side * smaller)) return false;
+    const double share = radii > 0 ? a.radius() / radii : a.round_side() ? 1 : 0;
+    on_a += across * share;
+    from_b -= across * (1 - share);
   }
-  if (!(beside < radii)) return false;
-  const double share = radius_a / radii;
-  const double rise_a = std::sqrt(radius_a * radius_a - beside * beside * share * share);
-  const double rise_b = std::sqrt(radius_b * radius_b - beside * beside * (1 - share) * (1 - share));
-  on_a = c.a + across * share + normal * rise_a;
-  on_b = on_a + normal * (apart - rise_a - rise_b);
+  double rises = 0;
+  if (a.radius() > 0) {
+    const auto rise = a.rise(face_a, on_a, normal);
+    if (!rise) return false;
+    on_a += normal * *rise;
+    rises = *rise;
+  }
+  if (b.radius() > 0) {
+    const auto rise = b.rise(face_b, from_b, -normal);
+    if (!rise) return false;
+    rises += *rise;
+  }
+  on_b = on_a + normal * (apart - rises);
   return true;
+}
+
+/// Appends a point, unless one of the same features is known, or one at the same place: rounding splits a point in two
+/// where edges end about on a corner. Of the two the deeper is kept, so that names are unique within a manifold.
+template <class T>
+void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
+  for (ContactPoint<T>& known : manifold.points) {
+    const bool same = known.feature == point.feature ||
+                      (max_abs(known.a - point.a) <= together && max_abs(known.b - point.b) <= together);
+    if (!same) continue;
+    if (point.distance < known.distance) known = point;
+    return;
+  }
+  manifold.points.push_back(point);
 }
 
 /// The points of two faces laid over each other that are at most `limit` apart, appended to the manifold. Distances are
@@ -104,15 +164,17 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
                   const Vec3d& normal, double limit, const Posed& frame, Manifold<T>& manifold) {
   FaceContacts faces;
   lay_over(face_a, face_b, normal, faces);
+  const RoundedFace rounded_a(face_a, normal, a.radius()), rounded_b(face_b, -normal, b.radius());
+  const T together = tolerance<T> * static_cast<T>(smaller_size(a, b));
   double nearest = std::numeric_limits<double>::infinity();
   for (const FaceContact& c : faces) {
     Vec3d on_a, on_b;
-    if (!rounded(c, a.radius(), b.radius(), on_surface * smaller_size(a, b), normal, on_a, on_b)) continue;
+    if (!on_surfaces(c, a, rounded_a, b, rounded_b, normal, on_a, on_b)) continue;
     const double apart = dot(on_b - on_a, normal);
     nearest = std::min(nearest, apart);
     if (apart > limit) continue;
-    manifold.points.push_back(
-        {cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature});
+    add_point<T>({cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature},
+                 together, manifold);
   }
   manifold.normal = cast<T>(rotate(frame.rotation, normal));
   return nearest;
@@ -161,9 +223,15 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
     const Vec3d normal = preferred_normal(side_a, closest_a, side_b, closest_b, closest_normal, distance);
     const bool same = normal == closest_normal;
-    const double nearest = add_points(side_a, same ? closest_a : side_a.face(normal, true), side_b,
-                                      same ? closest_b : side_b.face(-normal, true), normal,
-                                      furthest_kept(side_a, side_b, margin, distance), frame, manifold);
+    const double limit = furthest_kept(side_a, side_b, margin, distance);
+    double nearest = add_points(side_a, same ? closest_a : side_a.face(normal, true), side_b,
+                                same ? closest_b : side_b.face(-normal, true), normal, limit, frame, manifold);
+    if (manifold.points.empty() && (side_a.round_side() || side_b.round_side())) {
+      // A line along the edge of a side, and not over the side by as much as the normal is off, still meets that edge.
+      const PlacedFace edge_a = side_a.face(normal), edge_b = side_b.face(-normal);
+      if (edge_a.vertices.size() == 2 && edge_b.vertices.size() == 2)
+        nearest = add_points(side_a, edge_a, side_b, edge_b, normal, limit, frame, manifold);
+    }
     // Faces that miss what is nearest serve worse than the closest points.
     if (nearest <= distance + face_preference * smaller_size(side_a, side_b) && !manifold.points.empty()) return;
     manifold.points.clear();
@@ -225,12 +293,15 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
   const Vec3d up{0, 1, 0};
   const double lift = static_cast<double>(plane.margin());
   const PlacedFace face = side.face(-up);
+  const RoundedFace rounded(face, -up, side.radius());
   for (std::size_t i = 0; i < face.vertices.size(); ++i) {
-    const Vec3d low = face.vertices[i] - up * side.radius();
+    const double rise = side.radius() > 0 ? side.rise(rounded, face.vertices[i], -up).value_or(side.radius()) : 0;
+    const Vec3d low = face.vertices[i] - up * rise;
     const double apart = low.y - lift;
     if (apart > static_cast<double>(margin)) continue;
-    manifold.points.push_back({cast<T>(transform(frame, Vec3d{low.x, lift, low.z})), cast<T>(transform(frame, low)),
-                               static_cast<T>(apart), feature_id(face_feature(0), vertex_feature(face.ids[i]))});
+    add_point<T>({cast<T>(transform(frame, Vec3d{low.x, lift, low.z})), cast<T>(transform(frame, low)),
+                  static_cast<T>(apart), feature_id(face_feature(0), vertex_feature(face.ids[i]))},
+                 tolerance<T> * static_cast<T>(side.size()), manifold);
   }
   manifold.normal = cast<T>(rotate(frame.rotation, up));
 }

@@ -44,7 +44,7 @@ void trace_segment_box(const Vec3d& half, const Segment<double>& segment, const 
     const Vec3d toward = along < 0 ? -n : n;
     const double reach = dot(abs(n), half), from = dot(toward, segment.a), to = dot(toward, segment.b);
     std::string name = numbered(box_name, axis);
-    if (edge) name = name + "x" + segment_name;
+    if (edge) name = name + "×" + segment_name;
     trace.axes.push_back({name, toward, -reach, reach, least(from, to), greatest(from, to)});
   });
   const auto best = std::min_element(trace.axes.begin(), trace.axes.end(),

@@ -21,6 +21,9 @@ constexpr double same_place = 1.0 / 100;
 /// And how near two points must come to be one that rounding has split: squared, relative to that.
 constexpr double same_point = 1e-12;
 constexpr double same_cost = 1e-6;
+/// And how far beside a face an edge may lie that runs along its rim, relative to that: which side of the rim it lies on
+/// is rounding then, and may be another at each of its ends.
+constexpr double along_rim = 1e-8;
 /// How much of the area that the faces share may be lost with corners that stand out by less than that.
 constexpr double spared_area = 1.0 / 40;
 
@@ -114,19 +117,21 @@ class FlatFace {
   double base_, slope_x_ = 0, slope_y_ = 0;
 };
 
-/// Keeps what lies left of the line from p to q (Sutherland, Hodgman 1974, "Reentrant polygon clipping").
-Outline cut(const Outline& subject, const Flat& p, const Flat& q, bool closed) {
+/// Keeps what lies left of the line from p to q (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an edge
+/// what lies no further to the right than `beside`.
+Outline cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, double beside) {
   Outline kept;
   const std::size_t n = subject.size();
+  const double outside = closed ? 0 : -beside * std::sqrt(distance_squared(p, q));
   double at = cross(p, q, subject[0]);
   for (std::size_t k = 0; k < n; ++k) {
     const Flat& from = subject[k];
-    if (at >= 0) kept.push_back(from);
+    if (at >= outside) kept.push_back(from);
     if (k + 1 == n && !closed) break;
     const Flat& to = subject[k + 1 == n ? 0 : k + 1];
     const double next = cross(p, q, to);
-    if ((at >= 0) != (next >= 0)) {
-      const double t = at / (at - next);
+    if ((at >= outside) != (next >= outside)) {
+      const double t = std::clamp(at / (at - next), 0.0, 1.0);
       kept.push_back({from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t});
     }
     at = next;
@@ -243,7 +248,7 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, Fac
   Outline outline;
   for (std::size_t i = 0; i < subject.size(); ++i) outline.push_back(subject[i]);
   for (std::size_t i = 0; i < clip.size() && !outline.empty(); ++i)
-    outline = cut(outline, clip[i], clip.next(i), subject.size() > 2);
+    outline = cut(outline, clip[i], clip.next(i), subject.size() > 2, along_rim * near);
   simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });
   for (const Flat& p : outline)
     contacts.push_back({basis.point(p, fa.height(p)), basis.point(p, fb.height(p)),

@@ -31,7 +31,8 @@ PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
     p[u] = at_u ? half[u] : -half[u];
     p[v] = at_v ? half[v] : -half[v];
     face.vertices.push_back(p);
-    face.ids.push_back(static_cast<std::uint32_t>((positive << major) | (at_u << u) | (at_v << v)));
+    face.ids.push_back(
+        static_cast<std::uint32_t>((positive << major) | ((at_u && half[u] > 0) << u) | ((at_v && half[v] > 0) << v)));
   };
   corner(false, false);
   corner(positive, !positive);  // u, v, major are right-handed
@@ -47,7 +48,7 @@ SeparatingAxis axis_of(AxisKind kind, const BoxAxis<double>& axis) {
 }
 
 std::string box_axis_name(const SeparatingAxis& axis) {
-  if (axis.kind == AxisKind::edges) return numbered(numbered("A", axis.a) + "xB", axis.b);
+  if (axis.kind == AxisKind::edges) return numbered(numbered("A", axis.a) + "×B", axis.b);
   return axis.kind == AxisKind::face_a ? numbered("A", axis.a) : numbered("B", axis.b);
 }
 

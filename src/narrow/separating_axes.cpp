@@ -118,7 +118,7 @@ std::string numbered(std::string name, std::size_t number) {
 }
 
 std::string axis_name(const SeparatingAxis& axis) {
-  if (axis.kind == AxisKind::edges) return numbered(numbered("A edge ", axis.a) + " x B edge ", axis.b);
+  if (axis.kind == AxisKind::edges) return numbered(numbered("A edge ", axis.a) + " × B edge ", axis.b);
   return axis.kind == AxisKind::face_a ? numbered("A face ", axis.a) : numbered("B face ", axis.b);
 }
 

@@ -41,7 +41,7 @@ SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double 
 
 /// `name` with a number behind it.
 std::string numbered(std::string name, std::size_t number);
-/// What an axis of two polyhedra is called: "A face 3", "B face 12", "A edge 1 x B edge 7".
+/// What an axis of two polyhedra is called: "A face 3", "B face 12", "A edge 1 × B edge 7".
 std::string axis_name(const SeparatingAxis& axis);
 
 }  // namespace graze

@@ -71,6 +71,45 @@ TEST(Explain, InThePlaneTwoBoxesHaveFourAxes) {
   for (const auto& p : e.manifolds[0].points) EXPECT_EQ(p.a.z, 0);
 }
 
+TEST(Explain, InThePlaneAlignedBoxesHaveFourAxesToo) {
+  const Explanation e = explain(
+      R"({"query": "contacts", "dimension": 2, "a": {"shape": {"type": "box", "box": {"size": [2, 2]}}},
+          "b": {"shape": {"type": "box", "box": {"size": [2, 2]}}, "translation": [1.5, 1]}})",
+      Precision::double_precision);
+  std::string names;
+  for (const TraceAxis& axis : e.trace.axes) names += axis.name + " ";
+  EXPECT_EQ(names, "A0 A1 B0 B1 normal ");
+}
+
+TEST(Explain, ProductsOfEdgesAreWrittenWithTheirSign) {
+  const auto has = [](const Explanation& e, const std::string& name) {
+    return std::any_of(e.trace.axes.begin(), e.trace.axes.end(), [&](const auto& axis) { return axis.name == name; });
+  };
+  EXPECT_TRUE(has(explain(question("distance", shapes[3], shapes[3], 1), Precision::double_precision), "A1×B0"));
+  EXPECT_TRUE(has(explain(question("distance", shapes[3], shapes[1], 1), Precision::double_precision), "A0×B"));
+  const Explanation hulls = explain(question("distance", shapes[8], shapes[9], 0), Precision::double_precision);
+  EXPECT_TRUE(std::any_of(hulls.trace.axes.begin(), hulls.trace.axes.end(),
+                          [](const TraceAxis& axis) { return axis.name.find(" × B edge ") != std::string::npos; }));
+}
+
+TEST(Explain, OfCompositesThePairOfPiecesThatDecides) {
+  const std::string two = R"({"type": "compound", "compound": {"children": [
+      {"shape": {"type": "box", "box": {"size": [1, 1, 1]}}},
+      {"shape": {"type": "box", "box": {"size": [1, 1, 1]}}, "translation": [3, 0, 0]}]}})";
+  const std::string box = R"({"type": "box", "box": {"size": [1, 1, 1]}})";
+  for (const std::string query : {"overlap", "distance", "contacts"})
+    for (const double y : {0.9, 1.05, 4.0}) {  // overlapping, within the margin, apart
+      const std::string asked = R"({"query": ")" + query + R"(", )" +
+                                (query == "contacts" ? R"("margin": 0.1, )" : "") +
+                                R"("explain": true, "a": {"shape": )" + two + R"(}, "b": {"shape": )" + box +
+                                R"(, "translation": [2.9, )" + std::to_string(y) + R"(, 0]}})";
+      const Explanation e = explain(asked, Precision::double_precision);
+      EXPECT_EQ(e.trace.method.find("pieces of composites, A piece 1 and B: "), 0u) << asked << e.trace.method;
+      ASSERT_GT(e.trace.axes.size(), 6u) << asked;
+      EXPECT_NEAR(e.trace.axes[1].overlap(), 1 - y, 1e-12);
+    }
+}
+
 TEST(Explain, ClosestAndSinglePrecisionAreExplainedToo) {
   const Explanation e = explain(R"({"query": "closest", "a": {"shape": {"type": "box", "box": {"size": [2, 2, 2]}}},
                                     "point": [0.25, 0.75, 0]})",

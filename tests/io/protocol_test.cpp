@@ -179,6 +179,21 @@ TEST(Protocol, HalfSpacesThatAreNotOpposite) {
             "a, b: expected shapes of finite depth, got two half-spaces that are not opposite");
 }
 
+// They overlap without a depth, and so without points, alone and as children.
+TEST(Protocol, HalfSpacesThatAreNotOppositeHaveNoManifold) {
+  const std::string plane = R"({"type": "plane"})", ball = R"({"type": "sphere"})";
+  const auto contacts = [&](const std::string& a) {
+    return ask(R"({"query": "contacts", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + plane + "}}");
+  };
+  Json answer = contacts(plane);
+  EXPECT_EQ(answer["overlap"], true);
+  EXPECT_TRUE(answer["manifolds"].empty());
+  answer = contacts(R"({"type": "compound", "compound": {"children": [{"shape": )" + plane + R"(}, {"shape": )" + ball +
+                    "}]}}");
+  EXPECT_EQ(answer["overlap"], true);
+  EXPECT_EQ(answer["manifolds"].size(), 1u);
+}
+
 TEST(Protocol, TwoDimensions) {
   const auto plane = [](const std::string& query, const std::string& a, const std::string& b) {
     return ask(R"({"dimension": 2, "query": ")" + query + R"(", "a": {"shape": )" + a + R"(}, "b": {"shape": )" + b +
@@ -208,6 +223,15 @@ TEST(Protocol, ExplainAddsTheTrace) {
       ask(to_ball(R"({"type": "ellipsoid", "ellipsoid": {"radii": [1, 2, 3]}})", R"(, "explain": true)"));
   EXPECT_EQ(answer["trace"]["method"], "gjk");
   EXPECT_FALSE(answer["trace"]["gjk"].empty());
+}
+
+// A half-space covers all that lies below it, which has no number.
+TEST(Protocol, AnEndlessIntervalOfATraceSaysSo) {
+  Json answer = ask(to_ball(R"({"type": "plane"})", R"(, "explain": true)"));
+  EXPECT_EQ(answer["trace"]["axes"][0]["a"], Json::parse(R"(["-infinity", 0.0])"));
+  answer = ask(R"({"query": "distance", "explain": true, "a": {"shape": {"type": "sphere"}, "translation": [0, 1, 0]},
+                   "b": {"shape": {"type": "plane"}}})");
+  EXPECT_EQ(answer["trace"]["axes"][0]["b"], Json::parse(R"([0.0, "infinity"])"));
 }
 
 TEST(Protocol, DeepNestingIsAnErrorAndNotACrash) {

@@ -213,7 +213,7 @@ TEST(SeparatingAxes, AnExplanationNamesEveryAxis) {
   ASSERT_EQ(trace.axes.size(), 16u);  // and the normal of the answer
   EXPECT_EQ(trace.axes[0].name, "A0");
   EXPECT_EQ(trace.axes[5].name, "B2");
-  EXPECT_EQ(trace.axes[7].name, "A0xB1");
+  EXPECT_EQ(trace.axes[7].name, "A0×B1");
   double least = 10;
   for (const TraceAxis& axis : trace.axes) least = std::min(least, axis.overlap());
   EXPECT_NEAR(least, -d.distance, 1e-12);

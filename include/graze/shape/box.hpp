@@ -44,8 +44,9 @@ class Box {
       p[major] = positive[major] ? half_[major] : -half_[major];
       p[u] = positive_u ? half_[u] : -half_[u];
       p[v] = positive_v ? half_[v] : -half_[v];
-      face.push(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u) << u) |
-                       (std::size_t(positive_v) << v));
+      // Both ends of a side of no length are one corner, with one number.
+      face.push(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u && half_[u] > T(0)) << u) |
+                       (std::size_t(positive_v && half_[v] > T(0)) << v));
     };
     // A side of no length has but one end: what is left of the face is an edge or a corner.
     const bool flat_u = a[u] <= lean && half_[u] > T(0), flat_v = a[v] <= lean && half_[v] > T(0);

@@ -70,9 +70,11 @@ class Triangle {
       return;
     }
     const std::size_t top = detail::furthest(points_, 3, n);
-    for (const std::size_t other : {(top + 1) % 3, (top + 2) % 3}) {
-      const Vec3<T> edge = points_[top] - points_[other];
-      if (dot(edge, n) > lean * length(edge)) continue;
+    // The flatter of the two edges down from the top: seen along the triangle, the other may lie below it.
+    const std::size_t next = (top + 1) % 3, last = (top + 2) % 3;
+    const auto fall = [&](std::size_t v) { return dot(normalized(points_[top] - points_[v], Vec3<T>{}), n); };
+    const std::size_t other = fall(last) < fall(next) ? last : next;
+    if (fall(other) <= lean) {
       face.push(points_[least(top, other)], least(top, other));
       face.push(points_[greatest(top, other)], greatest(top, other));
       face.id = static_cast<std::uint32_t>(2 + top + other);
