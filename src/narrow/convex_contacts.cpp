@@ -148,8 +148,10 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
 template <class T>
 void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
   for (ContactPoint<T>& known : manifold.points) {
-    const bool same = known.feature == point.feature ||
-                      (max_abs(known.a - point.a) <= together && max_abs(known.b - point.b) <= together);
+    const auto near = [&](const Vec3<T>& p, const Vec3<T>& q) {
+      return std::abs(p.x - q.x) <= together && std::abs(p.y - q.y) <= together && std::abs(p.z - q.z) <= together;
+    };
+    const bool same = known.feature == point.feature || (near(known.a, point.a) && near(known.b, point.b));
     if (!same) continue;
     if (point.distance < known.distance) known = point;
     return;

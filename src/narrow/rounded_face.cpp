@@ -41,33 +41,34 @@ RoundedFace::RoundedFace(const PlacedFace& face, const Vec3d& outward, double ra
 }
 
 std::optional<RoundedFace::Exit> RoundedFace::exit(const Vec3d& from) const {
-  if (up_ > 0) {
-    // The plane bounds the whole face, so that where the foot lies inside nothing else is left later.
-    const double rise = (radius_ + dot(face_.vertices[0] - from, normal_)) / up_;
-    if (over_inside(from + outward_ * rise - normal_ * radius_)) return Exit{rise, true};
-  }
-  const double rise = leaves_edges(from);
-  if (rise == never) return std::nullopt;
-  return Exit{rise, false};
-}
-
-bool RoundedFace::over_inside(const Vec3d& foot) const {
-  const std::size_t n = face_.vertices.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec3d& start = face_.vertices[i];
-    if (dot(cross(face_.vertices[i + 1 == n ? 0 : i + 1] - start, foot - start), normal_) < 0) return false;
-  }
-  return true;
-}
-
-double RoundedFace::leaves_edges(const Vec3d& from) const {
   const std::size_t n = face_.vertices.size();
   double last = never;
-  for (std::size_t i = 0; i < n; ++i) last = greatest(last, leaves_ball(from, outward_, face_.vertices[i], radius_));
-  for (std::size_t i = 0; i < (n == 2 ? 1 : n) && n > 1; ++i)
-    last = greatest(
-        last, leaves_cylinder(from, outward_, face_.vertices[i], face_.vertices[i + 1 == n ? 0 : i + 1], radius_));
-  return last;
+  if (up_ > 0) {
+    // The plane bounds the whole face, so that where the foot lies inside nothing else is left later. Else the foot
+    // wanders from inside across some edges, and what is left last is one of those.
+    const double rise = (radius_ + dot(face_.vertices[0] - from, normal_)) / up_;
+    const Vec3d foot = from + outward_ * rise - normal_ * radius_;
+    bool inside = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3d &start = face_.vertices[i], &end = face_.vertices[i + 1 == n ? 0 : i + 1];
+      if (dot(cross(end - start, foot - start), normal_) >= 0) continue;
+      inside = false;
+      last = greatest(last, leaves_edge(from, start, end));
+    }
+    if (inside) return Exit{rise, true};
+  } else if (n == 1) {
+    last = leaves_ball(from, outward_, face_.vertices[0], radius_);
+  } else {
+    for (std::size_t i = n == 2 ? 1 : 0; i < n; ++i)
+      last = greatest(last, leaves_edge(from, face_.vertices[i], face_.vertices[i + 1 == n ? 0 : i + 1]));
+  }
+  if (last == never) return std::nullopt;
+  return Exit{last, false};
+}
+
+double RoundedFace::leaves_edge(const Vec3d& from, const Vec3d& start, const Vec3d& end) const {
+  const double balls = greatest(leaves_ball(from, outward_, start, radius_), leaves_ball(from, outward_, end, radius_));
+  return greatest(balls, leaves_cylinder(from, outward_, start, end, radius_));
 }
 
 }  // namespace graze

@@ -21,12 +21,11 @@ class RoundedFace {
     bool on_plane;  ///< over the inside of the face
   };
   /// Where the line from a place on the face (or beside an edge) leaves; nothing where it passes by. Costs a few
-  /// products over the inside, two roots for each edge beyond it.
+  /// products over the inside, three roots for each edge that lies between it and the foot.
   std::optional<Exit> exit(const Vec3d& from) const;
 
  private:
-  bool over_inside(const Vec3d& foot) const;
-  double leaves_edges(const Vec3d& from) const;
+  double leaves_edge(const Vec3d& from, const Vec3d& start, const Vec3d& end) const;
 
   const PlacedFace& face_;
   Vec3d outward_, normal_{};
