@@ -102,6 +102,13 @@ struct Placed {
   Pose<T> pose{};
 };
 
+/// The same of somebody else's.
+template <class T>
+struct PlacedRef {
+  const Shape<T>* shape;
+  const Pose<T>* pose;
+};
+
 /// The bounds of a shape under a pose, rounding included; not less than the true ones.
 template <class T>
 Aabb<T> bounds(const Shape<T>& shape, const Pose<T>& pose);

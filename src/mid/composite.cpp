@@ -86,8 +86,8 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
 
 template <class T>
 T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-               Manifolds<T>& manifolds, Trace* trace) {
-  if (a.convex() && b.convex()) {
+               Manifolds<T>& manifolds, Trace* trace, const Surroundings<T>& beside) {
+  if (a.convex() && b.convex() && beside.empty()) {
     Manifold<T> manifold;
     const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
     if (!manifold.points.empty()) manifolds.push_back(manifold);
@@ -109,8 +109,8 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
-    const Settled<T> settled =
-        settle_normal<T>({a, pose_a, pa.shape, pa.pose}, {b, pose_b, pb.shape, pb.pose}, margin, manifold);
+    const Settled<T> settled = settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a},
+                                                {b, pose_b, pb.shape, pb.pose, beside.of_b}, margin, manifold);
     if (nearest) instead = settled.instead;
     if (!settled.manifold.points.empty()) groups.add(settled.manifold);
   };
@@ -133,7 +133,8 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);         \
   template bool any_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);                 \
-  template T any_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*);
+  template T any_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*,  \
+                          const Surroundings<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -1,6 +1,8 @@
 // Any shape against any shape: composites descend to convex pieces, and the table of pairs answers for those.
 #pragma once
 
+#include <span>
+
 #include "graze/query.hpp"
 
 namespace graze {
@@ -12,9 +14,18 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
 template <class T>
 bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace);
 
+/// What stands still beside either shape and may continue its surface: contacts that only the seams make are settled as
+/// those between the pieces of one shape are.
+template <class T>
+struct Surroundings {
+  std::span<const PlacedRef<T>> of_a = {}, of_b = {};
+
+  bool empty() const { return of_a.empty() && of_b.empty(); }
+};
+
 /// Appends manifolds; returns the smallest signed distance found within the margin, or infinity.
 template <class T>
 T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-               Manifolds<T>& manifolds, Trace* trace);
+               Manifolds<T>& manifolds, Trace* trace, const Surroundings<T>& beside = {});
 
 }  // namespace graze

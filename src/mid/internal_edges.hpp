@@ -15,6 +15,7 @@
 #include <span>
 
 #include "graze/geometry.hpp"
+#include "mid/composite.hpp"
 #include "mid/pieces.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
@@ -134,13 +135,6 @@ bool is_buried(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self,
   return buried;
 }
 
-/// A shape of somebody else's, where it stands.
-template <class T>
-struct PlacedRef {
-  const Shape<T>* shape;
-  const Pose<T>* pose;
-};
-
 /// A convex piece of a shape, the shape, and what stands still beside it and may continue its surface.
 template <class T>
 struct PieceOf {
@@ -170,11 +164,15 @@ struct PieceOf {
     });
     return found;
   }
-  /// Whether the face of a solid lies against a neighbour at the point: a step outward leads into that.
+  /// Whether the face of a solid lies against a neighbour at the point: a step outward leads into that. First a step
+  /// towards the middle of the face, since its rim is where the next piece begins.
   bool is_covered(const Vec3<T>& point, const Vec3<T>& outward) const {
-    const Vec3<T> step = outward * (on_piece<T> * max_abs(bounds(piece, Pose<T>{}).extent()));
-    return any_around(
-        point, [&](const Shape<T>& shape, const Pose<T>& at) { return is_buried(shape, at, &piece, point + step); });
+    const Aabb<T> box = bounds(piece, pose);
+    const T step = on_piece<T> * max_abs(box.extent());
+    const Vec3<T> to_center = box.center() - point, inward = to_center - outward * dot(to_center, outward);
+    const Vec3<T> place = point + normalized(inward, Vec3<T>{}) * (T(4) * step) + outward * step;
+    return any_around(point,
+                      [&](const Shape<T>& shape, const Pose<T>& at) { return is_buried(shape, at, &piece, place); });
   }
 };
 
@@ -288,7 +286,6 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     if (face != Vec3<T>{} && self.piece.template as<Triangle<T>>()) continue;
     const Vec3<T> outward = of_a ? now.normal : -now.normal;
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
-    // In the middle of a face's contact, since its ends lie where the next piece begins.
     if (face != Vec3<T>{} && !self.is_covered(middle(now, side), outward)) continue;
     const Vec3<T> point = standing_point(now, side);
     const std::optional<Placed<T>> neighbour = self.riser(point, outward);

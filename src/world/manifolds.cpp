@@ -30,9 +30,37 @@ void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
   }
 }
 
+/// For each body that moves, the fixed bodies it stands in a pair with, in the order of the pairs.
+template <class T>
+void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
+  const auto fixed = bodies.fixed();
+  const auto each = [&](const auto& f) {
+    for (const IdPair& p : pairs_) {
+      if (fixed[p.a] != 0) f(p.b, p.a);
+      if (fixed[p.b] != 0) f(p.a, p.b);
+    }
+  };
+  first_neighbour_.assign(bodies.size() + 1, 0);
+  each([&](std::uint32_t body, std::uint32_t) { ++first_neighbour_[body + 1]; });
+  for (std::size_t i = 1; i < first_neighbour_.size(); ++i) first_neighbour_[i] += first_neighbour_[i - 1];
+  neighbours_.resize(first_neighbour_.back());
+  places_.assign(first_neighbour_.begin(), first_neighbour_.end());
+  each([&](std::uint32_t body, std::uint32_t ground) {
+    neighbours_[places_[body]++] = {&bodies.shapes()[ground], &bodies.poses()[ground]};
+  });
+  ground_changed_ = false;
+  for (std::size_t i = 0; i < bodies.size(); ++i) ground_changed_ |= fixed[i] != 0 && bodies.changed()[i] != 0;
+}
+
+template <class T>
+std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t index) const {
+  return std::span(neighbours_).subspan(first_neighbour_[index], first_neighbour_[index + 1] - first_neighbour_[index]);
+}
+
 template <class T>
 void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor) {
   remember(pairs);
+  find_neighbours(bodies);
   bin_pairs<T>(pairs_, bodies.shapes(), bins_);
   results_.assign(pairs_.size(), {});
   const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
@@ -56,7 +84,14 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
   result.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
   const std::size_t first_point = found.points.size();
 
-  const bool changed = bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0;
+  // What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
+  Surroundings<T> beside;
+  if (bodies.fixed()[pair.a] != 0) beside.of_a = neighbours_of(pair.b);
+  if (bodies.fixed()[pair.b] != 0) beside.of_b = neighbours_of(pair.a);
+  if (beside.of_a.size() < 2) beside.of_a = {};
+  if (beside.of_b.size() < 2) beside.of_b = {};
+  const bool changed =
+      bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0 || (ground_changed_ && !beside.empty());
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
   const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
   if (bodies.triggers()[pair.a] != 0 || bodies.triggers()[pair.b] != 0) {
@@ -78,10 +113,15 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
     result.overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
     const bool apart = manifold.points.empty();
     memory.axis = apart ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
-    if (!apart) add(manifold);
+    if (!apart && beside.empty()) add(manifold);
+    if (!apart && !beside.empty()) {
+      found.composite.clear();
+      any_contacts<T>(a, pose_a, b, pose_b, margin, found.composite, nullptr, beside);
+      for (const Manifold<T>& m : found.composite) add(m);
+    }
   } else {
     found.composite.clear();
-    result.overlap = any_contacts<T>(a, pose_a, b, pose_b, margin, found.composite, nullptr) <= T(0);
+    result.overlap = any_contacts<T>(a, pose_a, b, pose_b, margin, found.composite, nullptr, beside) <= T(0);
     for (const Manifold<T>& m : found.composite) add(m);
   }
   result.manifold_count = static_cast<std::uint32_t>(found.manifolds.size()) - result.first_manifold;

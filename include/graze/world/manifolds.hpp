@@ -1,7 +1,8 @@
 // The fifth stage of a world: from pairs to contact manifolds, in plain arrays.
 //
 // Guarantee: for each pair what `contacts` answers, bit for bit, in the order of the pairs, whatever was remembered from
-// the last call and on however many threads it runs. What is remembered only saves work: a pair of which neither body
+// the last call and on however many threads it runs; but for what moves over the seam of fixed bodies side by side,
+// which meets them as if they were one. What is remembered only saves work: a pair of which neither body
 // changed keeps its manifolds, and one that was apart is tried first along the direction in which it was.
 #pragma once
 
@@ -84,12 +85,17 @@ class ManifoldFinder {
   static constexpr std::uint32_t no_result = ~std::uint32_t{0};
 
   void remember(std::span<const IdPair> pairs);
+  void find_neighbours(const BodyArrays<T>& bodies);
+  std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
   void find_one(const BodyArrays<T>& bodies, const IdPair& pair, std::uint32_t place, std::uint32_t task);
   void keep_last(std::uint32_t contact, std::uint32_t place, std::uint32_t task);
   void gather(std::span<const IdPair> pairs, Executor& executor);
   void carry_impulses(const ContactPair<T>& pair, const ContactPair<T>& last, std::vector<SolverPoint<T>>& old);
 
   Bins bins_;
+  std::vector<std::uint32_t> first_neighbour_;  ///< of each body: the fixed bodies that it may touch
+  std::vector<PlacedRef<T>> neighbours_;
+  bool ground_changed_ = false;  ///< some fixed body did
   std::vector<IdPair> pairs_, last_pairs_;
   std::vector<Memory> memory_, last_memory_;
   std::vector<Found> found_;
