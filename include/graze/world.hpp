@@ -7,7 +7,9 @@
 // `graze/world/`, reads plain arrays and leaves one, and can be used without the others.
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <mutex>
 #include <optional>
 
 #include "graze/world/bodies.hpp"
@@ -15,6 +17,7 @@
 #include "graze/world/candidates.hpp"
 #include "graze/world/events.hpp"
 #include "graze/world/manifolds.hpp"
+#include "graze/world/queries.hpp"
 
 namespace graze {
 
@@ -55,11 +58,49 @@ class World {
   const ContactArrays<T>& contacts() const { return manifolds_.contacts(); }
   std::span<const ContactEvent> events() const { return events_; }
 
+  /// Appends the bodies that touch a shape, by index. A point is a sphere without radius.
+  void overlapping(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter,
+                   std::vector<BodyId>& out) const;
+  /// Whether there is any: stops at the first.
+  bool overlaps_any(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter = {}) const;
+  /// Appends the `count` bodies nearest to a shape, of those that are not further than `limit`, the nearest first. Without
+  /// a count all of them.
+  void nearest(const Shape<T>& shape, const Pose<T>& pose, std::size_t count, T limit, const QueryFilter& filter,
+               std::vector<BodyDistance<T>>& out) const;
+  std::optional<BodyDistance<T>> closest(const Shape<T>& shape, const Pose<T>& pose,
+                                         T limit = std::numeric_limits<T>::infinity(),
+                                         const QueryFilter& filter = {}) const;
+
+  /// The first body that a ray hits; whether it hits any; and all that it hits, each where it is first hit, in the order
+  /// of the ray. Rays and back faces as for `graze::raycast`.
+  std::optional<BodyRayHit<T>> raycast(const Ray<T>& ray, T length = std::numeric_limits<T>::infinity(),
+                                       const QueryFilter& filter = {}, BackFaces back = BackFaces::hit) const;
+  bool raycast_any(const Ray<T>& ray, T length = std::numeric_limits<T>::infinity(), const QueryFilter& filter = {},
+                   BackFaces back = BackFaces::hit) const;
+  void raycast_all(const Ray<T>& ray, T length, const QueryFilter& filter, std::vector<BodyRayHit<T>>& out,
+                   BackFaces back = BackFaces::hit) const;
+
+  /// The first body that a shape meets while it moves for `duration` and the bodies stand still; and all, each where it
+  /// is first met, in the order of time. As `graze::cast`.
+  std::optional<BodyCastHit<T>> cast(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity,
+                                     T duration, const QueryFilter& filter = {}, const CastOptions& options = {}) const;
+  void cast_all(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
+                const QueryFilter& filter, std::vector<BodyCastHit<T>>& out, const CastOptions& options = {}) const;
+
   /// Bytes that are held, shapes' own data apart.
   std::size_t memory() const;
 
  private:
   void filter(std::span<const IdPair> candidates);
+  const DynamicTree<T>& tree() const;
+  bool is_asked(const QueryFilter& filter, std::uint32_t index) const;
+  template <class F>
+  void each_hit(const Ray<T>& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const;
+  template <class F>
+  void each_met(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
+                const QueryFilter& filter, const CastOptions& options, F&& f) const;
+
+  static constexpr std::uint64_t no_revision = ~std::uint64_t{0};
 
   WorldSettings<T> settings_;
   SerialExecutor serial_;
@@ -67,6 +108,8 @@ class World {
   BodyArrays<T> bodies_;
   std::vector<Aabb<T>> boxes_;
   CandidateFinder<T> candidates_;
+  mutable std::mutex mutex_;
+  mutable std::atomic<std::uint64_t> tree_revision_ = no_revision;  ///< of the bodies, as the tree knows them
   std::vector<IdPair> allowed_;
   ManifoldFinder<T> manifolds_;
   EventTracker tracker_;

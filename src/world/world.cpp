@@ -13,6 +13,7 @@ void World<T>::update() {
       manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
       [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
   bodies_.settle();
+  tree_revision_ = no_revision;  // what was found without the tree is not in it yet
 }
 
 /// The third stage: fixed bodies are no pair, then the filters, then the caller.

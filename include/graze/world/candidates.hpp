@@ -19,6 +19,7 @@ class CandidateFinder {
   /// call.
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                std::span<const std::uint32_t> changes);
+  const DynamicTree<T>& tree() const { return tree_; }
 
   /// The boxes of all that is alive, for queries: brought up to date for what changed in `find` and for `changes`. Not
   /// from several threads at a time; the tree itself may be.

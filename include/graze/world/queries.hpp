@@ -1,11 +1,12 @@
 // What a scene is asked: what is here, what is nearest, what is in the way.
 //
-// Guarantee: every body that answers and is asked for, whichever structure found it; sorted as each question says, so a
-// function of the scene and the question alone. The nearer parts are looked at first, and nothing that is further than
-// what is known already.
+// Guarantee: exactly the bodies that the question is about, whatever structure finds them, sorted as each question says
+// and by index where that is equal: a function of the scene and the question alone. Bodies are where they were last put,
+// whether or not the world was updated since. Safe from several threads while nothing changes.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "graze/cast.hpp"
@@ -17,24 +18,26 @@ namespace graze {
 
 /// Which bodies a question is about.
 struct QueryFilter {
-  Filter filter{};                     ///< the one who asks: it sees what it could collide with
-  bool triggers = false;               ///< sees triggers too
+  Filter filter{};                     ///< of the one who asks: it finds what it may collide with
+  bool triggers = false;               ///< finds triggers too
   std::function<bool(BodyId)> accept;  ///< a last word; none accepts all
 };
 
-/// A body and how far it is.
+/// A body and how far it is from the shape that was asked about, which is A of the distance.
 template <class T>
 struct BodyDistance {
   BodyId body;
-  Distance<T> distance;  ///< from the shape that was asked about (A) to the body (B)
+  Distance<T> distance;
 };
 
+/// A body that a ray hits.
 template <class T>
 struct BodyRayHit {
   BodyId body;
   RayHit<T> hit;
 };
 
+/// A body that a moving shape hits, which is A of the hit.
 template <class T>
 struct BodyCastHit {
   BodyId body;

@@ -1,0 +1,240 @@
+// The questions to a world: down its tree, and then to each body that is left.
+#include <algorithm>
+
+#include "graze/world.hpp"
+#include "mid/sweep.hpp"
+#include "shape/hierarchy.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+namespace {
+
+template <class T>
+constexpr T infinity = std::numeric_limits<T>::infinity();
+
+}  // namespace
+
+/// Brought up to date by whoever asks first after something changed.
+template <class T>
+const DynamicTree<T>& World<T>::tree() const {
+  const std::uint64_t revision = bodies_.revision();
+  if (tree_revision_.load(std::memory_order_acquire) != revision) {
+    const std::scoped_lock lock(mutex_);
+    if (tree_revision_.load(std::memory_order_relaxed) != revision) {
+      auto& self = const_cast<World&>(*this);
+      const std::span<const std::uint32_t> changes = self.bodies_.changes();
+      self.boxes_.resize(bodies_.size());
+      SerialExecutor serial;
+      find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, self.boxes_, serial);
+      self.candidates_.tree(boxes_, bodies_.alive(), changes);
+      tree_revision_.store(revision, std::memory_order_release);
+    }
+  }
+  return candidates_.tree();
+}
+
+template <class T>
+bool World<T>::is_asked(const QueryFilter& filter, std::uint32_t index) const {
+  return (filter.triggers || bodies_.triggers()[index] == 0) && may_collide(filter.filter, bodies_.filters()[index]) &&
+         (!filter.accept || filter.accept(bodies_.id(index)));
+}
+
+template <class T>
+void World<T>::overlapping(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter,
+                           std::vector<BodyId>& out) const {
+  const std::size_t first = out.size();
+  tree().overlapping(bounds(shape, pose), [&](std::uint32_t i, const Aabb<T>&) {
+    if (is_asked(filter, i) && overlap(shape, pose, bodies_.shapes()[i], bodies_.poses()[i]))
+      out.push_back(bodies_.id(i));
+  });
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end());
+}
+
+template <class T>
+bool World<T>::overlaps_any(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter) const {
+  bool found = false;
+  tree().nearest(bounds(shape, pose), T(0), [&](std::uint32_t i, const Aabb<T>&) {
+    found = found || (is_asked(filter, i) && overlap(shape, pose, bodies_.shapes()[i], bodies_.poses()[i]));
+    return found ? T(-1) : T(0);
+  });
+  return found;
+}
+
+template <class T>
+void World<T>::nearest(const Shape<T>& shape, const Pose<T>& pose, std::size_t count, T limit,
+                       const QueryFilter& filter, std::vector<BodyDistance<T>>& out) const {
+  if (count == 0 || !(limit >= T(0))) return;
+  std::vector<BodyDistance<T>> found;  // sorted, and never longer than asked for
+  const auto before = [](const BodyDistance<T>& p, const BodyDistance<T>& q) {
+    return p.distance.distance != q.distance.distance ? p.distance.distance < q.distance.distance : p.body < q.body;
+  };
+  tree().nearest(bounds(shape, pose), limit, [&](std::uint32_t i, const Aabb<T>&) {
+    const auto furthest = [&] { return found.size() < count ? limit : found.back().distance.distance; };
+    if (!is_asked(filter, i)) return greatest(furthest(), T(0));
+    BodyDistance<T> candidate{bodies_.id(i), distance(shape, pose, bodies_.shapes()[i], bodies_.poses()[i])};
+    // Half-spaces that overlap without a depth are nearer than anything.
+    if (candidate.distance.status == Status::unbounded) candidate.distance.distance = -infinity<T>;
+    if (candidate.distance.distance <= furthest()) {
+      found.insert(std::upper_bound(found.begin(), found.end(), candidate, before), candidate);
+      if (found.size() > count) found.pop_back();
+    }
+    // Bodies that overlap are told apart by their depth, which their boxes know nothing of.
+    return greatest(furthest(), T(0));
+  });
+  out.insert(out.end(), found.begin(), found.end());
+}
+
+template <class T>
+std::optional<BodyDistance<T>> World<T>::closest(const Shape<T>& shape, const Pose<T>& pose, T limit,
+                                                 const QueryFilter& filter) const {
+  std::vector<BodyDistance<T>> one;
+  nearest(shape, pose, 1, limit, filter, one);
+  return one.empty() ? std::nullopt : std::optional(one.front());
+}
+
+/// Calls `f(hit)` for the bodies that the ray hits; `f` returns how far it has still to be followed, less than zero for
+/// no further.
+template <class T>
+template <class F>
+void World<T>::each_hit(const Ray<T>& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const {
+  const Vec3d origin = graze::cast<double>(ray.origin),
+              direction = normalized(graze::cast<double>(ray.direction), Vec3d{});
+  const auto inverse = [](double v) { return v == 0 ? infinity<double> : 1 / v; };
+  // A hit is known up to the rounding of the ray, which the boxes' own margin need not cover.
+  const double slack = 16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * max_abs(origin);
+  T end = length;
+  const RayQuestion<double> question{
+      origin, {inverse(direction.x), inverse(direction.y), inverse(direction.z)}, 0, infinity<double>, slack};
+  const auto passes = [&](const Aabb<T>& box) {
+    return end >= T(0) && question(box) <= question.key(static_cast<double>(end) + slack);
+  };
+  tree().visit(passes, [&](std::uint32_t i, const Aabb<T>&) {
+    if (!(end >= T(0)) || !is_asked(filter, i)) return;
+    if (const auto hit = graze::raycast(bodies_.shapes()[i], bodies_.poses()[i], ray, end, back))
+      end = f(BodyRayHit<T>{bodies_.id(i), *hit});
+  });
+}
+
+namespace {
+
+template <class T>
+bool before(const BodyRayHit<T>& p, const BodyRayHit<T>& q) {
+  return p.hit.t != q.hit.t ? p.hit.t < q.hit.t : p.body < q.body;
+}
+template <class T>
+bool before(const BodyCastHit<T>& p, const BodyCastHit<T>& q) {
+  return p.hit.t != q.hit.t ? p.hit.t < q.hit.t : p.body < q.body;
+}
+
+/// Sorts what was appended from `first` on.
+template <class Hit>
+void sort_hits(std::vector<Hit>& hits, std::size_t first) {
+  std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
+            [](const Hit& p, const Hit& q) { return before(p, q); });
+}
+
+}  // namespace
+
+template <class T>
+std::optional<BodyRayHit<T>> World<T>::raycast(const Ray<T>& ray, T length, const QueryFilter& filter,
+                                               BackFaces back) const {
+  std::optional<BodyRayHit<T>> first;
+  each_hit(ray, length, filter, back, [&](const BodyRayHit<T>& hit) {
+    if (!first || before(hit, *first)) first = hit;
+    return first->hit.t;
+  });
+  return first;
+}
+
+template <class T>
+bool World<T>::raycast_any(const Ray<T>& ray, T length, const QueryFilter& filter, BackFaces back) const {
+  bool found = false;
+  each_hit(ray, length, filter, back, [&](const BodyRayHit<T>&) {
+    found = true;
+    return T(-1);
+  });
+  return found;
+}
+
+template <class T>
+void World<T>::raycast_all(const Ray<T>& ray, T length, const QueryFilter& filter, std::vector<BodyRayHit<T>>& out,
+                           BackFaces back) const {
+  const std::size_t first = out.size();
+  each_hit(ray, length, filter, back, [&](const BodyRayHit<T>& hit) {
+    out.push_back(hit);
+    return length;
+  });
+  sort_hits(out, first);
+}
+
+/// Calls `f(hit)` for the bodies that the shape meets; `f` returns until when the rest matters.
+template <class T>
+template <class F>
+void World<T>::each_met(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
+                        const QueryFilter& filter, const CastOptions& options, F&& f) const {
+  // A shape that turns stays in the ball about its origin.
+  Aabb<T> box = bounds(shape, pose);
+  if (velocity.angular != Vec3<T>{}) {
+    const T reach = shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.margin()); });
+    const bool bounded = max_abs(box.extent()) < infinity<T>;
+    box = bounded ? inflated(Aabb<T>{pose.translation, pose.translation}, reach * T(1.0001)) : Aabb<T>::everything();
+  }
+  const Vec3<T> motion = velocity.linear * duration;
+  const Sweep<T> sweep = safe_sweep(box, motion, T(0));
+  T end = duration;
+  const auto passes = [&](const Aabb<T>& still) { return entry(still, sweep) * duration <= end; };
+  tree().visit(passes, [&](std::uint32_t i, const Aabb<T>& still) {
+    if (!is_asked(filter, i) || !passes(still)) return;
+    // For the whole time, whatever is known already: the last digits of a time follow from how long is asked about.
+    const auto hit =
+        graze::cast<T>(shape, pose, velocity, bodies_.shapes()[i], bodies_.poses()[i], {}, duration, options);
+    if (hit) end = f(BodyCastHit<T>{bodies_.id(i), *hit});
+  });
+}
+
+template <class T>
+std::optional<BodyCastHit<T>> World<T>::cast(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity,
+                                             T duration, const QueryFilter& filter, const CastOptions& options) const {
+  std::optional<BodyCastHit<T>> first;
+  each_met(shape, pose, velocity, duration, filter, options, [&](const BodyCastHit<T>& hit) {
+    if (!first || before(hit, *first)) first = hit;
+    return first->hit.t;
+  });
+  return first;
+}
+
+template <class T>
+void World<T>::cast_all(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
+                        const QueryFilter& filter, std::vector<BodyCastHit<T>>& out, const CastOptions& options) const {
+  const std::size_t first = out.size();
+  each_met(shape, pose, velocity, duration, filter, options, [&](const BodyCastHit<T>& hit) {
+    out.push_back(hit);
+    return duration;
+  });
+  sort_hits(out, first);
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template const DynamicTree<T>& World<T>::tree() const;                                                               \
+  template bool World<T>::is_asked(const QueryFilter&, std::uint32_t) const;                                           \
+  template void World<T>::overlapping(const Shape<T>&, const Pose<T>&, const QueryFilter&, std::vector<BodyId>&)       \
+      const;                                                                                                           \
+  template bool World<T>::overlaps_any(const Shape<T>&, const Pose<T>&, const QueryFilter&) const;                     \
+  template void World<T>::nearest(const Shape<T>&, const Pose<T>&, std::size_t, T, const QueryFilter&,                 \
+                                  std::vector<BodyDistance<T>>&) const;                                                \
+  template std::optional<BodyDistance<T>> World<T>::closest(const Shape<T>&, const Pose<T>&, T, const QueryFilter&)    \
+      const;                                                                                                           \
+  template std::optional<BodyRayHit<T>> World<T>::raycast(const Ray<T>&, T, const QueryFilter&, BackFaces) const;      \
+  template bool World<T>::raycast_any(const Ray<T>&, T, const QueryFilter&, BackFaces) const;                          \
+  template void World<T>::raycast_all(const Ray<T>&, T, const QueryFilter&, std::vector<BodyRayHit<T>>&, BackFaces)    \
+      const;                                                                                                           \
+  template std::optional<BodyCastHit<T>> World<T>::cast(const Shape<T>&, const Pose<T>&, const Velocity<T>&, T,        \
+                                                        const QueryFilter&, const CastOptions&) const;                 \
+  template void World<T>::cast_all(const Shape<T>&, const Pose<T>&, const Velocity<T>&, T, const QueryFilter&,         \
+                                   std::vector<BodyCastHit<T>>&, const CastOptions&) const;
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze
