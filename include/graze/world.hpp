@@ -16,6 +16,7 @@
 #include "graze/world/bounds.hpp"
 #include "graze/world/candidates.hpp"
 #include "graze/world/events.hpp"
+#include "graze/world/impacts.hpp"
 #include "graze/world/manifolds.hpp"
 #include "graze/world/queries.hpp"
 
@@ -25,7 +26,8 @@ template <class T>
 struct WorldSettings {
   /// Contacts are reported up to this far apart; by default up to `contact_margin` of the two.
   std::optional<T> margin;
-  /// A last word on a pair that its filters allow. Called from the thread that calls `update`.
+  /// A last word on a pair that its filters allow. Called from the thread that calls `update`, but for fast bodies from
+  /// the executor's.
   std::function<bool(BodyId, BodyId)> allow;
 };
 
@@ -50,13 +52,17 @@ class World {
 
   const BodyArrays<T>& bodies() const { return bodies_; }
 
-  /// Finds what touches now. Costs what changed since the last update while that is little.
-  void update();
+  /// Finds what touches now; and, given the time to the next update, what fast bodies would pass through until then.
+  /// Costs what changed since the last update while that is little, and the casts. Throws `InvalidValue` for a duration
+  /// that is negative or not finite.
+  void update(T duration = T(0));
 
   /// What the last update found. Solvers write the points' impulses.
   ContactArrays<T>& contacts() { return manifolds_.contacts(); }
   const ContactArrays<T>& contacts() const { return manifolds_.contacts(); }
   std::span<const ContactEvent> events() const { return events_; }
+  /// What fast bodies would meet in the duration of the last update, in the order of time.
+  std::span<const Impact<T>> impacts() const { return impacts_; }
 
   /// Appends the bodies that touch a shape, by index. A point is a sphere without radius.
   void overlapping(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter,
@@ -92,6 +98,7 @@ class World {
 
  private:
   void filter(std::span<const IdPair> candidates);
+  bool may_meet(std::uint32_t a, std::uint32_t b) const;
   const DynamicTree<T>& tree() const;
   bool is_asked(const QueryFilter& filter, std::uint32_t index) const;
   template <class F>
@@ -114,6 +121,7 @@ class World {
   ManifoldFinder<T> manifolds_;
   EventTracker tracker_;
   std::vector<ContactEvent> events_;
+  std::vector<Impact<T>> impacts_;
 };
 
 using Worldf = World<float>;

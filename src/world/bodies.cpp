@@ -53,7 +53,7 @@ BodyId BodyArrays<T>::add(Body<T> body) {
     angular_.emplace_back();
     filters_.emplace_back();
     margins_.emplace_back();
-    for (auto* flags : {&alive_, &fixed_, &triggers_, &changed_}) flags->push_back(0);
+    for (auto* flags : {&alive_, &fixed_, &triggers_, &fast_, &changed_}) flags->push_back(0);
     generations_.push_back(0);
   } else {
     index = free_.back();
@@ -68,6 +68,7 @@ BodyId BodyArrays<T>::add(Body<T> body) {
   alive_[index] = 1;
   fixed_[index] = body.fixed ? 1 : 0;
   triggers_[index] = body.trigger ? 1 : 0;
+  fast_[index] = body.fast ? 1 : 0;
   change(index);
   return id(index);
 }
@@ -111,7 +112,8 @@ void BodyArrays<T>::set_filter(BodyId id, const Filter& filter) {
 template <class T>
 Body<T> BodyArrays<T>::body(BodyId id) const {
   const std::uint32_t i = checked(id);
-  return {shapes_[i], poses_[i], linear_[i], angular_[i], filters_[i], fixed_[i] != 0, triggers_[i] != 0};
+  return {shapes_[i],  poses_[i],      linear_[i],        angular_[i],
+          filters_[i], fixed_[i] != 0, triggers_[i] != 0, fast_[i] != 0};
 }
 
 template <class T>
@@ -129,7 +131,7 @@ void BodyArrays<T>::settle() {
 template <class T>
 std::size_t BodyArrays<T>::memory() const {
   const std::size_t each =
-      sizeof(Shape<T>) + sizeof(Pose<T>) + 2 * sizeof(Vec3<T>) + sizeof(Filter) + sizeof(T) + 4 + sizeof(std::uint32_t);
+      sizeof(Shape<T>) + sizeof(Pose<T>) + 2 * sizeof(Vec3<T>) + sizeof(Filter) + sizeof(T) + 5 + sizeof(std::uint32_t);
   return shapes_.capacity() * each + (free_.capacity() + changes_.capacity()) * sizeof(std::uint32_t);
 }
 

@@ -1,9 +1,12 @@
 #include "graze/world.hpp"
 
+#include "graze/validate.hpp"
+
 namespace graze {
 
 template <class T>
-void World<T>::update() {
+void World<T>::update(T duration) {
+  validate::extent(duration, "duration");
   const std::span<const std::uint32_t> changes = bodies_.changes();
   boxes_.resize(bodies_.size());
   find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, *executor_);
@@ -14,17 +17,26 @@ void World<T>::update() {
       [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
   bodies_.settle();
   tree_revision_ = no_revision;  // what was found without the tree is not in it yet
+  impacts_.clear();
+  if (duration > T(0))
+    find_impacts<T>(
+        bodies_, tree(), duration, [&](std::uint32_t a, std::uint32_t b) { return may_meet(a, b); }, *executor_,
+        impacts_);
 }
 
-/// The third stage: fixed bodies are no pair, then the filters, then the caller.
+/// Fixed bodies are no pair, and then the caller decides.
+template <class T>
+bool World<T>::may_meet(std::uint32_t a, std::uint32_t b) const {
+  if (bodies_.fixed()[a] != 0 && bodies_.fixed()[b] != 0) return false;
+  if (!may_collide(bodies_.filters()[a], bodies_.filters()[b])) return false;
+  return !settings_.allow || settings_.allow(bodies_.id(a), bodies_.id(b));
+}
+
+/// The third stage.
 template <class T>
 void World<T>::filter(std::span<const IdPair> candidates) {
   allowed_.assign(candidates.begin(), candidates.end());
-  const auto fixed = bodies_.fixed();
-  keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) {
-    if (fixed[a] != 0 && fixed[b] != 0) return false;
-    return !settings_.allow || settings_.allow(bodies_.id(a), bodies_.id(b));
-  });
+  std::erase_if(allowed_, [&](const IdPair& p) { return !may_meet(p.a, p.b); });
 }
 
 template <class T>

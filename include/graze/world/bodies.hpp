@@ -33,6 +33,7 @@ struct Body {
   Filter filter{};
   bool fixed = false;    ///< never moves by itself: two fixed bodies are no pair
   bool trigger = false;  ///< tells that something is inside it; has no contact points
+  bool fast = false;     ///< is asked what it would pass through before the next update
 };
 
 /// The bodies of a world, an array for each of their parts. At indices that are not `alive` the rest means nothing.
@@ -71,6 +72,7 @@ class BodyArrays {
   std::span<const std::uint8_t> alive() const { return alive_; }
   std::span<const std::uint8_t> fixed() const { return fixed_; }
   std::span<const std::uint8_t> triggers() const { return triggers_; }
+  std::span<const std::uint8_t> fast() const { return fast_; }
   /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has no
   /// size.
   std::span<const T> margins() const { return margins_; }
@@ -95,7 +97,7 @@ class BodyArrays {
   std::vector<Vec3<T>> linear_, angular_;
   std::vector<Filter> filters_;
   std::vector<T> margins_;
-  std::vector<std::uint8_t> alive_, fixed_, triggers_, changed_;
+  std::vector<std::uint8_t> alive_, fixed_, triggers_, fast_, changed_;
   std::vector<std::uint32_t> generations_, free_, changes_;
   std::uint64_t revision_ = 0;
 };

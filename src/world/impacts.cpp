@@ -1,0 +1,100 @@
+#include "graze/world/impacts.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "mid/sweep.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+namespace {
+
+constexpr std::size_t bodies_per_task = 16;
+
+/// The ball about a body's origin that holds it however it turns; infinite of a half-space.
+template <class T>
+T reach_of(const Shape<T>& shape) {
+  if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
+  return shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.margin()); });
+}
+
+/// How far any point of a body gets at most in a unit of time.
+template <class T>
+T speed_of(const BodyArrays<T>& bodies, std::uint32_t i) {
+  const T turning = length(bodies.angular()[i]);
+  return length(bodies.linear()[i]) + (turning > T(0) ? turning * reach_of(bodies.shapes()[i]) : T(0));
+}
+
+/// All that the body sweeps, however it turns on the way.
+template <class T>
+Sweep<T> sweep_of(const BodyArrays<T>& bodies, std::uint32_t i, T duration, T room) {
+  Aabb<T> box = bounds(bodies.shapes()[i], bodies.poses()[i]);
+  if (bodies.angular()[i] != Vec3<T>{}) {
+    const Vec3<T>& origin = bodies.poses()[i].translation;
+    box = inflated(Aabb<T>{origin, origin}, reach_of(bodies.shapes()[i]) * T(1.0001));
+  }
+  return safe_sweep(box, bodies.linear()[i] * duration, room);
+}
+
+template <class T>
+bool before(const Impact<T>& p, const Impact<T>& q) {
+  return std::tie(p.hit.t, p.a, p.b) < std::tie(q.hit.t, q.a, q.b);
+}
+
+}  // namespace
+
+template <class T>
+void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T duration,
+                  const std::function<bool(std::uint32_t, std::uint32_t)>& allowed, Executor& executor,
+                  std::vector<Impact<T>>& out) {
+  out.clear();
+  std::vector<std::uint32_t> fast;
+  T fastest(0);  // of those that are not fast: so far they come towards a sweep
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (bodies.alive()[i] == 0) continue;
+    if (bodies.fast()[i] != 0)
+      fast.push_back(i);
+    else if (bodies.fixed()[i] == 0)
+      fastest = greatest(fastest, speed_of(bodies, i));
+  }
+  std::vector<std::vector<Impact<T>>> found((fast.size() + bodies_per_task - 1) / bodies_per_task);
+  const auto meet = [&](std::uint32_t i, std::uint32_t j, std::vector<Impact<T>>& impacts) {
+    if (i == j || !allowed(i, j)) return;
+    const std::uint32_t a = std::min(i, j), b = std::max(i, j);
+    const auto velocity = [&](std::uint32_t k) { return Velocity<T>{bodies.linear()[k], bodies.angular()[k]}; };
+    const auto hit = cast<T>(bodies.shapes()[a], bodies.poses()[a], velocity(a), bodies.shapes()[b], bodies.poses()[b],
+                             velocity(b), duration, CastOptions{Separating::ignored});
+    const bool trigger = bodies.triggers()[a] != 0 || bodies.triggers()[b] != 0;
+    if (hit) impacts.push_back({bodies.id(a), bodies.id(b), trigger, *hit});
+  };
+  for_each_chunk(executor, fast.size(), bodies_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t i = fast[k];
+      const Sweep<T> sweep = sweep_of(bodies, i, duration, fastest * duration);
+      tree.visit([&](const Aabb<T>& box) { return entry(box, sweep) <= T(1); },
+                 [&](std::uint32_t j, const Aabb<T>&) {
+                   if (bodies.fast()[j] == 0) meet(i, j, found[task]);
+                 });
+      // Two fast bodies can meet anywhere; there are few of them.
+      for (std::size_t other = k + 1; other < fast.size(); ++other) {
+        const Sweep<T> theirs = sweep_of(bodies, fast[other], duration, T(0));
+        const Aabb<T> way =
+            merged(theirs.box, Aabb<T>{theirs.box.lower + theirs.motion, theirs.box.upper + theirs.motion});
+        if (entry(way, sweep) <= T(1)) meet(i, fast[other], found[task]);
+      }
+    }
+  });
+  for (const auto& of_task : found) out.insert(out.end(), of_task.begin(), of_task.end());
+  std::sort(out.begin(), out.end(), before<T>);
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template void find_impacts(const BodyArrays<T>&, const DynamicTree<T>&, T,                                           \
+                             const std::function<bool(std::uint32_t, std::uint32_t)>&, Executor&,                      \
+                             std::vector<Impact<T>>&);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze
