@@ -155,11 +155,11 @@ struct PieceOf {
       return overlap(inflated(box, reach), Aabb<T>{point, point}) && f(*other.shape, *other.pose);
     });
   }
-  /// A neighbour that rises above the plane through the point.
-  std::optional<Placed<T>> riser(const Vec3<T>& point, const Vec3<T>& outward) const {
+  /// A neighbour that rises above the plane through the point; of all pieces, if this one is not left out.
+  std::optional<Placed<T>> riser(const Vec3<T>& point, const Vec3<T>& outward, bool leave_out = true) const {
     std::optional<Placed<T>> found;
     any_around(point, [&](const Shape<T>& shape, const Pose<T>& at) {
-      found = graze::riser(shape, at, &piece, point, outward);
+      found = graze::riser(shape, at, leave_out ? &piece : nullptr, point, outward);
       return found.has_value();
     });
     return found;
@@ -208,7 +208,7 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
   }
   Manifold<T> beside;
   convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
-  if (!beside.points.empty() && !self.riser(standing_point(beside, &ContactPoint<T>::a), beside.normal))
+  if (!beside.points.empty() && !self.riser(standing_point(beside, &ContactPoint<T>::a), beside.normal, false))
     return beside.normal;
   if (self.piece.template as<Box<T>>())
     for (std::size_t axis = 0; axis < 3; ++axis)
