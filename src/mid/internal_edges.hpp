@@ -287,7 +287,10 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     const Vec3<T> outward = of_a ? now.normal : -now.normal;
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     if (face != Vec3<T>{} && !self.is_covered(middle(now, side), outward)) continue;
-    const Vec3<T> point = standing_point(now, side);
+    // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
+    const bool beside_edge = face == Vec3<T>{} && !self.piece.template as<Triangle<T>>();
+    const Vec3<T> point = beside_edge ? convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a
+                                      : standing_point(now, side);
     const std::optional<Placed<T>> neighbour = self.riser(point, outward);
     if (!neighbour) continue;
     const auto normal = normal_of_surface(self, *neighbour, other, point, margin);
