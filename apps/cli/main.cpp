@@ -12,10 +12,8 @@ int main(int argc, char** argv) {
   app.footer("graze COMMAND --help explains a command, with an example.");
 
   const std::pair<const char*, graze::cli::Run> commands[] = {
-      {"cast", graze::cli::add_cast(app)},
-      {"collide", graze::cli::add_collide(app)},
-      {"explain", graze::cli::add_explain(app)},
-      {"info", graze::cli::add_info(app)},
+      {"cast", graze::cli::add_cast(app)},       {"collide", graze::cli::add_collide(app)},
+      {"explain", graze::cli::add_explain(app)}, {"info", graze::cli::add_info(app)},
       {"query", graze::cli::add_query(app)},
   };
   try {
