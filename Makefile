@@ -92,7 +92,7 @@ install: ## install library, headers and program below PREFIX (default /usr/loca
 	@scripts/setup.sh demo
 	@test -f build/release/build.ninja || \
 	  cmake --preset release -DGRAZE_BUILD_TESTS=OFF -DGRAZE_BUILD_EXAMPLES=OFF $(CMAKE_ARGS)
-	$(call build,release) --target graze graze_io graze_cli
+	$(call build,release) --target graze_installed
 	cmake --install build/release --prefix $(PREFIX)
 
 .PHONY: clean
