@@ -53,6 +53,13 @@ tsan: ## the tests again, with the thread sanitizer
 	$(call build,tsan)
 	$(call check,tsan)
 
+.PHONY: threads
+threads: ## the tests that use threads, with the thread sanitizer
+	@scripts/setup.sh test
+	$(call configure,tsan)
+	$(call build,tsan) --target test_broad test_world test_tbb
+	$(call check,tsan) -L '^(broad|world|tbb)$$'
+
 .PHONY: clang
 clang: ## the tests again, built by clang
 	@scripts/setup.sh test fuzz

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "graze/error.hpp"
+#include "tbb/order.hpp"
 
 namespace graze {
 
@@ -22,12 +23,14 @@ int checked(std::size_t threads) {
   return static_cast<int>(std::min(threads, most));
 }
 
-/// Each task by itself, because the tasks of a world are large already: cut so that one is worth a thread's time.
-void run_here(std::size_t count, const std::function<void(std::size_t)>& task) {
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(
-        std::size_t{0}, count, [&](std::size_t i) { task(i); }, tbb::simple_partitioner{});
-  });
+/// In the calling thread's arena; each task by itself, because the tasks of a world are large already: cut so that one is worth a thread's time.
+void run_here(std::size_t count, const std::function<void(std::size_t)>& task, Order& order) {
+  const auto one = [&](std::size_t i) {
+    order.task_begins();
+    task(i);
+    order.task_ends();
+  };
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, one, tbb::simple_partitioner{}); });
 }
 
 }  // namespace
@@ -45,10 +48,13 @@ std::size_t TbbExecutor::concurrency() const {
 void TbbExecutor::run(std::size_t count, const std::function<void(std::size_t)>& task) {
   if (count == 0) return;
   if (count == 1) return task(0);
+  Order order;
+  order.run_begins();
   if (arena_)
-    arena_->arena.execute([&] { run_here(count, task); });
+    arena_->arena.execute([&] { run_here(count, task, order); });
   else
-    run_here(count, task);
+    run_here(count, task, order);
+  order.run_ends();
 }
 
 }  // namespace graze
