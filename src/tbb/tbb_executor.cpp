@@ -12,6 +12,8 @@
 namespace graze {
 
 struct TbbExecutor::Arena {
+  explicit Arena(int threads) : arena(threads) {}
+
   tbb::task_arena arena;
 };
 
@@ -36,7 +38,7 @@ void run_here(std::size_t count, const std::function<void(std::size_t)>& task, O
 }  // namespace
 
 TbbExecutor::TbbExecutor(std::optional<std::size_t> threads)
-    : arena_(threads ? std::make_unique<Arena>(tbb::task_arena(checked(*threads))) : nullptr) {}
+    : arena_(threads ? std::make_unique<Arena>(checked(*threads)) : nullptr) {}
 
 TbbExecutor::~TbbExecutor() = default;
 
