@@ -25,7 +25,7 @@ int checked(std::size_t threads) {
   return static_cast<int>(std::min(threads, most));
 }
 
-/// In the calling thread's arena; each task by itself, because the tasks of a world are large already: cut so that one is worth a thread's time.
+/// In the calling thread's arena. Each task by itself: those of a world are cut so that one is worth a thread's time.
 void run_here(std::size_t count, const std::function<void(std::size_t)>& task, Order& order) {
   const auto one = [&](std::size_t i) {
     order.task_begins();
