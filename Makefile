@@ -53,6 +53,14 @@ tsan: ## the tests again, with the thread sanitizer
 	$(call build,tsan)
 	$(call check,tsan)
 
+# Without the scenes of EveryBroadPhase, which have one thread and would take three fifths of the time.
+.PHONY: threads
+threads: ## the tests that use threads, with the thread sanitizer
+	@scripts/setup.sh test
+	$(call configure,tsan)
+	$(call build,tsan) --target test_broad test_world test_tbb
+	$(call check,tsan) -L '^(broad|world|tbb)$$' -E EveryBroadPhase
+
 .PHONY: clang
 clang: ## the tests again, built by clang
 	@scripts/setup.sh test fuzz
@@ -92,7 +100,7 @@ install: ## install library, headers and program below PREFIX (default /usr/loca
 	@scripts/setup.sh demo
 	@test -f build/release/build.ninja || \
 	  cmake --preset release -DGRAZE_BUILD_TESTS=OFF -DGRAZE_BUILD_EXAMPLES=OFF $(CMAKE_ARGS)
-	$(call build,release) --target graze graze_io graze_cli
+	$(call build,release) --target graze_installed
 	cmake --install build/release --prefix $(PREFIX)
 
 .PHONY: clean

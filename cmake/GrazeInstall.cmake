@@ -5,20 +5,34 @@ include(CMakePackageConfigHelpers)
 set(graze_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
 
 install(TARGETS graze EXPORT grazeTargets)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze" TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp" PATTERN "io" EXCLUDE)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze" TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp"
+        PATTERN "io" EXCLUDE PATTERN "tbb_executor.hpp" EXCLUDE)
 install(EXPORT grazeTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" TYPE DOC)
 
-# A component of its own, since whoever uses only the core must not need the packages behind this one.
+# Components of their own, since whoever uses only the core must not need the packages behind these.
 if(TARGET graze_io)
   install(TARGETS graze_io EXPORT grazeIoTargets)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze/io" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze")
   install(EXPORT grazeIoTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}")
 endif()
+if(TARGET graze_tbb)
+  install(TARGETS graze_tbb EXPORT grazeTbbTargets)
+  install(FILES "${PROJECT_SOURCE_DIR}/include/graze/tbb_executor.hpp" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze")
+  install(EXPORT grazeTbbTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}")
+endif()
 if(TARGET graze_cli)
   set_target_properties(graze_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}") # for shared builds
   install(TARGETS graze_cli)
 endif()
+
+# What an installation needs, and nothing else that the build tree may hold.
+add_custom_target(graze_installed)
+foreach(target IN ITEMS graze graze_io graze_tbb graze_cli)
+  if(TARGET ${target})
+    add_dependencies(graze_installed ${target})
+  endif()
+endforeach()
 
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/grazeConfig.cmake.in" "${PROJECT_BINARY_DIR}/grazeConfig.cmake"

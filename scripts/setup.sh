@@ -17,6 +17,9 @@ demo=(libtinygltf-dev libassimp-dev nlohmann-json3-dev libcli11-dev libfmt-dev)
 # GoogleTest and the property tests of RapidCheck.
 test=(libgtest-dev librapidcheck-dev)
 
+# oneTBB, whose adaptor is built wherever it is found and tested with the rest.
+threads=(libtbb-dev)
+
 # Google Benchmark, and the libraries that we measure ourselves against.
 bench=(libbenchmark-dev libbullet-dev libode-dev libfcl-dev libccd-dev libeigen3-dev)
 
@@ -37,10 +40,11 @@ for arg in "$@"; do
   case "$arg" in
     --list) list_only=yes ;;
     demo) wanted+=("${base[@]}" "${demo[@]}") ;;
-    test) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}") ;;
+    test) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}") ;;
     bench) wanted+=("${base[@]}" "${bench[@]}") ;;
     fuzz) wanted+=("${base[@]}" "${demo[@]}" "${fuzz[@]}") ;;
-    lint) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${lint[@]}") ;; # clang-tidy has to find every header
+    # clang-tidy has to find every header.
+    lint) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${lint[@]}") ;;
     *) usage ;;
   esac
 done
