@@ -15,6 +15,7 @@ namespace graze {
 
 template <class T>
 struct HeightFieldData {
+  using Scalar = T;
   /// A block of a level; level 0 are the cells.
   struct Ref {
     std::uint32_t column, row, level;

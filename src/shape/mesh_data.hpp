@@ -10,6 +10,7 @@ namespace graze {
 
 template <class T>
 struct MeshData {
+  using Scalar = T;
   std::vector<Vec3<T>> points;
   std::vector<typename Mesh<T>::Index> triangles;
   WideTree<T> tree;

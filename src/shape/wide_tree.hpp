@@ -9,10 +9,13 @@
 // traversal on GPUs through compressed wide BVHs" (boxes relative to the node's).
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "shape/hierarchy.hpp"
+#include "shape/tree_ray.hpp"
 
 namespace graze {
 
@@ -72,6 +75,55 @@ class WideTree {
     for (unsigned i = 0; i < (pieces & 7u); ++i)
       if (!go_on(f, number[i])) return false;
     return true;
+  }
+
+  /// Calls `f(numbers, count)` for the pieces of each leaf that the ray crosses by `limit()`, in the order in which it
+  /// enters them; `limit()` is asked again on the way.
+  template <class Limit, class F>
+  void each_leaf(const TreeRay<T>& ray, const Limit& limit, F&& f) const {
+    struct Entry {
+      Ref ref;
+      T key;
+    };
+    TraversalStack<Entry> stack;
+    if (nodes_.empty()) return;
+    Entry next{root(), std::numeric_limits<T>::lowest()};
+    for (;;) {
+      const T most = ray.limit(limit());
+      if (next.key <= most) {
+        if (leaf(next.ref)) {
+          const Node& node = nodes_[(next.ref & ~leaf_bit) / width];
+          const std::uint8_t pieces = node.pieces[next.ref % width];
+          f(order_.data() + node.first_piece + (pieces >> 3), std::size_t{pieces & 7u});
+        } else {
+          const Node& node = nodes_[next.ref];
+          T keys[width];
+          std::uint32_t bits = ray.crossed(node, most, keys);
+          const auto entry = [&](std::uint32_t bit) {
+            const auto i = static_cast<std::uint32_t>(std::countr_zero(bit));
+            return Entry{i < node.inner ? node.first_child + i : (leaf_bit | static_cast<Ref>(next.ref * width + i)),
+                         keys[i]};
+          };
+          if (bits != 0) {
+            // The nearest is gone to at once; the others wait in the order of their keys, of equals the first on top.
+            Entry waiting[width], nearest = entry(bits);
+            std::size_t count = 0;
+            while (bits &= bits - 1) {
+              Entry further = entry(bits);
+              if (further.key < nearest.key) std::swap(further, nearest);
+              std::size_t at = count++;
+              for (; at > 0 && waiting[at - 1].key <= further.key; --at) waiting[at] = waiting[at - 1];
+              waiting[at] = further;
+            }
+            for (std::size_t i = 0; i < count; ++i) stack.push(waiting[i]);
+            next = nearest;
+            continue;
+          }
+        }
+      }
+      if (stack.empty()) return;
+      next = stack.pop();
+    }
   }
 
  private:

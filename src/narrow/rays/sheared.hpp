@@ -30,6 +30,11 @@ class Sheared {
     return {q[x_] - shear_.x * q[z_], q[y_] - shear_.y * q[z_], shear_.z * q[z_]};
   }
 
+  /// The axis of the frame's x (0), y (1) and z (2), and what makes up the frame.
+  std::size_t axis(std::size_t i) const { return i == 0 ? x_ : i == 1 ? y_ : z_; }
+  const Vec3d& origin() const { return origin_; }
+  const Vec3d& shear() const { return shear_; }
+
  private:
   Vec3d origin_, shear_;
   std::size_t x_, y_, z_;

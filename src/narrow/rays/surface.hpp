@@ -4,8 +4,9 @@
 // can move a crossing by. Nearer subtrees first, so that a ray that shrinks prunes the rest.
 #pragma once
 
+#include "narrow/rays/passed.hpp"
 #include "narrow/rays/sheared.hpp"
-#include "shape/hierarchy.hpp"
+#include "shape/wide_tree.hpp"
 
 namespace graze::rays {
 
@@ -44,8 +45,26 @@ void cast_at_surface(const Surface& surface, const LocalRay& far, bool both_side
     }
     if (hit) ray.end = found(*near.restored(hit), index) - near.shift;
   };
-  visit_ray(
-      hierarchy, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_triangle, ray.begin, slack);
+  using Hierarchy = std::decay_t<decltype(hierarchy)>;
+  if constexpr (std::is_same_v<Hierarchy, WideTree<typename Surface::Scalar>>) {
+    using T = typename Surface::Scalar;
+    const double extent = static_cast<double>(surface.extent);
+    const RayQuestion<double> question{ray.origin, inverse_of(ray.direction), ray.begin, ray.end, slack};
+    if (!(question(hierarchy.bounds()) < infinity)) return;
+    using Filter = PassedFilter<T>;
+    const Filter filter(sheared, extent);
+    const auto try_leaf = [&](const std::uint32_t* numbers, std::size_t count) {
+      for (std::size_t first = 0; first < count; first += Filter::lanes) {
+        std::uint32_t bits = filter.left(surface, numbers + first, least(Filter::lanes, count - first));
+        for (; bits != 0; bits &= bits - 1) try_triangle(numbers[first + std::size_t(std::countr_zero(bits))]);
+      }
+    };
+    hierarchy.each_leaf(
+        TreeRay<T>(ray.origin, ray.direction, ray.begin, extent, slack), [&] { return ray.end; }, try_leaf);
+  } else {
+    visit_ray(
+        hierarchy, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_triangle, ray.begin, slack);
+  }
 }
 
 }  // namespace graze::rays
