@@ -156,12 +156,18 @@ Contender bullet_world(const Pile& pile) {
     ~State() {
       for (const auto& object : objects) world.removeCollisionObject(object.get());
     }
-    void add(btCollisionShape& shape, int flags, int group, int mask) {
+    void add(btCollisionShape& shape, const Posef& pose, int flags, int group, int mask) {
       objects.push_back(std::make_unique<btCollisionObject>());
       objects.back()->setCollisionShape(&shape);
+      place(objects.size() - 1, pose);
       objects.back()->setCollisionFlags(flags);
       objects.back()->setActivationState(DISABLE_DEACTIVATION);
       world.addCollisionObject(objects.back().get(), group, mask);
+    }
+    void place(std::size_t i, const Posef& pose) {
+      const Vec3f& t = pose.translation;
+      const Quatf& q = pose.rotation;
+      objects[i]->setWorldTransform(btTransform(btQuaternion(q.x, q.y, q.z, q.w), btVector3(t.x, t.y, t.z)));
     }
   };
   auto state = std::make_shared<State>();
@@ -170,19 +176,14 @@ Contender bullet_world(const Pile& pile) {
     state->shapes.push_back(std::make_unique<btBoxShape>(btVector3(box.half.x, box.half.y, box.half.z)));
     // Its faces stay where they are whatever its margin, which is cut out of the box and put on again.
     state->shapes.back()->setMargin(btScalar(motion) * length(box.half));
-    state->add(*state->shapes.back(), 0, btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
+    state->add(*state->shapes.back(), box.pose, 0, btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
   }
   state->ground.setMargin(0);
-  state->add(state->ground, btCollisionObject::CF_STATIC_OBJECT, btBroadphaseProxy::StaticFilter,
+  state->add(state->ground, {}, btCollisionObject::CF_STATIC_OBJECT, btBroadphaseProxy::StaticFilter,
              btBroadphaseProxy::DefaultFilter);
   return {"bullet",
           [state](const Poses& poses) {
-            for (std::size_t i = 0; i < poses.size(); ++i) {
-              const Vec3f& t = poses[i].translation;
-              const Quatf& q = poses[i].rotation;
-              state->objects[i]->setWorldTransform(
-                  btTransform(btQuaternion(q.x, q.y, q.z, q.w), btVector3(t.x, t.y, t.z)));
-            }
+            for (std::size_t i = 0; i < poses.size(); ++i) state->place(i, poses[i]);
           },
           [state] { state->world.performDiscreteCollisionDetection(); },
           [state]() -> Counts {
