@@ -52,10 +52,17 @@ class FlatFace {
  public:
   FlatFace(const PlacedFace& face, const Basis& basis, bool reversed) : face_(face) {
     const std::size_t n = face.vertices.size();
+    const Vec3d* vertices = face.vertices.data();
+    const std::uint32_t* ids = face.ids.data();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = reversed ? n - 1 - i : i;
-      flat_.push_back(basis.flat(face.vertices[k]));
-      ids_.push_back(face.ids[k]);
+      flat_.push_back(basis.flat(vertices[k]));
+      ids_.push_back(ids[k]);
+    }
+    if (n > 1) {
+      const Flat* flat = flat_.data();
+      for (std::size_t i = 0; i < n; ++i)
+        edges_squared_.push_back(distance_squared(flat[i], flat[i + 1 == n ? 0 : i + 1]));
     }
     base_ = dot(face.vertices[reversed ? n - 1 : 0], basis.n);
     slope(basis, dot(face.vertices[reversed ? 0 : n - 1], basis.n));
@@ -68,8 +75,7 @@ class FlatFace {
   /// Infinite of a vertex.
   double shortest_edge_squared() const {
     double shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < size() && size() > 1; ++i)
-      shortest = least(shortest, distance_squared(flat_[i], next(i)));
+    for (const double squared : edges_squared_) shortest = least(shortest, squared);
     return shortest;
   }
 
@@ -81,13 +87,16 @@ class FlatFace {
         if (distance_squared(p, flat_[i]) <= near * near) return vertex_feature(ids_[i]);
       return edge_feature(ids_[0], ids_[1]);
     }
+    const std::size_t n = size();
+    const Flat* flat = flat_.data();
+    const double* edges_squared = edges_squared_.data();
     const auto on_edge = [&](std::size_t i) {
-      const double outside = -cross(flat_[i], next(i), p);
-      return outside >= 0 || outside * outside <= near * near * distance_squared(flat_[i], next(i));
+      const double outside = -cross(flat[i], flat[i + 1 == n ? 0 : i + 1], p);
+      return outside >= 0 || outside * outside <= near * near * edges_squared[i];
     };
-    for (std::size_t i = 0; i < size(); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       if (!on_edge(i)) continue;
-      const std::size_t before = i == 0 ? size() - 1 : i - 1, after = i + 1 == size() ? 0 : i + 1;
+      const std::size_t before = i == 0 ? n - 1 : i - 1, after = i + 1 == n ? 0 : i + 1;
       if (on_edge(after)) return vertex_feature(ids_[after]);
       return i == 0 && on_edge(before) ? vertex_feature(ids_[0]) : edge_feature(ids_[i], ids_[after]);
     }
@@ -114,21 +123,27 @@ class FlatFace {
   const PlacedFace& face_;
   SmallVector<Flat, 16> flat_;
   SmallVector<std::uint32_t, 16> ids_;
+  SmallVector<double, 16> edges_squared_;  ///< none of a vertex
   double base_, slope_x_ = 0, slope_y_ = 0;
 };
 
 /// Keeps what lies left of the line from p to q (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an edge
 /// what lies no further to the right than `beside`.
-Outline cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, double beside) {
-  Outline kept;
+/// Answers whether anything was to the right: `kept` is written only then.
+bool cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, double beside, Outline& kept) {
   const std::size_t n = subject.size();
+  const Flat* points = subject.data();
   const double outside = closed ? 0 : -beside * std::sqrt(distance_squared(p, q));
-  double at = cross(p, q, subject[0]);
+  bool all = true;
+  for (std::size_t k = 0; k < n; ++k) all &= cross(p, q, points[k]) >= outside;
+  if (all) return false;
+  kept.clear();
+  double at = cross(p, q, points[0]);
   for (std::size_t k = 0; k < n; ++k) {
-    const Flat& from = subject[k];
+    const Flat& from = points[k];
     if (at >= outside) kept.push_back(from);
     if (k + 1 == n && !closed) break;
-    const Flat& to = subject[k + 1 == n ? 0 : k + 1];
+    const Flat& to = points[k + 1 == n ? 0 : k + 1];
     const double next = cross(p, q, to);
     if ((at >= outside) != (next >= outside)) {
       const double t = std::clamp(at / (at - next), 0.0, 1.0);
@@ -136,7 +151,7 @@ Outline cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, d
     }
     at = next;
   }
-  return kept;
+  return true;
 }
 
 double twice_area(const Outline& outline) {
@@ -245,10 +260,11 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, Fac
 
   // An edge is cut by a polygon, never the reverse.
   const FlatFace &subject = fb.size() == 2 ? fb : fa, &clip = fb.size() == 2 ? fa : fb;
-  Outline outline;
-  for (std::size_t i = 0; i < subject.size(); ++i) outline.push_back(subject[i]);
-  for (std::size_t i = 0; i < clip.size() && !outline.empty(); ++i)
-    outline = cut(outline, clip[i], clip.next(i), subject.size() > 2, along_rim * near);
+  Outline one, other, *now = &one, *next = &other;
+  for (std::size_t i = 0; i < subject.size(); ++i) one.push_back(subject[i]);
+  for (std::size_t i = 0; i < clip.size() && !now->empty(); ++i)
+    if (cut(*now, clip[i], clip.next(i), subject.size() > 2, along_rim * near, *next)) std::swap(now, next);
+  Outline& outline = *now;
   simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });
   for (const Flat& p : outline)
     contacts.push_back({basis.point(p, fa.height(p)), basis.point(p, fb.height(p)),

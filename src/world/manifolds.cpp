@@ -13,6 +13,9 @@ namespace {
 /// Pairs a task: a hundred microseconds of work, so that a thread that comes late to the last ones costs little.
 constexpr std::size_t pairs_per_task = 64;
 
+/// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
+constexpr std::size_t few_points = 16;
+
 }  // namespace
 
 /// Finds what is known of each pair from the last call: both lists are sorted.
@@ -108,7 +111,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
     for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
   };
   if (a.convex() && b.convex()) {
-    if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return;
+    if (memory.axis != Vec3<T>{} && (!changed || still_apart(a, pose_a, b, pose_b, memory.axis, margin))) return;
     Manifold<T> manifold;
     result.overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
     const bool apart = manifold.points.empty();
@@ -191,20 +194,32 @@ void ManifoldFinder<T>::gather(std::span<const IdPair> pairs, Executor& executor
 /// To points of the same features; of several, which only composites have, to the nearest.
 template <class T>
 void ManifoldFinder<T>::carry_impulses(const ContactPair<T>& pair, const ContactPair<T>& last,
-                                       std::vector<SolverPoint<T>>& old) {
-  old.clear();
-  for (const ContactManifold<T>& m : last_.manifolds_of(last))
-    old.insert(old.end(), last_.points.begin() + m.first_point, last_.points.begin() + m.first_point + m.point_count);
+                                       std::vector<SolverPoint<T>>& sorted) {
+  const auto manifolds = last_.manifolds_of(last);
+  if (manifolds.empty()) return;
+  // The points of a pair stand one behind the other.
+  std::span<const SolverPoint<T>> old(last_.points.begin() + manifolds.front().first_point,
+                                      last_.points.begin() + manifolds.back().first_point +
+                                          manifolds.back().point_count);
   const auto by_feature = [](const SolverPoint<T>& p, const SolverPoint<T>& q) { return p.feature < q.feature; };
-  std::stable_sort(old.begin(), old.end(), by_feature);
+  const bool few = old.size() <= few_points;
+  if (!few) {
+    sorted.assign(old.begin(), old.end());
+    std::stable_sort(sorted.begin(), sorted.end(), by_feature);
+  }
   for (const ContactManifold<T>& m : now_.manifolds_of(pair))
-    for (std::uint32_t i = m.first_point; i < m.first_point + m.point_count; ++i) {
-      SolverPoint<T>& point = now_.points[i];
-      const auto [begin, end] = std::equal_range(old.begin(), old.end(), point, by_feature);
-      const auto nearest = std::min_element(begin, end, [&](const SolverPoint<T>& p, const SolverPoint<T>& q) {
-        return length_squared(p.a - point.a) < length_squared(q.a - point.a);
-      });
-      if (nearest != end) point.impulse = nearest->impulse;
+    for (SolverPoint<T>& point : std::span(now_.points).subspan(m.first_point, m.point_count)) {
+      auto candidates = old;
+      if (!few) {
+        const auto [begin, end] = std::equal_range(sorted.begin(), sorted.end(), point, by_feature);
+        candidates = {begin, end};
+      }
+      const SolverPoint<T>* nearest = nullptr;
+      for (const SolverPoint<T>& p : candidates)
+        if (p.feature == point.feature &&
+            (!nearest || length_squared(p.a - point.a) < length_squared(nearest->a - point.a)))
+          nearest = &p;
+      if (nearest) point.impulse = nearest->impulse;
     }
 }
 
