@@ -310,7 +310,7 @@ TYPED_TEST(WorldOf, FastBodiesAreToldWhatTheyWouldPassThrough) {
     ThreadExecutor executor(threads);
     World<T> world({}, &executor);
     for (int i = 0; i < 60; ++i) {
-      Body<T> body = random_body<T>(random, 3);
+      Body<T> body = testing::random_body<T>(random, 3);
       const bool turns = random() % 2 == 0;
       if (body.shape.template as<HalfSpace<T>>()) continue;
       body.fast = i % 3 == 0 && !body.fixed;
