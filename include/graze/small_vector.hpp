@@ -50,14 +50,10 @@ class SmallVector {
   void clear() { size_ = 0; }
 
   void push_back(const T& value) {
-    if (size_ < N) {
+    if (size_ < N) [[likely]]
       inside_[size_] = value;
-    } else {
-      const T kept = value;  // it may be one of these elements
-      if (size_ == N) outside_.assign(inside_, inside_ + N);
-      outside_.resize(size_);
-      outside_.push_back(kept);
-    }
+    else
+      push_outside(value);
     ++size_;
   }
   /// Drops all elements from position `count` on.
@@ -67,6 +63,13 @@ class SmallVector {
   }
 
  private:
+  /// By itself, so that what is done nearly always is short enough to stand where it is called.
+  void push_outside(const T& value) {
+    const T kept = value;  // it may be one of these elements
+    if (size_ == N) outside_.assign(inside_, inside_ + N);
+    outside_.resize(size_);
+    outside_.push_back(kept);
+  }
   void take_inside(const SmallVector& other) {
     size_ = other.size_;
     if (size_ <= N) std::copy_n(other.inside_, size_, inside_);

@@ -134,22 +134,24 @@ bool cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, doub
   const std::size_t n = subject.size();
   const Flat* points = subject.data();
   const double outside = closed ? 0 : -beside * std::sqrt(distance_squared(p, q));
+  SmallVector<double, 32> sides;
   bool all = true;
-  for (std::size_t k = 0; k < n; ++k) all &= cross(p, q, points[k]) >= outside;
+  for (std::size_t k = 0; k < n; ++k) {
+    sides.push_back(cross(p, q, points[k]));
+    all &= sides[k] >= outside;
+  }
   if (all) return false;
   kept.clear();
-  double at = cross(p, q, points[0]);
   for (std::size_t k = 0; k < n; ++k) {
-    const Flat& from = points[k];
+    const std::size_t after = k + 1 == n ? 0 : k + 1;
+    const Flat &from = points[k], &to = points[after];
+    const double at = sides[k], next = sides[after];
     if (at >= outside) kept.push_back(from);
     if (k + 1 == n && !closed) break;
-    const Flat& to = points[k + 1 == n ? 0 : k + 1];
-    const double next = cross(p, q, to);
     if ((at >= outside) != (next >= outside)) {
       const double t = std::clamp(at / (at - next), 0.0, 1.0);
       kept.push_back({from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t});
     }
-    at = next;
   }
   return true;
 }
@@ -166,23 +168,29 @@ template <class Apart>
 void simplify(Outline& outline, double near, const Apart& apart) {
   if (outline.empty()) return;
   std::size_t deepest = 0;
-  for (std::size_t i = 1; i < outline.size(); ++i)
-    if (apart(outline[i]) < apart(outline[deepest])) deepest = i;
+  double least_apart = apart(outline[0]);
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const double here = apart(outline[i]);
+    if (!(here < least_apart)) continue;
+    least_apart = here;
+    deepest = i;
+  }
   double budget = spared_area * std::abs(twice_area(outline));
   while (outline.size() > 1) {
     const std::size_t n = outline.size();
+    const Flat* points = outline.data();
     std::size_t least_corner = n;
     double least_lost = 0;
     for (std::size_t i = 0; i < n; ++i) {
       if (i == deepest) continue;
-      const Flat &before = outline[i == 0 ? n - 1 : i - 1], &p = outline[i], &after = outline[i + 1 == n ? 0 : i + 1];
+      const Flat &before = points[i == 0 ? n - 1 : i - 1], &p = points[i], &after = points[i + 1 == n ? 0 : i + 1];
       const bool again = std::min(distance_squared(before, p), distance_squared(p, after)) <= same_point * near * near;
       const double lost = again ? 0 : std::abs(cross(before, p, after));
       if (lost > budget || lost * lost > near * near * distance_squared(before, after) || (n == 2 && !again)) continue;
       if (least_corner < n) {
         // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
         const bool same = std::abs(lost - least_lost) <= same_cost * least_lost;
-        if (same ? apart(p) <= apart(outline[least_corner]) : lost > least_lost) continue;
+        if (same ? apart(p) <= apart(points[least_corner]) : lost > least_lost) continue;
       }
       least_lost = lost;
       least_corner = i;

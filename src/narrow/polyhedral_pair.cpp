@@ -15,17 +15,14 @@ const Box<T>* as_box(const Shape<T>& shape) {
   return rectangle ? &rectangle->as_box() : nullptr;
 }
 
-/// The face of a box that leans least from a direction given in the box's own frame; without length along one of its
-/// sides, an edge, along both a corner.
-PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
-  const Vec3d a = abs(direction);
-  const std::size_t major = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-  const std::size_t u = (major + 1) % 3, v = (major + 2) % 3;
-  const bool positive = direction[major] >= 0;
-  PlacedFace face;
+/// The face of a box across an axis that is known to the compiler, which leaves no cyclic index to run time.
+template <std::size_t major>
+void box_face_across(const Vec3d& half, const Vec3d& direction, PlacedFace& face) {
+  constexpr std::size_t u = (major + 1) % 3, v = (major + 2) % 3;
+  const bool positive = direction[major] >= 0, wide = half[u] != 0, high = half[v] != 0;
   face.id = static_cast<std::uint32_t>(2 * major + positive);
   const auto corner = [&](bool at_u, bool at_v) {
-    if ((half[u] == 0 && at_u != (direction[u] >= 0)) || (half[v] == 0 && at_v != (direction[v] >= 0))) return;
+    if ((!wide && at_u != (direction[u] >= 0)) || (!high && at_v != (direction[v] >= 0))) return;
     Vec3d p;
     p[major] = positive ? half[major] : -half[major];
     p[u] = at_u ? half[u] : -half[u];
@@ -38,6 +35,19 @@ PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
   corner(positive, !positive);  // u, v, major are right-handed
   corner(true, true);
   corner(!positive, positive);
+}
+
+/// The face of a box that leans least from a direction given in the box's own frame; without length along one of its
+/// sides, an edge, along both a corner.
+PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
+  const Vec3d a = abs(direction);
+  PlacedFace face;
+  if (a.x >= a.y && a.x >= a.z)
+    box_face_across<0>(half, direction, face);
+  else if (a.y >= a.z)
+    box_face_across<1>(half, direction, face);
+  else
+    box_face_across<2>(half, direction, face);
   return face;
 }
 
@@ -91,12 +101,12 @@ template <class T>
 PolyhedralPair::PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a)
     : boxes_(as_boxes(a, b, b_in_a)) {
   if (boxes_) return;
-  a_.set(a, Mat3d::identity(), {});
-  b_.set(b, rotation_matrix(b_in_a.rotation), b_in_a.translation);
+  a_.emplace().set(a, Mat3d::identity(), {});
+  b_.emplace().set(b, rotation_matrix(b_in_a.rotation), b_in_a.translation);
 }
 
 SeparatingAxes PolyhedralPair::axes(double enough, Trace* trace) const {
-  if (!boxes_) return separating_axes(a_, b_, enough, trace);
+  if (!boxes_) return separating_axes(*a_, *b_, enough, trace);
   if (trace) trace_box_axes(*boxes_, *trace);
   const BoxAxes<double> axes = box_axes(*boxes_, enough);
   return {axis_of(AxisKind::face_a, axes.face_a), axis_of(AxisKind::face_b, axes.face_b),
@@ -108,11 +118,11 @@ std::string PolyhedralPair::name(const SeparatingAxis& axis) const {
 }
 
 PlacedFace PolyhedralPair::face_a(const Vec3d& normal) const {
-  return boxes_ ? box_face(boxes_->half_a, normal) : a_.support_face(normal);
+  return boxes_ ? box_face(boxes_->half_a, normal) : a_->support_face(normal);
 }
 
 PlacedFace PolyhedralPair::face_b(const Vec3d& normal) const {
-  if (!boxes_) return b_.support_face(-normal);
+  if (!boxes_) return b_->support_face(-normal);
   PlacedFace face = box_face(boxes_->half_b, -transposed_times(boxes_->rotation, normal));
   for (Vec3d& v : face.vertices) v = boxes_->rotation * v + boxes_->translation;
   return face;

@@ -43,7 +43,7 @@ class PolyhedralPair {
 
  private:
   std::optional<BoxPair<double>> boxes_;
-  Polyhedron a_, b_;
+  std::optional<Polyhedron> a_, b_;  ///< of what is not two boxes
 };
 
 }  // namespace graze

@@ -226,10 +226,12 @@ void ManifoldFinder<T>::carry_impulses(const ContactPair<T>& pair, const Contact
 template <class T>
 std::size_t ManifoldFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = bytes(bins_.order) + bytes(pairs_) + bytes(last_pairs_) + bytes(memory_) + bytes(last_memory_) +
-                    bytes(results_) + bytes(places_) + bytes(first_point_);
+  std::size_t sum = bytes(bins_.order) + bytes(bins_.bins) + bytes(first_neighbour_) + bytes(neighbours_) +
+                    bytes(found_) + bytes(scratch_) + bytes(pairs_) + bytes(last_pairs_) + bytes(memory_) +
+                    bytes(last_memory_) + bytes(results_) + bytes(places_) + bytes(first_point_);
   for (const auto* arrays : {&now_, &last_})
     sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
+  for (const auto& points : scratch_) sum += bytes(points);
   for (const Found& f : found_) sum += bytes(f.manifolds) + bytes(f.points) + bytes(f.composite);
   return sum;
 }

@@ -42,7 +42,8 @@ void World<T>::filter(std::span<const IdPair> candidates) {
 template <class T>
 std::size_t World<T>::memory() const {
   return bodies_.memory() + boxes_.capacity() * sizeof(Aabb<T>) + candidates_.memory() +
-         allowed_.capacity() * sizeof(IdPair) + manifolds_.memory() + events_.capacity() * sizeof(ContactEvent);
+         allowed_.capacity() * sizeof(IdPair) + manifolds_.memory() + tracker_.memory() +
+         events_.capacity() * sizeof(ContactEvent);
 }
 
 template class World<float>;

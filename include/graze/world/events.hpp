@@ -53,6 +53,9 @@ class EventTracker {
     end_before([](const Touching&) { return true; });
   }
 
+  /// Bytes that are held.
+  std::size_t memory() const { return (touching_.capacity() + last_.capacity()) * sizeof(Touching); }
+
  private:
   struct Touching {
     BodyId a, b;
