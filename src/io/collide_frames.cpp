@@ -80,7 +80,9 @@ class Player {
       world_.set_filter(ids_[m.index], m.shown ? filters_[m.index] : Filter{0, 0, 0});
       if (!m.shown) return;
       if (m.reshaped) world_.set_shape(ids_[m.index], in_precision<T>(m.shape));
-      world_.move(ids_[m.index], cast<T>(m.pose));
+      const Pose<T> pose = cast<T>(m.pose);
+      check_pose(pose);
+      world_.move(ids_[m.index], pose);
     } catch (const InvalidValue& e) {
       throw e.below(scene_.source + ": " + scene_.colliders[m.index].name + " (at " + validate::number(t) + " s)");
     }

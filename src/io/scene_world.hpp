@@ -15,6 +15,14 @@ inline bool moves_by_itself(const Scene& scene) {
                      [](const io::Body& b) { return b.type != MotionType::fixed; });
 }
 
+/// Throws `InvalidValue` for a pose that T cannot hold, or only as a number too large to compute with.
+template <class T>
+void check_pose(const Pose<T>& pose) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const char* expectation = validate::fault_of_coordinate(pose.translation[i]))
+      validate::fail("translation[" + std::to_string(i) + "]", expectation, static_cast<double>(pose.translation[i]));
+}
+
 /// Throws `InvalidValue` for what double could hold and float cannot.
 template <class T>
 graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
@@ -23,7 +31,7 @@ graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
     body.filter = c.filter;
     body.filter.group = -1 - static_cast<std::int32_t>(c.body);
     body.fixed = fixed;
-    validate::point(body.pose.translation, "pose.translation");
+    check_pose(body.pose);
     return body;
   } catch (const InvalidValue& e) {
     throw e.below(scene.source + ": " + c.name);
