@@ -38,7 +38,9 @@ ColliderMotion::ColliderMotion(const Scene& scene, const Animation& animation) :
       tree.colliders.size() > scene.colliders.size() - animation.first_collider)
     throw InvalidValue(scene.source, "the colliders that its animations were read with", "fewer");
   for (const Channel& c : tracks_->channels) channels_.push_back(&c);
-  std::ranges::stable_sort(channels_, {}, &Channel::node);
+  std::sort(channels_.begin(), channels_.end(), [](const Channel* x, const Channel* y) {
+    return std::pair(x->node, x->property) < std::pair(y->node, y->property);
+  });
 
   // What moves: nodes with a channel, and all below them.
   std::vector<char> moves(tree.nodes.size(), 0), wanted(tree.nodes.size(), 0);
@@ -53,7 +55,9 @@ ColliderMotion::ColliderMotion(const Scene& scene, const Animation& animation) :
   std::vector<std::size_t> step_of(tree.nodes.size(), 0);
   for (const std::size_t n : tree.order) {
     if (!wanted[n]) continue;
-    const auto [first, end] = std::ranges::equal_range(channels_, n, {}, &Channel::node);
+    const auto first =
+        std::partition_point(channels_.begin(), channels_.end(), [n](const Channel* c) { return c->node < n; });
+    const auto end = std::find_if(first, channels_.end(), [n](const Channel* c) { return c->node != n; });
     const std::ptrdiff_t parent = tree.nodes[n].parent;
     step_of[n] = steps_.size();
     steps_.push_back({n, parent < 0 ? -1 : static_cast<std::ptrdiff_t>(step_of[static_cast<std::size_t>(parent)]),
