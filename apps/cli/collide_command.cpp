@@ -1,15 +1,15 @@
 // graze collide: the contacts of a scene.
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "checked.hpp"
+#include "collide_frames.hpp"
 #include "commands.hpp"
 #include "graze/io/collide.hpp"
 #include "graze/io/picture.hpp"
 #include "graze/io/scene_writer.hpp"
+#include "progress.hpp"
 #include "scene_options.hpp"
 
 namespace graze::cli {
@@ -20,8 +20,9 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   SceneOptions scene;
+  FramesOptions frames;
   bool json = false;
-  double margin = 0;
+  std::optional<double> margin;
   std::string precision = "double", out, svg;
   std::vector<double> direction{1, 0.7, 1.2};
 };
@@ -79,30 +80,15 @@ void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pa
   }
 }
 
-/// A line that counts up on a terminal, and nothing elsewhere.
-class Progress {
- public:
-  void operator()(std::size_t done, std::size_t all) {
-    if (!isatty(STDERR_FILENO)) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (done < all && now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    if (done < all) fmt::print(stderr, "\rcolliding: {} %", 100 * done / all);
-    if (done < all) shown_ = true;
-    if (done == all && shown_) fmt::print(stderr, "\r{:40}\r", "");
-    std::fflush(stderr);
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  bool shown_ = false;
-};
-
 int run(const Options& options) {
   io::CollideOptions how;
   how.precision = precision_of(options.precision);
-  how.margin = checked_margin(options.margin, how.precision);
+  how.margin = checked_margin(options.margin.value_or(0), how.precision);
   const Vec3d direction = checked_direction(options.direction);
+  if (options.frames.frames) {
+    print_frames(options.scene.load(true), options.frames, options.margin, how.precision, options.json);
+    return 0;
+  }
   const io::Scene scene = options.scene.load();
   how.progress = [progress = Progress()](std::size_t done, std::size_t all) mutable { progress(done, all); };
   const auto pairs = io::collide(scene, how);
@@ -123,13 +109,19 @@ Run add_collide(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("collide", "Find the contacts of a scene");
   options->scene.add_to(*command);
-  command->add_flag("--json", options->json, "Print all manifolds as JSON");
-  command->add_option("--margin", options->margin, "Also report what is up to this far apart")->capture_default_str();
+  CLI::Option* frames = options->frames.add_to(*command);
+  command->add_flag("--json", options->json, "Print all manifolds, or all events and frames, as JSON");
+  command
+      ->add_option("--margin", options->margin,
+                   "Also report what is up to this far apart; with --frames, what touched goes on until it is further "
+                   "apart, by default by a small part of its size")
+      ->default_str("0");
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the scene with the contacts drawn into it (.glb)");
-  command->add_option("--svg", options->svg, "Draw a picture of the scene and its contacts (.svg)");
+  command->add_option("--out", options->out, "Write the scene with the contacts drawn into it (.glb)")
+      ->excludes(frames);
+  command->add_option("--svg", options->svg, "Draw a picture of the scene and its contacts (.svg)")->excludes(frames);
   command->add_option("--direction", options->direction, "Where the picture is seen from: x,y,z")
       ->delimiter(',')
       ->expected(3)
@@ -137,7 +129,12 @@ Run add_collide(CLI::App& app) {
   command->footer("Pairs of one body and pairs that collision filters forbid are left out; where anything can move, so "
                   "are pairs of\n"
                   "which neither can. Exit code: 0, or 2 when a file or an option cannot be used.\n\n"
-                  "Example:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb");
+                  "--frames plays an animation of glTF: nodes that its channels move take their colliders along. Each "
+                  "frame is\n"
+                  "looked at by itself: what flies through something between two frames is not seen (try more --fps, "
+                  "or graze cast).\n\n"
+                  "Examples:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb\n"
+                  "  graze collide scene.glb --frames --fps 60 --animation walk --json");
   return [options] { return run(*options); };
 }
 

@@ -14,8 +14,9 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"hull", "mesh", "box", "sphere"}));
 }
 
-io::Scene SceneOptions::load() const {
+io::Scene SceneOptions::load(bool animations) const {
   io::LoadOptions options;
+  options.animations = animations;
   options.chosen = !colliders.empty();
   if (colliders == "hull") options.mesh_colliders = io::MeshColliders::hull;
   if (colliders == "box") options.mesh_colliders = io::MeshColliders::box;

@@ -15,8 +15,8 @@ struct SceneOptions {
   std::string colliders;
 
   void add_to(CLI::App& command);
-  /// All files in one scene, each at the origin. Throws `InvalidValue`.
-  io::Scene load() const;
+  /// All files in one scene, each at the origin, with their animations if these are asked for. Throws `InvalidValue`.
+  io::Scene load(bool animations = false) const;
 };
 
 /// How a shape is told in a table: its name and its numbers.

@@ -40,6 +40,13 @@ inline std::optional<ScaledPose> without_shear(const Affine& map) {
   return ScaledPose{{map.translation, rotation_quaternion(rotation)}, scale, mirrored};
 }
 
+/// False for zero volume up to rounding, relative to the map's own size: then no shape keeps its dimension.
+inline bool is_regular(const Affine& map) {
+  double product = 1;
+  for (std::size_t i = 0; i < 3; ++i) product *= length(map.linear.column(i));
+  return std::abs(determinant(map.linear)) > 1e-12 * product && std::isfinite(product) && product > 0;
+}
+
 inline bool equal_scales(double a, double b) { return std::abs(a - b) <= file_precision * greatest(a, b); }
 
 }  // namespace graze::io

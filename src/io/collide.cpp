@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "graze/world.hpp"
-#include "io/convert.hpp"
+#include "io/scene_world.hpp"
 
 namespace graze::io {
 
@@ -26,25 +25,6 @@ class ProgressExecutor final : public Executor {
   const std::function<void(std::size_t, std::size_t)>& progress_;
 };
 
-/// The colliders of a scene as a world's bodies, under their own indices. Triggers are asked for contacts too, so that
-/// they can be drawn.
-template <class T>
-void fill(World<T>& world, const Scene& scene) {
-  const bool moves = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                 [](const io::Body& b) { return b.type != MotionType::fixed; });
-  for (const Collider& c : scene.colliders) {
-    try {
-      graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
-      body.filter = c.filter;
-      body.filter.group = -1 - static_cast<std::int32_t>(c.body);
-      body.fixed = moves && scene.bodies[c.body].type == MotionType::fixed;
-      world.add(std::move(body));
-    } catch (const InvalidValue& e) {  // what double could hold and float cannot
-      throw e.below(scene.source + ": " + c.name);
-    }
-  }
-}
-
 template <class T>
 Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifold<T>& m) {
   Manifold<double> out;
@@ -57,19 +37,14 @@ Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifo
   return out;
 }
 
-/// Names the number that was given, not what became of it in T.
-template <class T>
-T checked_margin(double margin) {
-  const auto value = static_cast<T>(margin);
-  if (const char* expectation = validate::fault_of_length(value)) validate::fail("margin", expectation, margin);
-  return value;
-}
-
+/// Triggers are asked for contacts too, so that they can be drawn.
 template <class T>
 std::vector<TouchingPair> collide_in(const Scene& scene, const CollideOptions& options) {
   ProgressExecutor executor(options.progress);
   World<T> world({checked_margin<T>(options.margin), {}}, &executor);
-  fill(world, scene);
+  const bool moves = moves_by_itself(scene);
+  for (const Collider& c : scene.colliders)
+    world.add(in_world<T>(scene, c, moves && scene.bodies[c.body].type == MotionType::fixed));
   world.update();
   std::vector<TouchingPair> touching;
   for (const ContactPair<T>& p : world.contacts().pairs) {

@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <cstring>
+#include <limits>
 
 namespace graze::io {
 
@@ -50,6 +51,19 @@ std::uint32_t whole_at(const unsigned char* at, std::size_t size) {
   return std::memcpy(&full, at, 4), full;
 }
 
+/// How many components an element has, and the name of its type.
+std::size_t width_of(int type) { return type == TINYGLTF_TYPE_VEC4 ? 4 : type == TINYGLTF_TYPE_VEC3 ? 3 : 1; }
+const char* name_of(int type) {
+  return type == TINYGLTF_TYPE_VEC4 ? "\"VEC4\"" : type == TINYGLTF_TYPE_VEC3 ? "\"VEC3\"" : "\"SCALAR\"";
+}
+
+template <class C>
+float fraction_at(const unsigned char* at) {
+  C value{};
+  std::memcpy(&value, at, sizeof value);
+  return greatest(static_cast<float>(value) / static_cast<float>(std::numeric_limits<C>::max()), -1.0F);
+}
+
 /// The size of the indices of a sparse accessor.
 std::size_t index_size(const JsonValue& component) {
   switch (component.whole_number()) {
@@ -80,13 +94,13 @@ Elements::Elements(const AccessorSource& source, int index, int wanted_type, con
     throw InvalidValue(path, "an index below " + std::to_string(model.accessors.size()), std::to_string(index));
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
   const std::string name = "accessors[" + std::to_string(index) + "]";
-  if (accessor.type != wanted_type)
-    throw InvalidValue(name + ".type", wanted_type == TINYGLTF_TYPE_VEC3 ? "\"VEC3\"" : "\"SCALAR\"", "another");
+  if (accessor.type != wanted_type) throw InvalidValue(name + ".type", name_of(wanted_type), "another");
   component_ = accessor.componentType;
+  normalized_ = accessor.normalized;
   count_ = accessor.count;
   const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_));
   if (size <= 0) throw InvalidValue(name + ".componentType", "a component type of glTF", std::to_string(component_));
-  element_ = static_cast<std::size_t>(size) * (wanted_type == TINYGLTF_TYPE_VEC3 ? 3 : 1);
+  element_ = static_cast<std::size_t>(size) * width_of(wanted_type);
   if (accessor.sparse.isSparse) {
     read_sparse(source, {source.json.at("accessors").at(static_cast<std::size_t>(index)), name});
     return;
@@ -147,5 +161,28 @@ Vec3d Elements::vector(std::size_t i) const {
 }
 
 std::uint32_t Elements::whole(std::size_t i) const { return whole_at(begin_ + i * stride_, element_); }
+
+bool Elements::is_float() const { return component_ == TINYGLTF_COMPONENT_TYPE_FLOAT; }
+
+bool Elements::fractional() const {
+  if (is_float()) return true;
+  return normalized_ && component_ >= TINYGLTF_COMPONENT_TYPE_BYTE &&
+         component_ <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+}
+
+/// glTF 2.0, section 3.6.2.2: integers over their greatest; the least of the signed ones counts as -1.
+float Elements::number(std::size_t i, std::size_t k) const {
+  const unsigned char* element = begin_ + i * stride_;
+  switch (component_) {
+  case TINYGLTF_COMPONENT_TYPE_BYTE: return fraction_at<std::int8_t>(element + k);
+  case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return fraction_at<std::uint8_t>(element + k);
+  case TINYGLTF_COMPONENT_TYPE_SHORT: return fraction_at<std::int16_t>(element + 2 * k);
+  case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return fraction_at<std::uint16_t>(element + 2 * k);
+  default: break;
+  }
+  float value = 0;
+  std::memcpy(&value, element + 4 * k, sizeof value);
+  return value;
+}
 
 }  // namespace graze::io

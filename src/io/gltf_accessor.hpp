@@ -30,8 +30,7 @@ struct AccessorSource {
 /// The elements of an accessor, every bound checked.
 class Elements {
  public:
-  /// `wanted_type`: TINYGLTF_TYPE_VEC3 or TINYGLTF_TYPE_SCALAR; `path`: of the index, for errors. Throws
-  /// `InvalidValue`.
+  /// `wanted_type`: TINYGLTF_TYPE_SCALAR, _VEC3 or _VEC4; `path`: of the index, for errors. Throws `InvalidValue`.
   Elements(const AccessorSource& source, int index, int wanted_type, const std::string& path);
   Elements(const Elements&) = delete;
   Elements& operator=(const Elements&) = delete;
@@ -41,6 +40,11 @@ class Elements {
 
   Vec3d vector(std::size_t i) const;
   std::uint32_t whole(std::size_t i) const;
+  /// Whether `number` means something: the components are floats, or integers that stand for 0 to 1 or -1 to 1.
+  bool fractional() const;
+  bool is_float() const;
+  /// The component `k` of an element.
+  float number(std::size_t i, std::size_t k) const;
 
  private:
   void read_sparse(const AccessorSource& source, const JsonValue& accessor);
@@ -48,6 +52,7 @@ class Elements {
   const unsigned char* begin_ = nullptr;
   std::size_t count_ = 0, stride_ = 0, element_ = 0;
   int component_ = 0;
+  bool normalized_ = false;
   std::vector<unsigned char> replaced_;  ///< the elements of a sparse accessor, which `begin_` points to
 };
 

@@ -57,6 +57,11 @@ void check_primitive(const JsonValue& primitive, std::size_t accessors) {
   if (const auto mode = primitive.find("mode"); mode && mode->whole_number() > 6) mode->fail("a mode of glTF: 0 to 6");
 }
 
+void check_animation(const JsonValue& animation, std::size_t accessors) {
+  for (const JsonValue& sampler : objects(animation, "samplers"))
+    for (const char* key : {"input", "output"}) index_below(sampler.at(key), accessors);
+}
+
 bool is_text(const JsonValue& buffer) { return buffer.has("uri") && buffer.at("uri").string().starts_with("data:"); }
 
 }  // namespace
@@ -65,8 +70,7 @@ void check_gltf(const Json& json, bool chunk) {
   const JsonValue root(json, "");
   const JsonValue version = root.at("asset").at("version");
   if (!version.string().starts_with("2.")) version.fail("a version 2.x of glTF");
-  for (const char* key :
-       {"animations", "cameras", "images", "materials", "nodes", "samplers", "scenes", "skins", "textures"})
+  for (const char* key : {"cameras", "images", "materials", "nodes", "samplers", "scenes", "skins", "textures"})
     objects(root, key);
 
   const auto buffers = objects(root, "buffers"), views = objects(root, "bufferViews"),
@@ -80,6 +84,7 @@ void check_gltf(const Json& json, bool chunk) {
   }
   for (const JsonValue& view : views) check_view(view, buffers.size());
   for (const JsonValue& accessor : accessors) check_accessor(accessor, views.size());
+  for (const JsonValue& animation : objects(root, "animations")) check_animation(animation, accessors.size());
   for (const JsonValue& mesh : objects(root, "meshes"))
     for (const JsonValue& primitive : objects(mesh, "primitives")) check_primitive(primitive, accessors.size());
 }

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <optional>
 
-#include "io/gltf_accessor.hpp"
 #include "io/gltf_check.hpp"
 
 namespace graze::io {
@@ -220,6 +219,13 @@ TriangleSoup GltfDocument::triangles(std::size_t mesh, int& skipped) const {
                      "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(i) + "]", soup);
   }
   return soup;
+}
+
+Elements GltfDocument::elements(const JsonValue& index, std::size_t width) const {
+  const std::size_t i = index.whole_number(), count = buffers_->model.accessors.size();
+  if (i >= count) index.fail("an index below " + std::to_string(count));
+  const int type = width == 4 ? TINYGLTF_TYPE_VEC4 : width == 3 ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_SCALAR;
+  return {{buffers_->model, json_, buffers_->zeros_left}, static_cast<int>(i), type, index.path()};
 }
 
 }  // namespace graze::io

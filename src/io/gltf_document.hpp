@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graze/shape.hpp"
+#include "io/gltf_accessor.hpp"
 #include "io/json_value.hpp"
 
 namespace graze::io {
@@ -25,6 +26,8 @@ class GltfDocument {
   const Json& json() const { return json_; }
   /// The triangles of a mesh; other primitives are left out and counted in `skipped`.
   TriangleSoup triangles(std::size_t mesh, int& skipped) const;
+  /// The elements of the accessor that `index` names, of `width` components each: 1, 3 or 4. They live as long as this.
+  Elements elements(const JsonValue& index, std::size_t width) const;
 
  private:
   struct Buffers;

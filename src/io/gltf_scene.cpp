@@ -3,7 +3,9 @@
 #include <map>
 
 #include "graze/io/scene.hpp"
+#include "io/gltf_animation.hpp"
 #include "io/gltf_document.hpp"
+#include "io/gltf_node.hpp"
 #include "io/mesh_collider.hpp"
 #include "io/question.hpp"
 #include "io/scaled_shape.hpp"
@@ -33,37 +35,8 @@ std::optional<JsonValue> extension(const JsonValue& json, const char* name) {
   return all ? all->find(name) : std::nullopt;
 }
 
-Vec3d vector_or(const JsonValue& json, const char* key, const Vec3d& otherwise) {
-  const auto found = json.find(key);
-  return found ? found->vector<double>() : otherwise;
-}
-
-Quatd read_quaternion(const JsonValue& json) {
-  const auto p = json.elements(4);
-  const Quatd q{p[0].number<double>(), p[1].number<double>(), p[2].number<double>(), p[3].number<double>()};
-  if (q == Quatd{0, 0, 0, 0}) json.fail("a quaternion that is not zero");
-  return normalized(q);
-}
-
-Affine node_transform(const JsonValue& node) {
-  Affine map;
-  if (const auto matrix = node.find("matrix")) {
-    const auto m = matrix->elements(16);
-    const auto at = [&](std::size_t column, std::size_t row) { return m[4 * column + row].number<double>(); };
-    for (std::size_t r = 0; r < 3; ++r) map.linear.row[r] = {at(0, r), at(1, r), at(2, r)};
-    map.translation = {at(3, 0), at(3, 1), at(3, 2)};
-    return map;
-  }
-  const auto rotation = node.find("rotation");
-  const Mat3d turn = rotation ? rotation_matrix(read_quaternion(*rotation)) : Mat3d::identity();
-  return {turn * Mat3d::diagonal(vector_or(node, "scale", {1, 1, 1})), vector_or(node, "translation", {})};
-}
-
-/// Zero volume up to rounding, relative to the map's own size: then no shape keeps its dimension.
 void require_regular(const JsonValue& node, const Affine& map) {
-  double product = 1;
-  for (std::size_t i = 0; i < 3; ++i) product *= length(map.linear.column(i));
-  if (std::abs(determinant(map.linear)) > 1e-12 * product && std::isfinite(product) && product > 0) return;
+  if (is_regular(map)) return;
   throw InvalidValue(node.path(), "a transform with a scale that is neither zero nor singular",
                      "one of determinant " + validate::number(determinant(map.linear)));
 }
@@ -91,6 +64,11 @@ class SceneReader {
       notice("the file has colliders of its own, which stay: none are made of its meshes");
     if (skipped_primitives_ > 0)
       notice(std::to_string(skipped_primitives_) + " primitives of points or lines are skipped");
+    if (options_.animations) {
+      tree_.source = scene_.source;
+      auto tree = std::make_shared<const NodeTree>(std::move(tree_));
+      scene_.animations = read_animations(document_, std::move(tree), scene_.notices);
+    }
     return std::move(scene_);
   }
 
@@ -98,7 +76,8 @@ class SceneReader {
   struct Visit {
     std::size_t node;
     Affine parent;
-    int body;  ///< of the nearest ancestor with a motion, or -1
+    int body;                   ///< of the nearest ancestor with a motion, or -1
+    std::ptrdiff_t above = -1;  ///< the parent's node, or -1
   };
 
   void notice(const std::string& text) { scene_.notices.push_back(text); }
@@ -154,6 +133,7 @@ class SceneReader {
 
   void walk() {
     std::vector<char> visited(nodes_.size(), 0);
+    tree_.nodes.resize(nodes_.size());
     std::vector<Visit> stack;
     for (const std::size_t root : root_nodes()) stack.push_back({root, {}, -1});
     std::reverse(stack.begin(), stack.end());
@@ -163,13 +143,23 @@ class SceneReader {
       const JsonValue& node = nodes_[visit.node];
       if (visited[visit.node]++)
         throw InvalidValue(node.path(), "a node with one parent, in a tree", "a node that is reached twice");
-      const Affine map = visit.parent * node_transform(node);
+      const Affine map = visit.parent * keep_node(visit, node);
       const int body = read_node(visit, node, map);
       const auto above = static_cast<std::ptrdiff_t>(stack.size());
       for (const JsonValue& child : list(node, "children"))
-        stack.push_back({index_below(child, nodes_.size()), map, body});
+        stack.push_back({index_below(child, nodes_.size()), map, body, static_cast<std::ptrdiff_t>(visit.node)});
       std::reverse(stack.begin() + above, stack.end());  // the first child is visited first
     }
+  }
+
+  /// A node's map, which its animations will want as well.
+  const Affine& keep_node(const Visit& visit, const JsonValue& json) {
+    TreeNode& node = tree_.nodes[visit.node];
+    node.parent = visit.above;
+    if (!json.has("matrix")) node.rest = node_transform(json);
+    node.map = node_map(json);
+    tree_.order.push_back(visit.node);
+    return node.map;
   }
 
   /// Those of the scene to show; in a file without scenes, the nodes that are nobody's child.
@@ -251,6 +241,7 @@ class SceneReader {
       body = static_cast<int>(scene_.bodies.size()) - 1;
     }
     const MappedShape result = mapped_at(node, shape, map);
+    tree_.colliders.push_back({shape, node, map});
     if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);
     return {name_of(node),
             static_cast<int>(node),
@@ -320,6 +311,7 @@ class SceneReader {
   std::vector<JsonValue> nodes_, shapes_, filters_;
   std::vector<Material> materials_;
   std::vector<Visit> mesh_nodes_;  ///< with the node's own map in `parent`
+  NodeTree tree_;
   Scene scene_;
   int skipped_primitives_ = 0;
 };

@@ -79,6 +79,11 @@ void append(Scene& scene, Scene other) {
     if (found == names.end()) names.push_back(name);
   }
   const auto first_body = static_cast<std::uint32_t>(scene.bodies.size());
+  const auto first_collider = static_cast<std::uint32_t>(scene.colliders.size());
+  for (Animation& animation : other.animations) {
+    animation.first_collider += first_collider;
+    scene.animations.push_back(std::move(animation));
+  }
   for (Body& body : other.bodies) scene.bodies.push_back(std::move(body));
   for (Collider& collider : other.colliders) {
     collider.body += first_body;

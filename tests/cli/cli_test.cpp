@@ -122,6 +122,54 @@ TEST(Cli, QueryExitsWithOneWhenAnAnswerIsAnError) {
   std::filesystem::remove(file);
 }
 
+const std::string moving = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/moving.gltf";
+
+TEST(Cli, FramesAreATableOrJson) {
+  const Result table = run("collide " + moving + " --frames");
+  EXPECT_EQ(table.code, 0);
+  EXPECT_NE(table.output.find("3 of 6 colliders move in \"swing and throw\", 121 frames to 4 s"), std::string::npos)
+      << table.output;
+  EXPECT_NE(table.output.find("begin  thrown ball  gate         trigger"), std::string::npos) << table.output;
+
+  const auto json = nlohmann::json::parse(run("collide " + moving + " --frames --json --fps 20 --duration 3").output);
+  EXPECT_EQ(json["frames"].size(), 61u);
+  EXPECT_EQ(json["moved"], nlohmann::json({1, 2, 3}));
+  EXPECT_EQ(json["animation"]["name"], "swing and throw");
+  // What begins and ends in a frame is what its count of pairs grows by.
+  int pairs = 0;
+  std::size_t next = 0;
+  for (const auto& frame : json["frames"]) {
+    for (; next < json["events"].size() && json["events"][next]["t"] == frame["t"]; ++next) {
+      const auto& e = json["events"][next];
+      pairs += e["kind"] == "begin" ? 1 : -1;
+      EXPECT_EQ(e["depth"].is_number(), e["kind"] == "begin" && !e["trigger"].get<bool>());
+    }
+    EXPECT_EQ(frame["pairs"], pairs);
+  }
+  EXPECT_EQ(next, json["events"].size());
+  EXPECT_GE(next, 8u);
+
+  const auto grow = nlohmann::json::parse(run("collide " + moving + " --frames --json --animation grow").output);
+  EXPECT_EQ(grow["events"].back()["kind"], "end");  // scaled to nothing at the end
+}
+
+TEST(Cli, FramesNeedAnAnimationAndSoundOptions) {
+  const auto refusal = [](const std::string& arguments) {
+    const Result r = run("collide " + arguments);
+    EXPECT_EQ(r.code, 2) << arguments;
+    return r.output;
+  };
+  EXPECT_EQ(refusal(demo + " --frames"), "graze: demo.gltf: expected at least one animation, got no animation\n");
+  EXPECT_EQ(refusal(moving + " --frames --fps 0"), "graze: --fps: expected a finite number above 0, got 0\n");
+  EXPECT_EQ(refusal(moving + " --frames --duration nan"),
+            "graze: --duration: expected a finite number >= 0, got nan\n");
+  EXPECT_EQ(refusal(moving + " --frames --animation fall"),
+            "graze: --animation: expected the name of one or an index below 2 (swing and throw, grow), got fall\n");
+  EXPECT_NE(refusal(moving + " --fps 60").find("--frames"), std::string::npos);
+  EXPECT_NE(refusal(moving + " --frames --svg a.svg").find("--svg"), std::string::npos);
+  EXPECT_NE(refusal(moving + " --frames --fps 1e9").find("frames in all"), std::string::npos);
+}
+
 TEST(Cli, HelpHasAnExampleForEachCommand) {
   EXPECT_EQ(run("--help").code, 0);
   for (const char* command : {"cast", "collide", "info", "query"}) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,10 +55,21 @@ struct Collider {
   std::optional<Material> material;
 };
 
+struct AnimationTracks;
+
+/// What moves colliders over time, to be played by `collide_frames`. The colliders of the scene stand at rest.
+struct Animation {
+  std::string name;
+  double duration = 0;                            ///< seconds, from 0 to the last keyframe
+  std::uint32_t first_collider = 0;               ///< of its file, in the scene
+  std::shared_ptr<const AnimationTracks> tracks;  ///< what the loader read, for `collide_frames`
+};
+
 struct Scene {
   std::string source;
   std::vector<Body> bodies;
   std::vector<Collider> colliders;
+  std::vector<Animation> animations;           ///< when `LoadOptions::animations` asked for them
   std::vector<std::string> notices;            ///< what was skipped or approximated, one sentence each
   std::vector<std::string> collision_systems;  ///< the names behind the filters' bits
 };
@@ -67,7 +79,8 @@ enum class MeshColliders : std::uint8_t { hull, mesh, box, sphere };
 
 struct LoadOptions {
   MeshColliders mesh_colliders = MeshColliders::mesh;
-  bool chosen = false;  ///< asked for, not the default: a file with colliders of its own, which stay, says so
+  bool animations = false;  ///< read those of glTF too
+  bool chosen = false;      ///< asked for, not the default: a file with colliders of its own, which stay, says so
 };
 
 /// Reads a scene file. glTF 2.0 (.gltf, .glb) with KHR_implicit_shapes and KHR_physics_rigid_bodies; OBJ, STL and PLY as one mesh each.
@@ -76,7 +89,7 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options =
 /// As `load_scene`, from memory (for tests and fuzzing); external files are not opened.
 Scene load_gltf(const std::string& bytes, const std::string& source_name, const LoadOptions& options = {});
 
-/// Adds the bodies and colliders of `other` behind those of `scene`, and joins their collision systems by name.
+/// Adds the bodies, colliders and animations of `other` behind those of `scene`, and joins their collision systems by name.
 void append(Scene& scene, Scene other);
 
 }  // namespace graze::io

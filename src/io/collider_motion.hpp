@@ -1,0 +1,63 @@
+// Where an animation takes the colliders of a scene.
+//
+// Guarantee: at every time a pose of finite numbers for each collider that is moved, and a new shape only where its scale
+// has changed by more than files hold; at rest, shape and pose are those of the scene up to
+// rounding.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graze/io/scene.hpp"
+#include "io/gltf_animation.hpp"
+
+namespace graze::io {
+
+/// A collider on its way.
+struct MovedCollider {
+  std::uint32_t index;    ///< in the scene
+  bool shown = true;      ///< false while it is scaled to nothing, as glTF hides things
+  bool reshaped = false;  ///< it has another shape than at the time before
+  Posed pose;
+  Shaped shape;
+};
+
+class ColliderMotion {
+ public:
+  /// Throws `InvalidValue` for a scene that has lost colliders since it was loaded.
+  ColliderMotion(const Scene& scene, const Animation& animation);
+
+  /// Those that are moved, by index.
+  std::span<const MovedCollider> colliders() const { return moved_; }
+  /// Moves them to a time in seconds. Costs a few products a node, and a shape where the scale changes: microseconds for
+  /// a ball or box, as much as loading it for a mesh, milliseconds for what becomes a sampled hull. Throws
+  /// `InvalidValue` for what gets too large.
+  void go_to(double t);
+
+ private:
+  /// What is asked for on the way of some collider, parents first.
+  struct Step {
+    std::size_t node;
+    std::ptrdiff_t parent;  ///< its place among the steps
+    bool animated;          ///< by a channel of its own
+    std::size_t first_channel, end_channel;
+    Affine world{};
+  };
+  /// What a shape was made of.
+  struct Made {
+    std::size_t step;
+    Shaped base;
+    Affine map;
+    Quatd rotation;  ///< of the pose, under that map
+  };
+
+  void place(std::size_t i, double t);
+
+  std::shared_ptr<const AnimationTracks> tracks_;
+  std::vector<const Channel*> channels_;  ///< by node
+  std::vector<Step> steps_;
+  std::vector<MovedCollider> moved_;
+  std::vector<Made> made_;
+};
+
+}  // namespace graze::io

@@ -1,0 +1,49 @@
+// A scene's colliders as the bodies of a world.
+#pragma once
+
+#include <algorithm>
+
+#include "graze/io/scene.hpp"
+#include "graze/world.hpp"
+#include "io/convert.hpp"
+
+namespace graze::io {
+
+/// Whether anything in the scene can move: else all of it is as if fixed, and is compared all the same.
+inline bool moves_by_itself(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const io::Body& b) { return b.type != MotionType::fixed; });
+}
+
+/// Throws `InvalidValue` for a pose that T cannot hold, or only as a number too large to compute with.
+template <class T>
+void check_pose(const Pose<T>& pose) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const char* expectation = validate::fault_of_coordinate(pose.translation[i]))
+      validate::fail("translation[" + std::to_string(i) + "]", expectation, static_cast<double>(pose.translation[i]));
+}
+
+/// Throws `InvalidValue` for what double could hold and float cannot.
+template <class T>
+graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
+  try {
+    graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
+    body.filter = c.filter;
+    body.filter.group = -1 - static_cast<std::int32_t>(c.body);
+    body.fixed = fixed;
+    check_pose(body.pose);
+    return body;
+  } catch (const InvalidValue& e) {
+    throw e.below(scene.source + ": " + c.name);
+  }
+}
+
+/// Names the number that was given, not what became of it in T.
+template <class T>
+T checked_margin(double margin) {
+  const auto value = static_cast<T>(margin);
+  if (const char* expectation = validate::fault_of_length(value)) validate::fail("margin", expectation, margin);
+  return value;
+}
+
+}  // namespace graze::io
