@@ -80,7 +80,7 @@ Vec3<T> point(const Vec3<T>& v, const std::string& path) {
 /// The same without a string made for a path that is rarely needed.
 template <class T>
 Vec3<T> point(const Vec3<T>& v, const char* path) {
-  if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) return v;
+  if (!fault_of_coordinate(v.x) && !fault_of_coordinate(v.y) && !fault_of_coordinate(v.z)) return v;
   return point(v, std::string(path));
 }
 
