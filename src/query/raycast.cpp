@@ -36,17 +36,20 @@ std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose
   const bool aimed = max_abs(direction) <= limit && direction == direction && direction != Vec3d{};
   if (!usable<T>(origin) || !aimed || !(length >= T(0))) return {};
   const double end = least(static_cast<double>(length), longest<T>);
-  LocalRay local = seen_from(pose, LocalRay{origin, normalized(direction), 0, end, 0});
+  // Turning makes its length 1; only its squares must neither over- nor underflow before.
+  const Vec3d safe = std::is_same_v<T, float> ? direction : direction / max_abs(direction);
+  LocalRay local = seen_from(pose, LocalRay{origin, safe, 0, end, 0});
   local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
   return local;
 }
 
 /// Calls `found(hit, piece)` for what the ray hits; `found` returns how far the ray has still to be followed, less than
-/// zero for no further. `pose` places the shape in the frame of the outermost one, which is the ray's and the hits'.
+/// zero for no further. `pose` places the shape in the frame of the outermost one, which is the ray's and the hits'; of
+/// the outermost itself it is the identity.
 template <class T, class Found>
 void visit_hits(const Shape<T>& shape, const Posed& pose, LocalRay& outer, BackFaces back, std::uint32_t piece,
                 bool outermost, Found& found) {
-  const LocalRay ray = seen_from(pose, outer);
+  const LocalRay ray = outermost ? outer : seen_from(pose, outer);
   const auto report = [&](const LocalHit& hit, std::uint32_t number) {
     return outer.end = found({hit.t, transform(pose, hit.point), rotate(pose.rotation, hit.normal)}, number);
   };
@@ -86,15 +89,16 @@ struct Candidate {
   std::uint32_t piece = 0;
 };
 
-/// The normal without the little by which rounding may turn it along the ray where that grazes.
-Vec3d opposing(const Vec3d& normal, const Vec3d& direction) {
-  const double along = dot(normal, direction);
-  return along > 0 ? normalized(normal - direction * along, -direction) : normal;
+/// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
+Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
+  if (!(dot(normal, ray) > 0)) return normal;
+  const Vec3d direction = normalized(ray);
+  return normalized(normal - direction * dot(normal, direction), -direction);
 }
 
 template <class T>
 RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
-  const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), normalized(cast<double>(ray.direction)));
+  const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), cast<double>(ray.direction));
   return {least(static_cast<T>(c.hit.t), length), cast<T>(transform(pose, c.hit.point)), normalized(cast<T>(normal)),
           c.piece};
 }

@@ -26,6 +26,8 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
   for (const std::uint32_t i : different_triangles<T>(data->points, data->triangles))
     pieces.push_back({bounds_of(data->triangle(i)), i});
   data->tree = WideTree<T>(std::move(pieces));
+  data->corners.reserve(data->tree.size());
+  for (const std::uint32_t number : data->tree.order()) data->corners.push_back(data->triangles[number]);
   data_ = std::move(data);
 }
 

@@ -14,6 +14,7 @@ struct MeshData {
   std::vector<Vec3<T>> points;
   std::vector<typename Mesh<T>::Index> triangles;
   WideTree<T> tree;
+  std::vector<typename Mesh<T>::Index> corners;  ///< of the triangles in the tree's order: a leaf's stand side by side
   T extent = T(0);      ///< the greatest distance of a point from the frame's origin
   bool closed = false;  ///< bounds a solid
   Sides sides = Sides::both;

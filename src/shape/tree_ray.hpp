@@ -5,7 +5,9 @@
 // t = a q + b, with a and b the same for all children.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "graze/vec3.hpp"
 #include "graze/wide.hpp"
@@ -31,6 +33,36 @@ template <class T>
   std::uint32_t bits = 0;
   for (int i = 0; i < RayLanes<T>::lanes; ++i) bits |= (mask[i] ? 1u : 0u) << i;
   return bits;
+#endif
+}
+
+/// `least` and `greatest`, which select by a mask, in one instruction; for numbers.
+template <class T>
+[[gnu::always_inline]] inline RayLanes<T> lesser(const RayLanes<T>& a, const RayLanes<T>& b) {
+#if defined(__SSE2__)
+  typedef typename RayLanes<T>::Vector Vector;
+  if constexpr (sizeof(T) == 4)
+    return RayLanes<T>::of(
+        reinterpret_cast<Vector>(_mm_min_ps(reinterpret_cast<__m128>(a.v), reinterpret_cast<__m128>(b.v))));
+  else
+    return RayLanes<T>::of(
+        reinterpret_cast<Vector>(_mm_min_pd(reinterpret_cast<__m128d>(a.v), reinterpret_cast<__m128d>(b.v))));
+#else
+  return least(a, b);
+#endif
+}
+template <class T>
+[[gnu::always_inline]] inline RayLanes<T> larger(const RayLanes<T>& a, const RayLanes<T>& b) {
+#if defined(__SSE2__)
+  typedef typename RayLanes<T>::Vector Vector;
+  if constexpr (sizeof(T) == 4)
+    return RayLanes<T>::of(
+        reinterpret_cast<Vector>(_mm_max_ps(reinterpret_cast<__m128>(a.v), reinterpret_cast<__m128>(b.v))));
+  else
+    return RayLanes<T>::of(
+        reinterpret_cast<Vector>(_mm_max_pd(reinterpret_cast<__m128d>(a.v), reinterpret_cast<__m128d>(b.v))));
+#else
+  return greatest(a, b);
 #endif
 }
 
@@ -70,9 +102,10 @@ class TreeRay {
       : origin_(cast<T>(origin)), begin_(static_cast<T>(begin)) {
     // With u half an epsilon and M the sum below, a crossing is off by 4 u M / |direction| for rounding of the bounds
     // themselves, 5 for a, 5 for b (of which one for the origin and one for the inverse) and 2 for their sum: 8 epsilon.
+    // What underflows is less than the least normal number.
     constexpr double off = 16 * static_cast<double>(std::numeric_limits<T>::epsilon());
     const double reach = extent + max_abs(origin);
-    const double around = slack + off * reach;
+    const double around = slack + off * reach + static_cast<double>(std::numeric_limits<T>::min());
     for (std::size_t i = 0; i < 3; ++i) {
       // Within the bounds t is of the order of M, and what is slower than this crosses less than a rounding of M. Its
       // inverse times any length is finite.
@@ -106,8 +139,8 @@ class TreeRay {
       const EightNumbers<T> low(forward ? node.lower[axis] : node.upper[axis]),
           high(forward ? node.upper[axis] : node.lower[axis]);
       for (int k = 0; k < parts; ++k) {
-        enter[k] = maximum(enter[k], low.part[k] * scale + first);
-        leave[k] = minimum(leave[k], high.part[k] * scale + last);
+        enter[k] = larger<T>(low.part[k] * scale + first, enter[k]);
+        leave[k] = lesser<T>(high.part[k] * scale + last, leave[k]);
       }
     }
     std::uint32_t bits = 0;
@@ -120,27 +153,6 @@ class TreeRay {
 
  private:
   static T off_of(T t) { return T(2) * std::numeric_limits<T>::epsilon() * (t < T(0) ? -t : t); }
-  /// One instruction each, where `least` and `greatest` select by a mask.
-  [[gnu::always_inline]] static RayLanes<T> minimum(const RayLanes<T>& a, const RayLanes<T>& b) {
-#if defined(__SSE2__)
-    if constexpr (sizeof(T) == 4) {
-      typedef decltype(a.v) Vector;
-      return RayLanes<T>::of(
-          reinterpret_cast<Vector>(_mm_min_ps(reinterpret_cast<__m128>(b.v), reinterpret_cast<__m128>(a.v))));
-    }
-#endif
-    return least(a, b);
-  }
-  [[gnu::always_inline]] static RayLanes<T> maximum(const RayLanes<T>& a, const RayLanes<T>& b) {
-#if defined(__SSE2__)
-    if constexpr (sizeof(T) == 4) {
-      typedef decltype(a.v) Vector;
-      return RayLanes<T>::of(
-          reinterpret_cast<Vector>(_mm_max_ps(reinterpret_cast<__m128>(b.v), reinterpret_cast<__m128>(a.v))));
-    }
-#endif
-    return greatest(a, b);
-  }
 
   Vec3<T> origin_, inverse_, widening_;
   T begin_;

@@ -77,10 +77,14 @@ class WideTree {
     return true;
   }
 
-  /// Calls `f(numbers, count)` for the pieces of each leaf that the ray crosses by `limit()`, in the order in which it
-  /// enters them; `limit()` is asked again on the way.
-  template <class Limit, class F>
-  void each_leaf(const TreeRay<T>& ray, const Limit& limit, F&& f) const {
+  /// The numbers of all pieces, those of a leaf side by side.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+
+  /// Calls `f(first, count)` for each leaf that the ray crosses by `limit()`, with the places of its pieces in `order()`,
+  /// in the order in which it enters them; `limit()` is asked again on the way.
+  /// `soon(first)` is called some time before for the same leaves and for others, so that what `f` needs may be fetched.
+  template <class Limit, class Soon, class F>
+  void each_leaf(const TreeRay<T>& ray, const Limit& limit, const Soon& soon, F&& f) const {
     struct Entry {
       Ref ref;
       T key;
@@ -94,15 +98,22 @@ class WideTree {
         if (leaf(next.ref)) {
           const Node& node = nodes_[(next.ref & ~leaf_bit) / width];
           const std::uint8_t pieces = node.pieces[next.ref % width];
-          f(order_.data() + node.first_piece + (pieces >> 3), std::size_t{pieces & 7u});
+          f(std::size_t{node.first_piece} + (pieces >> 3), std::size_t{pieces & 7u});
         } else {
           const Node& node = nodes_[next.ref];
           T keys[width];
           std::uint32_t bits = ray.crossed(node, most, keys);
           const auto entry = [&](std::uint32_t bit) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(bit));
-            return Entry{i < node.inner ? node.first_child + i : (leaf_bit | static_cast<Ref>(next.ref * width + i)),
-                         keys[i]};
+            if (i < node.inner) {
+              // A node lies on two lines, of 64 bytes as on most machines.
+              const auto* child = reinterpret_cast<const char*>(&nodes_[node.first_child + i]);
+              __builtin_prefetch(child);
+              __builtin_prefetch(child + 64);
+              return Entry{node.first_child + i, keys[i]};
+            }
+            soon(std::size_t{node.first_piece} + (node.pieces[i] >> 3));
+            return Entry{leaf_bit | static_cast<Ref>(next.ref * width + i), keys[i]};
           };
           if (bits != 0) {
             // The nearest is gone to at once; the others wait in the order of their keys, of equals the first on top.

@@ -222,5 +222,38 @@ TYPED_TEST(RaycastMesh, AnswersAsEveryTriangleByItself) {
   }
 }
 
+// Whatever the size, however far from the frame's origin, and along axes too, where a ray does not move across.
+TYPED_TEST(RaycastMesh, AnswersTheSameAtEverySizeAndPlace) {
+  using T = TypeParam;
+  Random random(3);
+  for (const T size : {T(1e-4), T(1), T(1e4)})
+    for (const T away : {T(0), T(30)}) {
+      Surface<T> surface = torus<T>(40, 6);
+      const Vec3<T> middle = Vec3<T>{size, -size, size} * away;
+      for (Vec3<T>& p : surface.points) p = p * size + middle;
+      const Shape<T> mesh(Mesh<T>(surface.points, surface.triangles));
+      std::size_t met = 0;
+      for (int i = 0; i < 300; ++i) {
+        const Vec3<T> from = cast<T>(random_vector(random, 2)) * size + middle;
+        Ray<T> ray{from, cast<T>(random_vector(random, 1)) * size + middle - from};
+        if (i % 3 == 0) ray.direction[random() % 3] = T(0);
+        if (i % 9 == 0) ray.direction = {T(0), T(i % 2 == 0 ? 1 : -1), T(0)};
+        std::vector<RayHit<T>> hits;
+        raycast_all(mesh, {}, ray, hits);
+        std::vector<std::uint32_t> found, expected;
+        for (const auto& hit : hits) found.push_back(hit.piece);
+        for (std::uint32_t k = 0; k < surface.triangles.size(); ++k) {
+          const Index& t = surface.triangles[k];
+          const Shape<T> triangle(Triangle<T>(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]));
+          if (raycast(triangle, {}, ray)) expected.push_back(k);
+        }
+        std::sort(found.begin(), found.end());
+        ASSERT_EQ(found, expected) << "size " << size << ", " << away << " sizes away, ray " << i;
+        met += expected.size();
+      }
+      EXPECT_GT(met, 100u);
+    }
+}
+
 }  // namespace
 }  // namespace graze::testing

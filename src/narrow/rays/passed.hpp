@@ -28,12 +28,12 @@ class PassedFilter {
     off_ = static_cast<T>(off * (extent + max_abs(sheared.origin())));
   }
 
-  /// One bit a triangle, of up to `lanes`, that may be crossed.
+  /// One bit a triangle that may be crossed, of up to `lanes` from the place `first` in the tree's order on.
   template <class Mesh>
-  [[gnu::always_inline]] std::uint32_t left(const Mesh& mesh, const std::uint32_t* numbers, std::size_t count) const {
+  [[gnu::always_inline]] std::uint32_t left(const Mesh& mesh, std::size_t first, std::size_t count) const {
     Lane x[3], y[3];
     const std::uint32_t* corners[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) corners[i] = mesh.triangles[numbers[least(i, count - 1)]].data();
+    for (std::size_t i = 0; i < lanes; ++i) corners[i] = mesh.corners[first + least(i, count - 1)].data();
     Lane size(T(0));
     for (std::size_t k = 0; k < 3; ++k) {
       const auto coordinate = [&](std::size_t axis) {
@@ -46,14 +46,15 @@ class PassedFilter {
       const Lane z = coordinate(2);
       x[k] = coordinate(0) - Lane(shear_x_) * z;
       y[k] = coordinate(1) - Lane(shear_y_) * z;
-      size = greatest(size, greatest(abs(x[k]), abs(y[k])));
+      size = larger<T>(size, larger<T>(abs(x[k]), abs(y[k])));
     }
     const auto side = [&](std::size_t p, std::size_t q) { return x[q] * y[p] - y[q] * x[p]; };
     const Lane u = side(1, 2), v = side(2, 0), w = side(0, 1);
     // With coordinates off by e and of size s, a difference of two products is off by 4 e s + 2 e e, and by its own
-    // roundings, 2 epsilon s s <= e s since s is at most 2 M.
-    const Lane off = Lane(T(8) * off_) * (size + Lane(off_));
-    const auto passed = (least(u, least(v, w)) < -off) & (greatest(u, greatest(v, w)) > off);
+    // roundings, 2 epsilon s s <= e s since s is at most 2 M; where they underflow,
+    // by less than the least normal number.
+    const Lane off = Lane(T(8) * off_) * (size + Lane(off_)) + Lane(std::numeric_limits<T>::min());
+    const auto passed = (lesser<T>(u, lesser<T>(v, w)) < -off) & (larger<T>(u, larger<T>(v, w)) > off);
     return ~bits_of<T>(passed) & ((1u << count) - 1);
   }
 

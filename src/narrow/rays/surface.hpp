@@ -53,14 +53,16 @@ void cast_at_surface(const Surface& surface, const LocalRay& far, bool both_side
     if (!(question(hierarchy.bounds()) < infinity)) return;
     using Filter = PassedFilter<T>;
     const Filter filter(sheared, extent);
-    const auto try_leaf = [&](const std::uint32_t* numbers, std::size_t count) {
-      for (std::size_t first = 0; first < count; first += Filter::lanes) {
-        std::uint32_t bits = filter.left(surface, numbers + first, least(Filter::lanes, count - first));
-        for (; bits != 0; bits &= bits - 1) try_triangle(numbers[first + std::size_t(std::countr_zero(bits))]);
+    const auto try_leaf = [&](std::size_t first, std::size_t count) {
+      for (const std::size_t end = first + count; first < end; first += Filter::lanes) {
+        std::uint32_t bits = filter.left(surface, first, least(Filter::lanes, end - first));
+        for (; bits != 0; bits &= bits - 1)
+          try_triangle(hierarchy.order()[first + static_cast<std::size_t>(std::countr_zero(bits))]);
       }
     };
+    const auto soon = [&](std::size_t first) { __builtin_prefetch(&surface.corners[first]); };
     hierarchy.each_leaf(
-        TreeRay<T>(ray.origin, ray.direction, ray.begin, extent, slack), [&] { return ray.end; }, try_leaf);
+        TreeRay<T>(ray.origin, ray.direction, ray.begin, extent, slack), [&] { return ray.end; }, soon, try_leaf);
   } else {
     visit_ray(
         hierarchy, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_triangle, ray.begin, slack);
