@@ -7,6 +7,7 @@
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
+#include "narrow/pairs/box_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -14,12 +15,6 @@
 namespace graze {
 
 namespace {
-
-/// How much deeper the normal of a face may be than the least depth and still be chosen, relative to the smaller
-/// shape. A resting box of size 1 leans by milliradians and sinks in by millimetres; the least depth then changes
-/// between faces and edges from frame to frame, and a solver needs the face. It is no part of the decision whether
-/// shapes overlap, and every point carries its true distance along the chosen normal.
-constexpr double face_preference = 1.0 / 200;
 
 /// Newton's method begins close and doubles its digits: three steps are the rule.
 constexpr int newton_steps = 8;
@@ -286,6 +281,24 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   return static_cast<T>(distance);
 }
 
+/// The points of two boxes; nothing where their faces do not tell. As `polyhedral_contacts`, in T and for these alone.
+template <class T>
+std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                              T margin, Manifold<T>& manifold) {
+  const auto pair = plain_boxes(a, pose_a, b, pose_b);
+  if (!pair) return std::nullopt;
+  const BoxChoice<T> choice = box_choice(*pair, margin);
+  if (choice.distance > margin) {
+    manifold.normal = rotation_of(pose_a.rotation) * box_normal(*pair, static_cast<int>(choice.axis));
+    return choice.distance;
+  }
+  BoxPoints<T> found;
+  if (!box_points(*pair, choice, margin, pose_a, pose_b, found)) return std::nullopt;
+  manifold.normal = found.normal;
+  for (std::size_t i = 0; i < found.count; ++i) manifold.points.push_back(found.points[i]);
+  return choice.distance;
+}
+
 /// The support face of a body that lies on a half-space: each vertex with its own height.
 template <class T>
 void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const Shape<T>& body, const Pose<T>& pose,
@@ -321,6 +334,8 @@ void mirror(Manifold<T>& manifold) {
 template <class T>
 T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
+  if (!trace)
+    if (const auto distance = box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   if (has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, trace);

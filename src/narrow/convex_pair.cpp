@@ -8,7 +8,7 @@
 #include "shape/rounding.hpp"
 
 // The special pairs, one line each. A pair without a line here takes the general path.
-#include "narrow/pairs/box_box.hpp"
+#include "narrow/pairs/box_contacts.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/half_space.hpp"
@@ -139,6 +139,8 @@ BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Po
 /// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
 template <class A, class B, class T>
 std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b, bool faces_only) {
+  if (const auto plain = plain_boxes(a.shape, a.pose, b.shape, b.pose))
+    return !boxes_apart(*plain, box_noise(*plain, ca.core_extent(), cb.core_extent()), faces_only);
   const BoxPair<double> boxes = box_pair(ca, a.pose, cb, b.pose);
   const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
   const double noise = noise_of(a.shape, b.shape, boxes.translation);

@@ -30,6 +30,8 @@ class FixedVector {
   bool full() const { return size_ == N; }
   T& operator[](std::size_t i) { return items_[i]; }
   const T& operator[](std::size_t i) const { return items_[i]; }
+  T* data() { return items_; }
+  const T* data() const { return items_; }
   T* begin() { return items_; }
   T* end() { return items_ + size_; }
   const T* begin() const { return items_; }
@@ -38,6 +40,8 @@ class FixedVector {
   void push_back(const T& value) { items_[size_++] = value; }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
+  /// Drops all elements from position `count` on.
+  void truncate(std::size_t count) { size_ = count; }
 
  private:
   std::size_t size_ = 0;

@@ -3,43 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow/outline.hpp"
+
 namespace graze {
 
 namespace {
 
-/// A feature takes 16 bits: two for its kind, fourteen for its number. Larger numbers wrap, which can only make two
-/// features that touch at the same time share a name in shapes of more than 16,384 parts.
-constexpr std::uint32_t number_bits = 14, number_mask = (1u << number_bits) - 1;
-constexpr std::uint32_t of_kind(std::uint32_t kind, std::uint32_t number) {
-  return (kind << number_bits) | (number & number_mask);
-}
-
-/// How near a point must come to the edge of a face to be named after it, relative to the shortest edge at hand. Boxes
-/// stacked on each other have edges and corners in about the same place: which lies inside which changes from frame to
-/// frame by the rounding of a solver, and the names must not.
-constexpr double same_place = 1.0 / 100;
-/// And how near two points must come to be one that rounding has split: squared, relative to that.
-constexpr double same_point = 1e-12;
-constexpr double same_cost = 1e-6;
-/// And how far beside a face an edge may lie that runs along its rim, relative to that: which side of the rim it lies on
-/// is rounding then, and may be another at each of its ends.
+/// How far beside a face an edge may lie that runs along its rim, relative to `same_place`: which side of the rim it lies
+/// on is rounding then, and may be another at each of its ends.
 constexpr double along_rim = 1e-8;
-/// How much of the area that the faces share may be lost with corners that stand out by less than that.
-constexpr double spared_area = 1.0 / 40;
 
-/// Coordinates across the normal.
-struct Flat {
-  double x, y;
-};
+using Flat = FlatPoint<double>;
 using Outline = SmallVector<Flat, 32>;
-
-double cross(const Flat& o, const Flat& p, const Flat& q) {
-  return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
-}
-double distance_squared(const Flat& p, const Flat& q) {
-  const double x = q.x - p.x, y = q.y - p.y;
-  return x * x + y * y;
-}
 
 struct Basis {
   Vec3d u, v, n;
@@ -156,53 +131,6 @@ bool cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, doub
   return true;
 }
 
-double twice_area(const Outline& outline) {
-  double area = 0;
-  for (std::size_t i = 2; i < outline.size(); ++i) area += cross(outline[0], outline[i - 1], outline[i]);
-  return area;
-}
-
-/// Drops corners that stand out by less than `near` from the line between their neighbours, least area first, while no
-/// more than `spared_area` is lost: those of edges that about coincide. The deepest point always stays.
-template <class Apart>
-void simplify(Outline& outline, double near, const Apart& apart) {
-  if (outline.empty()) return;
-  std::size_t deepest = 0;
-  double least_apart = apart(outline[0]);
-  for (std::size_t i = 1; i < outline.size(); ++i) {
-    const double here = apart(outline[i]);
-    if (!(here < least_apart)) continue;
-    least_apart = here;
-    deepest = i;
-  }
-  double budget = spared_area * std::abs(twice_area(outline));
-  while (outline.size() > 1) {
-    const std::size_t n = outline.size();
-    const Flat* points = outline.data();
-    std::size_t least_corner = n;
-    double least_lost = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == deepest) continue;
-      const Flat &before = points[i == 0 ? n - 1 : i - 1], &p = points[i], &after = points[i + 1 == n ? 0 : i + 1];
-      const bool again = std::min(distance_squared(before, p), distance_squared(p, after)) <= same_point * near * near;
-      const double lost = again ? 0 : std::abs(cross(before, p, after));
-      if (lost > budget || lost * lost > near * near * distance_squared(before, after) || (n == 2 && !again)) continue;
-      if (least_corner < n) {
-        // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
-        const bool same = std::abs(lost - least_lost) <= same_cost * least_lost;
-        if (same ? apart(p) <= apart(points[least_corner]) : lost > least_lost) continue;
-      }
-      least_lost = lost;
-      least_corner = i;
-    }
-    if (least_corner == n) return;
-    budget -= least_lost;
-    for (std::size_t i = least_corner; i + 1 < n; ++i) outline[i] = outline[i + 1];
-    outline.truncate(n - 1);
-    if (deepest > least_corner) --deepest;
-  }
-}
-
 /// The ends of the stretch that two edges run along each other, each end on both: nothing unless they are parallel up to
 /// the lean that makes a face.
 void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, double near, FaceContacts& contacts) {
@@ -231,14 +159,6 @@ double nearness(const FlatFace& a, const FlatFace& b) {
 }
 
 }  // namespace
-
-std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b) { return (of_a << 16) | of_b; }
-std::uint32_t vertex_feature(std::uint32_t vertex) { return of_kind(1, vertex); }
-std::uint32_t edge_feature(std::uint32_t vertex, std::uint32_t other) {
-  const std::uint32_t low = std::min(vertex, other), high = std::max(vertex, other);
-  return of_kind(2, low * 127 + high);
-}
-std::uint32_t face_feature(std::uint32_t face) { return of_kind(3, face); }
 
 Vec3d polygon_normal(const PlacedFace& face) {
   Vec3d sum;

@@ -6,6 +6,7 @@
 
 #include "graze/contact.hpp"
 #include "graze/shape/face.hpp"
+#include "narrow/features.hpp"
 #include "narrow/minkowski.hpp"
 
 namespace graze {
@@ -38,11 +39,5 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, Fac
 /// The number of the features of A and B that a pair of points lies on, as `lay_over` names them. Faces of any kind.
 std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFace& b, const Vec3d& on_b,
                          const Vec3d& normal);
-
-/// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.
-std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b);
-std::uint32_t vertex_feature(std::uint32_t vertex);
-std::uint32_t edge_feature(std::uint32_t vertex, std::uint32_t other);
-std::uint32_t face_feature(std::uint32_t face);
 
 }  // namespace graze

@@ -37,9 +37,11 @@ struct BoxAxes {
   BoxAxis<S> face_a, face_b, edge;
 };
 
-/// The squared sine below which two edges count as parallel: their product's direction would be rounding.
+/// The squared sine below which two edges count as parallel. Their product is an axis of boxes that are turned by a
+/// rounding, however small it is, since its projections are taken of its own components; without it the separation is
+/// off by the sine times an edge: eight roundings.
 template <class S>
-inline constexpr typename LaneOf<S>::type parallel_edges = 4096 * epsilon<S>* epsilon<S>;
+inline constexpr typename LaneOf<S>::type parallel_edges = 64 * epsilon<S>* epsilon<S>;
 
 namespace detail {
 
@@ -95,7 +97,9 @@ BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
 }
 
 /// The product of A's i-th and B's j-th axis, e_i x b_j, not of unit length. A's axis is a unit vector of the frame, so
-/// one component is zero and the others are entries of the rotation; with them so are the projections of the other axes.
+/// one component is zero and the others are entries of the rotation. B's other axes are projected on these components
+/// and not read from the rotation as orthogonality would allow (Eberly's table): an entry is off by a rounding of one,
+/// and divided by the length of the product of two edges that are nearly parallel that would be seen.
 template <class S>
 struct BoxEdgeAxis {
   S along_1, along_2;  ///< the components along the two axes of A that follow the i-th
@@ -105,11 +109,14 @@ struct BoxEdgeAxis {
 
 template <std::size_t I, std::size_t J, class S>
 BoxEdgeAxis<S> box_edge(const BoxPair<S>& p, const Mat3<S>& absolute) {
+  using std::abs;
   constexpr std::size_t i1 = (I + 1) % 3, i2 = (I + 2) % 3, j1 = (J + 1) % 3, j2 = (J + 2) % 3;
-  const S x = p.rotation.row[i1][J], y = p.rotation.row[i2][J];
+  const Vec3<S>&r1 = p.rotation.row[i1], &r2 = p.rotation.row[i2];
+  const S x = r1[J], y = r2[J];
+  const S of_b1 = abs(r2[j1] * x - r1[j1] * y), of_b2 = abs(r2[j2] * x - r1[j2] * y);
   return {-y, x, p.translation[i2] * x - p.translation[i1] * y,
-          p.half_a[i1] * absolute.row[i2][J] + p.half_a[i2] * absolute.row[i1][J] + p.half_b[j1] * absolute.row[I][j2] +
-              p.half_b[j2] * absolute.row[I][j1]};
+          p.half_a[i1] * absolute.row[i2][J] + p.half_a[i2] * absolute.row[i1][J] + p.half_b[j1] * of_b1 +
+              p.half_b[j2] * of_b2};
 }
 
 template <std::size_t I, std::size_t J, class S>

@@ -1,0 +1,31 @@
+// The numbers of features: what of A and of B touches at a point of contact.
+//
+// Guarantee: a number names one vertex, edge or face of a shape of up to 16,384 parts. In larger ones numbers wrap, which
+// can only make two features that touch at the same time share a name.
+#pragma once
+
+#include <cstdint>
+
+namespace graze {
+
+namespace detail {
+
+/// A feature takes 16 bits: two for its kind, fourteen for its number.
+inline constexpr std::uint32_t feature_number_bits = 14;
+constexpr std::uint32_t feature_of_kind(std::uint32_t kind, std::uint32_t number) {
+  return (kind << feature_number_bits) | (number & ((1u << feature_number_bits) - 1));
+}
+
+}  // namespace detail
+
+constexpr std::uint32_t vertex_feature(std::uint32_t vertex) { return detail::feature_of_kind(1, vertex); }
+constexpr std::uint32_t edge_feature(std::uint32_t vertex, std::uint32_t other) {
+  const std::uint32_t low = vertex < other ? vertex : other, high = vertex < other ? other : vertex;
+  return detail::feature_of_kind(2, low * 127 + high);
+}
+constexpr std::uint32_t face_feature(std::uint32_t face) { return detail::feature_of_kind(3, face); }
+
+/// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.
+constexpr std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b) { return (of_a << 16) | of_b; }
+
+}  // namespace graze

@@ -1,0 +1,154 @@
+// Box against box, contacts: the axis they stand on, chosen across lanes, and the points of two faces along it.
+//
+// Guarantee: `box_choice` gives in every lane the bits that it gives for that pair alone. `box_points` gives what
+// `lay_over` of the two faces gives, up to rounding; where it does not know that its points are the right ones, it says
+// so and the general path answers.
+//
+// The face of one box, clipped against the face of the other along the normal, in coordinates of the face that is clipped
+// against: that is a rectangle along the axes there, and the other face, seen along the normal, a parallelogram.
+#pragma once
+
+#include <optional>
+
+#include "graze/contact.hpp"
+#include "graze/pose.hpp"
+#include "graze/shape.hpp"
+#include "narrow/pairs/box_box.hpp"
+
+namespace graze {
+
+/// How much deeper the normal of a face may be than the least depth and still be chosen, relative to the smaller
+/// shape. A resting box of size 1 leans by milliradians and sinks in by millimetres; the least depth then changes
+/// between faces and edges from frame to frame, and a solver needs the face. It is no part of the decision whether
+/// shapes overlap, and every point carries its true distance along the chosen normal.
+inline constexpr double face_preference = 1.0 / 200;
+
+/// What rounding may do to the separation of two boxes along an axis, relative to the largest coordinate: in double as
+/// on the general path, so that both agree on what touches; in float the roundings of a relative pose and of a sum of
+/// six products.
+template <class T>
+inline constexpr T box_rounding = 32 * std::numeric_limits<T>::epsilon();
+template <>
+inline constexpr float box_rounding<float> = 8 * std::numeric_limits<float>::epsilon();
+
+/// B seen from A, whatever the length of their quaternions: the matrix is divided by their squared lengths.
+template <class S>
+struct Relative {
+  Mat3<S> rotation;
+  Vec3<S> translation;
+};
+
+/// The rotation matrix of a quaternion that rounding has left not quite of unit length.
+template <class S>
+Mat3<S> rotation_of(const Quat<S>& q) {
+  const S s = S(2) / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w), one(1);
+  const S x = q.x * s, y = q.y * s, z = q.z * s;
+  const S xx = q.x * x, yy = q.y * y, zz = q.z * z, xy = q.x * y, xz = q.x * z, yz = q.y * z, wx = q.w * x,
+          wy = q.w * y, wz = q.w * z;
+  return {
+      {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}}};
+}
+
+template <class S>
+Relative<S> relative_of(const Pose<S>& a, const Pose<S>& b) {
+  return {rotation_of(conjugate(a.rotation) * b.rotation),
+          transposed_times(rotation_of(a.rotation), b.translation - a.translation)};
+}
+
+template <class S>
+S box_noise(const BoxPair<S>& p, const S& size_a, const S& size_b) {
+  using T = typename LaneOf<S>::type;
+  return S(box_rounding<T>) * (greatest(size_a, size_b) + max_abs(p.translation));
+}
+
+/// The axis that contacts stand on.
+template <class S>
+struct BoxChoice {
+  S distance;  ///< signed; where it is more than the margin, a lower bound
+  S axis;      ///< its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th
+  S closest;   ///< not 0: apart, and other features than those of the axis may be nearest
+};
+
+/// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
+template <class S>
+BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
+  using std::abs, std::sqrt;
+  using T = typename LaneOf<S>::type;
+  const Mat3<S> absolute = abs(p.rotation);
+  S face(-std::numeric_limits<T>::infinity()), face_number(0);
+  const auto keep_face = [&](const S& separation, int number) {
+    const auto better = separation > face;
+    face = select(better, separation, face);
+    face_number = select(better, S(T(number)), face_number);
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    keep_face(abs(p.translation[i]) - (p.half_a[i] + dot(absolute.row[i], p.half_b)), static_cast<int>(i));
+  for (std::size_t j = 0; j < 3; ++j)
+    keep_face(abs(dot(p.translation, p.rotation.column(j))) - (p.half_b[j] + dot(absolute.column(j), p.half_a)),
+              static_cast<int>(3 + j));
+
+  // Separations along edges are compared by their squares with their signs, a product each in place of a root.
+  S gap(-std::numeric_limits<T>::infinity()), squared(1), edge_number(6);
+  any_edge_pair([&](auto i, auto j) {
+    const BoxEdgeAxis<S> edge = box_edge<i, j>(p, absolute);
+    const S g = abs(edge.middle) - edge.reach, length = edge.length_squared(), signed_square = g * abs(g);
+    const auto better = (length > S(parallel_edges<S>)) & (signed_square * squared > gap * length);
+    gap = select(better, signed_square, gap);
+    squared = select(better, length, squared);
+    edge_number = select(better, S(T(6 + 3 * i + j)), edge_number);
+    return false;
+  });
+  const S length = sqrt(abs(gap) / squared), edge = select(gap < S(0), -length, length);
+
+  const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
+  const auto edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
+  const S separation = select(edge_best, edge, face);
+  const S distance = select(abs(separation) <= noise, S(0), separation);
+  const auto outside = distance > margin;
+  const auto by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
+  const auto closest = (!outside) & (distance > S(0)) & edge_best & (!edge_chosen);
+  return {distance, select(by_edge, edge_number, face_number), select(closest, S(1), S(0))};
+}
+
+/// As many points as a rectangle and a parallelogram laid over each other can have.
+inline constexpr std::size_t most_box_points = 8;
+
+template <class T>
+struct BoxPoints {
+  Vec3<T> normal;  ///< unit, from A to B, in the world
+  std::size_t count = 0;
+  ContactPoint<T> points[most_box_points];
+};
+
+/// The points along the chosen axis of two boxes within `margin` of each other, in the world. False where the faces miss
+/// what is nearest: closest points serve better then.
+template <class T>
+bool box_points(const BoxPair<T>& p, const BoxChoice<T>& choice, T margin, const Pose<T>& pose_a, const Pose<T>& pose_b,
+                BoxPoints<T>& found);
+
+/// The unit normal of an axis by its number, from A to B, in the frame of A.
+template <class T>
+Vec3<T> box_normal(const BoxPair<T>& p, int axis);
+
+/// Whether a box is one that these answer for: with a length along every side, and so large and small that areas have
+/// squares.
+template <class S>
+auto regular_box(const Vec3<S>& half) {
+  using T = typename LaneOf<S>::type;
+  constexpr T smallest = sizeof(T) == 4 ? T(1e-7) : T(1e-70), largest = sizeof(T) == 4 ? T(1e9) : T(1e70);
+  return (least(half.x, least(half.y, half.z)) > S(smallest)) & (max_abs(half) < S(largest));
+}
+
+/// Two shapes as such boxes, if they are.
+template <class T>
+std::optional<BoxPair<T>> plain_boxes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                      const Pose<T>& pose_b) {
+  const Box<T>*box_a = a.template as<Box<T>>(), *box_b = b.template as<Box<T>>();
+  if (!box_a || !box_b || a.margin() != T(0) || b.margin() != T(0)) return std::nullopt;
+  const Vec3<T>&half_a = box_a->half_extents(), &half_b = box_b->half_extents();
+  if (!regular_box(half_a) || !regular_box(half_b)) return std::nullopt;
+  const Relative<T> b_in_a = relative_of(pose_a, pose_b);
+  return BoxPair<T>{half_a, half_b, b_in_a.translation, b_in_a.rotation};
+}
+
+}  // namespace graze
