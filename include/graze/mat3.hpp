@@ -63,6 +63,11 @@ template <class T>
 Mat3<T> abs(const Mat3<T>& m) {
   return {{abs(m.row[0]), abs(m.row[1]), abs(m.row[2])}};
 }
+template <class M, class T>
+constexpr Mat3<T> select(const M& condition, const Mat3<T>& yes, const Mat3<T>& no) {
+  return {{select(condition, yes.row[0], no.row[0]), select(condition, yes.row[1], no.row[1]),
+           select(condition, yes.row[2], no.row[2])}};
+}
 template <class S, class T>
 constexpr Mat3<S> cast(const Mat3<T>& m) {
   return {{cast<S>(m.row[0]), cast<S>(m.row[1]), cast<S>(m.row[2])}};

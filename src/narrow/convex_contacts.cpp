@@ -7,7 +7,7 @@
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
-#include "narrow/pairs/box_contacts.hpp"
+#include "narrow/pairs/box_manifold.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -289,13 +289,14 @@ std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Sh
   if (!pair) return std::nullopt;
   const BoxChoice<T> choice = box_choice(*pair, margin);
   if (choice.distance > margin) {
-    manifold.normal = rotation_of(pose_a.rotation) * box_normal(*pair, static_cast<int>(choice.axis));
+    const detail::MeetingBoxes<T> boxes(*pair, choice.axis);
+    manifold.normal = rotation_of(pose_a.rotation) * (boxes.by_b ? pair->rotation * -boxes.normal : boxes.normal);
     return choice.distance;
   }
-  BoxPoints<T> found;
-  if (!box_points(*pair, choice, margin, pose_a, pose_b, found)) return std::nullopt;
+  const BoxManifold<T> found = box_manifold(*pair, choice, margin, pose_a, pose_b);
+  if (found.known == T(0)) return std::nullopt;
   manifold.normal = found.normal;
-  for (std::size_t i = 0; i < found.count; ++i) manifold.points.push_back(found.points[i]);
+  add_box_points(found, manifold.points);
   return choice.distance;
 }
 

@@ -8,7 +8,7 @@
 #include "shape/rounding.hpp"
 
 // The special pairs, one line each. A pair without a line here takes the general path.
-#include "narrow/pairs/box_contacts.hpp"
+#include "narrow/pairs/box_choice.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/half_space.hpp"

@@ -1,16 +1,11 @@
-// Box against box, contacts: the axis they stand on, chosen across lanes, and the points of two faces along it.
+// Box against box: the axis that contacts stand on, chosen across lanes.
 //
-// Guarantee: `box_choice` gives in every lane the bits that it gives for that pair alone. `box_points` gives what
-// `lay_over` of the two faces gives, up to rounding; where it does not know that its points are the right ones, it says
-// so and the general path answers.
-//
-// The face of one box, clipped against the face of the other along the normal, in coordinates of the face that is clipped
-// against: that is a rectangle along the axes there, and the other face, seen along the normal, a parallelogram.
+// Guarantee: in every lane the bits that the pair gives alone. The distance of overlapping boxes is minus their depth up
+// to rounding; of others a lower bound. Which axis is chosen is no part of whether they touch.
 #pragma once
 
 #include <optional>
 
-#include "graze/contact.hpp"
 #include "graze/pose.hpp"
 #include "graze/shape.hpp"
 #include "narrow/pairs/box_box.hpp"
@@ -74,6 +69,7 @@ template <class S>
 BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
   const Mat3<S> absolute = abs(p.rotation);
   S face(-std::numeric_limits<T>::infinity()), face_number(0);
   const auto keep_face = [&](const S& separation, int number) {
@@ -101,34 +97,14 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   const S length = sqrt(abs(gap) / squared), edge = select(gap < S(0), -length, length);
 
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
-  const auto edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
+  const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
   const S separation = select(edge_best, edge, face);
   const S distance = select(abs(separation) <= noise, S(0), separation);
-  const auto outside = distance > margin;
-  const auto by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
-  const auto closest = (!outside) & (distance > S(0)) & edge_best & (!edge_chosen);
+  const Mask outside = distance > margin;
+  const Mask by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
+  const Mask closest = (!outside) & (distance > S(0)) & edge_best & (!edge_chosen);
   return {distance, select(by_edge, edge_number, face_number), select(closest, S(1), S(0))};
 }
-
-/// As many points as a rectangle and a parallelogram laid over each other can have.
-inline constexpr std::size_t most_box_points = 8;
-
-template <class T>
-struct BoxPoints {
-  Vec3<T> normal;  ///< unit, from A to B, in the world
-  std::size_t count = 0;
-  ContactPoint<T> points[most_box_points];
-};
-
-/// The points along the chosen axis of two boxes within `margin` of each other, in the world. False where the faces miss
-/// what is nearest: closest points serve better then.
-template <class T>
-bool box_points(const BoxPair<T>& p, const BoxChoice<T>& choice, T margin, const Pose<T>& pose_a, const Pose<T>& pose_b,
-                BoxPoints<T>& found);
-
-/// The unit normal of an axis by its number, from A to B, in the frame of A.
-template <class T>
-Vec3<T> box_normal(const BoxPair<T>& p, int axis);
 
 /// Whether a box is one that these answer for: with a length along every side, and so large and small that areas have
 /// squares.
