@@ -1,0 +1,83 @@
+// Loading what stands scattered in memory into lanes: rows of a few numbers, each from a place of its own, transposed in
+// registers. Only for `*.kernel.cpp`.
+//
+// Guarantee: reads the numbers asked for and nothing behind them.
+#pragma once
+
+#include <cstring>
+#include <utility>
+
+#include "lanes/lanes.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace gathering {
+
+typedef float Four __attribute__((vector_size(16)));
+
+template <std::size_t N>
+struct FloatVector {
+  typedef float type __attribute__((vector_size(N * sizeof(float))));
+};
+
+template <class V, std::size_t... I>
+[[gnu::always_inline]] inline auto joined(const V& a, const V& b, std::index_sequence<I...>) {
+  return __builtin_shufflevector(a, b, I...);
+}
+/// Rows `first`, `first + 4`, `first + 8` and so on, one behind the other.
+template <std::size_t N>
+[[gnu::always_inline]] inline typename FloatVector<N>::type every_fourth(const Four* rows) {
+  if constexpr (N == 4)
+    return rows[0];
+  else
+    return joined(every_fourth<N / 2>(rows), every_fourth<N / 2>(rows + N / 2), std::make_index_sequence<N>());
+}
+/// Of each four numbers of `a` and `b` the first two or the last two, in turns.
+template <std::size_t Half, class V, std::size_t... I>
+[[gnu::always_inline]] inline V interleaved(const V& a, const V& b, std::index_sequence<I...>) {
+  constexpr std::size_t n = sizeof...(I);
+  return __builtin_shufflevector(a, b, (I / 4 * 4 + Half * 2 + I % 4 / 2 + (I % 2) * n)...);
+}
+/// Of each four numbers of `a` and then of `b` the first two or the last two.
+template <std::size_t Half, class V, std::size_t... I>
+[[gnu::always_inline]] inline V paired(const V& a, const V& b, std::index_sequence<I...>) {
+  constexpr std::size_t n = sizeof...(I);
+  return __builtin_shufflevector(a, b, (I / 4 * 4 + Half * 2 + I % 2 + (I % 4 / 2) * n)...);
+}
+
+}  // namespace gathering
+
+/// `count` <= 4 numbers of type T at byte `offset` of each lane's row, each number in a `Lanes` of its own.
+template <class T, std::size_t count>
+[[gnu::always_inline]] inline void gather(const void* const* rows, std::size_t offset, Lanes<T> (&out)[count]) {
+  constexpr std::size_t lanes = lanes_of<T>;
+  const auto at = [&](std::size_t lane) { return static_cast<const char*>(rows[lane]) + offset; };
+  if constexpr (sizeof(T) == 4) {
+    using namespace gathering;
+    Four loaded[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) {
+      loaded[i] = Four{};
+      std::memcpy(&loaded[i], at(i), count * sizeof(T));
+    }
+    constexpr auto all = std::make_index_sequence<lanes>();
+    const auto r0 = every_fourth<lanes>(loaded), r1 = every_fourth<lanes>(loaded + 1),
+               r2 = every_fourth<lanes>(loaded + 2), r3 = every_fourth<lanes>(loaded + 3);
+    const auto low01 = interleaved<0>(r0, r1, all), low23 = interleaved<0>(r2, r3, all);
+    out[0] = Lanes<T>::of(paired<0>(low01, low23, all));
+    if constexpr (count > 1) out[1] = Lanes<T>::of(paired<1>(low01, low23, all));
+    if constexpr (count > 2) {
+      const auto high01 = interleaved<1>(r0, r1, all), high23 = interleaved<1>(r2, r3, all);
+      out[2] = Lanes<T>::of(paired<0>(high01, high23, all));
+      if constexpr (count > 3) out[3] = Lanes<T>::of(paired<1>(high01, high23, all));
+    }
+  } else {
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t i = 0; i < lanes; ++i) {
+        T value;
+        std::memcpy(&value, at(i) + k * sizeof(T), sizeof value);
+        out[k].set(static_cast<int>(i), value);
+      }
+  }
+}
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,55 @@
+// The pair routines that run across lanes: many pairs of two kinds of shapes at once, compiled for each instruction set.
+//
+// Guarantee: what comes out for a pair is a function of that pair alone: the same bits at every level, in any order, with
+// any neighbours, one pair or many.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "graze/pose.hpp"
+#include "lanes/dispatch.hpp"
+
+namespace graze {
+
+/// Two shapes in place, as kernels load them: `a` and `b` are the concrete shapes of the kernel's two kinds.
+template <class T>
+struct PairRef {
+  const void *a, *b;
+  const Pose<T>*pose_a, *pose_b;
+  T margin;  ///< up to where contacts are wanted
+};
+
+/// So many pairs at most are asked about at a time where the answer is a block of arrays.
+inline constexpr std::size_t block_pairs = 16;
+
+/// The axis that contacts of two boxes stand on; see `BoxChoice`.
+template <class T>
+struct BoxAxisNumber {
+  T distance, axis, closest;
+};
+
+/// The points of contact of up to `block_pairs` pairs of boxes; see `BoxManifold`. A number of a pair stands at the
+/// pair's place in each array.
+template <class T>
+struct BoxPointBlock {
+  using Column = T[block_pairs];
+  Column normal[3];  ///< of the world
+  Column filled, known;
+  struct Slot {
+    Column a[3], b[3], distance, part_a, part_b;
+  } slots[8];
+};
+
+// clang-format off
+GRAZE_DECLARE_KERNEL(
+    /// The axes of pairs of boxes.
+    template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxAxisNumber<T>* axes);
+    /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
+    template <class T> void box_points(const PairRef<T>* pairs, const BoxAxisNumber<T>* axes, std::size_t count,
+                                       BoxPointBlock<T>& points);
+    /// Whether boxes touch: 1 or 0.
+    template <class T> void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);)
+// clang-format on
+
+}  // namespace graze
