@@ -82,8 +82,7 @@ struct Wide {
   }
 
   [[gnu::always_inline]] friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
-    return of(reinterpret_cast<Vector>((reinterpret_cast<BitVector>(yes.v) & condition.bits) |
-                                       (reinterpret_cast<BitVector>(no.v) & ~condition.bits)));
+    return of(condition.bits ? yes.v : no.v);
   }
   [[gnu::always_inline]] friend Wide least(const Wide& a, const Wide& b) { return select(b < a, b, a); }
   [[gnu::always_inline]] friend Wide greatest(const Wide& a, const Wide& b) { return select(a < b, b, a); }

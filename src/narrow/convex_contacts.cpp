@@ -1,13 +1,13 @@
 // The manifold of two convex shapes: their distance gives the normal, their support faces the points.
 #include <algorithm>
 
+#include "narrow/box_batch.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/core.hpp"
 #include "narrow/explain.hpp"
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
-#include "narrow/pairs/box_manifold.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -281,23 +281,28 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   return static_cast<T>(distance);
 }
 
-/// The points of two boxes; nothing where their faces do not tell. As `polyhedral_contacts`, in T and for these alone.
+/// The points of two boxes by the kernels for them; nothing for other shapes, or where their faces do not tell. As
+/// `polyhedral_contacts`, in T.
 template <class T>
 std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                               T margin, Manifold<T>& manifold) {
-  const auto pair = plain_boxes(a, pose_a, b, pose_b);
-  if (!pair) return std::nullopt;
-  const BoxChoice<T> choice = box_choice(*pair, margin);
-  if (choice.distance > margin) {
-    const detail::MeetingBoxes<T> boxes(*pair, choice.axis);
-    manifold.normal = rotation_of(pose_a.rotation) * (boxes.by_b ? pair->rotation * -boxes.normal : boxes.normal);
-    return choice.distance;
-  }
-  const BoxManifold<T> found = box_manifold(*pair, choice, margin, pose_a, pose_b);
-  if (found.known == T(0)) return std::nullopt;
-  manifold.normal = found.normal;
-  add_box_points(found, manifold.points);
-  return choice.distance;
+  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
+  if (!box_a || !box_b) return std::nullopt;
+  const PairRef<T> pair{box_a, box_b, &pose_a, &pose_b, margin};
+  std::optional<T> answer;
+  visit_box_contacts(
+      &pair, 1,
+      [&](std::size_t, const BoxAxisNumber<T>& axis) {
+        manifold.normal = box_normal(pair, axis.axis);
+        answer = axis.distance;
+      },
+      [&](std::size_t, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
+        manifold.normal = normal;
+        for (std::size_t i = 0; i < count; ++i) manifold.points.push_back(points[i]);
+        answer = distance;
+      },
+      [](std::size_t) {});
+  return answer;
 }
 
 /// The support face of a body that lies on a half-space: each vertex with its own height.

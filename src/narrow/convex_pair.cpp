@@ -139,8 +139,11 @@ BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Po
 /// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
 template <class A, class B, class T>
 std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b, bool faces_only) {
-  if (const auto plain = plain_boxes(a.shape, a.pose, b.shape, b.pose))
-    return !boxes_apart(*plain, box_noise(*plain, ca.core_extent(), cb.core_extent()), faces_only);
+  if (plain_box(a.shape) && plain_box(b.shape)) {
+    const Relative<T> b_in_a = relative_of(a.pose, b.pose);
+    const BoxPair<T> plain{core_of(ca).half, core_of(cb).half, b_in_a.translation, b_in_a.rotation};
+    return !boxes_apart(plain, box_noise(plain, ca.core_extent(), cb.core_extent()), faces_only);
+  }
   const BoxPair<double> boxes = box_pair(ca, a.pose, cb, b.pose);
   const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
   const double noise = noise_of(a.shape, b.shape, boxes.translation);

@@ -4,8 +4,6 @@
 // to rounding; of others a lower bound. Which axis is chosen is no part of whether they touch.
 #pragma once
 
-#include <optional>
-
 #include "graze/pose.hpp"
 #include "graze/shape.hpp"
 #include "narrow/pairs/box_box.hpp"
@@ -115,16 +113,11 @@ auto regular_box(const Vec3<S>& half) {
   return (least(half.x, least(half.y, half.z)) > S(smallest)) & (max_abs(half) < S(largest));
 }
 
-/// Two shapes as such boxes, if they are.
+/// The shape as such a box, without rounding; null if it is not.
 template <class T>
-std::optional<BoxPair<T>> plain_boxes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                      const Pose<T>& pose_b) {
-  const Box<T>*box_a = a.template as<Box<T>>(), *box_b = b.template as<Box<T>>();
-  if (!box_a || !box_b || a.margin() != T(0) || b.margin() != T(0)) return std::nullopt;
-  const Vec3<T>&half_a = box_a->half_extents(), &half_b = box_b->half_extents();
-  if (!regular_box(half_a) || !regular_box(half_b)) return std::nullopt;
-  const Relative<T> b_in_a = relative_of(pose_a, pose_b);
-  return BoxPair<T>{half_a, half_b, b_in_a.translation, b_in_a.rotation};
+const Box<T>* plain_box(const Shape<T>& shape) {
+  const Box<T>* box = shape.template as<Box<T>>();
+  return box && shape.margin() == T(0) && regular_box(box->half_extents()) ? box : nullptr;
 }
 
 }  // namespace graze

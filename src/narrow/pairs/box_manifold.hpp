@@ -205,24 +205,4 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
   return found;
 }
 
-/// Appends the points of one pair to `points`. Of two of the same features the deeper one is kept.
-template <class T, class Points>
-void add_box_points(const BoxManifold<T>& found, Points& points) {
-  const std::size_t first = points.size();
-  const auto filled = static_cast<unsigned>(found.filled);
-  for (std::size_t i = 0; i < most_box_points; ++i) {
-    if (!(filled >> i & 1)) continue;
-    const auto& slot = found.slots[i];
-    const ContactPoint<T> point{slot.a, slot.b, slot.distance,
-                                feature_id(box_features.of[static_cast<std::size_t>(slot.part_a)],
-                                           box_features.of[static_cast<std::size_t>(slot.part_b)])};
-    std::size_t place = first;
-    while (place < points.size() && points[place].feature != point.feature) ++place;
-    if (place == points.size())
-      points.push_back(point);
-    else if (point.distance < points[place].distance)
-      points[place] = point;
-  }
-}
-
 }  // namespace graze

@@ -1,0 +1,90 @@
+// Contacts of many pairs of boxes by the kernels for them.
+//
+// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+
+#include "narrow/features.hpp"
+#include "narrow/pair_kernels.hpp"
+#include "narrow/pairs/box_manifold.hpp"
+
+namespace graze {
+
+/// The points of one of the pairs of a block, of which there are at most eight; returns how many. Of two of the same
+/// features the deeper one is kept.
+template <class T>
+std::size_t take_points(const BoxPointBlock<T>& block, std::size_t pair, ContactPoint<T>* points) {
+  std::size_t count = 0;
+  for (auto left = static_cast<unsigned>(block.filled[pair]); left != 0; left &= left - 1) {
+    const auto& slot = block.slots[std::countr_zero(left)];
+    const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(slot.part_a[pair])],
+                                             box_features.of[static_cast<std::size_t>(slot.part_b[pair])]);
+    const T distance = slot.distance[pair];
+    std::size_t place = 0;
+    while (place < count && points[place].feature != feature) ++place;
+    if (place < count && !(distance < points[place].distance)) continue;
+    points[place] = {{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
+                     {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
+                     distance,
+                     feature};
+    count += place == count;
+  }
+  return count;
+}
+
+/// The normal of an axis by its number: unit, from A to B, in the world.
+template <class T>
+Vec3<T> box_normal(const PairRef<T>& pair, T axis) {
+  const Relative<T> b_in_a = relative_of(*pair.pose_a, *pair.pose_b);
+  const BoxPair<T> boxes{static_cast<const Box<T>*>(pair.a)->half_extents(),
+                         static_cast<const Box<T>*>(pair.b)->half_extents(), b_in_a.translation, b_in_a.rotation};
+  const detail::MeetingBoxes<T> seen(boxes, axis);
+  return rotation_of(pair.pose_a->rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
+}
+
+/// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found.
+inline constexpr std::size_t box_chunk = 64;
+
+/// Asks about up to `box_chunk` pairs of plain boxes (`plain_box`), in this order:
+/// `apart(i, axis)` for those further apart than their margins, with the axis that shows it; and then, in
+/// the order of the pairs, `touching(i, distance, normal, points, count)` or, where their faces do not tell,
+/// `unknown(i)`.
+template <class T, class Apart, class Touching, class Unknown>
+void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
+                        const Unknown& unknown) {
+  const Isa level = chosen_isa();
+  BoxAxisNumber<T> axes[box_chunk], met_axes[box_chunk];
+  GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
+  PairRef<T> met[box_chunk];
+  std::uint8_t place[box_chunk];
+  std::size_t met_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (axes[i].distance > pairs[i].margin) {
+      apart(i, axes[i]);
+      continue;
+    }
+    met[met_count] = pairs[i];
+    met_axes[met_count] = axes[i];
+    place[met_count++] = static_cast<std::uint8_t>(i);
+  }
+  BoxPointBlock<T> block;
+  ContactPoint<T> points[most_box_points];
+  for (std::size_t first = 0; first < met_count; first += block_pairs) {
+    const std::size_t size = std::min(block_pairs, met_count - first);
+    GRAZE_KERNEL(level, box_points<T>)(met + first, met_axes + first, size, block);
+    for (std::size_t k = 0; k < size; ++k) {
+      const std::size_t i = place[first + k];
+      if (block.known[k] == T(0)) {
+        unknown(i);
+        continue;
+      }
+      const std::size_t found = take_points(block, k, points);
+      touching(i, met_axes[first + k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
+               points, found);
+    }
+  }
+}
+
+}  // namespace graze
