@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mid/composite.hpp"
+#include "narrow/box_batch.hpp"
 #include "narrow/cached_axis.hpp"
 #include "narrow/convex_pair.hpp"
 
@@ -15,6 +16,13 @@ constexpr std::size_t pairs_per_task = 64;
 
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;
+
+/// Up to where contacts of a pair are wanted.
+template <class T>
+T margin_of(const BodyArrays<T>& bodies, const IdPair& pair) {
+  const T margin = least(bodies.margins()[pair.a], bodies.margins()[pair.b]);
+  return margin < std::numeric_limits<T>::infinity() ? margin : T(0);
+}
 
 }  // namespace
 
@@ -71,10 +79,63 @@ void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
   for_each_chunk(executor, pairs_.size(), pairs_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
     found_[task].manifolds.clear();
     found_[task].points.clear();
-    for (std::size_t k = begin; k < end; ++k)
-      find_one(bodies, pairs_[bins_.order[k]], bins_.order[k], static_cast<std::uint32_t>(task));
+    find_some(bodies, std::span(bins_.order).subspan(begin, end - begin), static_cast<std::uint32_t>(task));
   });
   gather(pairs_, executor);
+}
+
+/// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
+template <class T>
+Surroundings<T> ManifoldFinder<T>::beside(const BodyArrays<T>& bodies, const IdPair& pair) const {
+  Surroundings<T> beside;
+  if (bodies.fixed()[pair.a] != 0) beside.of_a = neighbours_of(pair.b);
+  if (bodies.fixed()[pair.b] != 0) beside.of_b = neighbours_of(pair.a);
+  if (beside.of_a.size() < 2) beside.of_a = {};
+  if (beside.of_b.size() < 2) beside.of_b = {};
+  return beside;
+}
+
+/// Pairs of boxes that are to be asked about anew are put together for the kernels, all others taken one by one.
+template <class T>
+void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
+                                  std::uint32_t task) {
+  PairRef<T> boxes[box_chunk];
+  std::uint32_t box_places[box_chunk];
+  std::size_t count = 0;
+  for (const std::uint32_t place : places) {
+    const IdPair& pair = pairs_[place];
+    const Box<T>*a = plain_box(bodies.shapes()[pair.a]), *b = a ? plain_box(bodies.shapes()[pair.b]) : nullptr;
+    const bool changed = bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0;
+    const bool known = memory_[place].apart || memory_[place].contact != no_result;
+    if (!b || (!changed && known) || bodies.triggers()[pair.a] != 0 || bodies.triggers()[pair.b] != 0 ||
+        !beside(bodies, pair).empty()) {
+      find_one(bodies, pair, place, task);
+      continue;
+    }
+    boxes[count] = {a, b, &bodies.poses()[pair.a], &bodies.poses()[pair.b], margin_of(bodies, pair)};
+    box_places[count++] = place;
+    if (count < box_chunk) continue;
+    find_boxes(bodies, {boxes, count}, box_places, task);
+    count = 0;
+  }
+  find_boxes(bodies, {boxes, count}, box_places, task);
+}
+
+template <class T>
+void ManifoldFinder<T>::find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes,
+                                   const std::uint32_t* places, std::uint32_t task) {
+  Found& found = found_[task];
+  visit_box_contacts(
+      boxes.data(), boxes.size(), [&](std::size_t i, const BoxAxisNumber<T>&) { memory_[places[i]].apart = true; },
+      [&](std::size_t i, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
+        memory_[places[i]].apart = false;
+        Result& result = results_[places[i]];
+        result = {task, static_cast<std::uint32_t>(found.manifolds.size()), 1, static_cast<std::uint32_t>(count),
+                  distance <= T(0)};
+        found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(found.points.size()), result.point_count});
+        for (std::size_t k = 0; k < count; ++k) found.points.push_back({points[k], {}});
+      },
+      [&](std::size_t i) { find_one(bodies, pairs_[places[i]], places[i], task); });
 }
 
 template <class T>
@@ -87,12 +148,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
   result.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
   const std::size_t first_point = found.points.size();
 
-  // What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
-  Surroundings<T> beside;
-  if (bodies.fixed()[pair.a] != 0) beside.of_a = neighbours_of(pair.b);
-  if (bodies.fixed()[pair.b] != 0) beside.of_b = neighbours_of(pair.a);
-  if (beside.of_a.size() < 2) beside.of_a = {};
-  if (beside.of_b.size() < 2) beside.of_b = {};
+  const Surroundings<T> beside = this->beside(bodies, pair);
   const bool changed =
       bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0 || (ground_changed_ && !beside.empty());
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
@@ -102,8 +158,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
     return;
   }
   if (!changed && memory.contact != no_result) return keep_last(memory.contact, place, task);
-  T margin = least(bodies.margins()[pair.a], bodies.margins()[pair.b]);
-  if (!(margin < std::numeric_limits<T>::infinity())) margin = T(0);
+  const T margin = margin_of(bodies, pair);
 
   const auto add = [&](const Manifold<T>& m) {
     found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
@@ -111,10 +166,12 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
     for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
   };
   if (a.convex() && b.convex()) {
-    if (memory.axis != Vec3<T>{} && (!changed || still_apart(a, pose_a, b, pose_b, memory.axis, margin))) return;
+    if (memory.apart && !changed) return;
+    if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return;
     Manifold<T> manifold;
     result.overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
     const bool apart = manifold.points.empty();
+    memory.apart = apart;
     memory.axis = apart ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
     if (!apart && beside.empty()) add(manifold);
     if (!apart && !beside.empty()) {

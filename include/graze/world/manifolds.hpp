@@ -16,6 +16,11 @@
 
 namespace graze {
 
+template <class T>
+struct PairRef;
+template <class T>
+struct Surroundings;
+
 /// Two bodies within the margin of each other, and where their manifolds stand.
 template <class T>
 struct ContactPair {
@@ -68,7 +73,8 @@ class ManifoldFinder {
  private:
   /// What is remembered of a candidate pair.
   struct Memory {
-    Vec3<T> axis{};                     ///< in the frame of a: along it they were apart; zero for none
+    bool apart = false;                 ///< they were, when they were asked about last
+    Vec3<T> axis{};                     ///< in the frame of a: along it; zero for none
     std::uint32_t contact = no_result;  ///< its place among the pairs in contact
   };
   /// What a task finds, until all are gathered in order.
@@ -87,6 +93,10 @@ class ManifoldFinder {
   void remember(std::span<const IdPair> pairs);
   void find_neighbours(const BodyArrays<T>& bodies);
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
+  Surroundings<T> beside(const BodyArrays<T>& bodies, const IdPair& pair) const;
+  void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t task);
+  void find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes, const std::uint32_t* places,
+                  std::uint32_t task);
   void find_one(const BodyArrays<T>& bodies, const IdPair& pair, std::uint32_t place, std::uint32_t task);
   void keep_last(std::uint32_t contact, std::uint32_t place, std::uint32_t task);
   void gather(std::span<const IdPair> pairs, Executor& executor);
