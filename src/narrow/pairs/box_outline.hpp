@@ -143,47 +143,50 @@ S slot_number(std::size_t i) {
   return S(static_cast<typename LaneOf<S>::type>(i));
 }
 
-/// For each slot the corner that follows it and the one before; of a slot without a corner, whatever.
+/// Of values in a ring of slots, for each slot the value of the corner before it and of the one that follows; of a slot
+/// without a corner, whatever.
 template <class S>
-struct Neighbours {
-  FlatPoint<S> before[most_box_points], after[most_box_points];
+struct Around {
+  S before[most_box_points], after[most_box_points];
 
-  explicit Neighbours(const Corner<S> (&slots)[most_box_points]) {
-    const auto keep = [](FlatPoint<S>& known, const Corner<S>& c) {
-      known = {select(c.is, c.at.x, known.x), select(c.is, c.at.y, known.y)};
-    };
-    FlatPoint<S> first = slots[0].at, last = slots[0].at;
-    for (std::size_t i = most_box_points; i-- > 0;) keep(first, slots[i]);
-    for (std::size_t i = 0; i < most_box_points; ++i) keep(last, slots[i]);
+  template <class Value>
+  Around(const Corner<S> (&slots)[most_box_points], const Value& value) {
+    S first = value(0), last = value(0);
+    for (std::size_t i = most_box_points; i-- > 0;) first = select(slots[i].is, value(i), first);
+    for (std::size_t i = 0; i < most_box_points; ++i) last = select(slots[i].is, value(i), last);
     for (std::size_t i = most_box_points; i-- > 0;) {
       after[i] = first;
-      keep(first, slots[i]);
+      first = select(slots[i].is, value(i), first);
     }
     for (std::size_t i = 0; i < most_box_points; ++i) {
       before[i] = last;
-      keep(last, slots[i]);
+      last = select(slots[i].is, value(i), last);
     }
   }
 };
 
-/// Drops corners as `simplify` does: those that stand out by less than `near`, least area first, while no more than
-/// `spared_area` is lost; the deepest always stays. `apart` is how far apart the faces are at each.
+/// Drops corners as `simplify` does: those that stand out by less than `near`, while no more than `spared_area` is lost;
+/// the deepest always stays. Where `simplify` takes the least of all, each pass takes those that are less than their
+/// neighbours, which are gone in two passes as a rule. `apart` is how far apart the faces are at each corner.
 template <class S>
 void drop_idle_corners(Corner<S> (&slots)[most_box_points], const S (&apart)[most_box_points], const S& near) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
-  const S near_squared = near * near, together = S(same_point<T>) * near_squared, none(-1);
-  S least_apart(std::numeric_limits<T>::infinity()), deepest(none), budget(0);
+  const S near_squared = near * near, together = S(same_point<T>) * near_squared,
+          infinity(std::numeric_limits<T>::infinity());
+  const auto x = [&](std::size_t i) -> const S& { return slots[i].at.x; };
+  const auto y = [&](std::size_t i) -> const S& { return slots[i].at.y; };
+  S least_apart = infinity, deepest(-1), budget(0);
   for (std::size_t i = 0; i < most_box_points; ++i) {
     const Mask deeper = slots[i].is & (apart[i] < least_apart);
     least_apart = select(deeper, apart[i], least_apart);
     deepest = select(deeper, slot_number<S>(i), deepest);
   }
   {
-    const Neighbours<S> around(slots);
+    const Around<S> around_x(slots, x), around_y(slots, y);
     for (std::size_t i = 0; i < most_box_points; ++i) {
-      const FlatPoint<S>&p = slots[i].at, &q = around.after[i];
+      const FlatPoint<S> p = slots[i].at, q{around_x.after[i], around_y.after[i]};
       budget = budget + select(slots[i].is, p.x * q.y - p.y * q.x, S(0));
       // Corners that came twice go first, all at once but for one.
       const Mask again = slots[i].is & (distance_squared(p, q) <= together) & (deepest != slot_number<S>(i));
@@ -192,28 +195,38 @@ void drop_idle_corners(Corner<S> (&slots)[most_box_points], const S (&apart)[mos
     budget = abs(budget) * S(T(spared_area));
   }
   for (;;) {
-    const Neighbours<S> around(slots);
-    S least_corner(none), least_lost(0), corner_apart(0), count(0);
+    const Around<S> around_x(slots, x), around_y(slots, y);
+    S count(0), lost[most_box_points];
     for (std::size_t i = 0; i < most_box_points; ++i) count = count + select(slots[i].is, S(1), S(0));
-    const auto area = count > S(2);
+    Mask some = count < S(0);
     for (std::size_t i = 0; i < most_box_points; ++i) {
-      if (!any(slots[i].is)) continue;
-      const FlatPoint<S>&before = around.before[i], &p = slots[i].at, &after = around.after[i];
-      const auto again = least(distance_squared(before, p), distance_squared(p, after)) <= together;
-      const S lost = select(again, S(0), abs(cross(before, p, after)));
-      const Mask may = slots[i].is & (deepest != slot_number<S>(i)) & (count > S(1)) & (area | again) &
-                       (lost <= budget) & (lost * lost <= near_squared * distance_squared(before, after));
-      // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
-      const auto same = abs(lost - least_lost) <= S(T(same_cost)) * least_lost;
-      const Mask rather = (least_corner < S(0)) | (same & (apart[i] > corner_apart)) | ((!same) & (lost < least_lost));
-      const Mask take = may & rather;
-      least_lost = select(take, lost, least_lost);
-      corner_apart = select(take, apart[i], corner_apart);
-      least_corner = select(take, slot_number<S>(i), least_corner);
+      const FlatPoint<S> before{around_x.before[i], around_y.before[i]}, p = slots[i].at,
+                                                                         after{around_x.after[i], around_y.after[i]};
+      const Mask again = least(distance_squared(before, p), distance_squared(p, after)) <= together;
+      const S corner = select(again, S(0), abs(cross(before, p, after)));
+      const Mask may = slots[i].is & (deepest != slot_number<S>(i)) & (count > S(1)) & ((count > S(2)) | again) &
+                       (corner <= budget) & (corner * corner <= near_squared * distance_squared(before, after));
+      lost[i] = select(may, corner, infinity);
+      some = some | may;
     }
-    if (!any(least_corner >= S(0))) return;
-    budget = budget - least_lost;
-    for (std::size_t i = 0; i < most_box_points; ++i) slots[i].is = slots[i].is & (least_corner != slot_number<S>(i));
+    if (!any(some)) return;
+    const Around<S> around_lost(slots, [&](std::size_t i) -> const S& { return lost[i]; }),
+        around_apart(slots, [&](std::size_t i) -> const S& { return apart[i]; });
+    // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
+    const auto level = [&](const S& p, const S& q) { return abs(p - q) <= S(T(same_cost)) * least(p, q); };
+    Mask dropped = count < S(0);
+    for (std::size_t i = 0; i < most_box_points; ++i) {
+      const S &before = around_lost.before[i], &after = around_lost.after[i];
+      const Mask like_before = level(lost[i], before), like_after = level(lost[i], after);
+      const Mask rather =
+          ((like_before & (apart[i] >= around_apart.before[i])) | ((!like_before) & (lost[i] < before))) &
+          ((like_after & (apart[i] > around_apart.after[i])) | ((!like_after) & (lost[i] < after)));
+      const Mask goes = slots[i].is & (lost[i] <= budget) & rather;
+      budget = select(goes, budget - lost[i], budget);
+      slots[i].is = slots[i].is & (!goes);
+      dropped = dropped | goes;
+    }
+    if (!any(dropped)) return;
   }
 }
 
