@@ -11,6 +11,7 @@
 #include "narrow/pairs/box_choice.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/closed_form.hpp"
 #include "narrow/pairs/half_space.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
@@ -26,37 +27,10 @@ struct Body {
   const Pose<T>& pose;
 };
 
-template <class S>
-PointCore<S> moved(const PointCore<S>& core, const Pose<S>& pose) {
-  return {transform(pose, core.point)};
-}
-template <class S>
-SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
-  return {{transform(pose, core.segment.a), transform(pose, core.segment.b)}};
-}
-
 template <class A, class B, class T>
 concept ClosedForm = requires(const A& a, const B& b, const Pose<T>& pose) {
   core_distance(core_of(a), moved(core_of(b), pose));
 };
-
-/// Adds the rounding radii and takes the answer from A's frame to the world.
-template <class T>
-Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
-  Distance<T> d;
-  d.distance = core.distance - (radius_a + radius_b);
-  d.normal = rotate(pose_a.rotation, core.normal);
-  d.a = transform(pose_a, core.a + core.normal * radius_a);
-  d.b = transform(pose_a, core.b - core.normal * radius_b);
-  return d;
-}
-
-template <class T>
-Distance<T> mirrored(Distance<T> d) {
-  d.normal = -d.normal;
-  std::swap(d.a, d.b);
-  return d;
-}
 
 /// The same for what was computed in double: only the answer is rounded to T.
 template <class T>

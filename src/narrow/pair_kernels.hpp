@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "graze/pose.hpp"
+#include "graze/query.hpp"
 #include "lanes/dispatch.hpp"
 
 namespace graze {
@@ -48,6 +48,12 @@ GRAZE_DECLARE_KERNEL(
     /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxAxisNumber<T>* axes, std::size_t count,
                                        BoxPointBlock<T>& points);
+    /// The distances of pairs of round shapes, or of a round shape and a box, by their closed forms: without rounding
+    /// radii beside their own, capsules even.
+    template <class A, class B, class T> void closed_distances(const PairRef<T>* pairs, std::size_t count,
+                                                               Distance<T>* distances);
+    /// Whether spheres touch: 1 or 0.
+    template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.
     template <class T> void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);)
 // clang-format on

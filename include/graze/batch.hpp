@@ -1,0 +1,142 @@
+// The questions of query.hpp about many pairs at once.
+//
+// Guarantee: for every pair the bits that the question about it alone gives, in whatever order the pairs come, whatever
+// pairs stand beside it, and at every level of the instruction set; so that a batch is a matter of speed only. Pairs of
+// kinds that have a kernel are asked about many at a time (4 to 16 in float, by the machine), all others one by one.
+// Nothing throws but what says so; nothing is allocated where the arrays of the answer have the room already.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graze/broad_phase.hpp"
+#include "graze/query.hpp"
+
+namespace graze {
+
+/// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
+/// shape for all poses, or one pose for all shapes.
+template <class T>
+class Bodies {
+ public:
+  /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take less
+  /// memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
+  template <class C>
+  Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses);
+
+  std::size_t size() const { return size_; }
+  const Pose<T>& pose(std::size_t i) const { return poses_.size() == 1 ? poses_[0] : poses_[i]; }
+  /// The place of a shape in `ShapeList`.
+  std::size_t kind(std::size_t i) const { return kind_ < Shape<T>::count ? kind_ : any(i).index(); }
+  /// The concrete shape, which is of that kind.
+  const void* concrete(std::size_t i) const { return concrete_(*this, i); }
+  /// The rounding radius, which only a `Shape<T>` has.
+  T margin(std::size_t i) const { return kind_ < Shape<T>::count ? T(0) : any(i).margin(); }
+  /// The shape as a value.
+  Shape<T> shape(std::size_t i) const { return shape_(*this, i); }
+
+ private:
+  template <class C>
+  const C& as(std::size_t i) const {
+    return static_cast<const C*>(shapes_)[shape_count_ == 1 ? 0 : i];
+  }
+  const Shape<T>& any(std::size_t i) const { return as<Shape<T>>(i); }
+
+  const void* shapes_;
+  std::size_t shape_count_, size_, kind_;
+  std::span<const Pose<T>> poses_;
+  const void* (*concrete_)(const Bodies&, std::size_t);
+  Shape<T> (*shape_)(const Bodies&, std::size_t);
+};
+
+/// The pairs that a question is about.
+template <class T>
+class Batch {
+ public:
+  /// Places in `a` and in `b`; these may be the same. Throws `InvalidValue` for a place that they do not have.
+  Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs);
+  /// The first of A with the first of B, and so on; where one of them has a single body, that with all of the other:
+  /// one shape against N poses, or against N shapes. Throws `InvalidValue` for numbers that do not go together.
+  Batch(const Bodies<T>& a, const Bodies<T>& b);
+
+  std::size_t size() const { return size_; }
+  const Bodies<T>& a() const { return a_; }
+  const Bodies<T>& b() const { return b_; }
+  /// The places of the i-th pair.
+  IdPair operator[](std::size_t i) const {
+    if (!pairs_.empty()) return pairs_[i];
+    const auto place = static_cast<std::uint32_t>(i);
+    return {a_.size() == 1 ? 0 : place, b_.size() == 1 ? 0 : place};
+  }
+
+ private:
+  Bodies<T> a_, b_;
+  std::span<const IdPair> pairs_;
+  std::size_t size_;
+};
+
+/// What `contacts` finds for a batch.
+template <class T>
+struct BatchContacts {
+  struct Pair {
+    bool overlap;  ///< distance <= 0, whatever the margin
+    std::uint32_t first_manifold, manifold_count;
+  };
+  struct Group {
+    Vec3<T> normal{};                        ///< unit, from A to B
+    std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+    std::uint32_t first_point = 0, point_count = 0;
+  };
+  std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
+  std::vector<Group> manifolds;         ///< those of a pair one behind the other
+  std::vector<ContactPoint<T>> points;  ///< those of a manifold one behind the other
+
+  std::span<const Group> manifolds_of(std::size_t pair) const {
+    return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
+  }
+  std::span<const ContactPoint<T>> points_of(const Group& m) const {
+    return std::span(points).subspan(m.first_point, m.point_count);
+  }
+};
+
+/// `overlap` of each pair: 1 or 0. Kernels: box with box, sphere with sphere.
+template <class T>
+void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
+
+/// `distance` of each pair. Kernels: sphere with sphere, with capsule and with box, capsule with capsule.
+template <class T>
+void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
+
+/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box.
+template <class T>
+void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
+
+template <class T>
+template <class C>
+Bodies<T>::Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses)
+    : shapes_(shapes.data()),
+      shape_count_(shapes.size()),
+      size_(shapes.size() == 1 ? poses.size() : shapes.size()),
+      kind_(Shape<T>::count),
+      poses_(poses),
+      shape_([](const Bodies& b, std::size_t i) { return Shape<T>(b.template as<C>(i)); }) {
+  if constexpr (std::is_same_v<C, Shape<T>>) {
+    concrete_ = [](const Bodies& b, std::size_t i) {
+      return b.any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
+    };
+  } else {
+    kind_ = []<class... Kinds>(std::variant<Kinds...>*) {
+      std::size_t place = 0;
+      static_cast<void>(((std::is_same_v<Kinds, C> ? true : (++place, false)) || ...));
+      return place;
+    }(static_cast<ShapeList<T>*>(nullptr));
+    concrete_ = [](const Bodies& b, std::size_t i) { return static_cast<const void*>(&b.template as<C>(i)); };
+  }
+  if (poses.size() != size_ && poses.size() != 1)
+    validate::fail("poses", "as many as shapes, or one", static_cast<double>(poses.size()));
+  if (shapes.empty() && !poses.empty()) validate::fail("shapes", "one for the poses", 0);
+}
+
+}  // namespace graze

@@ -1,0 +1,118 @@
+#include "narrow/pairs/closed_form.hpp"
+#include "lanes/gather.hpp"
+#include "narrow/pair_kernels.hpp"
+#include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/sphere_box.hpp"
+#include "narrow/pairs/sphere_capsule.hpp"
+#include "narrow/pairs/sphere_sphere.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+/// A core and what rounds it.
+template <class Core, class S>
+struct Rounded {
+  Core core;
+  S radius;
+};
+
+// The numbers of a shape, as its class holds them.
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Sphere<T>*) {
+  static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
+  Lanes<T> n[4];
+  gather<T>(rows, 0, n);
+  return Rounded<PointCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, n[3]};
+}
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Capsule<T>*) {
+  static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
+  using S = Lanes<T>;
+  S n[2];
+  gather<T>(rows, 0, n);
+  return Rounded<SegmentCore<S>, S>{{{{S(0), -n[0], S(0)}, {S(0), n[0], S(0)}}}, n[1]};
+}
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Box<T>*) {
+  static_assert(sizeof(Box<T>) == 3 * sizeof(T));
+  Lanes<T> n[3];
+  gather<T>(rows, 0, n);
+  return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
+}
+template <class T>
+[[gnu::always_inline]] inline Pose<Lanes<T>> load(const void* const* rows, const Pose<T>*) {
+  Lanes<T> t[3], q[4];
+  gather<T>(rows, 0, t);
+  gather<T>(rows, 3 * sizeof(T), q);
+  return {{t[0], t[1], t[2]}, {q[0], q[1], q[2], q[3]}};
+}
+
+/// A bundle of pairs of A and B, one a lane. Lanes without a pair repeat the last one.
+template <class A, class B, class T>
+struct Bundle {
+  using S = Lanes<T>;
+  static constexpr std::size_t lanes = lanes_of<T>;
+
+  std::size_t count;
+  decltype(load(nullptr, static_cast<const A*>(nullptr))) a;
+  decltype(load(nullptr, static_cast<const B*>(nullptr))) b;
+  Pose<S> pose_a, pose_b;
+
+  [[gnu::always_inline]] Bundle(const PairRef<T>* pairs, std::size_t left) : count(left < lanes ? left : lanes) {
+    const void* rows[4][lanes];
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const PairRef<T>& pair = pairs[i < count ? i : count - 1];
+      rows[0][i] = pair.a;
+      rows[1][i] = pair.b;
+      rows[2][i] = pair.pose_a;
+      rows[3][i] = pair.pose_b;
+    }
+    a = load(rows[0], static_cast<const A*>(nullptr));
+    b = load(rows[1], static_cast<const B*>(nullptr));
+    pose_a = load(rows[2], static_cast<const Pose<T>*>(nullptr));
+    pose_b = load(rows[3], static_cast<const Pose<T>*>(nullptr));
+  }
+};
+
+}  // namespace
+
+template <class A, class B, class T>
+[[gnu::flatten]] void closed_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances) {
+  using S = Lanes<T>;
+  using Pairs = Bundle<A, B, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const Distance<S> d = finished(core_distance(p.a.core, moved(p.b.core, relative(p.pose_a, p.pose_b))), p.a.radius,
+                                   p.b.radius, p.pose_a);
+    for (std::size_t i = 0; i < p.count; ++i) {
+      const int lane = static_cast<int>(i);
+      const auto of = [&](const Vec3<S>& v) { return Vec3<T>{v.x[lane], v.y[lane], v.z[lane]}; };
+      distances[first + i] = {d.distance[lane], of(d.normal), of(d.a), of(d.b)};
+    }
+  }
+}
+
+template <class T>
+[[gnu::flatten]] void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
+  using Pairs = Bundle<Sphere<T>, Sphere<T>, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const auto touching = spheres_overlap(p.a.core.point, p.a.radius,
+                                          transform(relative(p.pose_a, p.pose_b), p.b.core.point), p.b.radius);
+    for (std::size_t i = 0; i < p.count; ++i) touch[first + i] = touching[static_cast<int>(i)];
+  }
+}
+
+template void sphere_overlaps(const PairRef<float>*, std::size_t, std::uint8_t*);
+template void sphere_overlaps(const PairRef<double>*, std::size_t, std::uint8_t*);
+#define GRAZE_INSTANTIATE(A, B)                                                                                        \
+  template void closed_distances<A<float>, B<float>>(const PairRef<float>*, std::size_t, Distance<float>*);            \
+  template void closed_distances<A<double>, B<double>>(const PairRef<double>*, std::size_t, Distance<double>*);
+GRAZE_INSTANTIATE(Sphere, Sphere)
+GRAZE_INSTANTIATE(Sphere, Capsule)
+GRAZE_INSTANTIATE(Box, Sphere)
+GRAZE_INSTANTIATE(Capsule, Capsule)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,228 @@
+// Batches: for every pair the bits of the question about it alone, in any order, with any neighbours, at every level.
+#include "graze/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numeric>
+
+#include "common/specimen.hpp"
+
+namespace graze::testing {
+namespace {
+
+/// Bodies of all kinds, many of them of those with kernels, most of them near each other; some face to face.
+template <class T>
+struct Crowd {
+  std::vector<Shape<T>> shapes;
+  std::vector<Pose<T>> poses;
+  std::vector<IdPair> pairs;
+
+  explicit Crowd(std::size_t count, unsigned seed) {
+    Random random(seed);
+    constexpr Kind often[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::box};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Kind kind = i % 4 == 3 ? static_cast<Kind>(random() % kind_count) : often[random() % 4];
+      const Specimen specimen = random_specimen(kind, 1, random);
+      const PlacedSpecimen placed{specimen, random_vector(random, 0.7f),
+                                  i % 3 == 0 ? Quatf{} : random_rotation(random)};
+      shapes.push_back(build<T>(specimen));
+      poses.push_back(pose_of<T>(placed));
+    }
+    for (std::size_t i = 0; i < 4 * count; ++i)
+      pairs.push_back({static_cast<std::uint32_t>(random() % count), static_cast<std::uint32_t>(random() % count)});
+  }
+  Bodies<T> bodies() const { return {std::span<const Shape<T>>(shapes), std::span<const Pose<T>>(poses)}; }
+};
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+template <class T>
+bool same_bits(const Distance<T>& a, const Distance<T>& b) {
+  return same_bits(a.distance, b.distance) && same_bits(a.normal, b.normal) && same_bits(a.a, b.a) &&
+         same_bits(a.b, b.b) && a.status == b.status && same_bits(a.error, b.error);
+}
+template <class T>
+bool same_bits(const ContactPoint<T>& p, const ContactPoint<T>& q) {
+  return same_bits(p.a, q.a) && same_bits(p.b, q.b) && same_bits(p.distance, q.distance) && p.feature == q.feature &&
+         same_bits(p.weight, q.weight);
+}
+
+template <class T>
+void expect_same(const Batch<T>& batch, T margin) {
+  std::vector<std::uint8_t> touch;
+  std::vector<Distance<T>> distances;
+  BatchContacts<T> found;
+  overlap(batch, touch);
+  distance(batch, distances);
+  contacts(batch, margin, found);
+  ASSERT_EQ(touch.size(), batch.size());
+  ASSERT_EQ(distances.size(), batch.size());
+  ASSERT_EQ(found.pairs.size(), batch.size());
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const IdPair p = batch[i];
+    const Shape<T> a = batch.a().shape(p.a), b = batch.b().shape(p.b);
+    const Pose<T>&pose_a = batch.a().pose(p.a), &pose_b = batch.b().pose(p.b);
+    EXPECT_EQ(touch[i] != 0, overlap(a, pose_a, b, pose_b));
+    EXPECT_TRUE(same_bits(distances[i], distance(a, pose_a, b, pose_b))) << a.name() << ' ' << b.name();
+    Manifolds<T> alone;
+    EXPECT_EQ(found.pairs[i].overlap, contacts(a, pose_a, b, pose_b, margin, alone));
+    const auto manifolds = found.manifolds_of(i);
+    ASSERT_EQ(manifolds.size(), alone.size()) << a.name() << ' ' << b.name();
+    for (std::size_t m = 0; m < alone.size(); ++m) {
+      EXPECT_TRUE(same_bits(manifolds[m].normal, alone[m].normal));
+      const auto of = found.points_of(manifolds[m]);
+      ASSERT_EQ(of.size(), alone[m].points.size());
+      for (std::size_t k = 0; k < of.size(); ++k) EXPECT_TRUE(same_bits(of[k], alone[m].points[k]));
+      points += of.size();
+    }
+  }
+  EXPECT_EQ(points, found.points.size());
+}
+
+TEST(Batch, AnswersAsTheQuestionAboutEachPairDoes) {
+  const Crowd<float> floats(150, 1);
+  expect_same(Batch<float>(floats.bodies(), floats.bodies(), floats.pairs), 0.02f);
+  const Crowd<double> doubles(150, 2);
+  expect_same(Batch<double>(doubles.bodies(), doubles.bodies(), doubles.pairs), 0.02);
+}
+
+// The neighbours of a pair in its bundle change with every order and every split.
+TEST(Batch, GivesEveryPairTheSameBitsInAnyOrderAndSplit) {
+  const Crowd<float> crowd(100, 3);
+  const Batch<float> whole(crowd.bodies(), crowd.bodies(), crowd.pairs);
+  BatchContacts<float> expected, found;
+  contacts(whole, 0.02f, expected);
+  std::vector<Distance<float>> expected_distances, distances;
+  distance(whole, expected_distances);
+  Random random(4);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<std::uint32_t> order(crowd.pairs.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+    order.resize(1 + random() % order.size());
+    for (std::size_t i = 0; i < 10; ++i) order.push_back(order[random() % order.size()]);  // some of them again
+    std::vector<IdPair> pairs;
+    for (const std::uint32_t i : order) pairs.push_back(crowd.pairs[i]);
+    const Batch<float> batch(crowd.bodies(), crowd.bodies(), pairs);
+    contacts(batch, 0.02f, found);
+    distance(batch, distances);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      ASSERT_TRUE(same_bits(distances[k], expected_distances[order[k]]));
+      const auto here = found.manifolds_of(k), there = expected.manifolds_of(order[k]);
+      ASSERT_EQ(here.size(), there.size());
+      for (std::size_t m = 0; m < here.size(); ++m) {
+        ASSERT_TRUE(same_bits(here[m].normal, there[m].normal));
+        const auto p = found.points_of(here[m]), q = expected.points_of(there[m]);
+        ASSERT_EQ(p.size(), q.size());
+        for (std::size_t i = 0; i < p.size(); ++i) ASSERT_TRUE(same_bits(p[i], q[i]));
+      }
+    }
+  }
+}
+
+// One shape against many poses, one pose for many shapes, and arrays of one kind.
+TEST(Batch, TakesOneShapeForAllAndArraysOfOneKind) {
+  Random random(5);
+  std::vector<Pose<float>> poses;
+  std::vector<Box<float>> boxes;
+  std::vector<Sphere<float>> spheres;
+  std::vector<Pose<float>> one_pose{Pose<float>{}};
+  for (int i = 0; i < 100; ++i) {
+    poses.push_back({random_vector(random, 1.0f), random_rotation(random)});
+    boxes.emplace_back(abs(random_vector(random, 1.0f)) + Vec3f{0.1f, 0.1f, 0.1f});
+    spheres.emplace_back(0.3f, random_vector(random, 1.0f));
+  }
+  const std::vector<Box<float>> one_box{Box<float>({1, 0.5f, 0.7f})};
+  using BoxSpan = std::span<const Box<float>>;
+  using PoseSpan = std::span<const Pose<float>>;
+  const Bodies<float> one(BoxSpan{one_box}, PoseSpan{one_pose}), many_poses(BoxSpan{one_box}, PoseSpan{poses}),
+      many(BoxSpan{boxes}, PoseSpan{poses}), balls(std::span<const Sphere<float>>(spheres), PoseSpan{one_pose});
+  expect_same(Batch<float>(one, many_poses), 0.01f);
+  expect_same(Batch<float>(one, many), 0.01f);
+  expect_same(Batch<float>(many, many_poses), 0.01f);
+  expect_same(Batch<float>(many, balls), 0.01f);
+  expect_same(Batch<float>(balls, balls), 0.01f);
+}
+
+/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of the bytes of numbers.
+class Hash {
+ public:
+  template <class N>
+  void add(const N& value) {
+    unsigned char bytes[sizeof(N)];
+    std::memcpy(bytes, &value, sizeof(N));
+    for (const unsigned char byte : bytes) value_ = (value_ ^ byte) * 0x100000001b3u;
+  }
+  template <class T>
+  void add(const Vec3<T>& v) {
+    add(v.x), add(v.y), add(v.z);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+template <class T>
+std::uint64_t hash_of_a_long_run() {
+  Hash hash;
+  BatchContacts<T> found;
+  std::vector<Distance<T>> distances;
+  for (unsigned seed = 10; seed < 20; ++seed) {
+    Random random(seed);
+    std::vector<Box<T>> boxes;
+    std::vector<Sphere<T>> spheres;
+    std::vector<Pose<T>> poses;
+    for (int i = 0; i < 1000; ++i) {
+      boxes.emplace_back(cast<T>(abs(random_vector(random, 1.0f)) + Vec3f{0.1f, 0.1f, 0.1f}));
+      spheres.emplace_back(T(0.3), cast<T>(random_vector(random, 0.3f)));
+      const Quatf turned = random_rotation(random);
+      poses.push_back({cast<T>(random_vector(random, 1.0f)), normalized(cast<T>(i % 3 == 0 ? Quatf{} : turned))});
+    }
+    const std::span<const Pose<T>> places(poses);
+    const Bodies<T> crates(std::span<const Box<T>>(boxes), places), balls(std::span<const Sphere<T>>(spheres), places);
+    std::vector<IdPair> pairs;
+    for (int i = 0; i < 5000; ++i)
+      pairs.push_back({static_cast<std::uint32_t>(random() % 1000), static_cast<std::uint32_t>(random() % 1000)});
+    contacts(Batch<T>(crates, crates, pairs), T(0.01), found);
+    for (const auto& p : found.points) hash.add(p.a), hash.add(p.b), hash.add(p.distance), hash.add(p.feature);
+    for (const auto& m : found.manifolds) hash.add(m.normal);
+    distance(Batch<T>(balls, crates, pairs), distances);
+    for (const auto& d : distances) hash.add(d.distance), hash.add(d.normal), hash.add(d.a), hash.add(d.b);
+  }
+  return hash.value();
+}
+
+// The bits of a hundred thousand answers. They are the same from every compiler, at every level of optimisation and of
+// the instruction set: this number changes only with the arithmetic of a kernel, and whoever changes that writes it anew.
+TEST(Batch, GivesTheGoldenBits) {
+  EXPECT_EQ(hash_of_a_long_run<float>(), 16689326241399991693u);
+  EXPECT_EQ(hash_of_a_long_run<double>(), 17514291290582783050u);
+}
+
+TEST(Batch, RefusesNumbersThatDoNotGoTogether) {
+  const std::vector<Sphere<double>> spheres(3, Sphere<double>(1));
+  const std::vector<Pose<double>> poses(2), three(3);
+  using SphereSpan = std::span<const Sphere<double>>;
+  using PoseSpan = std::span<const Pose<double>>;
+  EXPECT_THROW(Bodies<double>(SphereSpan{spheres}, PoseSpan{poses}), InvalidValue);
+  const Bodies<double> bodies(SphereSpan{spheres}, PoseSpan{three}), two(SphereSpan{spheres}.first(2), PoseSpan{poses});
+  EXPECT_THROW(Batch<double>(bodies, two), InvalidValue);
+  const std::vector<IdPair> pairs{{0, 1}, {2, 3}};
+  try {
+    Batch<double>(bodies, bodies, pairs);
+    FAIL() << "a place that there is not was taken";
+  } catch (const InvalidValue& e) {
+    EXPECT_STREQ(e.what(), "pairs[1].b: expected a place below 3, got 3");
+  }
+  std::vector<std::uint8_t> touch;
+  overlap(Batch<double>(bodies, bodies, std::span<const IdPair>{}), touch);
+  EXPECT_TRUE(touch.empty());
+}
+
+}  // namespace
+}  // namespace graze::testing
