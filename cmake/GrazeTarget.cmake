@@ -37,6 +37,17 @@ if(GRAZE_SANITIZE)
   endif()
 endif()
 
+# graze_join(<target> <count>): compiles up to so many of the target's files as one.
+#
+# Where small files include big headers (CLI11, nlohmann-json, fmt, GoogleTest), the compiler spends its time on what it
+# instantiates for each file anew: joined, they cost it a third. Precompiled headers save only the reading. Hence the
+# names in the unnamed namespaces of a target differ from file to file. Each file compiles alone as well: the clang preset
+# keeps them apart, which shows it, and which clang-tidy needs.
+option(GRAZE_JOIN_FILES "Compile small files that include big headers several at a time" ON)
+function(graze_join target count)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GRAZE_JOIN_FILES} UNITY_BUILD_BATCH_SIZE ${count})
+endfunction()
+
 function(graze_target target)
   target_compile_options(${target} PRIVATE ${graze_warnings} ${graze_floating_point} ${graze_sanitize})
   target_link_options(${target} PRIVATE ${graze_sanitize})

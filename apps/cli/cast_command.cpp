@@ -1,19 +1,16 @@
 // graze cast: one body of a scene moved through the rest.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "commands.hpp"
 #include "graze/io/cast_scene.hpp"
+#include "output.hpp"
 #include "scene_options.hpp"
 
 namespace graze::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Options {
+struct CastArguments {
   SceneOptions scene;
   std::string from, precision = "double", out;
   std::vector<double> motion{0, 0, 0}, spin{0, 0, 0}, about;
@@ -22,33 +19,28 @@ struct Options {
 };
 
 Vec3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
-Json array(const Vec3d& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
 
-Json json_of(const io::Scene& scene, const io::SceneHit& hit) {
+Json json_of_hit(const io::Scene& scene, const io::SceneHit& hit) {
   return {{"t", hit.t},
           {"collider", scene.colliders[hit.collider].name},
           {"hits", scene.colliders[hit.other].name},
           {"colliderA", hit.collider},
           {"colliderB", hit.other},
-          {"point", array(hit.point)},
-          {"normal", array(hit.normal)},
+          {"point", json_of(hit.point)},
+          {"normal", json_of(hit.normal)},
           {"depth", hit.depth},
           {"certain", hit.status == Status::converged}};
 }
 
-void print_json(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
+void print_hits_as_json(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
   Json list = Json::array();
-  for (const io::SceneHit& hit : hits) list.push_back(json_of(scene, hit));
+  for (const io::SceneHit& hit : hits) list.push_back(json_of_hit(scene, hit));
   const Json whole{{"scene", scene.source}, {"from", question.from}, {"duration", question.duration},
                    {"hit", !hits.empty()},  {"hits", list},          {"notices", scene.notices}};
-  fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
+  print(whole);
 }
 
-/// What four digits show as zero is shown without a sign.
-double shown(double v) { return std::abs(v) < 5e-5 ? 0.0 : v; }
-std::string shown(const Vec3d& v) { return fmt::format("{:9.4f} {:9.4f} {:9.4f}", shown(v.x), shown(v.y), shown(v.z)); }
-
-void print_table(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
+void print_hits_as_table(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
   for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
   if (hits.empty()) {
     fmt::print("{}: {} hits nothing in {:.6g}\n", scene.source, question.from, question.duration);
@@ -61,11 +53,11 @@ void print_table(const io::Scene& scene, const io::SceneCast& question, const st
   fmt::print("{:>12}  {:<{}}  {:>29}  {:>29}  {:>10}\n", "time", "hits", width, "point", "normal towards it", "depth");
   for (const io::SceneHit& hit : hits)
     fmt::print("{:>12.9g}  {:<{}}  {}  {}  {:>10.4g}{}\n", hit.t, scene.colliders[hit.other].name, width,
-               shown(hit.point), shown(hit.normal), hit.depth,
+               shown(hit.point, 9), shown(hit.normal, 9), hit.depth,
                hit.status == Status::converged ? "" : "  (not certain: may only come near)");
 }
 
-int run(const Options& options) {
+int run_cast(const CastArguments& options) {
   const io::Scene scene = options.scene.load();
   io::SceneCast question;
   question.from = options.from;
@@ -82,7 +74,7 @@ int run(const Options& options) {
       fmt::print(stderr, "note: {}\n", notice);
   }
   if (!options.all && hits.size() > 1) hits.resize(1);
-  options.json ? print_json(scene, question, hits) : print_table(scene, question, hits);
+  options.json ? print_hits_as_json(scene, question, hits) : print_hits_as_table(scene, question, hits);
   return 0;
 }
 
@@ -93,7 +85,7 @@ CLI::Option* add_vector(CLI::App& command, const char* name, std::vector<double>
 }  // namespace
 
 Run add_cast(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CastArguments>();
   CLI::App* command = app.add_subcommand("cast", "Move one body of a scene and find what it hits first");
   options->scene.add_to(*command);
   command->add_option("--from", options->from, "The body that moves, or one collider, by name")->required();
@@ -117,7 +109,7 @@ Run add_cast(CLI::App& app) {
                   "file cannot be read or the name is not that of one body.\n\n"
                   "Example:\n"
                   "  graze cast scene.glb --from \"crate 1\" --motion 8,0,0 --spin 0,3,0 --slide --out cast.glb");
-  return [options] { return run(*options); };
+  return [options] { return run_cast(*options); };
 }
 
 }  // namespace graze::cli

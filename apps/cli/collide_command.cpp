@@ -1,14 +1,13 @@
 // graze collide: the contacts of a scene.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "checked.hpp"
 #include "collide_frames.hpp"
 #include "commands.hpp"
 #include "graze/io/collide.hpp"
 #include "graze/io/picture.hpp"
 #include "graze/io/scene_writer.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 
@@ -16,9 +15,7 @@ namespace graze::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Options {
+struct CollideArguments {
   SceneOptions scene;
   FramesOptions frames;
   bool json = false;
@@ -27,20 +24,18 @@ struct Options {
   std::vector<double> direction{1, 0.7, 1.2};
 };
 
-Json array(const Vec3d& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
-
-void print_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
+void print_pairs_as_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
   Json out = Json::array();
   for (const io::TouchingPair& pair : pairs) {
     Json manifolds = Json::array();
     for (const auto& m : pair.manifolds) {
       Json points = Json::array();
       for (const auto& p : m.points)
-        points.push_back({{"a", array(p.a)},
-                          {"b", array(p.b)},
+        points.push_back({{"a", json_of(p.a)},
+                          {"b", json_of(p.b)},
                           {"distance", p.distance},
                           {"feature", fmt::format("{:08x}", p.feature)}});
-      manifolds.push_back({{"normal", array(m.normal)}, {"points", points}});
+      manifolds.push_back({{"normal", json_of(m.normal)}, {"points", points}});
     }
     out.push_back({{"a", scene.colliders[pair.a].name},
                    {"b", scene.colliders[pair.b].name},
@@ -52,13 +47,10 @@ void print_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pai
   }
   const Json whole{
       {"scene", scene.source}, {"colliders", scene.colliders.size()}, {"pairs", out}, {"notices", scene.notices}};
-  fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
+  print(whole);
 }
 
-/// What four digits show as zero is shown without a sign.
-double shown(double v) { return std::abs(v) < 5e-5 ? 0.0 : v; }
-
-void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
+void print_pairs_as_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
   for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
   fmt::print("{}: {} colliders in {} bodies, {} pairs in contact\n", scene.source, scene.colliders.size(),
              scene.bodies.size(), pairs.size());
@@ -71,16 +63,15 @@ void print_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pa
   fmt::print("\n{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", "A", a, "B", b, "", "normal from A to B", "points");
   for (const io::TouchingPair& p : pairs) {
     const double d = p.manifolds.empty() ? 0 : p.distance();
-    const Vec3d n = p.normal();
     const std::string state = p.trigger ? (p.overlap ? "in trigger" : "near trigger")
                                         : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
-    const std::string normal = fmt::format("{:7.4f} {:7.4f} {:7.4f}", shown(n.x), shown(n.y), shown(n.z));
+    const std::string normal = shown(p.normal(), 7);
     fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b,
                state, normal, p.point_count());
   }
 }
 
-int run(const Options& options) {
+int run_collide(const CollideArguments& options) {
   io::CollideOptions how;
   how.precision = precision_of(options.precision);
   how.margin = checked_margin(options.margin.value_or(0), how.precision);
@@ -92,7 +83,7 @@ int run(const Options& options) {
   const io::Scene scene = options.scene.load();
   how.progress = [progress = Progress()](std::size_t done, std::size_t all) mutable { progress(done, all); };
   const auto pairs = io::collide(scene, how);
-  options.json ? print_json(scene, pairs) : print_table(scene, pairs);
+  options.json ? print_pairs_as_json(scene, pairs) : print_pairs_as_table(scene, pairs);
   if (!options.svg.empty()) io::write_picture(options.svg, scene, pairs, direction);
   if (!options.out.empty()) {
     const auto& files = options.scene.files;
@@ -106,7 +97,7 @@ int run(const Options& options) {
 }  // namespace
 
 Run add_collide(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CollideArguments>();
   CLI::App* command = app.add_subcommand("collide", "Find the contacts of a scene");
   options->scene.add_to(*command);
   CLI::Option* frames = options->frames.add_to(*command);
@@ -135,7 +126,7 @@ Run add_collide(CLI::App& app) {
                   "or graze cast).\n\n"
                   "Examples:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb\n"
                   "  graze collide scene.glb --frames --fps 60 --animation walk --json");
-  return [options] { return run(*options); };
+  return [options] { return run_collide(*options); };
 }
 
 }  // namespace graze::cli

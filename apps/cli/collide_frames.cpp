@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "graze/error.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace graze::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Event {
   double time;
@@ -38,7 +36,7 @@ Record play(const io::Scene& scene, const io::FrameOptions& options) {
   return record;
 }
 
-void print_json(const io::Scene& scene, const io::FrameOptions& options, const Record& record) {
+void print_events_as_json(const io::Scene& scene, const io::FrameOptions& options, const Record& record) {
   Json events = Json::array(), frames = Json::array();
   for (const auto& [time, e] : record.events)
     events.push_back({{"t", time},
@@ -61,10 +59,10 @@ void print_json(const io::Scene& scene, const io::FrameOptions& options, const R
       {"events", events},
       {"frames", frames},
       {"notices", scene.notices}};
-  fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
+  print(whole);
 }
 
-void print_table(const io::Scene& scene, const io::FrameOptions& options, const Record& record) {
+void print_events_as_table(const io::Scene& scene, const io::FrameOptions& options, const Record& record) {
   const std::size_t moved = io::animated_colliders(scene, options.animation).size();
   for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
   if (moved == 0) fmt::print(stderr, "note: the animation moves no collider\n");
@@ -112,7 +110,7 @@ void print_frames(const io::Scene& scene, const FramesOptions& options, std::opt
     throw InvalidValue((own ? "--" : "") + e.path(), e.expectation(), e.found());
   }
   const Record record = play(scene, how);
-  json ? print_json(scene, how, record) : print_table(scene, how, record);
+  json ? print_events_as_json(scene, how, record) : print_events_as_table(scene, how, record);
 }
 
 }  // namespace graze::cli

@@ -13,14 +13,14 @@ namespace graze::cli {
 
 namespace {
 
-struct Options {
+struct ExplainArguments {
   std::string file, precision = "double", svg;
   std::size_t line = 1;
   std::vector<double> direction{1, 0.6, 1.4};
 };
 
 /// The line that is asked for, counted from 1 among those that are not blank.
-std::string read_line(const Options& options) {
+std::string question_line(const ExplainArguments& options) {
   std::ifstream file;
   const bool standard = options.file.empty() || options.file == "-";
   const std::string name = standard ? "standard input" : options.file;
@@ -33,9 +33,9 @@ std::string read_line(const Options& options) {
   throw InvalidValue(name, fmt::format("a question as line {}", options.line), fmt::format("{} lines", count));
 }
 
-int run(const Options& options) {
+int run_explain(const ExplainArguments& options) {
   const Vec3d direction = checked_direction(options.direction);
-  const io::Explanation explanation = io::explain(read_line(options), precision_of(options.precision));
+  const io::Explanation explanation = io::explain(question_line(options), precision_of(options.precision));
   fmt::print("{}", io::explanation_text(explanation));
   if (options.svg.empty()) return 0;
   std::ofstream out(options.svg, std::ios::binary);
@@ -48,7 +48,7 @@ int run(const Options& options) {
 }  // namespace
 
 Run add_explain(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExplainArguments>();
   CLI::App* command = app.add_subcommand("explain", "Show how a question is answered, as a table and as a picture");
   command->add_option("FILE", options->file, "Questions, one JSON object a line (default: standard input)");
   command->add_option("--line", options->line, "Which question of the file, counted from 1")
@@ -68,7 +68,7 @@ Run add_explain(CLI::App& app) {
                   "{\"type\": \"box\"},\n"
                   "         \"translation\": [0.2, 0.9, 0], \"rotation\": [0, 0.2, 0, 1]}}' | tr -d '\\n' | graze "
                   "explain --svg why.svg");
-  return [options] { return run(*options); };
+  return [options] { return run_explain(*options); };
 }
 
 }  // namespace graze::cli

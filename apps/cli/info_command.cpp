@@ -1,37 +1,32 @@
 // graze info: the colliders of a scene.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "commands.hpp"
+#include "output.hpp"
 #include "scene_options.hpp"
 
 namespace graze::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-const char* word(io::MotionType type) {
+const char* motion_word(io::MotionType type) {
   return type == io::MotionType::fixed ? "static" : type == io::MotionType::kinematic ? "kinematic" : "dynamic";
 }
 
-Json array(const Vec3d& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
-
-void print_json(const io::Scene& scene) {
+void print_colliders_as_json(const io::Scene& scene) {
   Json colliders = Json::array();
   for (const io::Collider& c : scene.colliders) {
     const Aabbd box = bounds(c.shape, c.pose);
     const Quatd& q = c.pose.rotation;
     colliders.push_back({{"name", c.name},
                          {"body", scene.bodies[c.body].name},
-                         {"motion", word(scene.bodies[c.body].type)},
+                         {"motion", motion_word(scene.bodies[c.body].type)},
                          {"trigger", c.trigger},
                          {"shape", told(c.shape)},
-                         {"translation", array(c.pose.translation)},
+                         {"translation", json_of(c.pose.translation)},
                          {"rotation", {q.x, q.y, q.z, q.w}},
-                         {"lower", array(box.lower)},
-                         {"upper", array(box.upper)},
+                         {"lower", json_of(box.lower)},
+                         {"upper", json_of(box.upper)},
                          {"category", c.filter.category},
                          {"mask", c.filter.mask}});
   }
@@ -39,10 +34,10 @@ void print_json(const io::Scene& scene) {
                    {"colliders", colliders},
                    {"collisionSystems", scene.collision_systems},
                    {"notices", scene.notices}};
-  fmt::print("{}\n", whole.dump(2, ' ', false, Json::error_handler_t::replace));
+  print(whole);
 }
 
-void print_table(const io::Scene& scene) {
+void print_colliders_as_table(const io::Scene& scene) {
   for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
   fmt::print("{}: {} colliders in {} bodies\n\n", scene.source, scene.colliders.size(), scene.bodies.size());
   std::size_t name = 4, body = 4, shape = 5;
@@ -55,7 +50,8 @@ void print_table(const io::Scene& scene) {
   for (const io::Collider& c : scene.colliders) {
     const Vec3d& t = c.pose.translation;
     fmt::print("{:<{}}  {:<{}}  {:<9}  {:<{}}  {:.4g} {:.4g} {:.4g}{}\n", c.name, name, scene.bodies[c.body].name, body,
-               word(scene.bodies[c.body].type), told(c.shape), shape, t.x, t.y, t.z, c.trigger ? "  (trigger)" : "");
+               motion_word(scene.bodies[c.body].type), told(c.shape), shape, t.x, t.y, t.z,
+               c.trigger ? "  (trigger)" : "");
   }
 }
 
@@ -73,7 +69,7 @@ Run add_info(CLI::App& app) {
   command->footer("Example:\n  graze info scene.glb");
   return [options] {
     const io::Scene scene = options->scene.load();
-    options->json ? print_json(scene) : print_table(scene);
+    options->json ? print_colliders_as_json(scene) : print_colliders_as_table(scene);
     return 0;
   };
 }

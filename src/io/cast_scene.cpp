@@ -8,14 +8,6 @@ namespace graze::io {
 
 namespace {
 
-template <class T>
-Shape<T> in_precision(const Shaped& shape) {
-  if constexpr (std::is_same_v<T, double>)
-    return shape;
-  else
-    return to_single(shape);
-}
-
 /// A body for a cast: its shape, and the pose whose origin it turns about.
 template <class T>
 Placed<T> turning_about(const Collider& collider, const Mover& mover) {

@@ -32,7 +32,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-View::View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const Frame& frame)
+View::View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const Panel& panel)
     : toward_(normalized(toward_viewer)) {
   const Vec3d up = std::abs(toward_.y) > 0.999 ? Vec3d{0, 0, -1} : Vec3d{0, 1, 0};
   right_ = normalized(cross(up, toward_));
@@ -44,9 +44,9 @@ View::View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const F
     low_y = std::min(low_y, dot(p, up_)), high_y = std::max(high_y, dot(p, up_));
   }
   const double wide = std::max(high_x - low_x, 1e-300), tall = std::max(high_y - low_y, 1e-300);
-  scale_ = std::min(frame.width / wide, frame.height / tall);
-  x_ = frame.x + frame.width / 2 - scale_ * (low_x + high_x) / 2;
-  y_ = frame.y + frame.height / 2 + scale_ * (low_y + high_y) / 2;
+  scale_ = std::min(panel.width / wide, panel.height / tall);
+  x_ = panel.x + panel.width / 2 - scale_ * (low_x + high_x) / 2;
+  y_ = panel.y + panel.height / 2 + scale_ * (low_y + high_y) / 2;
 }
 
 double View::light(const Vec3d& normal) const {
@@ -112,10 +112,10 @@ std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
                      y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
 }
 
-std::string svg_head(double width, double height) {
+std::string svg_head() {
   return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
                      "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" fill=\"#f8f9fa\"/>\n",
-                     width, height);
+                     picture_width, picture_height);
 }
 
 void write_text(const std::string& file, const std::string& text) {

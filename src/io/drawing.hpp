@@ -18,14 +18,14 @@ std::string hex(const Color& color, double light = 1);
 std::string escaped(const std::string& text);
 
 /// The part of a picture that a view fills.
-struct Frame {
+struct Panel {
   double x, y, width, height;
 };
 
 /// The world as seen from a direction, orthographic, Y up, fitted around some points.
 class View {
  public:
-  View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const Frame& frame);
+  View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const Panel& panel);
 
   double x(const Vec3d& p) const { return x_ + scale_ * dot(p, right_); }
   double y(const Vec3d& p) const { return y_ - scale_ * dot(p, up_); }
@@ -55,8 +55,10 @@ std::string painted(std::vector<DrawnFace> faces);
 /// An arrow of fixed length on the picture, along a unit vector.
 std::string arrow(const View& view, const Vec3d& from, const Vec3d& along);
 
+/// All pictures have one size, in pixels.
+inline constexpr double picture_width = 960, picture_height = 600;
 /// The beginning of a picture with its background; `</svg>` ends it.
-std::string svg_head(double width, double height);
+std::string svg_head();
 
 /// Writes text to a file. Throws `InvalidValue` when that cannot be done.
 void write_text(const std::string& file, const std::string& text);

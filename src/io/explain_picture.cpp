@@ -10,9 +10,9 @@ namespace graze::io {
 
 namespace {
 
-constexpr double width = 960, height = 600, margin = 28, head = 64;
+constexpr double page_margin = 28, head_height = 64;
 /// Where the shapes are, and beside them the axes one below the other.
-constexpr Frame left{margin, head + 8, 520, height - head - margin - 16};
+constexpr Panel shapes_panel{page_margin, head_height + 8, 520, picture_height - head_height - page_margin - 16};
 constexpr double list_x = 590, name_width = 138, bars_x = list_x + name_width, bars_width = 138, number_x = 936;
 constexpr std::size_t most_rows = 20, most_points = 10;
 constexpr double id_row = 15;
@@ -69,7 +69,7 @@ class AxisDrawing {
     const bool overlap = axis_.overlap() >= 0;
     const double middle = (bar_a_ + bar_b_) / 2;
     out += line(view, at(axis_.b_lower, middle), at(axis_.a_upper, middle), overlap ? hex(color_shared) : "#868e96", 3);
-    return out + text(margin, height - 14, 13,
+    return out + text(page_margin, picture_height - 14, 13,
                       fmt::format("{}: {} {:.4g}", axis_.name, overlap ? "overlap" : "gap", std::abs(axis_.overlap())),
                       overlap ? color_shared : ink);
   }
@@ -146,9 +146,9 @@ double draw_ids(const Explanation& e, std::string& out) {
   std::vector<const ContactPoint<double>*> points;
   for (const Manifold<double>& m : e.manifolds)
     for (const auto& p : m.points) points.push_back(&p);
-  if (points.empty()) return height - margin;
+  if (points.empty()) return picture_height - page_margin;
   const std::size_t count = std::min(points.size(), most_points);
-  double y = height - margin - id_row * static_cast<double>(count);
+  double y = picture_height - page_margin - id_row * static_cast<double>(count);
   const double top = y - 8;
   for (std::size_t i = 0; i < count; ++i, y += id_row)
     out += text(list_x, y + 12, 11,
@@ -169,10 +169,11 @@ std::string draw_list(const Explanation& e, double bottom) {
   };
   for (const TraceAxis* axis : axes) widest = std::max(widest, ends(*axis).second - ends(*axis).first);
   if (!(widest > 0)) return "";
-  const double row = std::min(26.0, (bottom - head - 34) / static_cast<double>(axes.size()));
-  std::string out = text(bars_x, head + 4, 12, "A", color_a) + text(bars_x + 14, head + 4, 12, "B", color_b) +
-                    text(number_x, head + 4, 12, "overlap", ink, "end");
-  double y = head + 14;
+  const double row = std::min(26.0, (bottom - head_height - 34) / static_cast<double>(axes.size()));
+  std::string out = text(bars_x, head_height + 4, 12, "A", color_a) +
+                    text(bars_x + 14, head_height + 4, 12, "B", color_b) +
+                    text(number_x, head_height + 4, 12, "overlap", ink, "end");
+  double y = head_height + 14;
   for (const TraceAxis* axis : axes) {
     const auto [low, high] = ends(*axis);
     const double scale = bars_width / widest, start = bars_x + (bars_width - (high - low) * scale) / 2;
@@ -187,7 +188,7 @@ std::string draw_list(const Explanation& e, double bottom) {
     y += row;
   }
   if (axes.size() < e.trace.axes.size())
-    out += text(list_x, height - 16, 12,
+    out += text(list_x, picture_height - 16, 12,
                 fmt::format("the {} of {} axes that overlap least", axes.size(), e.trace.axes.size()));
   return out;
 }
@@ -201,7 +202,7 @@ std::string headline(const Explanation& e) {
   if (!e.trace.reason.empty()) method += ": " + e.trace.reason;
   constexpr std::size_t longest = 150;
   if (method.size() > longest) method = method.substr(0, longest) + "...";
-  return text(margin, 34, 17, words) + text(margin, 54, 12, method, {73, 80, 87});
+  return text(page_margin, 34, 17, words) + text(page_margin, 54, 12, method, {73, 80, 87});
 }
 
 }  // namespace
@@ -226,12 +227,12 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
     beside.emplace(*axis, normalized(toward), a.points, b.points);
     for (const Vec3d& p : beside->corners()) points.push_back(p);
   }
-  const View view(toward, points, left);
+  const View view(toward, points, shapes_panel);
   std::vector<DrawnFace> faces;
   draw_shape(view, a, color_a, true, size, faces);
   draw_shape(view, b, color_b, true, size, faces);
   std::string out =
-      svg_head(width, height) + painted(std::move(faces)) + "<g font-family=\"system-ui, sans-serif\" fill=\"none\">\n";
+      svg_head() + painted(std::move(faces)) + "<g font-family=\"system-ui, sans-serif\" fill=\"none\">\n";
   if (beside) out += beside->draw(view);
   const double bottom = draw_ids(e, out);
   return out + draw_points(e, view) + draw_list(e, bottom) + headline(e) + "</g>\n</svg>\n";

@@ -14,14 +14,14 @@ struct Range {
   std::size_t offset, count, size;
 };
 
-struct Place {
+struct Strided {
   const unsigned char* begin;
   std::size_t stride;
 };
 
 /// Where a range lies; `view_path` and `count_path` are named when it does not fit.
-Place located(const tinygltf::Model& model, std::size_t view_index, const Range& range, const std::string& view_path,
-              const std::string& count_path) {
+Strided located(const tinygltf::Model& model, std::size_t view_index, const Range& range, const std::string& view_path,
+                const std::string& count_path) {
   if (view_index >= model.bufferViews.size())
     throw InvalidValue(view_path, "an index below " + std::to_string(model.bufferViews.size()),
                        std::to_string(view_index));
@@ -80,7 +80,7 @@ const unsigned char* packed(const tinygltf::Model& model, const JsonValue& part,
   const JsonValue view = part.at("bufferView");
   const auto offset = part.find("byteOffset");
   const Range range{offset ? offset->whole_number() : 0, count.whole_number(), size};
-  const Place place = located(model, view.whole_number(), range, view.path(), count.path());
+  const Strided place = located(model, view.whole_number(), range, view.path(), count.path());
   if (model.bufferViews[view.whole_number()].byteStride != 0)
     view.fail("a buffer view without byteStride, for a sparse accessor");
   return place.begin;
@@ -107,8 +107,8 @@ Elements::Elements(const AccessorSource& source, int index, int wanted_type, con
   }
   const std::string view_path = name + ".bufferView";
   if (accessor.bufferView < 0) throw InvalidValue(view_path, "a value, of an accessor that is not sparse", "nothing");
-  const Place place = located(model, static_cast<std::size_t>(accessor.bufferView),
-                              {accessor.byteOffset, count_, element_}, view_path, name + ".count");
+  const Strided place = located(model, static_cast<std::size_t>(accessor.bufferView),
+                                {accessor.byteOffset, count_, element_}, view_path, name + ".count");
   begin_ = place.begin;
   stride_ = place.stride;
 }
@@ -126,7 +126,7 @@ void Elements::read_sparse(const AccessorSource& source, const JsonValue& access
   if (const auto view = accessor.find("bufferView")) {
     const auto offset = accessor.find("byteOffset");
     const Range range{offset ? offset->whole_number() : 0, count_, element_};
-    const Place base = located(source.model, view->whole_number(), range, view->path(), accessor.path() + ".count");
+    const Strided base = located(source.model, view->whole_number(), range, view->path(), accessor.path() + ".count");
     replaced_.resize(count_ * element_);
     for (std::size_t i = 0; i < count_; ++i)
       std::memcpy(replaced_.data() + i * element_, base.begin + i * base.stride, element_);

@@ -17,10 +17,6 @@ std::vector<JsonValue> objects(const JsonValue& root, const char* key) {
   return elements;
 }
 
-void index_below(const JsonValue& json, std::size_t count) {
-  if (json.whole_number() >= count) json.fail("an index below " + std::to_string(count));
-}
-
 void whole_if_there(const JsonValue& object, const char* key) {
   if (const auto value = object.find(key)) value->whole_number();
 }
@@ -34,11 +30,11 @@ void check_accessor(const JsonValue& accessor, std::size_t views) {
   if (std::find(std::begin(types), std::end(types), type.string()) == std::end(types))
     type.fail("one of SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3, MAT4");
   whole_if_there(accessor, "byteOffset");
-  if (const auto view = accessor.find("bufferView")) index_below(*view, views);
+  if (const auto view = accessor.find("bufferView")) view->index_below(views);
 }
 
 void check_view(const JsonValue& view, std::size_t buffers) {
-  index_below(view.at("buffer"), buffers);
+  view.at("buffer").index_below(buffers);
   view.at("byteLength").whole_number();
   whole_if_there(view, "byteOffset");
   if (const auto stride = view.find("byteStride")) {
@@ -51,15 +47,15 @@ void check_primitive(const JsonValue& primitive, std::size_t accessors) {
   if (const auto attributes = primitive.find("attributes")) {
     if (!attributes->json().is_object()) attributes->fail("an object");
     for (const auto& [name, index] : attributes->json().items())
-      index_below(JsonValue(index, attributes->path() + "." + name), accessors);
+      JsonValue(index, attributes->path() + "." + name).index_below(accessors);
   }
-  if (const auto indices = primitive.find("indices")) index_below(*indices, accessors);
+  if (const auto indices = primitive.find("indices")) indices->index_below(accessors);
   if (const auto mode = primitive.find("mode"); mode && mode->whole_number() > 6) mode->fail("a mode of glTF: 0 to 6");
 }
 
 void check_animation(const JsonValue& animation, std::size_t accessors) {
   for (const JsonValue& sampler : objects(animation, "samplers"))
-    for (const char* key : {"input", "output"}) index_below(sampler.at(key), accessors);
+    for (const char* key : {"input", "output"}) sampler.at(key).index_below(accessors);
 }
 
 bool is_text(const JsonValue& buffer) { return buffer.has("uri") && buffer.at("uri").string().starts_with("data:"); }

@@ -18,13 +18,6 @@ namespace {
 constexpr const char* physics_extension = "KHR_physics_rigid_bodies";
 constexpr const char* shapes_extension = "KHR_implicit_shapes";
 
-/// The index of a list's element, checked against the length of the list.
-std::size_t index_below(const JsonValue& json, std::size_t count) {
-  const std::size_t i = json.whole_number();
-  if (i >= count) json.fail("an index below " + std::to_string(count));
-  return i;
-}
-
 std::vector<JsonValue> list(const JsonValue& json, const char* key) {
   const auto found = json.find(key);
   return found ? found->elements() : std::vector<JsonValue>{};
@@ -147,7 +140,7 @@ class SceneReader {
       const int body = read_node(visit, node, map);
       const auto above = static_cast<std::ptrdiff_t>(stack.size());
       for (const JsonValue& child : list(node, "children"))
-        stack.push_back({index_below(child, nodes_.size()), map, body, static_cast<std::ptrdiff_t>(visit.node)});
+        stack.push_back({child.index_below(nodes_.size()), map, body, static_cast<std::ptrdiff_t>(visit.node)});
       std::reverse(stack.begin() + above, stack.end());  // the first child is visited first
     }
   }
@@ -168,13 +161,13 @@ class SceneReader {
     const auto scenes = list(root_, "scenes");
     if (!scenes.empty()) {
       const auto chosen = root_.find("scene");
-      for (const JsonValue& r : list(scenes[chosen ? index_below(*chosen, scenes.size()) : 0], "nodes"))
-        roots.push_back(index_below(r, nodes_.size()));
+      for (const JsonValue& r : list(scenes[chosen ? chosen->index_below(scenes.size()) : 0], "nodes"))
+        roots.push_back(r.index_below(nodes_.size()));
       return roots;
     }
     std::vector<char> child(nodes_.size(), 0);
     for (const JsonValue& node : nodes_)
-      for (const JsonValue& c : list(node, "children")) child[index_below(c, nodes_.size())] = 1;
+      for (const JsonValue& c : list(node, "children")) child[c.index_below(nodes_.size())] = 1;
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (!child[i]) roots.push_back(i);
     return roots;
@@ -228,10 +221,10 @@ class SceneReader {
     Collider collider = placed(node, shape, map, body);
     collider.trigger = trigger;
     if (const auto f = json.find("collisionFilter"))
-      collider.filter = read_filter(filters_[index_below(*f, filters_.size())]);
+      collider.filter = read_filter(filters_[f->index_below(filters_.size())]);
     else
       collider.filter.category = unnamed;
-    if (const auto m = json.find("physicsMaterial")) collider.material = materials_[index_below(*m, materials_.size())];
+    if (const auto m = json.find("physicsMaterial")) collider.material = materials_[m->index_below(materials_.size())];
     scene_.colliders.push_back(std::move(collider));
   }
 
@@ -266,16 +259,16 @@ class SceneReader {
 
   /// `shape` is an index of KHR_implicit_shapes; `node` (of older drafts) or `mesh` name triangles.
   Shaped read_geometry(const JsonValue& json) {
-    if (const auto s = json.find("shape")) return read_implicit(shapes_[index_below(*s, shapes_.size())]);
+    if (const auto s = json.find("shape")) return read_implicit(shapes_[s->index_below(shapes_.size())]);
     const auto hull = json.find("convexHull");
     const MeshColliders kind = hull && hull->boolean() ? MeshColliders::hull : MeshColliders::mesh;
     if (const auto m = json.find("mesh")) return mesh_shape(*m, kind);
     const JsonValue n = json.at("node");
-    return mesh_shape(nodes_[index_below(n, nodes_.size())].at("mesh"), kind);
+    return mesh_shape(nodes_[n.index_below(nodes_.size())].at("mesh"), kind);
   }
 
   Shaped mesh_shape(const JsonValue& mesh, MeshColliders kind) {
-    const std::size_t index = index_below(mesh, list(root_, "meshes").size());
+    const std::size_t index = mesh.index_below(list(root_, "meshes").size());
     const TriangleSoup soup = document_.triangles(index, skipped_primitives_);
     if (soup.triangles.empty()) mesh.fail("a mesh with triangles");
     return mesh_collider(soup, kind);
@@ -297,7 +290,7 @@ class SceneReader {
     scene_.colliders.clear();
     for (const Visit& v : mesh_nodes_) {
       const auto mesh = nodes_[v.node].at("mesh");
-      const std::size_t index = index_below(mesh, list(root_, "meshes").size());
+      const std::size_t index = mesh.index_below(list(root_, "meshes").size());
       const TriangleSoup soup = document_.triangles(index, skipped_primitives_);
       if (soup.triangles.empty()) continue;
       require_regular(nodes_[v.node], v.parent);

@@ -170,4 +170,10 @@ std::size_t JsonValue::whole_number() const {
   return static_cast<std::size_t>(value);
 }
 
+std::size_t JsonValue::index_below(std::size_t count) const {
+  const std::size_t index = whole_number();
+  if (index >= count) fail("an index below " + std::to_string(count));
+  return index;
+}
+
 }  // namespace graze::io

@@ -59,6 +59,8 @@ class JsonValue {
   std::string string() const;
   bool boolean() const;
   std::size_t whole_number() const;  ///< >= 0
+  /// The index of an element of a list of `count`.
+  std::size_t index_below(std::size_t count) const;
 
   /// A number that is finite in T.
   template <class T>

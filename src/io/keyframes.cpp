@@ -12,12 +12,12 @@ using Values = std::array<double, 4>;
 
 /// Where a time lies: behind key `first`, by `part` of the `seconds` to the next. The part is 0 at a key, and where
 /// there is no next one.
-struct Place {
+struct KeyPlace {
   std::size_t first = 0;
   double part = 0, seconds = 0;
 };
 
-Place place_of(const std::vector<float>& times, double t) {
+KeyPlace place_of(const std::vector<float>& times, double t) {
   const auto above = std::upper_bound(times.begin(), times.end(), t,
                                       [](double value, float time) { return value < static_cast<double>(time); });
   if (above == times.begin()) return {};
@@ -40,7 +40,7 @@ std::size_t key_index(Interpolation interpolation, std::size_t key) {
 }
 
 /// Hermite's cubic between two keys, tangents in units a second (glTF 2.0, appendix C.5).
-Values spline(const std::vector<float>& values, std::size_t width, const Place& p) {
+Values spline(const std::vector<float>& values, std::size_t width, const KeyPlace& p) {
   const double t = p.part, t2 = t * t, t3 = t2 * t;
   const Values from = value_at(values, width, 3 * p.first + 1), away = value_at(values, width, 3 * p.first + 2),
                towards = value_at(values, width, 3 * p.first + 3), to = value_at(values, width, 3 * p.first + 4);
@@ -73,7 +73,7 @@ Quatd slerp(const Quatd& a, Quatd b, double t) {
 }  // namespace
 
 Vec3d Keyframes::vector(double t) const {
-  const Place p = place_of(*times, t);
+  const KeyPlace p = place_of(*times, t);
   const auto key = [&](std::size_t i) {
     const Values v = value_at(*values, 3, key_index(interpolation, i));
     return Vec3d{v[0], v[1], v[2]};
@@ -87,7 +87,7 @@ Vec3d Keyframes::vector(double t) const {
 }
 
 Quatd Keyframes::rotation(double t) const {
-  const Place p = place_of(*times, t);
+  const KeyPlace p = place_of(*times, t);
   const auto key = [&](std::size_t i) {
     return normalized(quaternion(value_at(*values, 4, key_index(interpolation, i))));
   };

@@ -11,9 +11,10 @@ namespace graze::io {
 
 namespace {
 
-constexpr double width = 960, height = 600, edge = 40;
+constexpr double edge = 40;
 
-constexpr Color still{206, 211, 218}, moving{141, 169, 196}, trigger{129, 178, 154}, tint{224, 122, 95};
+constexpr Color fixed_color{206, 211, 218}, moving_color{141, 169, 196}, trigger_color{129, 178, 154},
+    touching_color{224, 122, 95};
 
 /// Contacts of what overlaps: an arrow a manifold, from the middle of its points, and a dot a point.
 std::string draw_contacts(const View& view, const std::vector<TouchingPair>& pairs) {
@@ -48,17 +49,17 @@ std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs) {
                                 "fill=\"#212529\">{}: {} colliders, {} pairs in contact</text>\n",
                                 escaped(scene.source), scene.colliders.size(), pairs.size());
   const std::pair<const char*, Color> entries[] = {
-      {"static", still}, {"moving", moving}, {"touching", tint}, {"trigger", trigger}};
+      {"static", fixed_color}, {"moving", moving_color}, {"touching", touching_color}, {"trigger", trigger_color}};
   double x = 24;
   for (const auto& [name, color] : entries) {
     out += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
-        x, height - 30, hex(color, 1), x + 19, height - 18.5, name);
+        x, picture_height - 30, hex(color, 1), x + 19, picture_height - 18.5, name);
     x += 92;
   }
   return out + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"#c1121f\"/><text x=\"{}\" y=\"{}\">contact "
                            "point, with its normal</text></g>\n",
-                           x + 4, height - 23.5, x + 15, height - 18.5);
+                           x + 4, picture_height - 23.5, x + 15, picture_height - 18.5);
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
   for (int i = 0; i < 8; ++i)
     corners.push_back(
         {i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y, i & 4 ? box.upper.z : box.lower.z});
-  const View view(direction, corners, {edge, edge + 25, width - 2 * edge, height - 2 * edge - 30});
+  const View view(direction, corners, {edge, edge + 25, picture_width - 2 * edge, picture_height - 2 * edge - 30});
   std::set<std::uint32_t> touching;
   for (const TouchingPair& p : pairs)
     if (p.overlap && !p.trigger) touching.insert({p.a, p.b});
@@ -80,12 +81,12 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
   for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
     const Collider& c = scene.colliders[i];
     const bool fixed = scene.bodies[c.body].type == MotionType::fixed;
-    const Color base = c.trigger ? trigger : fixed ? still : moving;
+    const Color base = c.trigger ? trigger_color : fixed ? fixed_color : moving_color;
     const double part = touching.count(i) == 0 ? 0 : fixed ? 0.25 : 0.75;
-    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), mixed(base, tint, part), c.trigger, size, faces);
+    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), mixed(base, touching_color, part), c.trigger,
+               size, faces);
   }
-  return svg_head(width, height) + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs) +
-         "</svg>\n";
+  return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs) + "</svg>\n";
 }
 
 void write_picture(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs,

@@ -30,7 +30,7 @@ class TaperedPrism final : public SupportFunction<T> {
 };
 
 template <class T>
-std::vector<Vec3<T>> read_points(const JsonValue& json, std::optional<std::size_t> count = {}) {
+std::vector<Vec3<T>> read_plane_points(const JsonValue& json, std::optional<std::size_t> count = {}) {
   std::vector<Vec3<T>> points;
   for (const JsonValue& p : json.elements(count)) points.push_back(p.plane_vector<T>());
   return points;
@@ -111,13 +111,13 @@ Shape<T> read_figure(const JsonValue& json, T depth) {
   if (name == "compound") return read_children<T>(own, depth);
   own.keys({"points"});
   const std::optional<std::size_t> count = name == "segment" ? std::optional<std::size_t>(2) : std::nullopt;
-  const std::vector<Vec3<T>> points = read_points<T>(own.at("points"), count);
+  const std::vector<Vec3<T>> points = read_plane_points<T>(own.at("points"), count);
   if (points.empty()) own.at("points").fail("at least one point");
   return prism_over(points, depth, margin);
 }
 
 template <class T>
-MovingBody<T> read_body(const JsonValue& json, T depth) {
+MovingBody<T> read_plane_body(const JsonValue& json, T depth) {
   json.keys({"shape", "translation", "rotation", "linear", "angular"});
   MovingBody<T> body{read_figure<T>(json.at("shape"), depth)};
   if (const auto v = json.find("translation")) body.pose.translation = v->template plane_vector<T>();
@@ -139,8 +139,8 @@ template <class T>
 void read_plane_bodies(const JsonValue& json, Question<T>& question) {
   // Once without depth, to learn how wide the figures are; then with one that no overlap in the plane can reach.
   const auto both = [&](T depth) {
-    question.a = read_body<T>(json.at("a"), depth);
-    if (const auto b = json.find("b")) question.b = read_body<T>(*b, depth);
+    question.a = read_plane_body<T>(json.at("a"), depth);
+    if (const auto b = json.find("b")) question.b = read_plane_body<T>(*b, depth);
   };
   both(T(0));
   const T wide = reach(question.a->shape) + (question.b ? reach(question.b->shape) : T(0));

@@ -14,15 +14,6 @@ namespace {
 template <class T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
 
-/// What the nearest pair so far leaves to look for.
-template <class T>
-struct Nearer {
-  const Distance<T>& best;
-
-  T operator()() const { return best.distance; }
-  Vec3<T> direction() const { return best.normal; }
-};
-
 /// Whether two pieces are further apart along the best normal so far than what is nearest: two support points tell, where
 /// the distance takes an iteration. Triangles have been asked before.
 template <class T>
@@ -59,7 +50,6 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b, trace);
   Distance<T> best;
   best.distance = infinity<T>;
-  const Nearer<T> limit{best};
   DecidingPair<T> deciding(trace);
   auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
     if (ruled_out(pa, pb, best)) return;
@@ -67,7 +57,7 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
     deciding.offer(d.distance, pa, pb);
     if (d.distance < best.distance) best = d;
   };
-  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, nearer);
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {best.distance, &best.normal}, PairVisitor<T>(nearer));
   deciding.explain(a, b, convex_distance<T>);
   return best;
 }
@@ -75,11 +65,11 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
 template <class T>
 bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
   if (a.convex() && b.convex()) return convex_overlap(a, pose_a, b, pose_b, trace);
-  const auto limit = [] { return T(0); };
+  const T touching(0);
   auto apart = [&](const Part<T>& pa, const Part<T>& pb) {
     return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
   };
-  const bool all_apart = visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, apart);
+  const bool all_apart = visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {touching}, PairVisitor<T>(apart));
   if (trace) any_distance(a, pose_a, b, pose_b, trace);
   return !all_apart;
 }
@@ -98,7 +88,6 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   const std::size_t first = manifolds.size();
   ManifoldGroups<T> groups(manifolds);
   DecidingPair<T> deciding(trace);
-  const auto limit = [&] { return margin; };
   auto touch = [&](const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
     manifold.piece_a = pa.number;
@@ -114,7 +103,7 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     if (nearest) instead = settled.instead;
     if (!settled.manifold.points.empty()) groups.add(settled.manifold);
   };
-  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, limit, touch);
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {margin}, PairVisitor<T>(touch));
   groups.finish();
   // What touches is not left without a point.
   if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);

@@ -5,8 +5,9 @@
 // hierarchies deeper than any good one.
 #pragma once
 
+#include <concepts>
+
 #include "mid/pieces.hpp"
-#include "mid/triangle_pair.hpp"
 
 namespace graze {
 
@@ -24,122 +25,37 @@ struct Part {
   }
 };
 
-namespace detail {
-
-/// What the corners of two bodies may be off by when they are seen from one of them; twice what the pairs' own routines
-/// take for touching, which must not be ruled out before.
+/// Which pairs are near enough: those up to `distance` apart, which may shrink on the way. With a `direction`, a unit
+/// vector from A to B in the world or zero, none that is further apart than that along it.
 template <class T>
-T corner_rounding(T extent_a, T extent_b, const Vec3<T>& translation) {
-  return T(64) * std::numeric_limits<T>::epsilon() * (extent_a + extent_b + max_abs(translation));
-}
+struct Nearness {
+  const T& distance;
+  const Vec3<T>* direction = nullptr;
 
-/// Two meshes or height fields.
-template <class T, class Limit, class F>
-bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Limit& limit, F& f) {
-  const Pose<T> b_in_a = relative(a.pose, b.pose);
-  const Mat3<T> rotation = rotation_matrix(b_in_a.rotation);
-  bool whole = true;
-  with_surface(a.shape, [&](const auto& surface_a) {
-    with_surface(b.shape, [&](const auto& surface_b) {
-      const T slack = corner_rounding(surface_a.extent, surface_b.extent, b_in_a.translation);
-      const auto pair = [&](std::uint32_t i, std::uint32_t j) {
-        const Corners<T> corners_a = surface_a.triangle(i), own_b = surface_b.triangle(j);
-        Corners<T> corners_b = own_b;
-        for (Vec3<T>& p : corners_b) p = rotation * p + b_in_a.translation;
-        if constexpr (requires { limit.direction(); }) {
-          const Vec3<T> direction = rotate(conjugate(a.pose.rotation), limit.direction());
-          if (!may_come_within_along(corners_a, corners_b, direction, static_cast<T>(limit()), slack)) return true;
-        }
-        if (!may_come_within(corners_a, corners_b, static_cast<T>(limit()), slack)) return true;
-        const Shape<T> shape_a = triangle_shape(corners_a), shape_b = triangle_shape(own_b);
-        return go_on(f, a.piece(shape_a, a.pose, i), b.piece(shape_b, b.pose, j));
-      };
-      whole = visit_pairs(surface_a.hierarchy(), surface_b.hierarchy(), b_in_a, limit, pair);
-    });
-  });
-  return whole;
-}
+  T operator()() const { return distance; }
+};
 
-/// The pieces of `a`, a composite, that come near all of `b`.
-template <class T, class Limit, class F>
-bool visit_pieces_near(const Part<T>& a, const Part<T>& b, const Limit& limit, F&& f) {
-  const Pose<T> b_in_a = relative(a.pose, b.pose);
-  const auto extent = [](const Shape<T>& shape) { return shape.visit([](const auto& c) { return c.core_extent(); }); };
-  const T slack = corner_rounding(extent(a.shape), extent(b.shape) + b.shape.margin(), b_in_a.translation);
-  if (!b.shape.template as<HalfSpace<T>>())
-    return visit_pieces(a.shape, a.pose, inflated(bounds(b.shape, b_in_a), slack), limit, f);
-  // A tilted half-space has no bounds, but is as easily asked about.
-  const Vec3<T> up = rotate(b_in_a.rotation, Vec3<T>{T(0), T(1), T(0)});
-  const T surface = dot(up, b_in_a.translation) + b.shape.margin();
-  return visit_pieces(a.shape, a.pose, PlaneQuestion<T>{up, surface + slack}, limit, f);
-}
-
+/// Whom the pairs are shown to: somebody's function, called as `f(part_a, part_b)`, which may return false to end the
+/// visit. Known by its address alone, so that the descent is compiled once and not for each function; such a call costs
+/// two nanoseconds where a pair costs hundreds.
 template <class T>
-const CompoundData<T>* compound_data(const Shape<T>& shape) {
-  const auto* compound = shape.template as<Compound<T>>();
-  return compound ? &compound->data() : nullptr;
-}
+class PairVisitor {
+ public:
+  template <class F>
+  requires(!std::same_as<F, PairVisitor>) explicit PairVisitor(F& f)
+      : function_(&f), call_([](void* function, const Part<T>& a, const Part<T>& b) {
+          return go_on(*static_cast<F*>(function), a, b);
+        }) {}
 
-template <class T, class Limit, class F>
-bool visit_child_pairs(const CompoundData<T>& data_a, const Part<T>& a, const CompoundData<T>& data_b, const Part<T>& b,
-                       const Limit& limit, F& f);
+  bool operator()(const Part<T>& a, const Part<T>& b) const { return call_(function_, a, b); }
 
-}  // namespace detail
+ private:
+  void* function_;
+  bool (*call_)(void*, const Part<T>&, const Part<T>&);
+};
 
-/// Calls `f(part_a, part_b)` for all pairs of convex pieces that may come within `limit()` of each other. `f` may return
-/// false to end the visit; returns whether it went to the end. A limit may also have a `direction()`, a unit vector from A
-/// to B in the world or zero: pairs that are further than the limit apart along it are left out.
-template <class T, class Limit, class F>
-bool visit_convex_pairs(const Part<T>& a, const Part<T>& b, const Limit& limit, F& f) {
-  const bool convex_a = a.shape.convex(), convex_b = b.shape.convex();
-  if (convex_a && convex_b) return go_on(f, a, b);
-  const CompoundData<T>*compound_a = detail::compound_data(a.shape), *compound_b = detail::compound_data(b.shape);
-  if (compound_a && compound_b) return detail::visit_child_pairs(*compound_a, a, *compound_b, b, limit, f);
-  if (!compound_a && !compound_b && !convex_a && !convex_b) return detail::visit_triangle_pairs(a, b, limit, f);
-  // One is left to be opened: a compound before a mesh, whose tree then meets each child as a whole.
-  if (compound_a || (!convex_a && !compound_b))
-    return detail::visit_pieces_near(a, b, limit,
-                                     [&](const Shape<T>& shape, const Pose<T>& pose, std::uint32_t number) {
-                                       return visit_convex_pairs(a.piece(shape, pose, number), b, limit, f);
-                                     });
-  return detail::visit_pieces_near(b, a, limit, [&](const Shape<T>& shape, const Pose<T>& pose, std::uint32_t number) {
-    return visit_convex_pairs(a, b.piece(shape, pose, number), limit, f);
-  });
-}
-
-namespace detail {
-
-/// Two compounds: both trees at once, and what is in no tree against everything.
-template <class T, class Limit, class F>
-bool visit_child_pairs(const CompoundData<T>& data_a, const Part<T>& a, const CompoundData<T>& data_b, const Part<T>& b,
-                       const Limit& limit, F& f) {
-  for (const std::uint32_t i : data_a.unbounded) {
-    const Placed<T>& child = data_a.children[i];
-    const Pose<T> pose = compose(a.pose, child.pose);
-    if (!visit_convex_pairs(a.piece(child.shape, pose, i), b, limit, f)) return false;
-  }
-  const Pose<T> b_in_a = relative(a.pose, b.pose);
-  const auto pair = [&](std::uint32_t i, std::uint32_t j) {
-    const Placed<T>&child_a = data_a.children[i], &child_b = data_b.children[j];
-    const Aabb<T> box_b = bounds(child_b.shape, compose(b_in_a, child_b.pose));
-    if (BoxQuestion<T>{box_b}(data_a.boxes[i]) > signed_square(static_cast<T>(limit()))) return true;
-    const Pose<T> pose_a = compose(a.pose, child_a.pose), pose_b = compose(b.pose, child_b.pose);
-    return visit_convex_pairs(a.piece(child_a.shape, pose_a, i), b.piece(child_b.shape, pose_b, j), limit, f);
-  };
-  for (const std::uint32_t j : data_b.unbounded) {
-    const Placed<T>& child = data_b.children[j];
-    const Pose<T> pose = compose(b.pose, child.pose);
-    const Part<T> part = b.piece(child.shape, pose, j);
-    const auto of_tree = [&](std::uint32_t i) {
-      const Placed<T>& child_a = data_a.children[i];
-      const Pose<T> pose_a = compose(a.pose, child_a.pose);
-      return visit_convex_pairs(a.piece(child_a.shape, pose_a, i), part, limit, f);
-    };
-    if (!visit(data_a.tree, Aabb<T>::everything(), limit, of_tree)) return false;
-  }
-  return visit_pairs(data_a.tree, data_b.tree, b_in_a, limit, pair);
-}
-
-}  // namespace detail
+/// Shows the visitor all pairs of convex pieces that may be near enough; returns whether it went to the end.
+template <class T>
+bool visit_convex_pairs(const Part<T>& a, const Part<T>& b, const Nearness<T>& limit, const PairVisitor<T>& visitor);
 
 }  // namespace graze

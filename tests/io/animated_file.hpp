@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graze/io/scene.hpp"
+#include "gltf_text.hpp"
 
 namespace graze::io {
 
@@ -56,37 +56,19 @@ class AnimatedFile {
 
   std::string text() const {
     Json whole = json;
-    if (!data_.empty())
-      whole["buffers"][0] = {{"byteLength", data_.size()}, {"uri", "data:application/octet-stream;base64," + base64()}};
+    if (!data_.empty()) whole["buffers"][0] = {{"byteLength", data_.size()}, {"uri", data_uri(data_)}};
     return whole.dump();
   }
-  Scene load() const {
-    LoadOptions options;
-    options.animations = true;
-    return load_gltf(text(), "test.gltf", options);
-  }
-  std::string refusal() const {
-    try {
-      load();
-    } catch (const InvalidValue& e) {
-      return e.what();
-    }
-    return "loaded";
-  }
+  Scene load() const { return load_gltf(text(), "test.gltf", with_animations()); }
+  std::string refusal() const { return gltf_refusal(text(), with_animations()); }
 
   Json json;
 
  private:
-  std::string base64() const {
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < data_.size(); i += 3) {
-      std::uint32_t bits = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        bits = bits << 8 | (i + k < data_.size() ? static_cast<unsigned char>(data_[i + k]) : 0u);
-      for (std::size_t k = 0; k < 4; ++k) text += i + k <= data_.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
+  static LoadOptions with_animations() {
+    LoadOptions options;
+    options.animations = true;
+    return options;
   }
 
   std::string data_;

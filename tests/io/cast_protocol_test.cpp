@@ -8,17 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "graze/io/cast_scene.hpp"
-#include "graze/io/protocol.hpp"
 #include "graze/query.hpp"
+#include "protocol_answer.hpp"
 
 namespace graze::io {
 namespace {
 
 using Json = nlohmann::json;
-
-Json ask(const std::string& line, Precision precision = Precision::double_precision) {
-  return Json::parse(answer_line(line, precision).text);
-}
 
 /// A box of size 2 at the origin, and what is thrown at it.
 std::string at_box(const std::string& b, const std::string& more = "") {

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graze/io/scene.hpp"
+#include "gltf_text.hpp"
 
 namespace graze::io {
 namespace {
@@ -36,23 +36,11 @@ class Bytes {
     if (indexed) json["meshes"][0]["primitives"][0]["indices"] = 1;
     json["accessors"] = accessors;
     json["bufferViews"] = views_;
-    json["buffers"][0] = {{"byteLength", data_.size()}, {"uri", "data:application/octet-stream;base64," + base64()}};
+    json["buffers"][0] = {{"byteLength", data_.size()}, {"uri", data_uri(data_)}};
     return json;
   }
 
  private:
-  std::string base64() const {
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < data_.size(); i += 3) {
-      std::uint32_t bits = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        bits = bits << 8 | (i + k < data_.size() ? static_cast<unsigned char>(data_[i + k]) : 0u);
-      for (std::size_t k = 0; k < 4; ++k) text += i + k <= data_.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-  }
-
   std::string data_;
   Json views_ = Json::array();
 };
@@ -78,15 +66,6 @@ std::vector<Vec3d> corners(const Mesh<double>& mesh) {
   for (const auto& t : mesh.triangles())
     for (const auto i : t) points.push_back(mesh.points()[i]);
   return points;
-}
-
-std::string refusal(const Json& json) {
-  try {
-    load_gltf(json.dump(), "test.gltf");
-  } catch (const InvalidValue& e) {
-    return e.what();
-  }
-  return "loaded";
 }
 
 /// Three points, of which the file moves the second and the third.
@@ -174,14 +153,14 @@ TEST(GltfSparse, ReplacesIndicesOfABufferView) {
   // What is put in is checked as what it replaces.
   Json four = bytes.file(Json::array({points, order}), true);
   four["accessors"][0]["count"] = 3;
-  EXPECT_EQ(refusal(four), "test.gltf: meshes[0].primitives[0].indices[2]: expected an index below 3, got 3");
+  EXPECT_EQ(gltf_refusal(four), "test.gltf: meshes[0].primitives[0].indices[2]: expected an index below 3, got 3");
 }
 
 TEST(GltfSparse, EveryFaultIsNamed) {
   const auto with = [](const std::function<void(Json & json, Json & accessor)>& change) {
     Json json = moved_points();
     change(json, json["accessors"][0]);
-    return refusal(json);
+    return gltf_refusal(json);
   };
   const std::string at = "test.gltf: accessors[0].";
   for (const Json& count : {Json(0), Json(4)})
@@ -228,7 +207,7 @@ TEST(GltfSparse, IndicesMustIncreaseAndBeInRange) {
     const auto indices = bytes.add<std::uint16_t>(where);
     const auto values = bytes.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0});
     points["sparse"] = sparse(where.size(), 5123, indices, values);
-    return refusal(bytes.file(Json::array({points}), false));
+    return gltf_refusal(bytes.file(Json::array({points}), false));
   };
   const std::string at = "test.gltf: accessors[0].sparse.indices";
   EXPECT_EQ(with({0, 1, 2}), "loaded");
@@ -243,23 +222,23 @@ TEST(GltfSparse, ZerosAreLimited) {
   Bytes bytes;
   Json json = from_zeros(bytes);
   json["accessors"][0]["count"] = 9007199254740992;
-  EXPECT_EQ(refusal(json),
+  EXPECT_EQ(gltf_refusal(json),
             "test.gltf: accessors[0].count: expected at most 1048576 without a buffer view (of 1048576 in a "
             "file), got 9007199254740992");
   json["accessors"][0]["count"] = 4;
   json["accessors"][1]["count"] = 1048573;
-  EXPECT_EQ(refusal(json),
+  EXPECT_EQ(gltf_refusal(json),
             "test.gltf: accessors[1].count: expected at most 1048572 without a buffer view (of 1048576 in a "
             "file), got 1048573");
   json["accessors"][1]["count"] = 1048572;
-  EXPECT_EQ(refusal(json), "loaded");
+  EXPECT_EQ(gltf_refusal(json), "loaded");
   json["nodes"].push_back(json["nodes"][0]);
   json["scenes"][0]["nodes"] = {0, 1};
-  EXPECT_EQ(refusal(json),
+  EXPECT_EQ(gltf_refusal(json),
             "test.gltf: accessors[0].count: expected at most 0 without a buffer view (of 1048576 in a file), "
             "got 4");
   json["accessors"][1]["count"] = 300;
-  EXPECT_EQ(refusal(json), "loaded");
+  EXPECT_EQ(gltf_refusal(json), "loaded");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace graze::io {
 namespace {
 
-std::string refusal(const std::string& bytes, const std::string& format) {
+std::string mesh_refusal(const std::string& bytes, const std::string& format) {
   try {
     read_mesh_file(bytes, format);
   } catch (const InvalidValue& e) {
@@ -79,40 +79,41 @@ TEST(PlyFile, StripsTurnTheirTrianglesTheSameWay) {
 // Each of these files of some hundred bytes claims gigabytes.
 TEST(PlyFile, CountsAreComparedWithTheBytesThatAreThere) {
   const std::string points = "property float x\nproperty float y\nproperty float z\n";
-  EXPECT_EQ(refusal(ply("ascii", "element vertex 1000000000\n" + points, "0 0 0\n"), "ply"),
+  EXPECT_EQ(mesh_refusal(ply("ascii", "element vertex 1000000000\n" + points, "0 0 0\n"), "ply"),
             "element vertex: expected at most the 1 that the rest of the file has room for, got 1000000000");
-  EXPECT_EQ(refusal(ply("binary_little_endian", "element vertex 1000000000\n" + points, "0 0 0\n"), "ply"),
+  EXPECT_EQ(mesh_refusal(ply("binary_little_endian", "element vertex 1000000000\n" + points, "0 0 0\n"), "ply"),
             "element vertex: expected at most the 0 that the rest of the file has room for, got 1000000000");
   const std::string list = "element face 1\nproperty list uint int vertex_indices\n";
-  EXPECT_EQ(refusal(ply("binary_little_endian", "element vertex 1\n" + points + list,
-                        std::string(12, '\0') + raw(0x7f7f7f7fu)),
-                    "ply"),
+  EXPECT_EQ(mesh_refusal(ply("binary_little_endian", "element vertex 1\n" + points + list,
+                             std::string(12, '\0') + raw(0x7f7f7f7fu)),
+                         "ply"),
             "face[0].vertex_indices: expected a list of at most the 0 numbers that the rest of the file has room for, "
             "got one of 2139062143");
-  EXPECT_NE(refusal(ply("ascii", "element vertex 1\n" + points + list, "0 0 0\n900000000 0"), "ply").find("line 12: "),
-            std::string::npos);
-  EXPECT_NE(refusal(ply("ascii", "element nothing 1000000000000\n", ""), "ply").find("element nothing"),
+  EXPECT_NE(
+      mesh_refusal(ply("ascii", "element vertex 1\n" + points + list, "0 0 0\n900000000 0"), "ply").find("line 12: "),
+      std::string::npos);
+  EXPECT_NE(mesh_refusal(ply("ascii", "element nothing 1000000000000\n", ""), "ply").find("element nothing"),
             std::string::npos);
 }
 
 TEST(PlyFile, FaultsAreNamedByLineAndValue) {
   const std::string elements = ply_points + "element face 1\nproperty list uchar int vertex_indices\n";
   const std::string points = "0 0 0 9\n1 0 0 9\n1 1 0 9\n0 1 0 9\n";
-  EXPECT_EQ(refusal(ply("ascii", elements, points + "3 0 1 4\n"), "ply"),
+  EXPECT_EQ(mesh_refusal(ply("ascii", elements, points + "3 0 1 4\n"), "ply"),
             "face[0][2]: expected an index below 4, got 4");
-  EXPECT_EQ(refusal(ply("ascii", elements, points + "3 0 1 -4\n"), "ply"),
+  EXPECT_EQ(mesh_refusal(ply("ascii", elements, points + "3 0 1 -4\n"), "ply"),
             "line 16: face[0].vertex_indices: expected indices >= 0, got -4");
-  EXPECT_EQ(refusal(ply("ascii", elements, "0 0 zero 9\n" + points), "ply"),
+  EXPECT_EQ(mesh_refusal(ply("ascii", elements, "0 0 zero 9\n" + points), "ply"),
             "line 12: expected a number, got \"zero\"");
-  EXPECT_EQ(refusal(ply("ascii", elements, "0 0 nan 9\n" + points), "ply"),
+  EXPECT_EQ(mesh_refusal(ply("ascii", elements, "0 0 nan 9\n" + points), "ply"),
             "line 12: vertex[0].z: expected a finite number, got nan");
-  EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex -3\n", "ply"),
+  EXPECT_EQ(mesh_refusal("ply\nformat ascii 1.0\nelement vertex -3\n", "ply"),
             "line 3: expected a whole number >= 0, got \"-3\"");
-  EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float9 x\n", "ply"),
+  EXPECT_EQ(mesh_refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float9 x\n", "ply"),
             "line 4: expected one of the types char, uchar, short, ushort, int, uint, float, double, got \"float9\"");
-  EXPECT_EQ(refusal("ply\nformat ascii 1.0\n", "ply"),
+  EXPECT_EQ(mesh_refusal("ply\nformat ascii 1.0\n", "ply"),
             "expected a PLY header that ends with end_header, got the end of the file");
-  EXPECT_EQ(refusal("", "ply"), "line 0: expected ply, got \"\"");
+  EXPECT_EQ(mesh_refusal("", "ply"), "line 0: expected ply, got \"\"");
 }
 
 // A file cut short anywhere is refused and never read beyond.
@@ -123,8 +124,8 @@ TEST(PlyFile, EveryPrefixIsRefused) {
     body += raw(1.f * static_cast<float>(i % 2)) + raw(0.5f * static_cast<float>(i)) + raw(0.f) + "r";
   for (int i = 0; i < 2; ++i) body += '\x03' + raw<std::uint16_t>(0) + raw<std::uint16_t>(1) + raw<std::uint16_t>(2);
   const std::string whole = ply("binary_little_endian", elements, body);
-  EXPECT_EQ(refusal(whole, "ply"), "read");
-  for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(refusal(whole.substr(0, n), "ply"), "read") << n;
+  EXPECT_EQ(mesh_refusal(whole, "ply"), "read");
+  for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(mesh_refusal(whole.substr(0, n), "ply"), "read") << n;
 }
 
 // A comb: many corners that are not convex. The triangles cover its area once and all turn as it does.
@@ -166,26 +167,27 @@ TEST(Polygon, WithoutAreaStillGivesItsTriangles) {
 
 TEST(ObjFile, FaultsAreNamedByLineAndValue) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(refusal(points + "f 1 2 3\n", "obj"), "read");
-  EXPECT_EQ(refusal(points + "f -3 -2 \\\n -1\n", "obj"), "read");
-  EXPECT_EQ(refusal(points + "f 1 2 9\n", "obj"), "line 4: expected the index of one of the 3 points (v), got 9");
-  EXPECT_EQ(refusal(points + "f 1//1 2//1 3//2\nvn 0 0 1\n", "obj"),
+  EXPECT_EQ(mesh_refusal(points + "f 1 2 3\n", "obj"), "read");
+  EXPECT_EQ(mesh_refusal(points + "f -3 -2 \\\n -1\n", "obj"), "read");
+  EXPECT_EQ(mesh_refusal(points + "f 1 2 9\n", "obj"), "line 4: expected the index of one of the 3 points (v), got 9");
+  EXPECT_EQ(mesh_refusal(points + "f 1//1 2//1 3//2\nvn 0 0 1\n", "obj"),
             "line 4: expected the index of one of the 1 normals (vn), got 2");
   EXPECT_EQ(
-      refusal("v 0 0\n", "obj"),
+      mesh_refusal("v 0 0\n", "obj"),
       "line 1: expected v and 3 finite numbers (or 4 with a weight, or 6 with a colour), in single precision, got "
       "\"v 0 0\"");
   for (const char* number : {"nan", "inf", "1e39", "one", ""})
-    EXPECT_NE(refusal(std::string("v 0 0 ") + number + "\n" + points + "f 1 2 3\n", "obj").find("line 1: "),
+    EXPECT_NE(mesh_refusal(std::string("v 0 0 ") + number + "\n" + points + "f 1 2 3\n", "obj").find("line 1: "),
               std::string::npos);
   for (const char* index : {"0", "-4", "1.5", "x", "1/2/3/4", "/1", "99999999999999999999"})
-    EXPECT_NE(refusal(points + "f 1 2 " + index + "\n", "obj").find(std::string("got \"") + index + "\""),
+    EXPECT_NE(mesh_refusal(points + "f 1 2 " + index + "\n", "obj").find(std::string("got \"") + index + "\""),
               std::string::npos);
-  EXPECT_NE(refusal(points + "f 1 2 3\nl 1 7\n", "obj").find("line 5: "), std::string::npos);
-  EXPECT_NE(refusal(points + "vn 0 1\nf 1 2 3\n", "obj").find("line 4: expected vn"), std::string::npos);
-  EXPECT_NE(refusal(points + "vt x\nf 1 2 3\n", "obj").find("line 4: expected vt"), std::string::npos);
-  EXPECT_NE(refusal("v 0 0 0 0\n" + points + "f 1 2 3\n", "obj").find("line 1: expected a weight"), std::string::npos);
-  EXPECT_EQ(refusal(points, "obj"),
+  EXPECT_NE(mesh_refusal(points + "f 1 2 3\nl 1 7\n", "obj").find("line 5: "), std::string::npos);
+  EXPECT_NE(mesh_refusal(points + "vn 0 1\nf 1 2 3\n", "obj").find("line 4: expected vn"), std::string::npos);
+  EXPECT_NE(mesh_refusal(points + "vt x\nf 1 2 3\n", "obj").find("line 4: expected vt"), std::string::npos);
+  EXPECT_NE(mesh_refusal("v 0 0 0 0\n" + points + "f 1 2 3\n", "obj").find("line 1: expected a weight"),
+            std::string::npos);
+  EXPECT_EQ(mesh_refusal(points, "obj"),
             "expected a mesh with triangles, got a file without faces (lines that begin with f)");
 }
 
@@ -199,10 +201,10 @@ std::string binary_stl(std::uint32_t count, std::size_t bytes, const std::string
 TEST(StlFile, CountIsWhatTheSizeSays) {
   EXPECT_EQ(read_mesh_file(binary_stl(1, 134), "stl").triangles.size(), 1u);
   EXPECT_EQ(read_mesh_file(binary_stl(1, 134, "solid"), "stl").triangles.size(), 1u);  // as many programs write
-  EXPECT_EQ(refusal(binary_stl(0xffffffffu, 134), "stl"),
+  EXPECT_EQ(mesh_refusal(binary_stl(0xffffffffu, 134), "stl"),
             "byte 80: expected a count of triangles, 50 bytes each, that fits 134 bytes: 1, got 4294967295");
-  EXPECT_EQ(refusal(binary_stl(0x80000001u, 134, "solid"), "stl").substr(0, 8), "expected");  // 134 modulo 2^32
-  EXPECT_EQ(refusal("abc", "stl"),
+  EXPECT_EQ(mesh_refusal(binary_stl(0x80000001u, 134, "solid"), "stl").substr(0, 8), "expected");  // 134 modulo 2^32
+  EXPECT_EQ(mesh_refusal("abc", "stl"),
             "expected a text that begins with solid, or a binary header of 84 bytes, got 3 bytes");
 }
 
@@ -213,14 +215,14 @@ TEST(StlFile, TextIsReadAndItsFaultsAreNamedByLine) {
   EXPECT_EQ(read_mesh_file(text, "stl").triangles.size(), 1u);
   std::string bad = text;
   bad.replace(bad.find("1 0 0"), 5, "1 nan 0");
-  EXPECT_EQ(refusal(bad, "stl"),
+  EXPECT_EQ(mesh_refusal(bad, "stl"),
             "line 5: expected vertex and 3 finite numbers, in single precision, got \"vertex 1 nan 0\"");
   bad = text;
   bad.replace(bad.find("0 0 1"), 5, "0 0");
-  EXPECT_EQ(refusal(bad, "stl"), "line 2: expected facet normal and 3 numbers, got \"facet normal 0 0\"");
+  EXPECT_EQ(mesh_refusal(bad, "stl"), "line 2: expected facet normal and 3 numbers, got \"facet normal 0 0\"");
   for (const char* normal : {"nan nan nan", "-nan inf 0"}) {
     bad = text;
-    EXPECT_EQ(refusal(bad.replace(bad.find("0 0 1"), 5, normal), "stl"), "read") << normal;
+    EXPECT_EQ(mesh_refusal(bad.replace(bad.find("0 0 1"), 5, normal), "stl"), "read") << normal;
   }
 }
 

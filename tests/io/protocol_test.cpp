@@ -6,19 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "graze/io/protocol.hpp"
+#include "protocol_answer.hpp"
 
 namespace graze::io {
 namespace {
 
 using Json = nlohmann::json;
-
-Json ask(const std::string& line, Precision precision = Precision::double_precision) {
-  const AnswerLine answer = answer_line(line, precision);
-  const Json json = Json::parse(answer.text);
-  EXPECT_EQ(json.contains("error"), answer.error);
-  return json;
-}
 
 std::string error(const std::string& line, Precision precision = Precision::double_precision) {
   const Json json = ask(line, precision);

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gltf_text.hpp"
 #include "graze/io/collide.hpp"
 #include "graze/query.hpp"
 
@@ -37,15 +38,17 @@ Json& physics(Json& scene, std::size_t node) { return scene["nodes"][node]["exte
 
 Scene load(const Json& json) { return load_gltf(json.dump(), "test.gltf"); }
 
-std::string refusal(const std::string& bytes) {
-  try {
-    load_gltf(bytes, "test.gltf");
-  } catch (const InvalidValue& e) {
-    return e.what();
-  }
-  return "loaded";
+/// The box's node gets a mesh instead, of one triangle in a buffer.
+Json with_triangle() {
+  Json json = base();
+  json["meshes"] = Json::parse(R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])");
+  json["accessors"] = Json::parse(R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])");
+  json["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 36}])");
+  json["buffers"] = Json::parse(
+      R"([{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])");
+  physics(json, 0)["collider"]["geometry"] = {{"mesh", 0}};
+  return json;
 }
-std::string refusal(const Json& json) { return refusal(json.dump()); }
 
 TEST(GltfScene, BodiesAndColliders) {
   const Scene scene = load(base());
@@ -120,7 +123,7 @@ TEST(GltfScene, FiltersBodiesAndTriggers) {
 TEST(GltfScene, FilterWithBothListsIsRefused) {
   Json json = base();
   json["extensions"]["KHR_physics_rigid_bodies"]["collisionFilters"][1]["collideWithSystems"] = {"b"};
-  EXPECT_EQ(refusal(json),
+  EXPECT_EQ(gltf_refusal(json),
             "test.gltf: extensions.KHR_physics_rigid_bodies.collisionFilters[1]: expected collideWithSystems or "
             "notCollideWithSystems, got both, which exclude each other");
 }
@@ -143,7 +146,7 @@ TEST(GltfScene, EveryFaultIsNamed) {
   const auto with = [](const std::function<void(Json&)>& change) {
     Json json = base();
     change(json);
-    return refusal(json);
+    return gltf_refusal(json);
   };
   EXPECT_EQ(
       with([](Json& j) { physics(j, 0)["collider"]["geometry"]["shape"] = 12; }),
@@ -167,10 +170,10 @@ TEST(GltfScene, EveryFaultIsNamed) {
 
 TEST(GltfScene, BrokenFilesAreRefused) {
   for (const char* bytes : {"", "{", "glTF", "glTF\2\0\0\0", "[]", "nonsense"})
-    EXPECT_NE(refusal(std::string(bytes)), "loaded");
+    EXPECT_NE(gltf_refusal(std::string(bytes)), "loaded");
   std::string glb("glTF\2\0\0\0\xff\xff\xff\x7f\xff\xff\xff\x7fJSON", 20);
-  EXPECT_NE(refusal(glb).find("header.length"), std::string::npos);
-  EXPECT_NE(refusal(std::string(100000, '[')).find("nested"), std::string::npos);
+  EXPECT_NE(gltf_refusal(glb).find("header.length"), std::string::npos);
+  EXPECT_NE(gltf_refusal(std::string(100000, '[')).find("nested"), std::string::npos);
 }
 
 // Transforms multiply from node to node; and what double holds may be too large for float.
@@ -179,12 +182,13 @@ TEST(GltfScene, MagnitudesAreBounded) {
   json["nodes"].push_back({{"scale", {1e25, 1e25, 1e25}}, {"children", {0}}});
   json["nodes"][0]["translation"] = {1e25, 0, 0};
   json["scenes"][0]["nodes"] = {2, 1};
-  EXPECT_EQ(refusal(json), "test.gltf: nodes[0] (in the world).translation[0]: expected a magnitude of at most 1e48, "
-                           "got 1.0000000000000003e+50");
+  EXPECT_EQ(gltf_refusal(json),
+            "test.gltf: nodes[0] (in the world).translation[0]: expected a magnitude of at most 1e48, "
+            "got 1.0000000000000003e+50");
   json["nodes"][0] = base()["nodes"][0];
   json["nodes"][0]["scale"] = {1e25, 1e25, 1e25};
   EXPECT_EQ(
-      refusal(json),
+      gltf_refusal(json),
       "test.gltf: nodes[0] (in the world).size[0]: expected a magnitude of at most 1e48, got 1.0000000000000003e+50");
   json["nodes"][0]["scale"] = {1, 1, 1};
   const Scene scene = load(json);
@@ -203,15 +207,9 @@ TEST(GltfScene, MagnitudesAreBounded) {
 // What tinygltf refuses without a place, or takes for absent.
 TEST(GltfScene, FaultsOfBuffersAndAccessorsAreNamed) {
   const auto with = [](const std::function<void(Json&)>& change) {
-    Json json = base();
-    json["meshes"] = Json::parse(R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])");
-    json["accessors"] = Json::parse(R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])");
-    json["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 36}])");
-    json["buffers"] = Json::parse(
-        R"([{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])");
-    physics(json, 0)["collider"]["geometry"] = {{"mesh", 0}};
+    Json json = with_triangle();
     change(json);
-    return refusal(json);
+    return gltf_refusal(json);
   };
   EXPECT_EQ(with([](Json&) {}), "loaded");
   EXPECT_EQ(with([](Json& j) { j["buffers"][0].erase("uri"); }),
@@ -241,19 +239,13 @@ TEST(GltfScene, FaultsOfBuffersAndAccessorsAreNamed) {
 
 // A gigabyte of points claimed in a kilobyte of file.
 TEST(GltfScene, CountsBeyondTheBufferAreRefused) {
-  Json json = base();
-  json["meshes"] = Json::parse(R"([{"primitives": [{"attributes": {"POSITION": 0}}]}])");
-  json["accessors"] = Json::parse(R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}])");
-  json["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 36}])");
-  json["buffers"] = Json::parse(
-      R"([{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])");
-  physics(json, 0)["collider"]["geometry"] = {{"mesh", 0}};
+  Json json = with_triangle();
   EXPECT_NE(load(json).colliders[0].shape.as<Mesh<double>>(), nullptr);
   json["accessors"][0]["count"] = 90000000;
-  EXPECT_NE(refusal(json).find("accessors[0].count"), std::string::npos);
+  EXPECT_NE(gltf_refusal(json).find("accessors[0].count"), std::string::npos);
   json["accessors"][0]["count"] = 3;
   json["bufferViews"][0]["byteOffset"] = 4294967200u;
-  EXPECT_NE(refusal(json), "loaded");
+  EXPECT_NE(gltf_refusal(json), "loaded");
 }
 
 TEST(MeshFile, ObjLoadsAsTrianglesHullBoxOrBall) {
