@@ -66,12 +66,14 @@ Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T r
 }
 
 template <class T>
-Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, Trace* trace) {
+Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, T limit, Trace* trace) {
   const Posed b_in_a = relative_in_double(a.pose, b.pose);
-  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace);
+  const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
+  // By so much more that it still exceeds the limit when rounded to T.
+  const double beyond = static_cast<double>(limit) * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace, beyond + radii);
   if (trace) to_world(*trace, in_double(a.pose));
   // A distance that rounding cannot tell from none is none: the shapes touch.
-  const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
   if (std::abs(g.core.distance - radii) <= noise_of(a.shape, b.shape, b_in_a.translation)) g.core.distance = radii;
   Distance<T> d = finished_in_double(g.core, radius_a, radius_b, a.pose);
   d.status = g.status;
@@ -103,9 +105,9 @@ Distance<T> half_spaces(const Body<T>& a, T radius_a, const Body<T>& b, T radius
   return d;
 }
 
-/// The routine for the concrete shapes A and B.
+/// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
 template <class A, class B, class T>
-Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
+Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* trace) {
   const A& ca = *a.shape.template as<A>();
   const B& cb = *b.shape.template as<B>();
   const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
@@ -121,7 +123,7 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
     } else if constexpr (ClosedForm<B, A, T>) {
       if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
     }
-    return general(a, ra, b, rb, trace);
+    return general(a, ra, b, rb, limit, trace);
   }
 }
 
@@ -158,7 +160,7 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
     const Vec3<T> c2 = transform(relative(a.pose, b.pose), cb.center());
     return spheres_overlap(ca.center(), ra, c2, rb);
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
-    return pair_distance<A, B>(a, b, trace).distance <= T(0);
+    return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
   } else {
     if constexpr (Boxes<A, B, T>) {
       if (trace) trace->method = "separating axes";
@@ -173,7 +175,7 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
 
 template <class T>
 struct Routines {
-  Distance<T> (*distance)(const Body<T>&, const Body<T>&, Trace*);
+  Distance<T> (*distance)(const Body<T>&, const Body<T>&, T, Trace*);
   bool (*overlap)(const Body<T>&, const Body<T>&, Trace*);
 };
 
@@ -208,16 +210,17 @@ const Routines<T>& routines(const Shape<T>& a, const Shape<T>& b) {
 
 template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                             Trace* trace) {
-  return routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
+                             T limit, Trace* trace) {
+  return routines(a, b).distance({a, pose_a}, {b, pose_b}, limit, trace);
 }
 
 template <class T>
 Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                             Trace* trace) {
   const bool swapped = against_order(a, b);
-  const Distance<T> d =
-      swapped ? mirrored(ordered_distance(b, pose_b, a, pose_a, trace)) : ordered_distance(a, pose_a, b, pose_b, trace);
+  const T no_limit = std::numeric_limits<T>::infinity();
+  const Distance<T> d = swapped ? mirrored(ordered_distance(b, pose_b, a, pose_a, no_limit, trace))
+                                : ordered_distance(a, pose_a, b, pose_b, no_limit, trace);
   if (trace) {
     if (swapped) mirror(*trace);
     explain_axes(a, pose_a, b, pose_b, *trace);
@@ -246,7 +249,7 @@ bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
+  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Trace*);  \
   template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);      \
   template bool convex_may_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                  \
   template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);

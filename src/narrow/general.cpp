@@ -32,7 +32,8 @@ GeneralDistance judged(const Difference<T>& difference, const CoreDistance<doubl
 }  // namespace
 
 template <class T>
-GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace) {
+GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
+                                 double limit) {
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
@@ -44,7 +45,9 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
     }
   }
   if (trace) trace->method = "gjk";
-  const GjkResult g = gjk(difference, {distance_goal * difference.size() + noise}, trace);
+  const GjkResult g =
+      gjk(difference, {distance_goal * difference.size() + noise, greatest(limit + noise, noise)}, trace);
+  if (g.end == GjkEnd::apart && g.lower > limit + noise) return {{g.lower, g.normal, {}, {}}, Status::converged, 0};
   if (g.end != GjkEnd::touching && g.lower > 0) {
     if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
     return judged<T>(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()),
@@ -85,8 +88,8 @@ void to_world(Trace& trace, const Posed& pose_a) {
   for (TraceSupport& p : trace.polytope) point(p);
 }
 
-template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, Trace*);
-template GeneralDistance general_distance(const Shape<double>&, const Shape<double>&, const Posed&, Trace*);
+template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, Trace*, double);
+template GeneralDistance general_distance(const Shape<double>&, const Shape<double>&, const Posed&, Trace*, double);
 template bool general_overlap(const Shape<float>&, const Shape<float>&, const Posed&, double, Trace*);
 template bool general_overlap(const Shape<double>&, const Shape<double>&, const Posed&, double, Trace*);
 
