@@ -7,6 +7,7 @@
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
+#include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -321,6 +322,8 @@ void mirror(Manifold<T>& manifold) {
 template <class T>
 T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
+  if (!trace)
+    if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   if (has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "narrow/closed_form.hpp"
 #include "narrow/explain.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"
@@ -26,43 +27,16 @@ struct Body {
   const Pose<T>& pose;
 };
 
-template <class S>
-PointCore<S> moved(const PointCore<S>& core, const Pose<S>& pose) {
-  return {transform(pose, core.point)};
-}
-template <class S>
-SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
-  return {{transform(pose, core.segment.a), transform(pose, core.segment.b)}};
-}
-
 template <class A, class B, class T>
 concept ClosedForm = requires(const A& a, const B& b, const Pose<T>& pose) {
   core_distance(core_of(a), moved(core_of(b), pose));
 };
-
-/// Adds the rounding radii and takes the answer from A's frame to the world.
-template <class T>
-Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
-  Distance<T> d;
-  d.distance = core.distance - (radius_a + radius_b);
-  d.normal = rotate(pose_a.rotation, core.normal);
-  d.a = transform(pose_a, core.a + core.normal * radius_a);
-  d.b = transform(pose_a, core.b - core.normal * radius_b);
-  return d;
-}
 
 template <class T>
 Distance<T> mirrored(Distance<T> d) {
   d.normal = -d.normal;
   std::swap(d.a, d.b);
   return d;
-}
-
-/// The same for what was computed in double: only the answer is rounded to T.
-template <class T>
-Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
-  const Distance<double> d = finished<double>(core, radius_a, radius_b, in_double(pose_a));
-  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
 }
 
 template <class T>
@@ -118,7 +92,10 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   } else if constexpr (half_b) {
     return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
-    if constexpr (ClosedForm<A, B, T>) {
+    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
+      const BallCores<T> balls(ca, a.pose, cb, b.pose);
+      return finished(core_distance(balls.a, balls.b), ra, rb, balls.frame);
+    } else if constexpr (ClosedForm<A, B, T>) {
       if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
     } else if constexpr (ClosedForm<B, A, T>) {
       if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
@@ -157,8 +134,8 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
     if (trace) trace->method = "closed form";
-    const Vec3<T> c2 = transform(relative(a.pose, b.pose), cb.center());
-    return spheres_overlap(ca.center(), ra, c2, rb);
+    const BallCores<T> balls(ca, a.pose, cb, b.pose);
+    return spheres_overlap(balls.a.point, ra, balls.b.point, rb);
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
     return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
   } else {

@@ -14,11 +14,7 @@ constexpr std::uint32_t of_kind(std::uint32_t kind, std::uint32_t number) {
   return (kind << number_bits) | (number & number_mask);
 }
 
-/// How near a point must come to the edge of a face to be named after it, relative to the shortest edge at hand. Boxes
-/// stacked on each other have edges and corners in about the same place: which lies inside which changes from frame to
-/// frame by the rounding of a solver, and the names must not.
-constexpr double same_place = 1.0 / 100;
-/// And how near two points must come to be one that rounding has split: squared, relative to that.
+/// How near two points must come to be one that rounding has split: squared, relative to that.
 constexpr double same_point = 1e-12;
 constexpr double same_cost = 1e-6;
 /// And how far beside a face an edge may lie that runs along its rim, relative to that: which side of the rim it lies on

@@ -24,6 +24,11 @@ struct FaceContact {
   std::uint32_t feature;
 };
 
+/// How near a point must come to the edge of a face to be named after it, relative to the shortest edge at hand. Boxes
+/// stacked on each other have edges and corners in about the same place: which lies inside which changes from frame to
+/// frame by the rounding of a solver, and the names must not.
+inline constexpr double same_place = 1.0 / 100;
+
 using FaceContacts = SmallVector<FaceContact, 16>;
 
 /// The outward unit normal of a polygon, by Newell's method; zero for anything less than a polygon with an area.
