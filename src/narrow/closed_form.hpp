@@ -46,8 +46,8 @@ Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const 
 
 /// The same for what was computed in double: only the answer is rounded to T.
 template <class T>
-Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
-  const Distance<double> d = finished<double>(core, radius_a, radius_b, in_double(pose_a));
+Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Posed& frame) {
+  const Distance<double> d = finished<double>(core, radius_a, radius_b, frame);
   return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
 }
 

@@ -41,15 +41,15 @@ Distance<T> mirrored(Distance<T> d) {
 
 template <class T>
 Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, T limit, Trace* trace) {
-  const Posed b_in_a = relative_in_double(a.pose, b.pose);
+  const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
   // By so much more that it still exceeds the limit when rounded to T.
   const double beyond = static_cast<double>(limit) * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
   GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace, beyond + radii);
-  if (trace) to_world(*trace, in_double(a.pose));
+  if (trace) to_world(*trace, frame);
   // A distance that rounding cannot tell from none is none: the shapes touch.
-  if (std::abs(g.core.distance - radii) <= noise_of(a.shape, b.shape, b_in_a.translation)) g.core.distance = radii;
-  Distance<T> d = finished_in_double(g.core, radius_a, radius_b, a.pose);
+  if (std::abs(g.core.distance - radii) <= g.noise) g.core.distance = radii;
+  Distance<T> d = finished_in_double(g.core, radius_a, radius_b, frame);
   d.status = g.status;
   d.error = static_cast<T>(g.error);
   return d;
@@ -60,7 +60,7 @@ Distance<T> closed_form(const A& core_a, T radius_a, const Pose<T>& pose_a, cons
                         const Pose<T>& pose_b) {
   if constexpr (evaluated_in_double<A, B>) {
     const auto b_in_a = moved(cast<double>(core_b), relative_in_double(pose_a, pose_b));
-    return finished_in_double(core_distance(cast<double>(core_a), b_in_a), radius_a, radius_b, pose_a);
+    return finished_in_double(core_distance(cast<double>(core_a), b_in_a), radius_a, radius_b, in_double(pose_a));
   } else {
     return finished(core_distance(core_a, moved(core_b, relative(pose_a, pose_b))), radius_a, radius_b, pose_a);
   }

@@ -27,6 +27,7 @@ struct GeneralDistance {
   CoreDistance<double> core;  ///< in the frame of A
   Status status;
   double error;
+  double noise;  ///< what rounding may do to it, see `noise_of`
 };
 
 /// Cores that are further apart than `limit` are only proven to be: the distance is then a lower bound beyond it, along
