@@ -74,15 +74,13 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   return !all_apart;
 }
 
+namespace {
+
+/// By themselves, so that two convex shapes do not pay for what only composites need.
 template <class T>
-T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-               Manifolds<T>& manifolds, Trace* trace, const Surroundings<T>& beside) {
-  if (a.convex() && b.convex() && beside.empty()) {
-    Manifold<T> manifold;
-    const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
-    if (!manifold.points.empty()) manifolds.push_back(manifold);
-    return distance;
-  }
+[[gnu::noinline]] T composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                       const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds, Trace* trace,
+                                       const Surroundings<T>& beside) {
   T least_distance = infinity<T>;
   Manifold<T> instead;
   const std::size_t first = manifolds.size();
@@ -117,6 +115,30 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
     });
   }
   return least_distance;
+}
+
+/// A convex pair's where the list is full: nothing is allocated unless the pair touches.
+template <class T>
+[[gnu::noinline]] T added_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                   T margin, Manifolds<T>& manifolds, Trace* trace) {
+  Manifold<T> manifold;
+  const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  if (!manifold.points.empty()) manifolds.push_back(std::move(manifold));
+  return distance;
+}
+
+}  // namespace
+
+template <class T>
+T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+               Manifolds<T>& manifolds, Trace* trace, const Surroundings<T>& beside) {
+  if (!a.convex() || !b.convex() || !beside.empty())
+    return composite_contacts(a, pose_a, b, pose_b, margin, manifolds, trace, beside);
+  if (manifolds.size() == manifolds.capacity()) return added_contacts(a, pose_a, b, pose_b, margin, manifolds, trace);
+  Manifold<T>& manifold = manifolds.emplace_back();
+  const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  if (manifold.points.empty()) manifolds.pop_back();
+  return distance;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

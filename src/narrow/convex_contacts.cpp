@@ -8,6 +8,7 @@
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
+#include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -340,11 +341,15 @@ void mirror(Manifold<T>& manifold) {
 template <class T>
 T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
-  if (!trace)
+  if (!trace) {
     if (const auto distance = box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+    if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+  }
   if (has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
-  const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, trace);
+  // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.
+  const T limit = trace ? std::numeric_limits<T>::infinity() : margin;
+  const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, limit, trace);
   manifold.normal = d.normal;
   if (d.status == Status::unbounded || !(d.distance <= margin)) return d.distance;
   const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;

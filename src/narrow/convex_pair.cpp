@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "narrow/closed_form.hpp"
 #include "narrow/explain.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"
@@ -11,7 +12,6 @@
 #include "narrow/pairs/box_choice.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
-#include "narrow/pairs/closed_form.hpp"
 #include "narrow/pairs/half_space.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
@@ -32,22 +32,17 @@ concept ClosedForm = requires(const A& a, const B& b, const Pose<T>& pose) {
   core_distance(core_of(a), moved(core_of(b), pose));
 };
 
-/// The same for what was computed in double: only the answer is rounded to T.
 template <class T>
-Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
-  const Distance<double> d = finished<double>(core, radius_a, radius_b, in_double(pose_a));
-  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
-}
-
-template <class T>
-Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, Trace* trace) {
-  const Posed b_in_a = relative_in_double(a.pose, b.pose);
-  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace);
-  if (trace) to_world(*trace, in_double(a.pose));
-  // A distance that rounding cannot tell from none is none: the shapes touch.
+Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, T limit, Trace* trace) {
+  const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
-  if (std::abs(g.core.distance - radii) <= noise_of(a.shape, b.shape, b_in_a.translation)) g.core.distance = radii;
-  Distance<T> d = finished_in_double(g.core, radius_a, radius_b, a.pose);
+  // By so much more that it still exceeds the limit when rounded to T.
+  const double beyond = static_cast<double>(limit) * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace, beyond + radii);
+  if (trace) to_world(*trace, frame);
+  // A distance that rounding cannot tell from none is none: the shapes touch.
+  if (std::abs(g.core.distance - radii) <= g.noise) g.core.distance = radii;
+  Distance<T> d = finished_in_double(g.core, radius_a, radius_b, frame);
   d.status = g.status;
   d.error = static_cast<T>(g.error);
   return d;
@@ -58,7 +53,7 @@ Distance<T> closed_form(const A& core_a, T radius_a, const Pose<T>& pose_a, cons
                         const Pose<T>& pose_b) {
   if constexpr (evaluated_in_double<A, B>) {
     const auto b_in_a = moved(cast<double>(core_b), relative_in_double(pose_a, pose_b));
-    return finished_in_double(core_distance(cast<double>(core_a), b_in_a), radius_a, radius_b, pose_a);
+    return finished_in_double(core_distance(cast<double>(core_a), b_in_a), radius_a, radius_b, in_double(pose_a));
   } else {
     return finished(core_distance(core_a, moved(core_b, relative(pose_a, pose_b))), radius_a, radius_b, pose_a);
   }
@@ -77,9 +72,9 @@ Distance<T> half_spaces(const Body<T>& a, T radius_a, const Body<T>& b, T radius
   return d;
 }
 
-/// The routine for the concrete shapes A and B.
+/// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
 template <class A, class B, class T>
-Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
+Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* trace) {
   const A& ca = *a.shape.template as<A>();
   const B& cb = *b.shape.template as<B>();
   const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
@@ -90,12 +85,15 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, Trace* trace) {
   } else if constexpr (half_b) {
     return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
-    if constexpr (ClosedForm<A, B, T>) {
+    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
+      const BallCores<T> balls(ca.center(), a.pose, cb.center(), b.pose);
+      return finished(core_distance(balls.a, balls.b), ra, rb, balls.frame);
+    } else if constexpr (ClosedForm<A, B, T>) {
       if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
     } else if constexpr (ClosedForm<B, A, T>) {
       if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
     }
-    return general(a, ra, b, rb, trace);
+    return general(a, ra, b, rb, limit, trace);
   }
 }
 
@@ -134,10 +132,10 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
     if (trace) trace->method = "closed form";
-    const Vec3<T> c2 = transform(relative(a.pose, b.pose), cb.center());
-    return spheres_overlap(ca.center(), ra, c2, rb);
+    const BallCores<T> balls(ca.center(), a.pose, cb.center(), b.pose);
+    return spheres_overlap(balls.a.point, ra, balls.b.point, rb);
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
-    return pair_distance<A, B>(a, b, trace).distance <= T(0);
+    return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
   } else {
     if constexpr (Boxes<A, B, T>) {
       if (trace) trace->method = "separating axes";
@@ -152,7 +150,7 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
 
 template <class T>
 struct Routines {
-  Distance<T> (*distance)(const Body<T>&, const Body<T>&, Trace*);
+  Distance<T> (*distance)(const Body<T>&, const Body<T>&, T, Trace*);
   bool (*overlap)(const Body<T>&, const Body<T>&, Trace*);
 };
 
@@ -187,16 +185,17 @@ const Routines<T>& routines(const Shape<T>& a, const Shape<T>& b) {
 
 template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                             Trace* trace) {
-  return routines(a, b).distance({a, pose_a}, {b, pose_b}, trace);
+                             T limit, Trace* trace) {
+  return routines(a, b).distance({a, pose_a}, {b, pose_b}, limit, trace);
 }
 
 template <class T>
 Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                             Trace* trace) {
   const bool swapped = against_order(a, b);
-  const Distance<T> d =
-      swapped ? mirrored(ordered_distance(b, pose_b, a, pose_a, trace)) : ordered_distance(a, pose_a, b, pose_b, trace);
+  const T no_limit = std::numeric_limits<T>::infinity();
+  const Distance<T> d = swapped ? mirrored(ordered_distance(b, pose_b, a, pose_a, no_limit, trace))
+                                : ordered_distance(a, pose_a, b, pose_b, no_limit, trace);
   if (trace) {
     if (swapped) mirror(*trace);
     explain_axes(a, pose_a, b, pose_b, *trace);
@@ -225,7 +224,7 @@ bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);     \
+  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Trace*);  \
   template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);      \
   template bool convex_may_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                  \
   template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);

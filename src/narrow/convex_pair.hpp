@@ -14,10 +14,11 @@ bool against_order(const Shape<T>& a, const Shape<T>& b) {
   return a.index() > b.index();
 }
 
-/// `distance` of two convex shapes that stand in order, without the axes of an explanation.
+/// `distance` of two convex shapes that stand in order, without the axes of an explanation. Where it is more than `limit`
+/// the answer may be anything between the two that is proven, along its normal and without the points.
 template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                             Trace* trace);
+                             T limit, Trace* trace);
 
 /// `distance` of two convex shapes.
 template <class T>

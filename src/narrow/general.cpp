@@ -2,6 +2,7 @@
 
 #include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/pairs/box_distance.hpp"
 #include "narrow/polyhedral_pair.hpp"
 
 namespace graze {
@@ -24,38 +25,50 @@ CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d&
 }
 
 template <class T>
-GeneralDistance judged(const Difference<T>& difference, const CoreDistance<double>& core, double gap) {
+GeneralDistance judged(const Difference<T>& difference, const CoreDistance<double>& core, double gap, double noise) {
   const double allowed = 0.5 * tolerance<double> * difference.size() + rounding * difference.reach();
-  return {core, gap <= allowed ? Status::converged : Status::bounded, greatest(gap, 0.0)};
+  return {core, gap <= allowed ? Status::converged : Status::bounded, greatest(gap, 0.0), noise};
 }
 
 }  // namespace
 
 template <class T>
-GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace) {
+GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
+                                 double limit) {
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
+  const GjkGoal goal{distance_goal * difference.size() + noise, greatest(limit + noise, noise)};
+  Vec3d first = difference.center_offset();
   // Two boxes' axes cost less than GJK.
-  if (as_boxes(a, b, b_in_a)) {
-    if (const auto core = PolyhedralPair(a, b, b_in_a).depth(noise)) {
-      if (trace) trace->method = "separating axes";
-      return judged<T>(difference, centered(core->distance, core->normal, core->a, core->b), 0);
+  if (const auto boxes = as_boxes(a, b, b_in_a)) {
+    const BoxAxes<double> axes = box_axes(*boxes, std::numeric_limits<double>::infinity());
+    const BoxAxis<double>& best = best_of(axes, noise);
+    auto core = box_distance(*boxes, best, noise);
+    if (!core) core = PolyhedralPair(a, b, b_in_a).depth(noise);
+    if (core) {
+      const bool apart = core->distance > noise;
+      if (trace) trace->method = apart ? "gjk" : "separating axes";
+      if (trace && apart) gjk(difference, goal, trace);  // the picture of a distance
+      return judged<T>(difference, centered(core->distance, core->normal, core->a, core->b), 0, noise);
     }
+    first = best.normal;
   }
   if (trace) trace->method = "gjk";
-  const GjkResult g = gjk(difference, {distance_goal * difference.size() + noise}, trace);
+  const GjkResult g = gjk(difference, goal, first, trace);
+  if (g.end == GjkEnd::apart && g.lower > limit + noise)
+    return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.lower > 0) {
     if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
     return judged<T>(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()),
-                     g.upper - g.lower);
+                     g.upper - g.lower, noise);
   }
   if (trace) {
     trace->method = "gjk + epa";
     trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
   }
   const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
-  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower);
+  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
 }
 
 template <class T>
@@ -85,8 +98,8 @@ void to_world(Trace& trace, const Posed& pose_a) {
   for (TraceSupport& p : trace.polytope) point(p);
 }
 
-template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, Trace*);
-template GeneralDistance general_distance(const Shape<double>&, const Shape<double>&, const Posed&, Trace*);
+template GeneralDistance general_distance(const Shape<float>&, const Shape<float>&, const Posed&, Trace*, double);
+template GeneralDistance general_distance(const Shape<double>&, const Shape<double>&, const Posed&, Trace*, double);
 template bool general_overlap(const Shape<float>&, const Shape<float>&, const Posed&, double, Trace*);
 template bool general_overlap(const Shape<double>&, const Shape<double>&, const Posed&, double, Trace*);
 

@@ -27,10 +27,14 @@ struct GeneralDistance {
   CoreDistance<double> core;  ///< in the frame of A
   Status status;
   double error;
+  double noise;  ///< what rounding may do to it, see `noise_of`
 };
 
+/// Cores that are further apart than `limit` are only proven to be: the distance is then a lower bound beyond it, along
+/// its normal, and the points are not the closest ones.
 template <class T>
-GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace);
+GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
+                                 double limit = std::numeric_limits<double>::infinity());
 
 /// Whether the cores come within `reach` (the sum of the rounding radii) of each other.
 template <class T>

@@ -106,11 +106,16 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
   return r;
 }
 
+/// From the point along `first`, which is not of unit length: the nearer to the normal of the answer, the fewer steps.
+template <class Difference>
+GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Vec3d& first, Trace* trace = nullptr) {
+  Simplex simplex;
+  simplex.push(difference.support(unit(first)));
+  return gjk_from(simplex, difference, goal, trace);
+}
 template <class Difference>
 GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
-  Simplex simplex;
-  simplex.push(difference.support(unit(difference.center_offset())));
-  return gjk_from(simplex, difference, goal, trace);
+  return gjk(difference, goal, difference.center_offset(), trace);
 }
 
 }  // namespace graze

@@ -49,26 +49,72 @@ class MinkowskiDifference {
   double size_, reach_;
 };
 
-/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes.
+/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes. What a support query
+/// of the simplest shapes needs is taken out of the shape once, in double.
 template <class T>
 class ShapeCore {
  public:
-  explicit ShapeCore(const Shape<T>& shape) : shape_(shape) {}
+  explicit ShapeCore(const Shape<T>& shape) : shape_(shape) {
+    shape.visit([&](const auto& c) {
+      if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) take(c);
+    });
+  }
 
-  Vec3d core_support(const Vec3d& direction) const {
+  Vec3d core_support(const Vec3d& d) const {
+    switch (kind_) {
+    case Kind::point: return vertex_[0];
+    case Kind::box:
+      return {d.x < 0 ? -vertex_[0].x : vertex_[0].x, d.y < 0 ? -vertex_[0].y : vertex_[0].y,
+              d.z < 0 ? -vertex_[0].z : vertex_[0].z};
+    case Kind::triangle: return vertex_[detail::furthest(vertex_, 3, d)];
+    case Kind::hull: return cast<double>(shape_.template as<ConvexHull<T>>()->core_support(d));
+    case Kind::other: break;
+    }
     return shape_.visit([&](const auto& c) -> Vec3d {
       if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
-        return c.core_support(direction);
+        return c.core_support(d);
       else
         return {};
     });
   }
-  double core_extent() const {
-    return shape_.visit([](const auto& c) { return static_cast<double>(c.core_extent()); });
-  }
+  double core_extent() const { return extent_; }
 
  private:
+  enum class Kind : unsigned char { point, box, triangle, hull, other };
+
+  void take(const Sphere<T>& sphere) {
+    rest(sphere, Kind::point);
+    vertex_[0] = cast<double>(sphere.center());
+  }
+  void take(const Capsule<T>& capsule) {
+    if (capsule.tapered()) return rest(capsule, Kind::other);
+    rest(capsule, Kind::box);  // of no width
+    vertex_[0] = {0, static_cast<double>(capsule.half_height()), 0};
+  }
+  void take(const Box<T>& box) {
+    rest(box, Kind::box);
+    vertex_[0] = cast<double>(box.half_extents());
+  }
+  void take(const Rectangle<T>& rectangle) { take(rectangle.as_box()); }
+  void take(const Triangle<T>& triangle) {
+    rest(triangle, Kind::triangle);
+    for (std::size_t i = 0; i < 3; ++i) vertex_[i] = cast<double>(triangle.point(i));
+  }
+  void take(const ConvexHull<T>& hull) { rest(hull, Kind::hull); }
+  template <class C>
+  void take(const C& concrete) {
+    rest(concrete, Kind::other);
+  }
+  template <class C>
+  void rest(const C& concrete, Kind kind) {
+    kind_ = kind;
+    extent_ = static_cast<double>(concrete.core_extent());
+  }
+
   const Shape<T>& shape_;
+  Kind kind_ = Kind::other;
+  double extent_ = 0;
+  Vec3d vertex_[3];
 };
 
 /// `normalized` for scalar code: one square root and one division, but where a square would under- or overflow.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "narrow/fixed_vector.hpp"
 #include "narrow/minkowski.hpp"
@@ -41,8 +42,8 @@ struct Simplex {
 struct Nearest {
   Vec3d point;
   bool enclosed = false;
-  std::size_t size = 0;
-  std::array<std::size_t, 3> index{};
+  std::uint8_t size = 0;
+  std::array<std::uint8_t, 3> index{};
   std::array<double, 3> weight{};
 };
 

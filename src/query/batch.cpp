@@ -5,9 +5,9 @@
 #include <string>
 
 #include "narrow/box_batch.hpp"
+#include "narrow/closed_form.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/pair_kernels.hpp"
-#include "narrow/pairs/closed_form.hpp"
 
 namespace graze {
 

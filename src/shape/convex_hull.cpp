@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graze/shape/triangle.hpp"
+#include "shape/furthest_vertex.hpp"
 #include "shape/hull_hierarchy.hpp"
 #include "shape/hull_polygons.hpp"
 
@@ -84,6 +85,7 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> points) {
     fill_segment(*hull, surface.polygon, points);
   }
   for (const Vec3<T>& v : hull->vertices) hull->extent = greatest(hull->extent, length(v));
+  fill_columns(*hull);
   data_ = std::move(hull);
 }
 
@@ -91,7 +93,9 @@ template <class T>
 template <class S>
 std::size_t ConvexHull<T>::support_vertex(const Vec3<S>& direction) const {
   const HullData<T>& hull = *data_;
-  if (hull.hierarchy.empty()) return detail::furthest(hull.vertices.data(), hull.vertices.size(), direction);
+  if (hull.hierarchy.empty())
+    return hull.columns.empty() ? detail::furthest(hull.vertices.data(), hull.vertices.size(), direction)
+                                : furthest_vertex(hull, direction);
   std::uint32_t at = 0;
   for (const auto& level : hull.hierarchy) {
     at = climbed(

@@ -201,7 +201,7 @@ std::uint64_t hash_of_a_long_run() {
 // the instruction set: this number changes only with the arithmetic of a kernel, and whoever changes that writes it anew.
 TEST(Batch, GivesTheGoldenBits) {
   EXPECT_EQ(hash_of_a_long_run<float>(), 16689326241399991693u);
-  EXPECT_EQ(hash_of_a_long_run<double>(), 17514291290582783050u);
+  EXPECT_EQ(hash_of_a_long_run<double>(), 2714660167912388346u);
 }
 
 TEST(Batch, RefusesNumbersThatDoNotGoTogether) {

@@ -14,6 +14,7 @@
 #include "graze/pose.hpp"
 #include "graze/shape/face.hpp"
 #include "graze/validate.hpp"
+#include "graze/wide.hpp"
 
 namespace graze {
 
@@ -40,6 +41,8 @@ struct HullData {
   std::vector<std::uint32_t> neighbors;
   std::vector<std::uint32_t> incident_begin;  ///< and its faces incident[incident_begin[v] .. [v + 1])
   std::vector<std::uint32_t> incident;
+  /// Of a hull that is scanned: the vertices four by four, their x, their y and their z; filled up with the first vertex.
+  std::vector<Wide<float, 4>> columns;
   /// Dobkin and Kirkpatrick's hierarchy, coarsest level first; empty for hulls that a scan answers faster.
   struct Level {
     std::vector<std::uint32_t> vertices;  ///< indices into the hull's vertices

@@ -1,4 +1,4 @@
-#include "narrow/pairs/closed_form.hpp"
+#include "narrow/closed_form.hpp"
 #include "lanes/gather.hpp"
 #include "narrow/pair_kernels.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
@@ -75,6 +75,22 @@ struct Bundle {
   }
 };
 
+template <class T>
+BallCores<Lanes<T>> balls_of(const Bundle<Sphere<T>, Sphere<T>, T>& p) {
+  return {p.a.core.point, p.pose_a, p.b.core.point, p.pose_b};
+}
+
+template <class A, class B, class T>
+Distance<Lanes<T>> distance_of(const Bundle<A, B, T>& p) {
+  if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
+    const BallCores<Lanes<T>> balls = balls_of(p);
+    return finished(core_distance(balls.a, balls.b), p.a.radius, p.b.radius, balls.frame);
+  } else {
+    return finished(core_distance(p.a.core, moved(p.b.core, relative(p.pose_a, p.pose_b))), p.a.radius, p.b.radius,
+                    p.pose_a);
+  }
+}
+
 }  // namespace
 
 template <class A, class B, class T>
@@ -83,8 +99,7 @@ template <class A, class B, class T>
   using Pairs = Bundle<A, B, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
-    const Distance<S> d = finished(core_distance(p.a.core, moved(p.b.core, relative(p.pose_a, p.pose_b))), p.a.radius,
-                                   p.b.radius, p.pose_a);
+    const Distance<S> d = distance_of(p);
     for (std::size_t i = 0; i < p.count; ++i) {
       const int lane = static_cast<int>(i);
       const auto of = [&](const Vec3<S>& v) { return Vec3<T>{v.x[lane], v.y[lane], v.z[lane]}; };
@@ -98,8 +113,8 @@ template <class T>
   using Pairs = Bundle<Sphere<T>, Sphere<T>, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
-    const auto touching = spheres_overlap(p.a.core.point, p.a.radius,
-                                          transform(relative(p.pose_a, p.pose_b), p.b.core.point), p.b.radius);
+    const BallCores<Lanes<T>> balls = balls_of(p);
+    const auto touching = spheres_overlap(balls.a.point, p.a.radius, balls.b.point, p.b.radius);
     for (std::size_t i = 0; i < p.count; ++i) touch[first + i] = touching[static_cast<int>(i)];
   }
 }
