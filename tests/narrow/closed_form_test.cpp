@@ -1,18 +1,14 @@
 // The closed forms as the lectures give them, by hand.
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "common/specimen.hpp"
-#include "graze/query.hpp"
+#include "manifold_of.hpp"
 #include "narrow/general.hpp"
 #include "narrow/pairs/half_space.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
 
 namespace graze::testing {
 namespace {
-
-constexpr Posed at(double x, double y, double z) { return {{x, y, z}, {}}; }
 
 TEST(SphereSphere, NormalDepthAndPointsLieOnTheLineOfCentres) {
   const Shaped a = Sphere<double>(2), b = Sphere<double>(1);

@@ -1,28 +1,15 @@
 // Contact points one by one: on the surfaces of rounded shapes, each with a name and a place of its own, the same
 // wherever the scene stands.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <set>
 
 #include "common/specimen.hpp"
-#include "graze/query.hpp"
-#include "reference/certificate.hpp"
+#include "manifold_of.hpp"
 
 namespace graze::testing {
 namespace {
 
 using reference::Real;
-
-constexpr Posed at(double x, double y, double z) { return {{x, y, z}, {}}; }
-reference::Vector vector_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
-
-Manifold<double> only_manifold(const Shaped& a, const Posed& pa, const Shaped& b, const Posed& pb, double margin = 0) {
-  Manifolds<double> manifolds;
-  contacts(a, pa, b, pb, margin, manifolds);
-  EXPECT_LE(manifolds.size(), 1u);
-  return manifolds.empty() ? Manifold<double>{} : manifolds[0];
-}
 
 /// Of a rounded shape, whose surface is as far from its core as the margin is wide: told from the core alone.
 Real beside_surface(PlacedSpecimen placed, const Vec3d& point) {

@@ -3,27 +3,17 @@
 //
 // How many pairs a kind: GRAZE_TEST_PAIRS in the environment, else enough for a run of seconds. The search for a
 // shorter way out of an overlap costs milliseconds, so it is made for one overlapping pair in `search_every`.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-
+#include "common/asked_number.hpp"
 #include "common/specimen.hpp"
-#include "graze/query.hpp"
-#include "reference/certificate.hpp"
+#include "manifold_of.hpp"
 
 namespace graze::testing {
 namespace {
 
 using reference::Real;
 
-int pairs_to_test() {
-  const char* asked = std::getenv("GRAZE_TEST_PAIRS");
-  return asked ? std::atoi(asked) : 400;
-}
-int search_every() {
-  const char* asked = std::getenv("GRAZE_TEST_SEARCH_EVERY");
-  return asked ? std::atoi(asked) : 50;
-}
+int pairs_to_test() { return asked_number("GRAZE_TEST_PAIRS", 400); }
+int search_every() { return asked_number("GRAZE_TEST_SEARCH_EVERY", 50); }
 
 /// What the issue of the field asks for, relative to the pair's size.
 template <class T>
@@ -31,8 +21,6 @@ Real tolerance_of(Kind a, Kind b, bool overlapping) {
   if (std::is_same_v<T, float>) return 2e-5L;
   return overlapping && (curved(a) || curved(b)) ? 1e-6L : 1e-9L;
 }
-
-reference::Vector vector_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 template <class T>
 reference::Answer answer_of(const Distance<T>& d) {

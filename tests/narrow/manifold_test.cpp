@@ -1,28 +1,15 @@
 // Contact manifolds: every point on both surfaces, the whole area spanned, steady from frame to frame.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <set>
 
 #include "common/specimen.hpp"
-#include "graze/query.hpp"
+#include "manifold_of.hpp"
 #include "narrow/convex_pair.hpp"
-#include "reference/certificate.hpp"
 
 namespace graze::testing {
 namespace {
 
 using reference::Real;
-
-constexpr Posed at(double x, double y, double z) { return {{x, y, z}, {}}; }
-reference::Vector vector_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
-
-Manifold<double> only_manifold(const Shaped& a, const Posed& pa, const Shaped& b, const Posed& pb, double margin = 0) {
-  Manifolds<double> manifolds;
-  contacts(a, pa, b, pb, margin, manifolds);
-  EXPECT_LE(manifolds.size(), 1u);
-  return manifolds.empty() ? Manifold<double>{} : manifolds[0];
-}
 
 /// Area of the points' hull across the normal, by the shoelace formula in order of angle about their middle.
 double area_of(const Manifold<double>& m) {

@@ -4,14 +4,10 @@
 // How many pairs: GRAZE_TEST_PAIRS in the environment for boxes and a fifth of it for hulls.
 #include "reference/separating_axes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-
+#include "common/asked_number.hpp"
 #include "common/specimen.hpp"
-#include "graze/query.hpp"
+#include "manifold_of.hpp"
 #include "narrow/polyhedral_pair.hpp"
-#include "reference/certificate.hpp"
 
 namespace graze::testing {
 namespace {
@@ -19,20 +15,16 @@ namespace {
 using reference::AxisResult;
 using reference::Real;
 
-int pairs_to_test() {
-  const char* asked = std::getenv("GRAZE_TEST_PAIRS");
-  return asked ? std::atoi(asked) : 2000;
-}
+int box_pairs_to_test() { return asked_number("GRAZE_TEST_PAIRS", 2000); }
 
-reference::Vector vector_of(const Vec3f& v) { return {v.x, v.y, v.z}; }
 reference::Polyhedron placed(const reference::Polyhedron& p, const PlacedSpecimen& s) {
   const Quatf& q = s.rotation;
   return moved(p, vector_of(s.translation), {q.x, q.y, q.z, q.w});
 }
 reference::Polyhedron polyhedron_of(const PlacedSpecimen& s) {
   if (s.specimen.kind == Kind::box)
-    return placed(reference::polyhedron_of_box(vector_of({s.specimen.size[0], s.specimen.size[1], s.specimen.size[2]})),
-                  s);
+    return placed(
+        reference::polyhedron_of_box(vector_of(Vec3f{s.specimen.size[0], s.specimen.size[1], s.specimen.size[2]})), s);
   std::vector<reference::Vector> points;
   for (const Vec3f& p : s.specimen.points) points.push_back(vector_of(p));
   if (s.specimen.kind == Kind::triangle) return placed(reference::polyhedron_of_polygon(points), s);
@@ -83,7 +75,7 @@ void check(const PlacedSpecimen& a, const PlacedSpecimen& b, const AxisResult& t
 TEST(SeparatingAxes, BoxesAgreeWithTheNaiveTest) {
   Random random(21);
   int overlapping = 0;
-  for (int i = 0; i < pairs_to_test(); ++i) {
+  for (int i = 0; i < box_pairs_to_test(); ++i) {
     static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1, 1e2f, 1e4f};
     const float scale = scales[i % 6];
     const PlacedSpecimen a = random_placed(Kind::box, scale, scale, random);
@@ -93,12 +85,12 @@ TEST(SeparatingAxes, BoxesAgreeWithTheNaiveTest) {
     check<double>(a, b, truth, 1e-9L, size_of(a, b));
     check<float>(a, b, truth, 2e-5L, size_of(a, b));
   }
-  EXPECT_GT(overlapping, pairs_to_test() / 5);
+  EXPECT_GT(overlapping, box_pairs_to_test() / 5);
 }
 
 TEST(SeparatingAxes, HullsAgreeWithTheNaiveTest) {
   Random random(22);
-  for (int i = 0; i < pairs_to_test() / 5; ++i) {
+  for (int i = 0; i < box_pairs_to_test() / 5; ++i) {
     static constexpr float scales[] = {1, 1e-4f, 1e2f, 1e4f};
     const float scale = scales[i % 4];
     const PlacedSpecimen a = random_hull(scale, scale * 0.5f, random);
@@ -114,7 +106,7 @@ TEST(SeparatingAxes, HullsAgreeWithTheNaiveTest) {
 /// The general test itself, whichever routine the table gives a pair to: pruned, and with all that cross.
 TEST(SeparatingAxes, PrunedEdgesAreThoseThatCannotWin) {
   Random random(23);
-  for (int i = 0; i < pairs_to_test() / 10; ++i) {
+  for (int i = 0; i < box_pairs_to_test() / 10; ++i) {
     const PlacedSpecimen a = random_hull(1, 0.4f, random);
     const PlacedSpecimen b = i % 2 ? random_hull(1, 0.4f, random) : random_placed(Kind::triangle, 1, 0.4f, random);
     const AxisResult truth = separating_axes(polyhedron_of(a), polyhedron_of(b));

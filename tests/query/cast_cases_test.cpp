@@ -1,30 +1,16 @@
 // Casts whose answers are known in closed form, and the ones that break such code: grazing, sliding, receding, resting,
 // bullets, many turns, giants.
-#include <gtest/gtest.h>
-
 #include <numbers>
 
-#include "graze/cast.hpp"
+#include "cast_fixture.hpp"
 
 namespace graze {
 namespace {
 
 template <class T>
-class CastCases : public ::testing::Test {
- protected:
-  using V = Vec3<T>;
-  const Shape<T> ball{Sphere<T>(T(1))}, cube{Box<T>({T(2), T(2), T(2)})}, ground{HalfSpace<T>()};
-
-  std::optional<CastHit<T>> thrown(const Shape<T>& a, const V& at_a, const Shape<T>& b, const V& at_b, const V& vb,
-                                   T duration = T(1), Separating separating = Separating::hit) {
-    return cast(a, {at_a, {}}, {}, b, {at_b, {}}, {vb, {}}, duration, {separating});
-  }
-};
+class CastCases : public CastTest<T> {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(CastCases, Scalars);
-
-template <class T>
-constexpr T near_enough = T(4) * cast_tolerance<T>;
 
 TYPED_TEST(CastCases, BallsHeadOn) {
   using T = TypeParam;

@@ -1,27 +1,13 @@
 // Casts of meshes and compounds: against their own distance, over the seams of floors, into steps, all hits in order.
-#include <gtest/gtest.h>
-
-#include "graze/cast.hpp"
+#include "cast_fixture.hpp"
 
 namespace graze {
 namespace {
 
 template <class T>
-class CastComposites : public ::testing::Test {
- protected:
-  using V = Vec3<T>;
-  const Shape<T> ball{Sphere<T>(T(1))}, cube{Box<T>({T(2), T(2), T(2)})}, ground{HalfSpace<T>()};
-
-  std::optional<CastHit<T>> thrown(const Shape<T>& a, const V& at_a, const Shape<T>& b, const V& at_b, const V& vb,
-                                   T duration = T(1), Separating separating = Separating::hit) {
-    return cast(a, {at_a, {}}, {}, b, {at_b, {}}, {vb, {}}, duration, {separating});
-  }
-};
+class CastComposites : public CastTest<T> {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(CastComposites, Scalars);
-
-template <class T>
-constexpr T near_enough = T(4) * cast_tolerance<T>;
 
 template <class T>
 Shape<T> terrain(int cells, T spacing) {

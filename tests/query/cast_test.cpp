@@ -9,8 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "common/asked_number.hpp"
 #include "common/specimen.hpp"
 #include "reference/certificate.hpp"
 
@@ -19,12 +18,8 @@ namespace {
 
 using reference::Real;
 
-int number_from(const char* variable, int otherwise) {
-  const char* asked = std::getenv(variable);
-  return asked ? std::atoi(asked) : otherwise;
-}
-int casts_to_test() { return number_from("GRAZE_TEST_CASTS", 60); }
-int bisect_every() { return number_from("GRAZE_TEST_SEARCH_EVERY", 60); }
+int casts_to_test() { return asked_number("GRAZE_TEST_CASTS", 60); }
+int bisect_every() { return asked_number("GRAZE_TEST_SEARCH_EVERY", 60); }
 
 reference::Vector vector_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
@@ -72,7 +67,7 @@ class ReferenceMover {
 
 /// One question, and everything needed to judge its answer.
 template <class T>
-struct Case {
+struct CastCase {
   const Mover &a, &b;
   Shape<double> shape_a = build<double>(a.placed.specimen), shape_b = build<double>(b.placed.specimen);
   Posed pose_a = pose_of<double>(a.placed), pose_b = pose_of<double>(b.placed);
@@ -85,7 +80,7 @@ struct Case {
     return static_cast<Real>(length(pose_b.translation - pose_a.translation)) +
            static_cast<Real>(length(b.linear - a.linear));
   }
-  Case(const Mover& first, const Mover& second) : a(first), b(second) {}
+  CastCase(const Mover& first, const Mover& second) : a(first), b(second) {}
 
   std::optional<CastHit<T>> ask(const CastOptions& options = {}) const {
     return cast(build<T>(a.placed.specimen), pose_of<T>(a.placed), a.velocity<T>(), build<T>(b.placed.specimen),
@@ -108,7 +103,7 @@ struct Case {
 
 /// The time in [low, high] at which the library's distance is least, near enough to find an overlap that samples miss.
 template <class T>
-double lowest(const Case<T>& c, double low, double high) {
+double lowest(const CastCase<T>& c, double low, double high) {
   for (int i = 0; i < 30; ++i) {
     const double p = low + (high - low) * 0.382, q = low + (high - low) * 0.618;
     (c.library_distance(p).distance < c.library_distance(q).distance ? high : low) =
@@ -118,7 +113,7 @@ double lowest(const Case<T>& c, double low, double high) {
 }
 
 template <class T>
-void check_miss(const Case<T>& c) {
+void check_miss(const CastCase<T>& c) {
   constexpr int samples = 32;
   int nearest = 0;
   double least_distance = std::numeric_limits<double>::infinity();
@@ -137,7 +132,7 @@ void check_miss(const Case<T>& c) {
 
 /// In contact, as stated, at the time of a hit: rounding the time to T may move the bodies a little.
 template <class T>
-void check_contact(const Case<T>& c, const CastHit<T>& hit) {
+void check_contact(const CastCase<T>& c, const CastHit<T>& hit) {
   const Real t = hit.t;
   const reference::Placed a = c.ra.at(t), b = c.rb.at(t);
   const reference::Vector n = vector_of(graze::cast<double>(hit.normal)), p = vector_of(graze::cast<double>(hit.point));
@@ -157,7 +152,7 @@ void check_contact(const Case<T>& c, const CastHit<T>& hit) {
 }
 
 template <class T>
-void check_no_earlier(const Case<T>& c, T until) {
+void check_no_earlier(const CastCase<T>& c, T until) {
   if (until == T(0)) return;
   constexpr int samples = 16;
   for (int i = 0; i < samples; ++i) {
@@ -174,7 +169,7 @@ void check_no_earlier(const Case<T>& c, T until) {
 
 /// The first time of contact by the reference alone.
 template <class T>
-std::optional<Real> first_by_reference(const Case<T>& c) {
+std::optional<Real> first_by_reference(const CastCase<T>& c) {
   constexpr int samples = 40;
   Real before = 0;
   for (int i = 0; i <= samples; ++i) {
@@ -193,7 +188,7 @@ std::optional<Real> first_by_reference(const Case<T>& c) {
 }
 
 template <class T>
-void check_against_bisection(const Case<T>& c, const std::optional<CastHit<T>>& hit) {
+void check_against_bisection(const CastCase<T>& c, const std::optional<CastHit<T>>& hit) {
   const auto t = first_by_reference(c);
   if (!t) return;  // a graze between samples: the certificates have judged it
   ASSERT_TRUE(hit) << "missed the hit at " << *t << "\n" << c.text();
@@ -232,7 +227,7 @@ class Casts : public ::testing::TestWithParam<std::pair<Kind, Kind>> {
     const bool rounded = std::is_same_v<T, float> && (ka == Kind::user || kb == Kind::user);
     for (int i = 0; i < casts; ++i) {
       const auto [a, b] = random_movers(ka, kb, scale, turning, random);
-      const Case<T> c(a, b);
+      const CastCase<T> c(a, b);
       const auto hit = c.ask();
       if (rounded && hit && hit->status == Status::bounded) {
         ++unknown;

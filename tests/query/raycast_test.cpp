@@ -17,14 +17,14 @@ using reference::Vector;
 Vector extended(const Vec3d& v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)}; }
 
 template <class T>
-struct Case {
+struct RayCase {
   PlacedSpecimen placed;
   Shape<T> shape;
   Pose<T> pose;
   reference::Placed reference;
   double size;
 
-  explicit Case(const PlacedSpecimen& p)
+  explicit RayCase(const PlacedSpecimen& p)
       : placed(p),
         shape(build<T>(p.specimen)),
         pose(pose_of<T>(p)),
@@ -65,7 +65,7 @@ double least_value(double low, double high, const F& f) {
 }
 
 template <class T>
-void expect_proven_hit(const Case<T>& c, const Ray<T>& ray, const RayHit<T>& hit) {
+void expect_proven_hit(const RayCase<T>& c, const Ray<T>& ray, const RayHit<T>& hit) {
   const Vec3d origin = cast<double>(ray.origin), direction = normalized(cast<double>(ray.direction));
   const Vec3d point = cast<double>(hit.point), normal = cast<double>(hit.normal);
   const double t = static_cast<double>(hit.t), tol = c.tolerance_from(origin, t);
@@ -85,7 +85,7 @@ void expect_proven_hit(const Case<T>& c, const Ray<T>& ray, const RayHit<T>& hit
 }
 
 template <class T>
-void expect_proven_miss(const Case<T>& c, const Ray<T>& ray) {
+void expect_proven_miss(const RayCase<T>& c, const Ray<T>& ray) {
   const Vec3d origin = cast<double>(ray.origin), direction = normalized(cast<double>(ray.direction));
   const double far = length(origin - cast<double>(c.pose.translation)) + 2 * c.size + 1e-3;
   const double tol = c.tolerance_from(origin);
@@ -102,7 +102,7 @@ void expect_proven_miss(const Case<T>& c, const Ray<T>& ray) {
 
 /// The same without convexity: no point of the ray is inside before the hit, nor any point of a miss.
 template <class T>
-void expect_outside_before(const Case<T>& c, const Ray<T>& ray, const std::optional<RayHit<T>>& hit) {
+void expect_outside_before(const RayCase<T>& c, const Ray<T>& ray, const std::optional<RayHit<T>>& hit) {
   const Vec3d origin = cast<double>(ray.origin), direction = normalized(cast<double>(ray.direction));
   if (hit && hit->t == T(0)) return;  // proven to begin inside
   const double far = hit ? static_cast<double>(hit->t) : length(origin) + 2 * c.size;
@@ -117,7 +117,7 @@ struct Tally {
 };
 
 template <class T>
-void check_ray(const Case<T>& c, const Ray<T>& ray, Tally& tally) {
+void check_ray(const RayCase<T>& c, const Ray<T>& ray, Tally& tally) {
   SCOPED_TRACE(describe(c.placed));
   const auto hit = raycast(c.shape, c.pose, ray);
   ++tally.rays;
@@ -146,7 +146,7 @@ TEST_P(RaycastKind, HitsAndMissesAreProven) {
   for (int i = 0; i < 500; ++i) {
     const double scale = std::pow(10.0, i % 9 - 4);
     const auto f = static_cast<float>(scale);
-    const Case<double> c(
+    const RayCase<double> c(
         {random_specimen(kind(), f, random), random_vector(random, 0.2f * f), random_rotation(random)});
     const double afar = i % 10 == 0 ? 1e6 : i % 10 == 1 ? 0.3 : static_cast<double>(uniform(random, 1, 5));
     for (int k = 0; k < 20 && !HasFatalFailure(); ++k) check_ray(c, random_ray<double>(scale, afar, random), tally);
@@ -161,7 +161,7 @@ TEST_P(RaycastKind, InFloat) {
   Random random(static_cast<unsigned>(GetParam()) + 100);
   Tally tally;
   for (int i = 0; i < 200; ++i) {
-    const Case<float> c({random_specimen(kind(), 1, random), random_vector(random, 0.2f), random_rotation(random)});
+    const RayCase<float> c({random_specimen(kind(), 1, random), random_vector(random, 0.2f), random_rotation(random)});
     for (int k = 0; k < 10 && !HasFatalFailure(); ++k) check_ray(c, random_ray<float>(1, 3, random), tally);
     if (HasFatalFailure()) return;
   }
@@ -172,7 +172,7 @@ TEST_P(RaycastKind, Degenerate) {
   Random random(static_cast<unsigned>(GetParam()) + 200);
   Tally tally;
   for (int i = 0; i < 600; ++i) {
-    const Case<double> c(on_lattice(degenerate_specimen(kind(), 1, random), 1, random));
+    const RayCase<double> c(on_lattice(degenerate_specimen(kind(), 1, random), 1, random));
     for (int k = 0; k < 4; ++k) {
       Ray<double> ray = random_ray<double>(1, 3, random);
       if (k < 2) {  // from lattice to lattice: along faces, through edges and corners
@@ -197,7 +197,7 @@ TEST_P(RaycastKind, FromTheSurface) {
   for (int i = 0; i < 300; ++i) {
     const double scale = std::pow(10.0, i % 9 - 4);
     const auto f = static_cast<float>(scale);
-    const Case<double> c(
+    const RayCase<double> c(
         {random_specimen(kind(), f, random), random_vector(random, 0.2f * f), random_rotation(random)});
     SCOPED_TRACE(describe(c.placed));
     for (int k = 0; k < 10; ++k) {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double hole = std::numeric_limits<double>::quiet_NaN();
 
-std::string refusal(std::size_t columns, std::size_t rows, std::vector<double> heights, double dx = 1, double dz = 1) {
+std::string field_refusal(std::size_t columns, std::size_t rows, std::vector<double> heights, double dx = 1,
+                          double dz = 1) {
   try {
     const HeightField<double> field(columns, rows, std::move(heights), dx, dz);
   } catch (const InvalidValue& e) {
@@ -41,16 +42,16 @@ TEST(HeightField, StandsAboutTheOriginSplitAlongTheFallingDiagonal) {
 }
 
 TEST(HeightField, NamesWhatItCannotTake) {
-  EXPECT_EQ(refusal(1, 2, {0, 0}), "columns: expected a whole number >= 2, got 1");
-  EXPECT_EQ(refusal(2, 0, {0, 0}), "rows: expected a whole number >= 2, got 0");
-  EXPECT_EQ(refusal(2, 2, {0, 0, 0}), "heights: expected columns x rows = 2 x 2 values, got 3");
-  EXPECT_EQ(refusal(2, 2, {0, 0, 0, std::numeric_limits<double>::infinity()}),
+  EXPECT_EQ(field_refusal(1, 2, {0, 0}), "columns: expected a whole number >= 2, got 1");
+  EXPECT_EQ(field_refusal(2, 0, {0, 0}), "rows: expected a whole number >= 2, got 0");
+  EXPECT_EQ(field_refusal(2, 2, {0, 0, 0}), "heights: expected columns x rows = 2 x 2 values, got 3");
+  EXPECT_EQ(field_refusal(2, 2, {0, 0, 0, std::numeric_limits<double>::infinity()}),
             "heights[3]: expected a finite number or a hole, got inf");
-  EXPECT_EQ(refusal(2, 2, {0, 0, 0, hole}), "heights: expected at least one cell without a hole, got none");
-  EXPECT_EQ(refusal(2, 2, {0, 0, 0, 0}, -1), "spacing[0]: expected a finite number >= 0, got -1");
-  EXPECT_EQ(refusal(2, 2, {0, 0, 0, 0}, 1, hole).substr(0, 11), "spacing[1]:");
-  EXPECT_NE(refusal(std::size_t{1} << 33, std::size_t{1} << 31, {0, 0}), "");
-  EXPECT_EQ(refusal(2, 2, {0, 0, 0, 0}, 0, 0), "");
+  EXPECT_EQ(field_refusal(2, 2, {0, 0, 0, hole}), "heights: expected at least one cell without a hole, got none");
+  EXPECT_EQ(field_refusal(2, 2, {0, 0, 0, 0}, -1), "spacing[0]: expected a finite number >= 0, got -1");
+  EXPECT_EQ(field_refusal(2, 2, {0, 0, 0, 0}, 1, hole).substr(0, 11), "spacing[1]:");
+  EXPECT_NE(field_refusal(std::size_t{1} << 33, std::size_t{1} << 31, {0, 0}), "");
+  EXPECT_EQ(field_refusal(2, 2, {0, 0, 0, 0}, 0, 0), "");
   EXPECT_THROW(Shaped(HeightField<double>(2, 2, {0, 0, 0, 0}), 0.1), InvalidValue);
 }
 
