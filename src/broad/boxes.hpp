@@ -80,6 +80,19 @@ class BoxTable {
     std::sort(out.begin(), out.end());
   }
 
+  /// The pairs that overlap, sorted, of those for which `each_pair(test)` calls `test(place, place)`; `moved_only`: of which
+  /// at least one moved. What moved counts as still from then on.
+  template <class EachPair>
+  void collect_pairs(std::vector<IdPair>& out, bool moved_only, const EachPair& each_pair) {
+    out.clear();
+    each_pair([&](std::uint32_t i, std::uint32_t j) {
+      const Entry &a = entries_[i], &b = entries_[j];
+      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
+    });
+    std::sort(out.begin(), out.end());
+    settle();
+  }
+
   std::size_t memory() const {
     return entries_.capacity() * sizeof(Entry) + place_.size() * 2 * sizeof(std::uint32_t[4]) +
            place_.bucket_count() * sizeof(void*);
@@ -128,5 +141,17 @@ class SweptBox {
   Aabb<T> box_;
   Vec3<T> motion_;
 };
+
+/// A box that is wider than another that moves by more than the sum of the roundings that `SweptBox` allows for.
+template <class T>
+Aabb<T> widened_for_sweep(const Aabb<T>& box, const Vec3<T>& motion) {
+  const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
+  return inflated(box, T(32) * std::numeric_limits<T>::epsilon() * reach);
+}
+
+template <class T>
+bool has_finite_ends(const Aabb<T>& box) {
+  return greatest(max_abs(box.lower), max_abs(box.upper)) <= std::numeric_limits<T>::max();
+}
 
 }  // namespace graze

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <atomic>
-#include <mutex>
 #include <numeric>
 
-#include "broad/boxes.hpp"
+#include "broad/hierarchy_queries.hpp"
+#include "broad/rebuilt.hpp"
 
 namespace graze {
 
@@ -172,71 +171,14 @@ class Tree {
 };
 
 template <class T>
-class Bsp final : public BroadPhase<T> {
+class Bsp final : public Rebuilt<T, Tree<T>> {
  public:
-  void insert(std::uint32_t id, const Aabb<T>& box) override {
-    boxes_.insert(id, box);
-    stale_ = true;
-  }
-  void remove(std::uint32_t id) override {
-    boxes_.remove(id);
-    stale_ = true;
-  }
-  void move(std::uint32_t id, const Aabb<T>& box) override {
-    boxes_.move(id, box);
-    stale_ = true;
-  }
-
-  void pairs(std::vector<IdPair>& out) override { find(out, false); }
-  void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
-
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
-    const auto accept = [&](const Aabb<T>& other) { return overlap(other, box); };
-    collect(accept, accept, out);
+    graze::query(this->index(), this->boxes(), box, out);
   }
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
-    // Rounding might let the bounds of a node be missed though a box in it is just hit: hence wider for nodes, by more
-    // than the sum of the test's roundings.
-    const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
-    const SweptBox<T> accept(box, motion);
-    if (!(reach <= std::numeric_limits<T>::max())) return boxes_.collect(out, accept);
-    collect(SweptBox<T>(inflated(box, T(32) * std::numeric_limits<T>::epsilon() * reach), motion), accept, out);
+    graze::sweep(this->index(), this->boxes(), box, motion, out);
   }
-  std::size_t memory() const override { return boxes_.memory() + tree_.memory(); }
-
- private:
-  /// Queries from several threads at a time may all find the tree out of date.
-  void refresh() const {
-    if (!stale_) return;
-    const std::scoped_lock lock(mutex_);
-    if (stale_) tree_.build(boxes_);
-    stale_ = false;
-  }
-
-  void find(std::vector<IdPair>& out, bool moved_only) {
-    refresh();
-    out.clear();
-    tree_.for_each_pair(boxes_, [&](std::uint32_t i, std::uint32_t j) {
-      const auto &a = boxes_[i], &b = boxes_[j];
-      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
-    });
-    std::sort(out.begin(), out.end());
-    boxes_.settle();
-  }
-  template <class Enter, class Accept>
-  void collect(const Enter& enter, const Accept& accept, std::vector<std::uint32_t>& out) const {
-    refresh();
-    out.clear();
-    tree_.for_each(enter, [&](std::uint32_t place) {
-      if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
-    });
-    std::sort(out.begin(), out.end());
-  }
-
-  BoxTable<T> boxes_;
-  mutable Tree<T> tree_;
-  mutable std::atomic<bool> stale_ = true;
-  mutable std::mutex mutex_;
 };
 
 }  // namespace

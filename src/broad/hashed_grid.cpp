@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <mutex>
 
-#include "broad/boxes.hpp"
+#include "broad/rebuilt.hpp"
 
 namespace graze {
 
@@ -90,17 +88,27 @@ class Grid {
   double cell_size() const { return cell_; }
   double size() const { return static_cast<double>(items_.size()); }
 
-  /// `visit(begin, end)` for the items of each bucket: several cells may be among them.
-  template <class Visit>
-  void for_each_bucket(const Visit& visit) const {
-    for (std::size_t b = 0; b + 1 < start_.size(); ++b) visit(items_.data() + start_[b], items_.data() + start_[b + 1]);
-  }
   /// `visit(place)` for all that is in the cell.
   template <class Visit>
   void for_each_in(const Cell& cell, const Visit& visit) const {
     const std::size_t b = bucket(cell);
     for (std::size_t i = start_[b]; i < start_[b + 1]; ++i)
       if (items_[i].cell == cell) visit(items_[i].place);
+  }
+
+  /// `test(place, place)` for all pairs that may overlap. Several cells may be in one bucket.
+  template <class Test>
+  void for_each_pair(const BoxTable<T>& boxes, const Test& test) const {
+    for (std::size_t b = 0; b + 1 < start_.size(); ++b) {
+      const Item* const end = items_.data() + start_[b + 1];
+      for (const Item* i = items_.data() + start_[b]; i < end; ++i)
+        for (const Item* j = i + 1; j < end; ++j)
+          if (i->cell == j->cell && first_common(lowest_cell(i->place), lowest_cell(j->place)) == i->cell)
+            test(i->place, j->place);
+    }
+    for (const std::uint32_t i : large())
+      for (std::uint32_t j = 0; j < boxes.size(); ++j)
+        if (j < i || !is_large(j)) test(i, j);
   }
 
   std::size_t memory() const {
@@ -162,35 +170,20 @@ class Grid {
 };
 
 template <class T>
-class HashedGrid final : public BroadPhase<T> {
+class HashedGrid final : public Rebuilt<T, Grid<T>> {
  public:
-  void insert(std::uint32_t id, const Aabb<T>& box) override {
-    boxes_.insert(id, box);
-    stale_ = true;
-  }
-  void remove(std::uint32_t id) override {
-    boxes_.remove(id);
-    stale_ = true;
-  }
-  void move(std::uint32_t id, const Aabb<T>& box) override {
-    boxes_.move(id, box);
-    stale_ = true;
-  }
-
-  void pairs(std::vector<IdPair>& out) override { find(out, false); }
-  void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
-
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
-    refresh();
+    const Grid<T>& grid = this->index();
+    const BoxTable<T>& boxes = this->boxes();
     out.clear();
     const auto accept = [&](const Aabb<T>& other) { return overlap(other, box); };
-    const CellRange cells = grid_.range(box);
-    if (!(cells.count() <= grid_.size())) return boxes_.collect(out, accept);
-    collect_large(out, accept);
+    const CellRange cells = grid.range(box);
+    if (!(cells.count() <= grid.size())) return boxes.collect(out, accept);
+    collect_large(grid, out, accept);
     cells.for_each([&](const Cell& cell) {
-      grid_.for_each_in(cell, [&](std::uint32_t place) {
-        if (first_common(cells.low, grid_.lowest_cell(place)) == cell && accept(boxes_[place].box))
-          out.push_back(boxes_[place].id);
+      grid.for_each_in(cell, [&](std::uint32_t place) {
+        if (first_common(cells.low, grid.lowest_cell(place)) == cell && accept(boxes[place].box))
+          out.push_back(boxes[place].id);
       });
     });
     std::sort(out.begin(), out.end());
@@ -198,85 +191,46 @@ class HashedGrid final : public BroadPhase<T> {
 
   /// In steps of about a cell, so that few cells are visited beside the way.
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
-    refresh();
+    const Grid<T>& grid = this->index();
+    const BoxTable<T>& boxes = this->boxes();
     out.clear();
     const SweptBox<T> accept(box, motion);
-    const double steps = std::ceil(static_cast<double>(max_abs(motion)) / grid_.cell_size()) + 1;
+    const double steps = std::ceil(static_cast<double>(max_abs(motion)) / grid.cell_size()) + 1;
     double visits = steps;
-    const Aabb<T> wide = widened(box, motion);
-    if (!is_finite(wide)) return boxes_.collect(out, accept);
-    if (visits <= grid_.size()) for_each_step(wide, motion, steps, [&](const CellRange& c) { visits += c.count(); });
-    if (!(visits <= grid_.size())) return boxes_.collect(out, accept);
-    collect_large(out, accept);
-    for_each_step(wide, motion, steps, [&](const CellRange& cells) {
+    const Aabb<T> wide = widened_for_sweep(box, motion);
+    if (!has_finite_ends(wide)) return boxes.collect(out, accept);
+    if (visits <= grid.size())
+      for_each_step(grid, wide, motion, steps, [&](const CellRange& c) { visits += c.count(); });
+    if (!(visits <= grid.size())) return boxes.collect(out, accept);
+    collect_large(grid, out, accept);
+    for_each_step(grid, wide, motion, steps, [&](const CellRange& cells) {
       cells.for_each([&](const Cell& cell) {
-        grid_.for_each_in(cell, [&](std::uint32_t place) {
-          if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
+        grid.for_each_in(cell, [&](std::uint32_t place) {
+          if (accept(boxes[place].box)) out.push_back(boxes[place].id);
         });
       });
     });
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
   }
-  std::size_t memory() const override { return boxes_.memory() + grid_.memory(); }
 
  private:
-  /// Queries from several threads at a time may all find the grid out of date.
-  void refresh() const {
-    if (!stale_) return;
-    const std::scoped_lock lock(mutex_);
-    if (stale_) grid_.build(boxes_);
-    stale_ = false;
-  }
-
-  void find(std::vector<IdPair>& out, bool moved_only) {
-    refresh();
-    out.clear();
-    const auto test = [&](const auto& a, const auto& b) {
-      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
-    };
-    grid_.for_each_bucket([&](const auto* begin, const auto* end) {
-      for (auto* i = begin; i < end; ++i)
-        for (auto* j = i + 1; j < end; ++j)
-          if (i->cell == j->cell && first_common(grid_.lowest_cell(i->place), grid_.lowest_cell(j->place)) == i->cell)
-            test(boxes_[i->place], boxes_[j->place]);
-    });
-    for (const std::uint32_t i : grid_.large())
-      for (std::uint32_t j = 0; j < boxes_.size(); ++j)
-        if (j < i || !grid_.is_large(j)) test(boxes_[i], boxes_[j]);
-    std::sort(out.begin(), out.end());
-    boxes_.settle();
-  }
-
   template <class Accept>
-  void collect_large(std::vector<std::uint32_t>& out, const Accept& accept) const {
-    for (const std::uint32_t place : grid_.large())
-      if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
+  void collect_large(const Grid<T>& grid, std::vector<std::uint32_t>& out, const Accept& accept) const {
+    for (const std::uint32_t place : grid.large())
+      if (accept(this->boxes()[place].box)) out.push_back(this->boxes()[place].id);
   }
 
-  /// By more than what `SweptBox` allows for rounding.
-  static Aabb<T> widened(const Aabb<T>& box, const Vec3<T>& motion) {
-    const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
-    return inflated(box, T(32) * std::numeric_limits<T>::epsilon() * reach);
-  }
-  static bool is_finite(const Aabb<T>& box) {
-    constexpr T most = std::numeric_limits<T>::max();
-    return contains(Aabb<T>{{-most, -most, -most}, {most, most, most}}, box);
-  }
   /// `visit(cells)` for what the box passes through in each of `steps` equal times.
   template <class Visit>
-  void for_each_step(const Aabb<T>& box, const Vec3<T>& motion, double steps, const Visit& visit) const {
+  static void for_each_step(const Grid<T>& grid, const Aabb<T>& box, const Vec3<T>& motion, double steps,
+                            const Visit& visit) {
     for (double step = 0; step < steps; ++step) {
       const Vec3<T> begin = motion * static_cast<T>(step / steps), end = motion * static_cast<T>((step + 1) / steps);
-      visit(grid_.range(
-          merged(Aabb<T>{box.lower + begin, box.upper + begin}, Aabb<T>{box.lower + end, box.upper + end})));
+      visit(
+          grid.range(merged(Aabb<T>{box.lower + begin, box.upper + begin}, Aabb<T>{box.lower + end, box.upper + end})));
     }
   }
-
-  BoxTable<T> boxes_;
-  mutable Grid<T> grid_;
-  mutable std::atomic<bool> stale_ = true;
-  mutable std::mutex mutex_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "broad/boxes.hpp"
+#include "broad/hierarchy_queries.hpp"
 
 namespace graze {
 
@@ -46,16 +46,16 @@ class LooseOctree final : public BroadPhase<T> {
   void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
 
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
-    const auto accept = [&](const Aabb<T>& other) { return overlap(other, box); };
-    collect(accept, accept, out);
+    graze::query(*this, boxes_, box, out);
   }
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
-    // Rounding might let the bounds of a node be missed though a box in it is just hit: hence wider for nodes, by more
-    // than the sum of the test's roundings.
-    const T reach = greatest(greatest(max_abs(box.lower), max_abs(box.upper)), max_abs(motion));
-    const SweptBox<T> accept(box, motion);
-    if (!(reach <= std::numeric_limits<T>::max())) return boxes_.collect(out, accept);
-    collect(SweptBox<T>(inflated(box, T(32) * std::numeric_limits<T>::epsilon() * reach), motion), accept, out);
+    graze::sweep(*this, boxes_, box, motion, out);
+  }
+  /// `see(place)` for all boxes, except below where `enter(bounds)` refuses.
+  template <class Enter, class See>
+  void for_each(const Enter& enter, const See& see) const {
+    std::vector<std::uint32_t> stack;
+    visit(0, enter, see, stack);
   }
   std::size_t memory() const override {
     std::size_t items = 0;
@@ -173,14 +173,7 @@ class LooseOctree final : public BroadPhase<T> {
 
   void find(std::vector<IdPair>& out, bool moved_only) {
     tighten();
-    out.clear();
-    const auto test = [&](std::uint32_t i, std::uint32_t j) {
-      const auto &a = boxes_[i], &b = boxes_[j];
-      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
-    };
-    within(0, test);
-    std::sort(out.begin(), out.end());
-    boxes_.settle();
+    boxes_.collect_pairs(out, moved_only, [&](const auto& test) { within(0, test); });
   }
   /// What left a node leaves its bounds too large. Children come after their parents.
   void tighten() {
@@ -229,18 +222,6 @@ class LooseOctree final : public BroadPhase<T> {
     }
   }
 
-  template <class Enter, class Accept>
-  void collect(const Enter& enter, const Accept& accept, std::vector<std::uint32_t>& out) const {
-    out.clear();
-    std::vector<std::uint32_t> stack;
-    visit(
-        0, enter,
-        [&](std::uint32_t place) {
-          if (accept(boxes_[place].box)) out.push_back(boxes_[place].id);
-        },
-        stack);
-    std::sort(out.begin(), out.end());
-  }
   /// `see(place)` for all boxes in and below the node, except where `enter(bounds)` refuses.
   template <class Enter, class See>
   void visit(std::uint32_t root, const Enter& enter, const See& see, std::vector<std::uint32_t>& stack) const {

@@ -14,14 +14,8 @@ class SortAndSweep final : public BroadPhase<T> {
   void remove(std::uint32_t id) override { boxes_.remove(id); }
   void move(std::uint32_t id, const Aabb<T>& box) override { boxes_.move(id, box); }
 
-  void pairs(std::vector<IdPair>& out) override {
-    find(out, false);
-    boxes_.settle();
-  }
-  void moved_pairs(std::vector<IdPair>& out) override {
-    find(out, true);
-    boxes_.settle();
-  }
+  void pairs(std::vector<IdPair>& out) override { find(out, false); }
+  void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
 
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
     boxes_.collect(out, [&](const Aabb<T>& other) { return overlap(other, box); });
@@ -33,7 +27,6 @@ class SortAndSweep final : public BroadPhase<T> {
 
  private:
   void find(std::vector<IdPair>& out, bool moved_only) {
-    out.clear();
     const std::size_t axis = widest_axis();
     if (order_.size() != boxes_.size()) {
       order_.resize(boxes_.size());
@@ -43,15 +36,13 @@ class SortAndSweep final : public BroadPhase<T> {
       return boxes_[i].box.lower[axis] < boxes_[j].box.lower[axis];
     };
     if (!std::is_sorted(order_.begin(), order_.end(), before)) std::sort(order_.begin(), order_.end(), before);
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      const auto& a = boxes_[order_[i]];
-      for (std::size_t j = i + 1; j < order_.size(); ++j) {
-        const auto& b = boxes_[order_[j]];
-        if (b.box.lower[axis] > a.box.upper[axis]) break;
-        if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
+    boxes_.collect_pairs(out, moved_only, [&](const auto& test) {
+      for (std::size_t i = 0; i < order_.size(); ++i) {
+        const T end = boxes_[order_[i]].box.upper[axis];
+        for (std::size_t j = i + 1; j < order_.size() && !(boxes_[order_[j]].box.lower[axis] > end); ++j)
+          test(order_[i], order_[j]);
       }
-    }
-    std::sort(out.begin(), out.end());
+    });
   }
 
   /// The axis along which the boxes' lower ends spread most, relative to the boxes' own lengths along it: that is
