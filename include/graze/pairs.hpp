@@ -46,14 +46,4 @@ void keep_allowed(std::vector<IdPair>& pairs, std::span<const Filter> filters, c
                 [&](const IdPair& p) { return !may_collide(filters[p.a], filters[p.b]) || !predicate(p.a, p.b); });
 }
 
-/// The allowed pairs of boxes that overlap. Ids are places in `boxes` and `filters`.
-template <class T, class Predicate>
-std::vector<IdPair> allowed_pairs(std::span<const Aabb<T>> boxes, std::span<const Filter> filters,
-                                  const Predicate& predicate) {
-  std::vector<IdPair> pairs;
-  PairFinder<T>().find(boxes, pairs);
-  keep_allowed(pairs, filters, predicate);
-  return pairs;
-}
-
 }  // namespace graze

@@ -98,7 +98,7 @@ class World {
 
  private:
   void filter(std::span<const IdPair> candidates);
-  bool may_meet(std::uint32_t a, std::uint32_t b) const;
+  bool is_pair(std::uint32_t a, std::uint32_t b) const;
   const DynamicTree<T>& tree() const;
   bool is_asked(const QueryFilter& filter, std::uint32_t index) const;
   template <class F>
@@ -113,8 +113,9 @@ class World {
   SerialExecutor serial_;
   Executor* executor_;
   BodyArrays<T> bodies_;
-  std::vector<Aabb<T>> boxes_;
-  CandidateFinder<T> candidates_;
+  // Questions, too, bring these up to date, one thread at a time.
+  mutable std::vector<Aabb<T>> boxes_;
+  mutable CandidateFinder<T> candidates_;
   mutable std::mutex mutex_;
   mutable std::atomic<std::uint64_t> tree_revision_ = no_revision;  ///< of the bodies, as the tree knows them
   std::vector<IdPair> allowed_;

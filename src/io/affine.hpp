@@ -40,11 +40,15 @@ inline std::optional<ScaledPose> without_shear(const Affine& map) {
   return ScaledPose{{map.translation, rotation_quaternion(rotation)}, scale, mirrored};
 }
 
+/// What rounding may make of a volume that is zero, relative to the lengths of a map's three axes: in a chain of some
+/// hundred nodes each product loses a few times 1e-16.
+inline constexpr double volume_rounding = 1e-12;
+
 /// False for zero volume up to rounding, relative to the map's own size: then no shape keeps its dimension.
 inline bool is_regular(const Affine& map) {
   double product = 1;
   for (std::size_t i = 0; i < 3; ++i) product *= length(map.linear.column(i));
-  return std::abs(determinant(map.linear)) > 1e-12 * product && std::isfinite(product) && product > 0;
+  return std::abs(determinant(map.linear)) > volume_rounding * product && std::isfinite(product) && product > 0;
 }
 
 inline bool equal_scales(double a, double b) { return std::abs(a - b) <= file_precision * greatest(a, b); }

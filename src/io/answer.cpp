@@ -149,6 +149,8 @@ void leave_plane_points(Manifold<T>& manifold) {
 }
 
 void leave_plane_axes(Trace& trace) {
+  // Between unit vectors: far above the few roundings of 1e-16 that an axis comes about with, far below any angle of a
+  // figure.
   constexpr double same = 1e-9;
   std::vector<TraceAxis> kept;
   for (TraceAxis& axis : trace.axes) {

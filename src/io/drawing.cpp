@@ -43,7 +43,7 @@ View::View(const Vec3d& toward_viewer, const std::vector<Vec3d>& points, const P
     low_x = std::min(low_x, dot(p, right_)), high_x = std::max(high_x, dot(p, right_));
     low_y = std::min(low_y, dot(p, up_)), high_y = std::max(high_y, dot(p, up_));
   }
-  const double wide = std::max(high_x - low_x, 1e-300), tall = std::max(high_y - low_y, 1e-300);
+  const double wide = std::max(high_x - low_x, least_size), tall = std::max(high_y - low_y, least_size);
   scale_ = std::min(panel.width / wide, panel.height / tall);
   x_ = panel.x + panel.width / 2 - scale_ * (low_x + high_x) / 2;
   y_ = panel.y + panel.height / 2 + scale_ * (low_y + high_y) / 2;

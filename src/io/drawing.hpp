@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "graze/error.hpp"
 #include "graze/io/tessellate.hpp"
+#include "graze/validate.hpp"
 
 namespace graze::io {
 
@@ -57,6 +59,10 @@ std::string arrow(const View& view, const Vec3d& from, const Vec3d& along);
 
 /// All pictures have one size, in pixels.
 inline constexpr double picture_width = 960, picture_height = 600;
+/// A scene may be one point. It is then drawn as if it had this size: the smallest that keeps the places of a picture
+/// finite, which are a few coordinates times the picture's width, divided by the size.
+inline constexpr double least_size =
+    16 * picture_width * largest_magnitude<double> / std::numeric_limits<double>::max();
 /// The beginning of a picture with its background; `</svg>` ends it.
 std::string svg_head();
 

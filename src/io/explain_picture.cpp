@@ -216,7 +216,7 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
   for (const auto* body : {&*e.a, &*e.b})
     if (const Aabbd of = bounds(body->shape, body->pose); max_abs(of.extent()) < 1e300) box = merged(box, of);
   if (!(box.lower.x <= box.upper.x)) box = {{-1, -1, -1}, {1, 1, 1}};
-  const double size = std::max(max_abs(box.extent()), 1e-300);
+  const double size = std::max(max_abs(box.extent()), least_size);
   const Polygons a = tessellate(e.a->shape, e.a->pose, box.center(), 0.7 * size);
   const Polygons b = tessellate(e.b->shape, e.b->pose, box.center(), 0.7 * size);
 

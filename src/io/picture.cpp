@@ -66,7 +66,7 @@ std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs) {
 
 std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pairs, const Vec3d& direction) {
   const Aabbd box = scene_bounds(scene);
-  const double size = std::max(max_abs(box.extent()), 1e-300);
+  const double size = std::max(max_abs(box.extent()), least_size);
   std::vector<Vec3d> corners;
   corners.reserve(8);
   for (int i = 0; i < 8; ++i)

@@ -4,20 +4,13 @@
 #include <tuple>
 
 #include "mid/sweep.hpp"
-#include "shape/rounding.hpp"
+#include "shape/reach.hpp"
 
 namespace graze {
 
 namespace {
 
 constexpr std::size_t bodies_per_task = 16;
-
-/// The ball about a body's origin that holds it however it turns; infinite of a half-space.
-template <class T>
-T reach_of(const Shape<T>& shape) {
-  if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
-  return shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.margin()); });
-}
 
 /// How far any point of a body gets at most in a unit of time.
 template <class T>
@@ -29,12 +22,8 @@ T speed_of(const BodyArrays<T>& bodies, std::uint32_t i) {
 /// All that the body sweeps, however it turns on the way.
 template <class T>
 Sweep<T> sweep_of(const BodyArrays<T>& bodies, std::uint32_t i, T duration, T room) {
-  Aabb<T> box = bounds(bodies.shapes()[i], bodies.poses()[i]);
-  if (bodies.angular()[i] != Vec3<T>{}) {
-    const Vec3<T>& origin = bodies.poses()[i].translation;
-    box = inflated(Aabb<T>{origin, origin}, reach_of(bodies.shapes()[i]) * T(1.0001));
-  }
-  return safe_sweep(box, bodies.linear()[i] * duration, room);
+  return safe_sweep(bounds_turning(bodies.shapes()[i], bodies.poses()[i], bodies.angular()[i]),
+                    bodies.linear()[i] * duration, room);
 }
 
 template <class T>

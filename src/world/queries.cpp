@@ -4,7 +4,7 @@
 #include "graze/world.hpp"
 #include "mid/sweep.hpp"
 #include "shape/hierarchy.hpp"
-#include "shape/rounding.hpp"
+#include "shape/reach.hpp"
 
 namespace graze {
 
@@ -22,12 +22,11 @@ const DynamicTree<T>& World<T>::tree() const {
   if (tree_revision_.load(std::memory_order_acquire) != revision) {
     const std::scoped_lock lock(mutex_);
     if (tree_revision_.load(std::memory_order_relaxed) != revision) {
-      auto& self = const_cast<World&>(*this);
-      const std::span<const std::uint32_t> changes = self.bodies_.changes();
-      self.boxes_.resize(bodies_.size());
+      const std::span<const std::uint32_t> changes = bodies_.unsorted_changes();
+      boxes_.resize(bodies_.size());
       SerialExecutor serial;
-      find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, self.boxes_, serial);
-      self.candidates_.tree(boxes_, bodies_.alive(), changes);
+      find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, serial);
+      candidates_.tree(boxes_, bodies_.alive(), changes);
       tree_revision_.store(revision, std::memory_order_release);
     }
   }
@@ -118,20 +117,16 @@ void World<T>::each_hit(const Ray<T>& ray, T length, const QueryFilter& filter, 
 
 namespace {
 
-template <class T>
-bool before(const BodyRayHit<T>& p, const BodyRayHit<T>& q) {
-  return p.hit.t != q.hit.t ? p.hit.t < q.hit.t : p.body < q.body;
-}
-template <class T>
-bool before(const BodyCastHit<T>& p, const BodyCastHit<T>& q) {
+/// Of two hits of rays or of casts.
+template <class Hit>
+bool before(const Hit& p, const Hit& q) {
   return p.hit.t != q.hit.t ? p.hit.t < q.hit.t : p.body < q.body;
 }
 
 /// Sorts what was appended from `first` on.
 template <class Hit>
 void sort_hits(std::vector<Hit>& hits, std::size_t first) {
-  std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(),
-            [](const Hit& p, const Hit& q) { return before(p, q); });
+  std::sort(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), before<Hit>);
 }
 
 }  // namespace
@@ -173,15 +168,7 @@ template <class T>
 template <class F>
 void World<T>::each_met(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
                         const QueryFilter& filter, const CastOptions& options, F&& f) const {
-  // A shape that turns stays in the ball about its origin.
-  Aabb<T> box = bounds(shape, pose);
-  if (velocity.angular != Vec3<T>{}) {
-    const T reach = shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.margin()); });
-    const bool bounded = max_abs(box.extent()) < infinity<T>;
-    box = bounded ? inflated(Aabb<T>{pose.translation, pose.translation}, reach * T(1.0001)) : Aabb<T>::everything();
-  }
-  const Vec3<T> motion = velocity.linear * duration;
-  const Sweep<T> sweep = safe_sweep(box, motion, T(0));
+  const Sweep<T> sweep = safe_sweep(bounds_turning(shape, pose, velocity.angular), velocity.linear * duration, T(0));
   T end = duration;
   const auto passes = [&](const Aabb<T>& still) { return entry(still, sweep) * duration <= end; };
   tree().visit(passes, [&](std::uint32_t i, const Aabb<T>& still) {

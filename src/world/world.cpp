@@ -20,15 +20,17 @@ void World<T>::update(T duration) {
   impacts_.clear();
   if (duration > T(0))
     find_impacts<T>(
-        bodies_, tree(), duration, [&](std::uint32_t a, std::uint32_t b) { return may_meet(a, b); }, *executor_,
-        impacts_);
+        bodies_, tree(), duration,
+        [&](std::uint32_t a, std::uint32_t b) {
+          return may_collide(bodies_.filters()[a], bodies_.filters()[b]) && is_pair(a, b);
+        },
+        *executor_, impacts_);
 }
 
-/// Fixed bodies are no pair, and then the caller decides.
+/// Of two whose filters agree: fixed bodies are no pair, and then the caller decides.
 template <class T>
-bool World<T>::may_meet(std::uint32_t a, std::uint32_t b) const {
+bool World<T>::is_pair(std::uint32_t a, std::uint32_t b) const {
   if (bodies_.fixed()[a] != 0 && bodies_.fixed()[b] != 0) return false;
-  if (!may_collide(bodies_.filters()[a], bodies_.filters()[b])) return false;
   return !settings_.allow || settings_.allow(bodies_.id(a), bodies_.id(b));
 }
 
@@ -36,7 +38,7 @@ bool World<T>::may_meet(std::uint32_t a, std::uint32_t b) const {
 template <class T>
 void World<T>::filter(std::span<const IdPair> candidates) {
   allowed_.assign(candidates.begin(), candidates.end());
-  std::erase_if(allowed_, [&](const IdPair& p) { return !may_meet(p.a, p.b); });
+  keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
 }
 
 template <class T>

@@ -88,8 +88,9 @@ TEST(Filter, GroupsGoBeforeMasks) {
 TEST(Pairs, BoundsFiltersAndPredicate) {
   const std::vector<Aabbd> boxes(3, Aabbd{{0, 0, 0}, {1, 1, 1}});
   const std::vector<Filter> filters{{1, ~0u, 0}, {2, ~1u, 0}, {4, ~0u, 0}};  // 0 and 1 do not collide
-  const auto pairs =
-      allowed_pairs<double>(boxes, filters, [](std::uint32_t a, std::uint32_t b) { return a != 1 || b != 2; });
+  std::vector<IdPair> pairs;
+  PairFinder<double>().find(boxes, pairs);
+  keep_allowed(pairs, filters, [](std::uint32_t a, std::uint32_t b) { return a != 1 || b != 2; });
   EXPECT_EQ(pairs, (std::vector<IdPair>{{0, 2}}));
 }
 

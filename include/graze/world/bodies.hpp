@@ -80,6 +80,8 @@ class BodyArrays {
   /// What was added, removed, moved or given another shape since `settle`: one byte an index, and the indices sorted.
   std::span<const std::uint8_t> changed() const { return changed_; }
   std::span<const std::uint32_t> changes();
+  /// The same in the order in which they came.
+  std::span<const std::uint32_t> unsorted_changes() const { return changes_; }
   void settle();
   /// Grows with every change.
   std::uint64_t revision() const { return revision_; }

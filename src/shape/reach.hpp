@@ -1,0 +1,29 @@
+// How far a shape reaches about its origin, for what turns.
+//
+// Guarantee: no point of the shape, rounding included, is ever outside.
+#pragma once
+
+#include "shape/compound_data.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+/// The radius of the ball about the shape's origin that holds it; infinite for what has no end.
+template <class T>
+T reach_of(const Shape<T>& shape) {
+  if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
+  if (const auto* compound = shape.template as<Compound<T>>(); compound && !compound->data().unbounded.empty())
+    return std::numeric_limits<T>::infinity();
+  return shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.margin()); });
+}
+
+/// The bounds of a shape at its pose, or, of one that turns, at all that it may come to.
+template <class T>
+Aabb<T> bounds_turning(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& angular) {
+  if (angular == Vec3<T>{}) return bounds(shape, pose);
+  // The sums of a reach lose a few units in the last place, far less than this.
+  const T safe = T(1.0001);
+  return inflated(Aabb<T>{pose.translation, pose.translation}, reach_of(shape) * safe);
+}
+
+}  // namespace graze
