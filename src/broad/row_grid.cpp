@@ -44,6 +44,7 @@ void RowGrid<T>::cut(std::span<const Aabb<T>> boxes, std::span<const std::uint32
 
 template <class T>
 void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, const Spans<T>& spans) {
+  is_prepared_ = false;
   cut(boxes, places, spans);
   const std::size_t n = places.size();
   const std::uint64_t grid = std::uint64_t{y_.count()} * z_.count();
@@ -160,6 +161,8 @@ Rows<T> RowGrid<T>::rows() const {
 
 template <class T>
 void RowGrid<T>::prepare_to_be_swept() {
+  if (is_prepared_) return;
+  is_prepared_ = true;
   first_row_.assign(y_.count() + 1, 0);
   std::uint32_t y = 0;
   for (std::uint32_t i = 0; i < rows_.size(); ++i)

@@ -1,0 +1,64 @@
+// Where kernels put the pairs that they find.
+//
+// Guarantee: grows as needed and keeps its memory for the next frame.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "broad/row_kernels.hpp"
+
+namespace graze {
+
+class FoundPairs {
+ public:
+  void clear() { count_ = 0; }
+  /// For one kernel or several; `take` what it holds before the next use of this object.
+  PairSink sink() {
+    return {first_.data(),
+            second_.data(),
+            count_,
+            first_.size(),
+            [](PairSink& s) {
+              static_cast<FoundPairs*>(s.owner)->grow(s); },
+            this};
+  }
+  void take(const PairSink& sink) { count_ = sink.count; }
+
+  std::span<const std::uint32_t> first() const { return {first_.data(), count_}; }
+  std::span<const std::uint32_t> second() const { return {second_.data(), count_}; }
+
+  void add(std::uint32_t first, std::uint32_t second) {
+    PairSink s = sink();
+    if (count_ == s.capacity) grow(s);
+    first_[count_] = first, second_[count_++] = second;
+  }
+  /// Drops all but those from `from` on for which `keep(first, second)` holds, and those before.
+  template <class Keep>
+  void keep_if(std::size_t from, const Keep& keep) {
+    std::size_t kept = from;
+    for (std::size_t i = from; i < count_; ++i) {
+      const std::uint32_t a = first_[i], b = second_[i];
+      first_[kept] = a, second_[kept] = b;
+      kept += keep(a, b) ? 1 : 0;
+    }
+    count_ = kept;
+  }
+
+  std::size_t memory() const { return (first_.capacity() + second_.capacity()) * sizeof(std::uint32_t); }
+
+ private:
+  void grow(PairSink& s) {
+    const std::size_t more = std::max<std::size_t>(1024, first_.size() * 2);
+    first_.resize(more), second_.resize(more);
+    s.first = first_.data(), s.second = second_.data(), s.capacity = more;
+  }
+
+  std::vector<std::uint32_t> first_, second_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace graze
