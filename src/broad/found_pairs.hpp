@@ -36,11 +36,14 @@ class FoundPairs {
     if (count_ == s.capacity) grow(s);
     first_[count_] = first, second_[count_++] = second;
   }
-  /// Drops all but those from `from` on for which `keep(first, second)` holds, and those before.
-  template <class Keep>
-  void keep_if(std::size_t from, const Keep& keep) {
+  /// Of those from `from` on, drops all but those for which `keep(first, second)` holds; `fetch(second)` is called some
+  /// pairs ahead.
+  template <class Keep, class Fetch>
+  void keep_if(std::size_t from, const Keep& keep, const Fetch& fetch) {
+    constexpr std::size_t ahead = 16;
     std::size_t kept = from;
     for (std::size_t i = from; i < count_; ++i) {
+      fetch(second_[std::min(i + ahead, count_ - 1)]);
       const std::uint32_t a = first_[i], b = second_[i];
       first_[kept] = a, second_[kept] = b;
       kept += keep(a, b) ? 1 : 0;

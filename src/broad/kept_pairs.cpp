@@ -35,6 +35,8 @@ std::size_t sample_place(std::size_t i, std::size_t count) {
   return static_cast<std::size_t>((std::uint64_t{static_cast<std::uint32_t>(i) * 0x9e3779b9u} * count) >> 32);
 }
 
+std::uint64_t key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
+
 std::size_t words_for(std::size_t bits) { return bits / 64 + 1; }
 
 template <class T>
@@ -104,19 +106,31 @@ void KeptPairs<T>::find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<
   all_.find_over(boxes, left, found_);
   // The grid has the rooms, and also those that their boxes have left and that are no more.
   const auto is_in_room = [&](std::uint32_t i) { return i < boxes.size() && (has_left_[i / 64] >> (i % 64) & 1) == 0; };
-  found_.keep_if(among, [&](std::uint32_t a, std::uint32_t b) { return is_in_room(b) && overlap(boxes[a], boxes[b]); });
+  found_.keep_if(
+      among, [&](std::uint32_t a, std::uint32_t b) { return is_in_room(b) && overlap(boxes[a], boxes[b]); },
+      [&](std::uint32_t b) { __builtin_prefetch(boxes.data() + b); });
   for (const std::uint32_t b : all_.wide())
     if (is_in_room(b))
       for (const std::uint32_t a : left)
         if (overlap(boxes[a], boxes[b])) found_.add(a, b);
 }
 
+/// Room in `out` is made bit by bit: about half of the list overlaps, and room that is not used would have been cleared
+/// for nothing.
 template <class T>
 void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped,
                                          std::vector<IdPair>& out) {
-  out.resize(list_.size());
-  out.resize(
-      GRAZE_KERNEL(isa_, keep_overlapping<T>)(numbers(boxes), numbers(list_), list_.size(), dropped, numbers(out)));
+  const auto keep = GRAZE_KERNEL(isa_, keep_overlapping<T>);
+  const std::size_t list = list_.size(), step = list / 16 + 1024;
+  out.resize(std::min(list, last_count_ + step));
+  std::size_t done = 0, kept = 0;
+  while (done < list) {
+    const std::size_t next = std::min(list - done, std::max(step, out.size() - kept));
+    if (out.size() - kept < next) out.resize(std::max(kept + next, std::min(out.capacity(), out.size() + step)));
+    kept += keep(numbers(boxes), numbers(list_) + 2 * done, next, dropped, numbers(out) + 2 * kept);
+    done += next;
+  }
+  out.resize(kept);
 }
 
 /// Puts what was found where it belongs among the sorted pairs of `out`.
@@ -126,13 +140,17 @@ void KeptPairs<T>::merge_found(std::size_t boxes, std::vector<IdPair>& out) {
   of_left_.resize(left);
   order_.sort(found_.first(), found_.second(), boxes, of_left_.data());
   out.resize(other + left);
-  // From behind: those after a pair that is put in move on, and those before all of them stay.
-  for (std::size_t to = out.size(); left > 0;) {
-    if (other > 0 && of_left_[left - 1] < out[other - 1])
-      out[--to] = out[--other];
-    else
-      out[--to] = of_left_[--left];
+  // From behind: those after a pair that is put in move on, and those before all of them stay. Which is next is hard to
+  // foresee, so no branch depends on it.
+  IdPair* const to = out.data();
+  const IdPair* const from = of_left_.data();
+  while (left > 0 && other > 0) {
+    const std::size_t is_other = key(from[left - 1]) < key(to[other - 1]) ? 1 : 0;
+    const IdPair* const next = is_other != 0 ? to + other : from + left;
+    to[left + other - 1] = next[-1];
+    other -= is_other, left -= 1 - is_other;
   }
+  std::copy(from, from + left, to);
 }
 
 /// Whether most boxes have moved so little since the last frame that a list would last.

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "broad/boxes.hpp"
+#include "broad/radix_sort.hpp"
 
 namespace graze {
 
@@ -24,8 +25,9 @@ T longest_side(const Aabb<T>& box) {
 template <class T>
 std::size_t RowSweep<T>::memory() const {
   std::size_t bytes = (members_.capacity() + larger_.capacity() + wide_.capacity()) * sizeof(std::uint32_t) +
-                      found_.memory() + over_.capacity() * sizeof(SweptOver<T>) + inner_.capacity() * sizeof(IdPair) +
-                      compare_wide_.memory() + order_.memory();
+                      found_.memory() + over_.capacity() * sizeof(SweptOver<T>) +
+                      (by_row_.capacity() + scratch_.capacity()) * sizeof(std::uint64_t) +
+                      inner_.capacity() * sizeof(IdPair) + compare_wide_.memory() + order_.memory();
   for (const RowGrid<T>& level : levels_) bytes += level.memory();
   return bytes;
 }
@@ -90,9 +92,21 @@ void RowSweep<T>::sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairS
 template <class T>
 void RowSweep<T>::sweep_over_level(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places,
                                    std::size_t level, PairSink& sink) {
+  const RowGrid<T>& grid = levels_[level];
+  const std::size_t n = places.size();
+  if (by_row_.size() < n) by_row_.resize(n + n / 8), scratch_.resize(n + n / 8);
+  // Row by row, so that a row is fetched once for all that it is compared with.
+  const auto item = [&](std::size_t k) { return std::uint64_t{grid.first_row_of(boxes[places[k]])} << 32 | places[k]; };
+  Digits digits;
+  digits.add(32, bits_below(grid.row_limit()));
+  const std::uint64_t* const sorted = radix_sort(
+      n, item, digits, [](std::uint64_t v) { return v; }, by_row_.data(), scratch_.data());
   over_.clear();
-  for (const std::uint32_t i : places) over_.push_back(levels_[level].reach_of(boxes[i], i));
-  GRAZE_KERNEL(isa_, sweep_over<T>)(levels_[level].rows(), levels_[level].strips(), over_.data(), over_.size(), sink);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::uint32_t>(sorted[k]);
+    over_.push_back(grid.reach_of(boxes[i], i));
+  }
+  GRAZE_KERNEL(isa_, sweep_over<T>)(grid.rows(), grid.strips(), over_.data(), over_.size(), sink);
 }
 
 template <class T>

@@ -61,6 +61,7 @@ class RowSweep {
   std::vector<std::uint32_t> members_, larger_;
   std::vector<std::uint32_t> wide_;  ///< that are compared with all others
   std::vector<SweptOver<T>> over_;
+  std::vector<std::uint64_t> by_row_, scratch_;
   FoundPairs found_;
   std::vector<IdPair> inner_;  ///< the sorted pairs of others than the wide ones
   PairOrder order_;

@@ -73,6 +73,18 @@ template <Scan kind, class T>
   }
 }
 
+/// The first of the rows from `from` to `end` whose index is not below `index`.
+[[gnu::always_inline]] inline std::uint32_t first_not_below(const Row* rows, std::uint32_t from, std::uint32_t end,
+                                                            std::uint32_t index) {
+  for (std::uint32_t size = end - from; size > 0;) {
+    const std::uint32_t half = size / 2;
+    const bool below = rows[from + half].index < index;
+    from = below ? from + half + 1 : from;
+    size = below ? size - half - 1 : half;
+  }
+  return from;
+}
+
 }  // namespace
 
 template <class T>
@@ -96,12 +108,11 @@ void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T
     for (std::uint32_t y = b->low_y; y <= b->high_y; ++y) {
       const std::uint32_t low = y * r.along_z + b->low_z, high = y * r.along_z + b->high_z;
       std::uint32_t from = strips[y];
-      for (std::uint32_t size = strips[y + 1] - from; size > 0;) {  // the first row that is not below `low`
-        const std::uint32_t half = size / 2;
-        const bool below = r.rows[from + half].index < low;
-        from = below ? from + half + 1 : from;
-        size = below ? size - half - 1 : half;
-      }
+      // Where no row of this Y is empty, it is where it would be in a full grid.
+      if (b->low_z < strips[y + 1] - from && r.rows[from + b->low_z].index == low)
+        from += b->low_z;
+      else
+        from = first_not_below(r.rows, from, strips[y + 1], low);
       for (; from < strips[y + 1] && r.rows[from].index <= high; ++from) {
         std::uint32_t k = r.rows[from].begin;
         const std::uint32_t end = r.rows[from].end;
