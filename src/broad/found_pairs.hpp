@@ -1,6 +1,6 @@
 // Where kernels put the pairs that they find.
 //
-// Guarantee: grows as needed and keeps its memory for the next frame.
+// Guarantee: grows as needed, up to a limit where one is set, and keeps its memory for the next frame.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,10 @@ namespace graze {
 
 class FoundPairs {
  public:
-  void clear() { count_ = 0; }
+  /// Kernels stop at some number of pairs between `most` and four times as many: then `is_full`, and what is held is of no
+  /// use.
+  void clear(std::size_t most = ~std::size_t{0}) { count_ = 0, most_ = most, is_full_ = false; }
+  bool is_full() const { return is_full_; }
   /// For one kernel or several; `take` what it holds before the next use of this object.
   PairSink sink() {
     return {first_.data(),
@@ -54,14 +57,21 @@ class FoundPairs {
   std::size_t memory() const { return (first_.capacity() + second_.capacity()) * sizeof(std::uint32_t); }
 
  private:
+  static constexpr std::size_t first_room = 1024;
+
   void grow(PairSink& s) {
-    const std::size_t more = std::max<std::size_t>(1024, first_.size() * 2);
+    if (first_.size() / 2 >= most_ && !first_.empty()) {
+      s.count = 0, s.is_full = is_full_ = true;
+      return;
+    }
+    const std::size_t more = std::max(first_room, first_.size() * 2);
     first_.resize(more), second_.resize(more);
     s.first = first_.data(), s.second = second_.data(), s.capacity = more;
   }
 
   std::vector<std::uint32_t> first_, second_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 0, most_ = ~std::size_t{0};
+  bool is_full_ = false;
 };
 
 }  // namespace graze

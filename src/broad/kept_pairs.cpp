@@ -13,6 +13,9 @@ namespace {
 /// The room on each side of a box as a share of the length that half of the boxes exceed: more makes a list that lasts
 /// longer and is longer itself, by the cube of what it adds to the boxes.
 constexpr double room_per_length = 0.08;
+/// And no more than this share of its own length along the axis: dust beside large boxes and bundles of needles would else
+/// overlap by the thousand.
+constexpr double most_room = 0.25;
 /// Once more than one in so many boxes has left, a new list is cheaper: to look for the pairs of one takes about twice its
 /// share in finding all pairs.
 constexpr std::size_t boxes_per_left = 8;
@@ -33,6 +36,14 @@ constexpr std::size_t comparisons_per_box = 4;
 /// 6.4).
 std::size_t sample_place(std::size_t i, std::size_t count) {
   return static_cast<std::size_t>((std::uint64_t{static_cast<std::uint32_t>(i) * 0x9e3779b9u} * count) >> 32);
+}
+
+/// The box with `room` on each side, or less along those axes on which it is small. A box that lies at infinity has no
+/// length that is a number, and is given `room`: the lesser of that and what is not a number.
+template <class T>
+Aabb<T> with_room(const Aabb<T>& box, const T& room) {
+  const Vec3<T> d = least(Vec3<T>{room, room, room}, box.extent() * T(most_room));
+  return {box.lower - d, box.upper + d};
 }
 
 std::uint64_t key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
@@ -75,14 +86,13 @@ bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPa
                                                               static_cast<std::uint32_t>(boxes.size()), left_.data(),
                                                               static_cast<std::uint32_t>(most + 1));
   if (left > most || left * all_.wide().size() > boxes.size() * comparisons_per_box) return false;
+  const std::span<const std::uint32_t> places{left_.data(), left};
+  if (!std::all_of(places.begin(), places.end(), [&](std::uint32_t i) { return is_bounded(boxes[i]); })) return false;
   ++frames_;
   if (left == 0) {
     keep_overlapping_ones(boxes, nullptr, out);
     return true;
   }
-  const std::span<const std::uint32_t> places{left_.data(), left};
-  for (const std::uint32_t i : places)
-    if (!is_bounded(boxes[i])) return false;
   has_left_.assign(words_for(std::max(boxes.size(), rooms_.size())), 0);
   for (const std::uint32_t i : places) has_left_[i / 64] |= std::uint64_t{1} << (i % 64);
   find_pairs_of_left(boxes, places);
@@ -161,18 +171,18 @@ bool KeptPairs<T>::is_worth_a_list(std::span<const Aabb<T>> boxes) {
     --wait_;
     return false;
   }
-  const T step = room(boxes) / T(frames_to_last);
+  const T step = room_of_most(boxes) / T(frames_to_last);
   std::size_t stay = 0;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const std::size_t place = sample_place(i, sampled_);
-    stay += place < boxes.size() && contains(inflated(samples_[i], step), boxes[place]) ? 1 : 0;
+    stay += place < boxes.size() && contains(with_room(samples_[i], step), boxes[place]) ? 1 : 0;
   }
   return (samples_.size() - stay) * boxes_per_left <= samples_.size();
 }
 
-/// What is left to a box on each side.
+/// What is left to most boxes on each side.
 template <class T>
-T KeptPairs<T>::room(std::span<const Aabb<T>> boxes) {
+T KeptPairs<T>::room_of_most(std::span<const Aabb<T>> boxes) {
   lengths_.clear();
   for (std::size_t i = 0; i < std::min(boxes.size(), most_samples); ++i) {
     const Vec3<T> e = boxes[sample_place(i, boxes.size())].extent();
@@ -185,18 +195,23 @@ T KeptPairs<T>::room(std::span<const Aabb<T>> boxes) {
 
 template <class T>
 void KeptPairs<T>::make_list(std::span<const Aabb<T>> boxes) {
-  const T amount = room(boxes);
+  const T room = room_of_most(boxes);
   rooms_.resize(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) rooms_[i] = inflated(boxes[i], amount);
-  all_.find(rooms_, list_);
-  has_list_ = true;
+  for (std::size_t i = 0; i < boxes.size(); ++i) rooms_[i] = with_room(boxes[i], room);
   frames_ = 0;
+  has_list_ = all_.find(rooms_, list_, boxes.size() * pairs_per_box);
+  if (!has_list_) pause();
 }
 
 template <class T>
 void KeptPairs<T>::end_list() {
   if (!has_list_) return;
   has_list_ = false;
+  pause();
+}
+
+template <class T>
+void KeptPairs<T>::pause() {
   pause_ = frames_ < few_frames ? std::min(2 * pause_ + 1, longest_pause) : 0;
   wait_ = pause_;
 }

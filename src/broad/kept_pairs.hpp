@@ -42,9 +42,10 @@ class KeptPairs {
   void keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped, std::vector<IdPair>& out);
   void merge_found(std::size_t boxes, std::vector<IdPair>& out);
   bool is_worth_a_list(std::span<const Aabb<T>> boxes);
-  T room(std::span<const Aabb<T>> boxes);
+  T room_of_most(std::span<const Aabb<T>> boxes);
   void make_list(std::span<const Aabb<T>> boxes);
   void end_list();
+  void pause();
   void take_samples(std::span<const Aabb<T>> boxes);
 
   Isa isa_;

@@ -110,8 +110,8 @@ void RowSweep<T>::sweep_over_level(std::span<const Aabb<T>> boxes, std::span<con
 }
 
 template <class T>
-void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
-  found_.clear();
+bool RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, std::size_t most) {
+  found_.clear(most);
   PairSink sink = found_.sink();
   members_.clear();
   wide_.clear();
@@ -133,14 +133,16 @@ void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out)
     members_ = larger_;
   }
   found_.take(sink);
+  if (found_.is_full()) return false;
   if (wide_.empty()) {
     out.resize(sink.count);
     order_.sort(found_.first(), found_.second(), boxes.size(), out.data());
-    return;
+    return true;
   }
   inner_.resize(sink.count);
   order_.sort(found_.first(), found_.second(), boxes.size(), inner_.data());
   compare_wide_.merge(isa_, boxes, wide_, inner_, out);
+  return true;
 }
 
 template <class T>

@@ -35,8 +35,9 @@ class RowSweep {
   /// Runs at `level`, which must be available.
   explicit RowSweep(Isa level = chosen_isa()) : isa_(level) {}
 
-  /// The pairs of places in `boxes`, sorted, the smaller first.
-  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  /// The pairs of places in `boxes`, sorted, the smaller first. Gives up and returns false where there turn out to be
+  /// some times more than `most`, those at `wide` left out.
+  bool find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, std::size_t most = ~std::size_t{0});
 
   /// Adds the pairs among the boxes at `places`, which must be bounded, in any order.
   void find_among(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found);

@@ -21,6 +21,9 @@ class Output {
   Output& operator=(const Output&) = delete;
   [[gnu::always_inline]] ~Output() { sink_.count = count_; }
 
+  /// Whether more is to be found at all.
+  [[gnu::always_inline]] bool is_full() const { return is_full_; }
+
   /// The pairs of `place` with those of `others` whose bits are set.
   [[gnu::always_inline]] void add(std::uint32_t place, const std::uint32_t* others, std::uint32_t bits) {
     if (count_ + row_padding > capacity_) [[unlikely]] {
@@ -34,6 +37,7 @@ class Output {
 
  private:
   [[gnu::always_inline]] void fetch() {
+    is_full_ = sink_.is_full;
     first_ = sink_.first, second_ = sink_.second, count_ = sink_.count, capacity_ = sink_.capacity;
   }
   [[gnu::noinline]] static void grow(PairSink& sink, std::size_t count) {
@@ -44,6 +48,7 @@ class Output {
   PairSink& sink_;
   std::uint32_t *first_, *second_;
   std::size_t count_, capacity_;
+  bool is_full_;
 };
 
 /// Which of the columns a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
@@ -90,7 +95,7 @@ template <Scan kind, class T>
 template <class T>
 void sweep_rows(const Rows<T>& r, PairSink& sink) {
   Output output(sink);
-  for (std::size_t i = 0; i < r.count; ++i) {
+  for (std::size_t i = 0; i < r.count && !output.is_full(); ++i) {
     const Row row = r.rows[i];
     for (std::uint32_t b = row.begin; b + 1 < row.end; ++b) {
       const Spread<T> box{r.lower_x[b], r.upper_x[b], r.lower_y[b], r.upper_y[b], r.lower_z[b], r.upper_z[b]};
@@ -103,7 +108,7 @@ template <class T>
 void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T>* boxes, std::size_t count,
                 PairSink& sink) {
   Output output(sink);
-  for (const SweptOver<T>* b = boxes; b != boxes + count; ++b) {
+  for (const SweptOver<T>* b = boxes; b != boxes + count && !output.is_full(); ++b) {
     const Spread<T> box{b->bounds[0], b->bounds[1], b->bounds[2], b->bounds[3], b->bounds[4], b->bounds[5]};
     for (std::uint32_t y = b->low_y; y <= b->high_y; ++y) {
       const std::uint32_t low = y * r.along_z + b->low_z, high = y * r.along_z + b->high_z;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace graze {
@@ -154,11 +155,46 @@ TEST(KeptPairs, AgreeWithWideBoxes) {
   crowd.boxes.push_back({{-100, -1, -100}, {100, 2, 100}});
   crowd.boxes.push_back(Aabbf::everything());
   crowd.boxes.push_back({{0, 0, 0}, {30, 30, 30}});
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  crowd.boxes.push_back({{inf, inf, inf}, {inf, inf, inf}});
   Finders<float> finders;
   for (int frame = 0; frame < 12; ++frame) {
     EXPECT_TRUE(finders.agree(crowd.boxes)) << frame;
     crowd.move(0.1, 0.01, 0.2);
     if (frame % 4 == 3) crowd.boxes[401] = frame % 8 == 3 ? crowd.anywhere(1) : Aabbf::everything();
+  }
+}
+
+/// Boxes that do not overlap, each with scores of others just out of reach: a list of them all would be of no use.
+TEST(KeptPairs, MakeNoListOfMoreThanIsWorthHaving) {
+  std::vector<Aabbf> boxes;
+  for (int i = 0; i < 2560; ++i) {
+    const Vec3f low{0.2f * static_cast<float>(i / 64), 1.05f * static_cast<float>(i / 8 % 8),
+                    1.05f * static_cast<float>(i % 8)};
+    boxes.push_back({low, low + Vec3f{1, 1, 1}});
+  }
+  Finders<float> finders;
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_TRUE(finders.agree(boxes)) << frame;
+    EXPECT_FALSE(finders.have_list()) << frame;
+  }
+}
+
+/// Dust and needles between larger boxes have no more room than is in proportion to them.
+TEST(KeptPairs, GiveSmallBoxesLittleRoom) {
+  Crowd<double> crowd(17);
+  crowd.reach = 12;
+  crowd.add(700);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d dust = crowd.anywhere(0).lower * 0.05, needle = crowd.anywhere(0).lower * 0.1;
+    crowd.boxes.push_back({dust, dust + Vec3d{0.001, 0.001, 0.001}});
+    crowd.boxes.push_back({needle, needle + Vec3d{0.001, 1.5, 0.001}});
+  }
+  Finders<double> finders;
+  for (int frame = 0; frame < 8; ++frame) {
+    EXPECT_TRUE(finders.agree(crowd.boxes)) << frame;
+    EXPECT_EQ(finders.have_list(), frame > 0) << frame;
+    crowd.move(0.05, 0.0001, 0);
   }
 }
 
