@@ -14,10 +14,12 @@
 namespace graze {
 
 template <class T>
-class RowSweep;
+class KeptPairs;
 
-/// All overlapping pairs of many boxes at once, with no memory of the last frame: rows of a grid over two axes, swept
-/// along the third. What finds the pairs of a frame in which much moves; see `BroadPhase` for what is kept up.
+/// All overlapping pairs of many boxes, frame after frame; see `BroadPhase` for structures that also answer queries.
+/// Remembers the pairs of boxes with some room around them, which serve for as long as most boxes stay in it: what stands
+/// still or drifts then costs a sixth of finding all anew. What moves far is found in the rows of a grid over two axes,
+/// swept along the third. The answer is a function of the boxes alone, whatever is remembered.
 template <class T>
 class PairFinder {
  public:
@@ -32,11 +34,11 @@ class PairFinder {
   /// baseline, avx2 or avx512 forces how many); the pairs are the same.
   void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
 
-  /// Bytes that are held for the next frame.
+  /// Bytes that are held for the next frame: some 270 a box in single precision, twice as many in double.
   std::size_t memory() const;
 
  private:
-  std::unique_ptr<RowSweep<T>> sweep_;
+  std::unique_ptr<KeptPairs<T>> kept_;
 };
 
 /// Drops from `pairs` those that their filters (`filters[id]`) or `predicate(a, b)` forbid; keeps the order.

@@ -17,6 +17,8 @@ constexpr int began_bits = 2;
 constexpr int spare_bits = 3;
 /// And at least into so many places to the length of a box: in heaps far apart the boxes of a row share few of them.
 constexpr int places_per_longest = 16;
+/// Up to so many that share a place along X are put in order one by one as they are filled in.
+constexpr std::size_t few_ties = 12;
 /// Boxes are fetched from the caller's array this far ahead.
 constexpr std::size_t ahead = 16;
 /// A strip is so many times as wide as the longest box: wider ones hold fewer boxes twice, narrower ones compare fewer.
@@ -44,6 +46,7 @@ void RowGrid<T>::cut(std::span<const Aabb<T>> boxes, std::span<const std::uint32
 
 template <class T>
 void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, const Spans<T>& spans) {
+  is_prepared_ = false;
   cut(boxes, places, spans);
   const std::size_t n = places.size();
   const std::uint64_t grid = std::uint64_t{y_.count()} * z_.count();
@@ -99,23 +102,18 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
   fill(boxes, sorted, count);
 }
 
-/// Boxes that share a place along X, by X itself.
+/// Boxes of which many share a place along X, by X itself.
 template <class T>
 void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items, std::size_t count) {
   const std::uint64_t place = (std::uint64_t{1} << layout_.place_bits) - 1;
   const int key_shift = layout_.place_bits + began_bits;
-  const auto before = [&](std::uint64_t p, std::uint64_t q) {
-    return boxes[p & place].lower.x < boxes[q & place].lower.x;
-  };
-  for (std::size_t i = 1; i < count; ++i) {
-    const std::uint64_t key = items[i - 1] >> key_shift;
-    if (items[i] >> key_shift != key) continue;
-    const std::size_t begin = i - 1;
-    while (i < count && items[i] >> key_shift == key) ++i;
-    if (i - begin > 2)
-      std::sort(items + begin, items + i, before);
-    else if (before(items[begin + 1], items[begin]))
-      std::swap(items[begin], items[begin + 1]);
+  for (std::size_t end = few_ties; end < count; ++end) {
+    if (items[end] >> key_shift != items[end - few_ties] >> key_shift) continue;
+    const std::uint64_t key = items[end] >> key_shift;
+    const std::size_t begin = end - few_ties;
+    while (end < count && items[end] >> key_shift == key) ++end;
+    std::sort(items + begin, items + end,
+              [&](std::uint64_t p, std::uint64_t q) { return boxes[p & place].lower.x < boxes[q & place].lower.x; });
   }
 }
 
@@ -133,21 +131,32 @@ void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items
   const std::uint64_t place_mask = (std::uint64_t{1} << layout_.place_bits) - 1;
   const int began_shift = layout_.place_bits, row_shift = began_shift + began_bits + layout_.bits_x;
   std::uint64_t last_row = ~std::uint64_t{0};
+  std::size_t row_begin = 0;
   for (std::size_t i = 0; i < n; ++i) {
     __builtin_prefetch(&boxes[items[std::min(i + ahead, n - 1)] & place_mask]);
     const std::uint64_t item = items[i], row = item >> row_shift;
+    if (row != last_row) {
+      const auto at = static_cast<std::uint32_t>(i);
+      if (!rows_.empty()) rows_.back().end = at;
+      rows_.push_back({static_cast<std::uint32_t>(row), at, at});
+      last_row = row;
+      row_begin = i;
+    }
     const auto place = static_cast<std::uint32_t>(item & place_mask);
     const Aabb<T>& b = boxes[place];
-    lower_x[i] = b.lower.x, upper_x[i] = b.upper.x;
-    lower_y[i] = b.lower.y, upper_y[i] = b.upper.y;
-    lower_z[i] = b.lower.z, upper_z[i] = b.upper.z;
-    began[i] = static_cast<int>(item >> began_shift & 3);
-    places[i] = place;
-    if (row == last_row) continue;
-    const auto at = static_cast<std::uint32_t>(i);
-    if (!rows_.empty()) rows_.back().end = at;
-    rows_.push_back({static_cast<std::uint32_t>(row), at, at});
-    last_row = row;
+    // Those that share a place along X come in any order.
+    std::size_t to = i;
+    while (to > row_begin && b.lower.x < lower_x[to - 1]) --to;
+    if (to != i) [[unlikely]] {
+      const auto make_way = [to, i](auto* numbers) { std::copy_backward(numbers + to, numbers + i, numbers + i + 1); };
+      make_way(lower_x), make_way(upper_x), make_way(lower_y), make_way(upper_y), make_way(lower_z), make_way(upper_z);
+      make_way(began), make_way(places);
+    }
+    lower_x[to] = b.lower.x, upper_x[to] = b.upper.x;
+    lower_y[to] = b.lower.y, upper_y[to] = b.upper.y;
+    lower_z[to] = b.lower.z, upper_z[to] = b.upper.z;
+    began[to] = static_cast<int>(item >> began_shift & 3);
+    places[to] = place;
   }
   rows_.back().end = static_cast<std::uint32_t>(n);
 }
@@ -160,6 +169,8 @@ Rows<T> RowGrid<T>::rows() const {
 
 template <class T>
 void RowGrid<T>::prepare_to_be_swept() {
+  if (is_prepared_) return;
+  is_prepared_ = true;
   first_row_.assign(y_.count() + 1, 0);
   std::uint32_t y = 0;
   for (std::uint32_t i = 0; i < rows_.size(); ++i)

@@ -27,10 +27,15 @@ class RowGrid {
   void build(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, const Spans<T>& spans);
 
   Rows<T> rows() const;
-  /// Makes `strips` and `Rows::reach_x`, which only `sweep_over` needs.
+  /// Makes `strips` and `Rows::reach_x`, which only `sweep_over` needs. Once is enough until the next `build`.
   void prepare_to_be_swept();
   /// The first row with each Y or a larger, and the end.
   const std::uint32_t* strips() const { return first_row_.data(); }
+  /// The first row that a box can reach, and how many rows there may be.
+  std::uint32_t first_row_of(const Aabb<T>& box) const {
+    return y_.nearest(box.lower.y) * z_.count() + z_.nearest(box.lower.z);
+  }
+  std::uint32_t row_limit() const { return y_.count() * z_.count(); }
   /// A box that is to be compared with this grid's.
   SweptOver<T> reach_of(const Aabb<T>& box, std::uint32_t place) const;
 
@@ -47,6 +52,7 @@ class RowGrid {
   };
 
   Layout layout_{};
+  bool is_prepared_ = false;
   Strips<T> y_, z_;
   std::vector<T> lower_x_, upper_x_, lower_y_, upper_y_, lower_z_, upper_z_, reach_x_;
   std::vector<typename BitsOf<sizeof(T)>::type> began_;

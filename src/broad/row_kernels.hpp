@@ -48,8 +48,10 @@ struct Rows {
 struct PairSink {
   std::uint32_t *first, *second;
   std::size_t count, capacity;
-  void (*grow)(PairSink&);  ///< makes room for `row_padding` more at the least
+  /// Makes room for `row_padding` more at the least; or sets `is_full`, and then what else is found may be lost.
+  void (*grow)(PairSink&);
   void* owner;
+  bool is_full = false;
 };
 
 /// A box that is compared with rows: `lower_x`, `upper_x` and so on for Y and Z.

@@ -1,11 +1,10 @@
 #include "broad/row_sweep.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "broad/boxes.hpp"
-#include "graze/pairs.hpp"
+#include "broad/radix_sort.hpp"
 
 namespace graze {
 
@@ -21,22 +20,14 @@ T longest_side(const Aabb<T>& box) {
   return greatest(e.x, greatest(e.y, e.z));
 }
 
-/// Whether a grid can hold it: differences of such coordinates are finite.
-template <class T>
-bool is_bounded(const Aabb<T>& box) {
-  constexpr T most = std::numeric_limits<T>::max() / T(4);
-  return greatest(max_abs(box.lower), max_abs(box.upper)) <= most;
-}
-
 }  // namespace
 
 template <class T>
 std::size_t RowSweep<T>::memory() const {
-  std::size_t bytes =
-      (members_.capacity() + larger_.capacity() + wide_.capacity() + first_.capacity() + second_.capacity()) *
-          sizeof(std::uint32_t) +
-      over_.capacity() * sizeof(SweptOver<T>) + inner_.capacity() * sizeof(IdPair) + compare_wide_.memory() +
-      order_.memory();
+  std::size_t bytes = (members_.capacity() + larger_.capacity() + wide_.capacity()) * sizeof(std::uint32_t) +
+                      found_.memory() + over_.capacity() * sizeof(SweptOver<T>) +
+                      (by_row_.capacity() + scratch_.capacity()) * sizeof(std::uint64_t) +
+                      inner_.capacity() * sizeof(IdPair) + compare_wide_.memory() + order_.memory();
   for (const RowGrid<T>& level : levels_) bytes += level.memory();
   return bytes;
 }
@@ -95,33 +86,40 @@ Spans<T> RowSweep<T>::split(std::span<const Aabb<T>> boxes) {
 template <class T>
 void RowSweep<T>::sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairSink& sink) {
   GRAZE_KERNEL(isa_, sweep_rows<T>)(levels_[level].rows(), sink);
-  for (std::size_t below = 0; below < level; ++below) {
-    over_.clear();
-    for (const std::uint32_t i : members_) over_.push_back(levels_[below].reach_of(boxes[i], i));
-    GRAZE_KERNEL(isa_, sweep_over<T>)
-    (levels_[below].rows(), levels_[below].strips(), over_.data(), over_.size(), sink);
-  }
+  for (std::size_t below = 0; below < level; ++below) sweep_over_level(boxes, members_, below, sink);
 }
 
 template <class T>
-void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
-  PairSink sink{first_.data(),
-                second_.data(),
-                0,
-                first_.size(),
-                [](PairSink& s) {
-                  auto& self = *static_cast<RowSweep*>(s.owner);
-                  const std::size_t more = std::max<std::size_t>(1024, self.first_.size() * 2);
-                  self.first_.resize(more), self.second_.resize(more);
-                  s.first = self.first_.data(), s.second = self.second_.data(), s.capacity = more;
-                },
-                this};
+void RowSweep<T>::sweep_over_level(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places,
+                                   std::size_t level, PairSink& sink) {
+  const RowGrid<T>& grid = levels_[level];
+  const std::size_t n = places.size();
+  if (by_row_.size() < n) by_row_.resize(n + n / 8), scratch_.resize(n + n / 8);
+  // Row by row, so that a row is fetched once for all that it is compared with.
+  const auto item = [&](std::size_t k) { return std::uint64_t{grid.first_row_of(boxes[places[k]])} << 32 | places[k]; };
+  Digits digits;
+  digits.add(32, bits_below(grid.row_limit()));
+  const std::uint64_t* const sorted = radix_sort(
+      n, item, digits, [](std::uint64_t v) { return v; }, by_row_.data(), scratch_.data());
+  over_.clear();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::uint32_t>(sorted[k]);
+    over_.push_back(grid.reach_of(boxes[i], i));
+  }
+  GRAZE_KERNEL(isa_, sweep_over<T>)(grid.rows(), grid.strips(), over_.data(), over_.size(), sink);
+}
+
+template <class T>
+bool RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, std::size_t most) {
+  found_.clear(most);
+  PairSink sink = found_.sink();
   members_.clear();
   wide_.clear();
   Spans<T> spans;
   const bool alike = !boxes.empty() && all_alike(boxes, spans);
   for (std::uint32_t i = 0; !alike && i < boxes.size(); ++i) (is_bounded(boxes[i]) ? members_ : wide_).push_back(i);
-  for (std::size_t level = 0; !members_.empty(); ++level) {
+  for (level_count_ = 0; !members_.empty(); ++level_count_) {
+    const std::size_t level = level_count_;
     if (level == levels_.size()) levels_.emplace_back();
     if (!alike) spans = split(boxes);
     if (level == 0 && !larger_.empty() && WideBoxes<T>::worthwhile(boxes, larger_)) {
@@ -134,37 +132,46 @@ void RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out)
     sweep(boxes, level, sink);
     members_ = larger_;
   }
-  const std::span<const std::uint32_t> first{first_.data(), sink.count}, second{second_.data(), sink.count};
+  found_.take(sink);
+  if (found_.is_full()) return false;
   if (wide_.empty()) {
     out.resize(sink.count);
-    order_.sort(first, second, boxes.size(), out.data());
-    return;
+    order_.sort(found_.first(), found_.second(), boxes.size(), out.data());
+    return true;
   }
   inner_.resize(sink.count);
-  order_.sort(first, second, boxes.size(), inner_.data());
+  order_.sort(found_.first(), found_.second(), boxes.size(), inner_.data());
   compare_wide_.merge(isa_, boxes, wide_, inner_, out);
+  return true;
 }
 
 template <class T>
-PairFinder<T>::PairFinder() : sweep_(std::make_unique<RowSweep<T>>()) {}
-template <class T>
-PairFinder<T>::~PairFinder() = default;
-template <class T>
-PairFinder<T>::PairFinder(PairFinder&&) noexcept = default;
-template <class T>
-PairFinder<T>& PairFinder<T>::operator=(PairFinder&&) noexcept = default;
-template <class T>
-void PairFinder<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
-  sweep_->find(boxes, out);
+void RowSweep<T>::find_among(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found) {
+  PairSink sink = found.sink();
+  members_.assign(places.begin(), places.end());
+  for (level_count_ = 0; !members_.empty(); ++level_count_) {
+    if (level_count_ == levels_.size()) levels_.emplace_back();
+    RowGrid<T>& level = levels_[level_count_];
+    const Spans<T> spans = split(boxes);
+    level.build(boxes, members_, spans);
+    if (!larger_.empty()) level.prepare_to_be_swept();
+    sweep(boxes, level_count_, sink);
+    members_ = larger_;
+  }
+  found.take(sink);
 }
+
 template <class T>
-std::size_t PairFinder<T>::memory() const {
-  return sweep_->memory();
+void RowSweep<T>::find_over(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found) {
+  PairSink sink = found.sink();
+  for (std::size_t level = 0; level < level_count_; ++level) {
+    levels_[level].prepare_to_be_swept();
+    sweep_over_level(boxes, places, level, sink);
+  }
+  found.take(sink);
 }
 
 template class RowSweep<float>;
 template class RowSweep<double>;
-template class PairFinder<float>;
-template class PairFinder<double>;
 
 }  // namespace graze

@@ -10,9 +10,11 @@
 // where a frame needs no more room than those before.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "broad/found_pairs.hpp"
 #include "broad/pair_order.hpp"
 #include "broad/row_grid.hpp"
 #include "broad/wide_boxes.hpp"
@@ -20,14 +22,30 @@
 
 namespace graze {
 
+/// Whether a grid can hold it: differences of such coordinates are finite.
+template <class T>
+bool is_bounded(const Aabb<T>& box) {
+  constexpr T most = std::numeric_limits<T>::max() / T(4);
+  return greatest(max_abs(box.lower), max_abs(box.upper)) <= most;
+}
+
 template <class T>
 class RowSweep {
  public:
   /// Runs at `level`, which must be available.
   explicit RowSweep(Isa level = chosen_isa()) : isa_(level) {}
 
-  /// The pairs of places in `boxes`, sorted, the smaller first.
-  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  /// The pairs of places in `boxes`, sorted, the smaller first. Gives up and returns false where there turn out to be
+  /// some times more than `most`, those at `wide` left out.
+  bool find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, std::size_t most = ~std::size_t{0});
+
+  /// Adds the pairs among the boxes at `places`, which must be bounded, in any order.
+  void find_among(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found);
+  /// Adds the pairs of the boxes at `places`, which must be bounded, with those that `find` was last given, the latter
+  /// second and in any order; but not with those at `wide`.
+  void find_over(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found);
+  /// Those that the last `find` compared with all others.
+  std::span<const std::uint32_t> wide() const { return wide_; }
 
   std::size_t memory() const;
 
@@ -35,14 +53,18 @@ class RowSweep {
   bool all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans);
   Spans<T> split(std::span<const Aabb<T>> boxes);
   void sweep(std::span<const Aabb<T>> boxes, std::size_t level, PairSink& sink);
+  void sweep_over_level(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, std::size_t level,
+                        PairSink& sink);
 
   Isa isa_;
   std::vector<RowGrid<T>> levels_;
+  std::size_t level_count_ = 0;  ///< those in use
   std::vector<std::uint32_t> members_, larger_;
   std::vector<std::uint32_t> wide_;  ///< that are compared with all others
   std::vector<SweptOver<T>> over_;
-  std::vector<std::uint32_t> first_, second_;  ///< the pairs as they are found
-  std::vector<IdPair> inner_;                  ///< the sorted pairs of others than the wide ones
+  std::vector<std::uint64_t> by_row_, scratch_;
+  FoundPairs found_;
+  std::vector<IdPair> inner_;  ///< the sorted pairs of others than the wide ones
   PairOrder order_;
   WideBoxes<T> compare_wide_;
 };

@@ -21,6 +21,9 @@ class Output {
   Output& operator=(const Output&) = delete;
   [[gnu::always_inline]] ~Output() { sink_.count = count_; }
 
+  /// Whether more is to be found at all.
+  [[gnu::always_inline]] bool is_full() const { return is_full_; }
+
   /// The pairs of `place` with those of `others` whose bits are set.
   [[gnu::always_inline]] void add(std::uint32_t place, const std::uint32_t* others, std::uint32_t bits) {
     if (count_ + row_padding > capacity_) [[unlikely]] {
@@ -34,6 +37,7 @@ class Output {
 
  private:
   [[gnu::always_inline]] void fetch() {
+    is_full_ = sink_.is_full;
     first_ = sink_.first, second_ = sink_.second, count_ = sink_.count, capacity_ = sink_.capacity;
   }
   [[gnu::noinline]] static void grow(PairSink& sink, std::size_t count) {
@@ -44,6 +48,7 @@ class Output {
   PairSink& sink_;
   std::uint32_t *first_, *second_;
   std::size_t count_, capacity_;
+  bool is_full_;
 };
 
 /// Which of the columns a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
@@ -73,12 +78,24 @@ template <Scan kind, class T>
   }
 }
 
+/// The first of the rows from `from` to `end` whose index is not below `index`.
+[[gnu::always_inline]] inline std::uint32_t first_not_below(const Row* rows, std::uint32_t from, std::uint32_t end,
+                                                            std::uint32_t index) {
+  for (std::uint32_t size = end - from; size > 0;) {
+    const std::uint32_t half = size / 2;
+    const bool below = rows[from + half].index < index;
+    from = below ? from + half + 1 : from;
+    size = below ? size - half - 1 : half;
+  }
+  return from;
+}
+
 }  // namespace
 
 template <class T>
 void sweep_rows(const Rows<T>& r, PairSink& sink) {
   Output output(sink);
-  for (std::size_t i = 0; i < r.count; ++i) {
+  for (std::size_t i = 0; i < r.count && !output.is_full(); ++i) {
     const Row row = r.rows[i];
     for (std::uint32_t b = row.begin; b + 1 < row.end; ++b) {
       const Spread<T> box{r.lower_x[b], r.upper_x[b], r.lower_y[b], r.upper_y[b], r.lower_z[b], r.upper_z[b]};
@@ -91,17 +108,16 @@ template <class T>
 void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T>* boxes, std::size_t count,
                 PairSink& sink) {
   Output output(sink);
-  for (const SweptOver<T>* b = boxes; b != boxes + count; ++b) {
+  for (const SweptOver<T>* b = boxes; b != boxes + count && !output.is_full(); ++b) {
     const Spread<T> box{b->bounds[0], b->bounds[1], b->bounds[2], b->bounds[3], b->bounds[4], b->bounds[5]};
     for (std::uint32_t y = b->low_y; y <= b->high_y; ++y) {
       const std::uint32_t low = y * r.along_z + b->low_z, high = y * r.along_z + b->high_z;
       std::uint32_t from = strips[y];
-      for (std::uint32_t size = strips[y + 1] - from; size > 0;) {  // the first row that is not below `low`
-        const std::uint32_t half = size / 2;
-        const bool below = r.rows[from + half].index < low;
-        from = below ? from + half + 1 : from;
-        size = below ? size - half - 1 : half;
-      }
+      // Where no row of this Y is empty, it is where it would be in a full grid.
+      if (b->low_z < strips[y + 1] - from && r.rows[from + b->low_z].index == low)
+        from += b->low_z;
+      else
+        from = first_not_below(r.rows, from, strips[y + 1], low);
       for (; from < strips[y + 1] && r.rows[from].index <= high; ++from) {
         std::uint32_t k = r.rows[from].begin;
         const std::uint32_t end = r.rows[from].end;

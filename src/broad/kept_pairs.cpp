@@ -1,0 +1,257 @@
+#include "broad/kept_pairs.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "broad/kept_kernels.hpp"
+#include "graze/pairs.hpp"
+
+namespace graze {
+
+namespace {
+
+/// The room on each side of a box as a share of the length that half of the boxes exceed: more makes a list that lasts
+/// longer and is longer itself, by the cube of what it adds to the boxes.
+constexpr double room_per_length = 0.08;
+/// And no more than this share of its own length along the axis: dust beside large boxes and bundles of needles would else
+/// overlap by the thousand.
+constexpr double most_room = 0.25;
+/// Once more than one in so many boxes has left, a new list is cheaper: to look for the pairs of one takes about twice its
+/// share in finding all pairs.
+constexpr std::size_t boxes_per_left = 8;
+/// A list costs about a third more than finding all pairs without one, and is tried where most boxes would stay in their
+/// rooms for so many frames.
+constexpr int frames_to_last = 3;
+/// A list that was of use in fewer frames was not worth making: the next one waits, each time longer up to a limit.
+constexpr std::size_t few_frames = 2, longest_pause = 63;
+/// Where boxes overlap more others than that, finding their pairs costs little more than going through a list of them,
+/// and the list would take more memory than the boxes.
+constexpr std::size_t pairs_per_box = 8;
+/// So many boxes tell how far all of them move.
+constexpr std::size_t most_samples = 256;
+/// Comparing one that left with one that overlaps much (wide_boxes.hpp) costs a fiftieth of finding a box's pairs.
+constexpr std::size_t comparisons_per_box = 4;
+
+/// The place of sample `i`: steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section
+/// 6.4).
+std::size_t sample_place(std::size_t i, std::size_t count) {
+  return static_cast<std::size_t>((std::uint64_t{static_cast<std::uint32_t>(i) * 0x9e3779b9u} * count) >> 32);
+}
+
+/// The box with `room` on each side, or less along those axes on which it is small. A box that lies at infinity has no
+/// length that is a number, and is given `room`: the lesser of that and what is not a number.
+template <class T>
+Aabb<T> with_room(const Aabb<T>& box, const T& room) {
+  const Vec3<T> d = least(Vec3<T>{room, room, room}, box.extent() * T(most_room));
+  return {box.lower - d, box.upper + d};
+}
+
+std::uint64_t key(const IdPair& p) { return std::uint64_t{p.a} << 32 | p.b; }
+
+std::size_t words_for(std::size_t bits) { return bits / 64 + 1; }
+
+template <class T>
+const T* numbers(std::span<const Aabb<T>> boxes) {
+  static_assert(sizeof(Aabb<T>) == 6 * sizeof(T));
+  return reinterpret_cast<const T*>(boxes.data());
+}
+
+static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
+std::uint32_t* numbers(std::vector<IdPair>& pairs) { return reinterpret_cast<std::uint32_t*>(pairs.data()); }
+
+}  // namespace
+
+template <class T>
+void KeptPairs<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
+  if (!find_by_list(boxes, out)) {
+    end_list();
+    if (is_worth_a_list(boxes)) make_list(boxes);
+    if (has_list_)
+      keep_overlapping_ones(boxes, nullptr, out);
+    else
+      all_.find(boxes, out);
+  }
+  take_samples(boxes);
+  last_count_ = out.size();
+}
+
+/// Returns false where there is no list, or too many have left for it to be of use.
+template <class T>
+bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
+  if (!has_list_) return false;
+  fit_list(boxes.size());
+  const std::size_t most = boxes.size() / boxes_per_left;
+  if (left_.size() < most + 1) left_.resize(std::max(most + 1, left_.size()));
+  const std::uint32_t left = GRAZE_KERNEL(isa_, find_left<T>)(numbers(boxes), numbers(std::span<const Aabb<T>>(rooms_)),
+                                                              static_cast<std::uint32_t>(boxes.size()), left_.data(),
+                                                              static_cast<std::uint32_t>(most + 1));
+  if (left > most || left * all_.wide().size() > boxes.size() * comparisons_per_box) return false;
+  const std::span<const std::uint32_t> places{left_.data(), left};
+  if (!std::all_of(places.begin(), places.end(), [&](std::uint32_t i) { return is_bounded(boxes[i]); })) return false;
+  ++frames_;
+  if (left == 0) {
+    keep_overlapping_ones(boxes, nullptr, out);
+    return true;
+  }
+  has_left_.assign(words_for(std::max(boxes.size(), rooms_.size())), 0);
+  for (const std::uint32_t i : places) has_left_[i / 64] |= std::uint64_t{1} << (i % 64);
+  find_pairs_of_left(boxes, places);
+  keep_overlapping_ones(boxes, has_left_.data(), out);
+  merge_found(boxes.size(), out);
+  return true;
+}
+
+/// The list is for as many boxes as there were. New places are those of boxes that have no room at all.
+template <class T>
+void KeptPairs<T>::fit_list(std::size_t boxes) {
+  if (boxes < rooms_.size()) std::erase_if(list_, [boxes](const IdPair& p) { return p.b >= boxes; });
+  if (boxes != rooms_.size()) rooms_.resize(boxes, Aabb<T>::empty());
+}
+
+template <class T>
+void KeptPairs<T>::find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> left) {
+  found_.clear();
+  left_sweep_.find_among(boxes, left, found_);
+  const std::size_t among = found_.first().size();
+  all_.find_over(boxes, left, found_);
+  // The grid has the rooms, and also those that their boxes have left and that are no more.
+  const auto is_in_room = [&](std::uint32_t i) { return i < boxes.size() && (has_left_[i / 64] >> (i % 64) & 1) == 0; };
+  found_.keep_if(
+      among, [&](std::uint32_t a, std::uint32_t b) { return is_in_room(b) && overlap(boxes[a], boxes[b]); },
+      [&](std::uint32_t b) { __builtin_prefetch(boxes.data() + b); });
+  for (const std::uint32_t b : all_.wide())
+    if (is_in_room(b))
+      for (const std::uint32_t a : left)
+        if (overlap(boxes[a], boxes[b])) found_.add(a, b);
+}
+
+/// Room in `out` is made bit by bit: about half of the list overlaps, and room that is not used would have been cleared
+/// for nothing.
+template <class T>
+void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped,
+                                         std::vector<IdPair>& out) {
+  const auto keep = GRAZE_KERNEL(isa_, keep_overlapping<T>);
+  const std::size_t list = list_.size(), step = list / 16 + 1024;
+  out.resize(std::min(list, last_count_ + step));
+  std::size_t done = 0, kept = 0;
+  while (done < list) {
+    const std::size_t next = std::min(list - done, std::max(step, out.size() - kept));
+    if (out.size() - kept < next) out.resize(std::max(kept + next, std::min(out.capacity(), out.size() + step)));
+    kept += keep(numbers(boxes), numbers(list_) + 2 * done, next, dropped, numbers(out) + 2 * kept);
+    done += next;
+  }
+  out.resize(kept);
+}
+
+/// Puts what was found where it belongs among the sorted pairs of `out`.
+template <class T>
+void KeptPairs<T>::merge_found(std::size_t boxes, std::vector<IdPair>& out) {
+  std::size_t left = found_.first().size(), other = out.size();
+  of_left_.resize(left);
+  order_.sort(found_.first(), found_.second(), boxes, of_left_.data());
+  out.resize(other + left);
+  // From behind: those after a pair that is put in move on, and those before all of them stay. Which is next is hard to
+  // foresee, so no branch depends on it.
+  IdPair* const to = out.data();
+  const IdPair* const from = of_left_.data();
+  while (left > 0 && other > 0) {
+    const std::size_t is_other = key(from[left - 1]) < key(to[other - 1]) ? 1 : 0;
+    const IdPair* const next = is_other != 0 ? to + other : from + left;
+    to[left + other - 1] = next[-1];
+    other -= is_other, left -= 1 - is_other;
+  }
+  std::copy(from, from + left, to);
+}
+
+/// Whether most boxes have moved so little since the last frame that a list would last.
+template <class T>
+bool KeptPairs<T>::is_worth_a_list(std::span<const Aabb<T>> boxes) {
+  if (samples_.empty() || boxes.empty() || last_count_ > boxes.size() * pairs_per_box) return false;
+  if (wait_ > 0) {
+    --wait_;
+    return false;
+  }
+  const T step = room_of_most(boxes) / T(frames_to_last);
+  std::size_t stay = 0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const std::size_t place = sample_place(i, sampled_);
+    stay += place < boxes.size() && contains(with_room(samples_[i], step), boxes[place]) ? 1 : 0;
+  }
+  return (samples_.size() - stay) * boxes_per_left <= samples_.size();
+}
+
+/// What is left to most boxes on each side.
+template <class T>
+T KeptPairs<T>::room_of_most(std::span<const Aabb<T>> boxes) {
+  lengths_.clear();
+  for (std::size_t i = 0; i < std::min(boxes.size(), most_samples); ++i) {
+    const Vec3<T> e = boxes[sample_place(i, boxes.size())].extent();
+    lengths_.push_back(greatest(e.x, greatest(e.y, e.z)));
+  }
+  const auto middle = lengths_.begin() + static_cast<std::ptrdiff_t>(lengths_.size() / 2);
+  std::nth_element(lengths_.begin(), middle, lengths_.end());
+  return *middle <= std::numeric_limits<T>::max() ? *middle * T(room_per_length) : T(0);
+}
+
+template <class T>
+void KeptPairs<T>::make_list(std::span<const Aabb<T>> boxes) {
+  const T room = room_of_most(boxes);
+  rooms_.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) rooms_[i] = with_room(boxes[i], room);
+  frames_ = 0;
+  has_list_ = all_.find(rooms_, list_, boxes.size() * pairs_per_box);
+  if (!has_list_) pause();
+}
+
+template <class T>
+void KeptPairs<T>::end_list() {
+  if (!has_list_) return;
+  has_list_ = false;
+  pause();
+}
+
+template <class T>
+void KeptPairs<T>::pause() {
+  pause_ = frames_ < few_frames ? std::min(2 * pause_ + 1, longest_pause) : 0;
+  wait_ = pause_;
+}
+
+template <class T>
+void KeptPairs<T>::take_samples(std::span<const Aabb<T>> boxes) {
+  sampled_ = boxes.size();
+  samples_.clear();
+  for (std::size_t i = 0; i < std::min(boxes.size(), most_samples); ++i)
+    samples_.push_back(boxes[sample_place(i, boxes.size())]);
+}
+
+template <class T>
+std::size_t KeptPairs<T>::memory() const {
+  return all_.memory() + left_sweep_.memory() + found_.memory() + order_.memory() +
+         (rooms_.capacity() + samples_.capacity()) * sizeof(Aabb<T>) +
+         (list_.capacity() + of_left_.capacity()) * sizeof(IdPair) + lengths_.capacity() * sizeof(T) +
+         left_.capacity() * sizeof(std::uint32_t) + has_left_.capacity() * sizeof(std::uint64_t);
+}
+
+template <class T>
+PairFinder<T>::PairFinder() : kept_(std::make_unique<KeptPairs<T>>()) {}
+template <class T>
+PairFinder<T>::~PairFinder() = default;
+template <class T>
+PairFinder<T>::PairFinder(PairFinder&&) noexcept = default;
+template <class T>
+PairFinder<T>& PairFinder<T>::operator=(PairFinder&&) noexcept = default;
+template <class T>
+void PairFinder<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
+  kept_->find(boxes, out);
+}
+template <class T>
+std::size_t PairFinder<T>::memory() const {
+  return kept_->memory();
+}
+
+template class KeptPairs<float>;
+template class KeptPairs<double>;
+template class PairFinder<float>;
+template class PairFinder<double>;
+
+}  // namespace graze

@@ -1,0 +1,69 @@
+// The pairs of a frame from those of frames before: a list of the pairs of boxes with some room around them stays
+// complete for as long as each box is in its room, and is in order already (Verlet 1967, "Computer experiments on
+// classical fluids", the neighbour lists).
+//
+// A frame in which all boxes are in their rooms costs one look at each and one comparison for each pair of the list. The
+// pairs of boxes that have left their rooms are looked for (row_sweep.hpp) among themselves and with all others; where
+// they are many, the list is made anew; and where boxes move so far between frames that it would not last, all pairs are
+// found without one.
+//
+// Guarantee: exactly the overlapping pairs of closed boxes, sorted; a function of the boxes alone, since what is
+// remembered only says where to look.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "broad/found_pairs.hpp"
+#include "broad/pair_order.hpp"
+#include "broad/row_sweep.hpp"
+#include "graze/broad_phase.hpp"
+
+namespace graze {
+
+template <class T>
+class KeptPairs {
+ public:
+  /// Runs at `level`, which must be available.
+  explicit KeptPairs(Isa level = chosen_isa()) : isa_(level), all_(level), left_sweep_(level) {}
+
+  /// The pairs of places in `boxes`, sorted, the smaller first.
+  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+
+  /// Whether the last frame left a list for the next one.
+  bool has_list() const { return has_list_; }
+
+  std::size_t memory() const;
+
+ private:
+  bool find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  void fit_list(std::size_t boxes);
+  void find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> left);
+  void keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped, std::vector<IdPair>& out);
+  void merge_found(std::size_t boxes, std::vector<IdPair>& out);
+  bool is_worth_a_list(std::span<const Aabb<T>> boxes);
+  T room_of_most(std::span<const Aabb<T>> boxes);
+  void make_list(std::span<const Aabb<T>> boxes);
+  void end_list();
+  void pause();
+  void take_samples(std::span<const Aabb<T>> boxes);
+
+  Isa isa_;
+  RowSweep<T> all_, left_sweep_;
+  std::vector<Aabb<T>> rooms_;
+  std::vector<IdPair> list_;  ///< the pairs of rooms that overlap
+  bool has_list_ = false;
+  std::size_t frames_ = 0;            ///< in which the list was of use
+  std::size_t wait_ = 0, pause_ = 0;  ///< frames until the next list is tried, and how many there were the last time
+  std::size_t last_count_ = 0;        ///< of pairs, in the last frame
+  std::vector<Aabb<T>> samples_;      ///< some boxes of the last frame
+  std::size_t sampled_ = 0;           ///< out of so many
+  std::vector<T> lengths_;
+  std::vector<std::uint32_t> left_;      ///< the boxes that are not in their rooms
+  std::vector<std::uint64_t> has_left_;  ///< a bit for each
+  FoundPairs found_;
+  PairOrder order_;
+  std::vector<IdPair> of_left_;
+};
+
+}  // namespace graze

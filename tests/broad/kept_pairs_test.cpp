@@ -1,0 +1,221 @@
+// The pairs of frame after frame against all pairs: what is remembered of the frames before changes no answer.
+#include "broad/kept_pairs.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace graze {
+namespace {
+
+template <class T>
+std::vector<IdPair> brute_force(const std::vector<Aabb<T>>& boxes) {
+  std::vector<IdPair> pairs;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    for (std::uint32_t j = i + 1; j < boxes.size(); ++j)
+      if (overlap(boxes[i], boxes[j])) pairs.push_back({i, j});
+  return pairs;
+}
+
+/// Boxes that move at random.
+template <class T>
+class Crowd {
+ public:
+  explicit Crowd(std::uint64_t seed) : random_(seed) {}
+
+  T number(double low, double high) {
+    return static_cast<T>(std::uniform_real_distribution<double>(low, high)(random_));
+  }
+  bool happens(double chance) { return std::bernoulli_distribution(chance)(random_); }
+
+  Aabb<T> anywhere(double longest) {
+    const Vec3<T> low{number(0, reach), number(0, reach), number(0, reach)};
+    return {low, low + Vec3<T>{number(0, longest), number(0, longest), number(0, longest)}};
+  }
+  void add(std::size_t count) {
+    while (count-- > 0) boxes.push_back(anywhere(happens(uneven) ? 6 : 1.2));
+  }
+  /// Each with a chance of `share`, by up to `step` on each side; some jump.
+  void move(double share, double step, double jumps) {
+    for (Aabb<T>& box : boxes) {
+      if (!happens(share)) continue;
+      const Vec3<T> by{number(-step, step), number(-step, step), number(-step, step)};
+      box = happens(jumps) ? anywhere(1.2) : Aabb<T>{box.lower + by, box.upper + by};
+    }
+  }
+
+  double reach = 6, uneven = 0;
+  std::vector<Aabb<T>> boxes;
+
+ private:
+  std::mt19937_64 random_;
+};
+
+/// Compares every frame at every level, each with its own memory.
+template <class T>
+class Finders {
+ public:
+  Finders() {
+    for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512})
+      if (isa_available(level)) finders_.emplace_back(level);
+  }
+  bool agree(const std::vector<Aabb<T>>& boxes) {
+    const std::vector<IdPair> expected = brute_force(boxes);
+    bool same = true;
+    for (KeptPairs<T>& finder : finders_) {
+      finder.find(boxes, found_);
+      same = same && found_ == expected;
+    }
+    return same;
+  }
+  bool have_list() const { return finders_[0].has_list(); }
+
+ private:
+  std::vector<KeptPairs<T>> finders_;
+  std::vector<IdPair> found_;
+};
+
+template <class T>
+void check_random_motion(std::uint64_t seed) {
+  Crowd<T> crowd(seed);
+  crowd.uneven = *rc::gen::element(0.0, 0.02);
+  crowd.add(*rc::gen::inRange<std::size_t>(0, 150));
+  if (*rc::gen::arbitrary<bool>()) crowd.boxes.push_back(Aabb<T>::everything());
+  Finders<T> finders;
+  for (int frame = 0; frame < 14; ++frame) {
+    const double share = *rc::gen::element(0.0, 0.02, 0.1, 1.0), step = *rc::gen::element(0.0, 0.01, 0.04, 0.4);
+    crowd.move(share, step, *rc::gen::element(0.0, 0.0, 0.05, 1.0));
+    if (*rc::gen::inRange(0, 4) == 0) crowd.add(*rc::gen::inRange<std::size_t>(0, 9));
+    if (*rc::gen::inRange(0, 4) == 0 && !crowd.boxes.empty()) {
+      const std::size_t gone = *rc::gen::inRange<std::size_t>(0, crowd.boxes.size());
+      if (*rc::gen::arbitrary<bool>()) crowd.boxes[gone] = crowd.boxes.back();
+      crowd.boxes.pop_back();
+    }
+    RC_ASSERT(finders.agree(crowd.boxes));
+  }
+}
+RC_GTEST_PROP(KeptPairs, AgreeWithAllPairsInEveryFrameInDouble, (std::uint64_t seed)) {
+  check_random_motion<double>(seed);
+}
+RC_GTEST_PROP(KeptPairs, AgreeWithAllPairsInEveryFrameInFloat, (std::uint64_t seed)) {
+  check_random_motion<float>(seed);
+}
+
+/// Every share of boxes that move, from none to all, and both sides of what ends a list.
+TEST(KeptPairs, AgreeForEveryShareThatMoves) {
+  for (const double share : {0.0, 0.01, 0.06, 0.12, 0.14, 0.5, 1.0})
+    for (const double step : {0.015, 0.3}) {
+      Crowd<float> crowd(7);
+      crowd.reach = 9;
+      crowd.add(500);
+      Finders<float> finders;
+      for (int frame = 0; frame < 16; ++frame) {
+        EXPECT_TRUE(finders.agree(crowd.boxes)) << share << " by " << step << ", frame " << frame;
+        crowd.move(share, step, 0);
+      }
+    }
+}
+
+TEST(KeptPairs, MakeAListOfWhatMovesLittleAndNoneOfWhatJumps) {
+  Crowd<double> crowd(5);
+  crowd.reach = 12;
+  crowd.add(1000);
+  Finders<double> finders;
+  for (int frame = 0; frame < 4; ++frame) {
+    EXPECT_TRUE(finders.agree(crowd.boxes));
+    EXPECT_EQ(finders.have_list(), frame > 0) << frame;
+    crowd.move(1, 0.005, 0);
+  }
+  crowd.move(1, 0, 1);
+  EXPECT_TRUE(finders.agree(crowd.boxes));
+  EXPECT_FALSE(finders.have_list());
+}
+
+/// Those that come and go at the end of the array are no reason to give the list up.
+TEST(KeptPairs, KeepTheirListWhenBoxesComeAndGo) {
+  Crowd<float> crowd(11);
+  crowd.add(200);
+  Finders<float> finders;
+  for (int frame = 0; frame < 12; ++frame) {
+    EXPECT_TRUE(finders.agree(crowd.boxes)) << frame;
+    EXPECT_EQ(finders.have_list(), frame > 0) << frame;
+    crowd.move(0.05, 0.01, 0);
+    if (frame % 3 == 0) crowd.boxes.resize(crowd.boxes.size() - 7);
+    if (frame % 3 == 1) crowd.add(7);
+  }
+}
+
+/// A floor and something large that moves over all others, beside what no grid can hold.
+TEST(KeptPairs, AgreeWithWideBoxes) {
+  Crowd<float> crowd(13);
+  crowd.reach = 40;
+  crowd.add(400);
+  crowd.boxes.push_back({{-100, -1, -100}, {100, 2, 100}});
+  crowd.boxes.push_back(Aabbf::everything());
+  crowd.boxes.push_back({{0, 0, 0}, {30, 30, 30}});
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  crowd.boxes.push_back({{inf, inf, inf}, {inf, inf, inf}});
+  Finders<float> finders;
+  for (int frame = 0; frame < 12; ++frame) {
+    EXPECT_TRUE(finders.agree(crowd.boxes)) << frame;
+    crowd.move(0.1, 0.01, 0.2);
+    if (frame % 4 == 3) crowd.boxes[401] = frame % 8 == 3 ? crowd.anywhere(1) : Aabbf::everything();
+  }
+}
+
+/// Boxes that do not overlap, each with scores of others just out of reach: a list of them all would be of no use.
+TEST(KeptPairs, MakeNoListOfMoreThanIsWorthHaving) {
+  std::vector<Aabbf> boxes;
+  for (int i = 0; i < 2560; ++i) {
+    const Vec3f low{0.2f * static_cast<float>(i / 64), 1.05f * static_cast<float>(i / 8 % 8),
+                    1.05f * static_cast<float>(i % 8)};
+    boxes.push_back({low, low + Vec3f{1, 1, 1}});
+  }
+  Finders<float> finders;
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_TRUE(finders.agree(boxes)) << frame;
+    EXPECT_FALSE(finders.have_list()) << frame;
+  }
+}
+
+/// Dust and needles between larger boxes have no more room than is in proportion to them.
+TEST(KeptPairs, GiveSmallBoxesLittleRoom) {
+  Crowd<double> crowd(17);
+  crowd.reach = 12;
+  crowd.add(700);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3d dust = crowd.anywhere(0).lower * 0.05, needle = crowd.anywhere(0).lower * 0.1;
+    crowd.boxes.push_back({dust, dust + Vec3d{0.001, 0.001, 0.001}});
+    crowd.boxes.push_back({needle, needle + Vec3d{0.001, 1.5, 0.001}});
+  }
+  Finders<double> finders;
+  for (int frame = 0; frame < 8; ++frame) {
+    EXPECT_TRUE(finders.agree(crowd.boxes)) << frame;
+    EXPECT_EQ(finders.have_list(), frame > 0) << frame;
+    crowd.move(0.05, 0.0001, 0);
+  }
+}
+
+TEST(KeptPairs, KeepTheirMemory) {
+  Crowd<float> crowd(3);
+  crowd.reach = 20;
+  crowd.add(3000);
+  KeptPairs<float> finder;
+  std::vector<IdPair> found;
+  const auto run = [&] {
+    for (int frame = 0; frame < 20; ++frame) {
+      finder.find(crowd.boxes, found);
+      crowd.move(1, 0.01, 0.001);
+    }
+  };
+  run();
+  const std::size_t memory = finder.memory();
+  run();
+  // Pairs and those who leave are not the same number in each frame.
+  EXPECT_LE(finder.memory(), memory + memory / 4);
+}
+
+}  // namespace
+}  // namespace graze
