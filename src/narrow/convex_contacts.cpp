@@ -8,6 +8,7 @@
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
+#include "narrow/pairs/box_triangle.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
@@ -92,7 +93,7 @@ double separation(const Side<T>& a, const Side<T>& b, const Vec3d& normal) {
   return dot(b.core_support(-normal) - a.core_support(normal), normal) - a.radius() - b.radius();
 }
 
-/// The smaller of the two shapes, about their own origins.
+/// Of the two shapes, about their own origins.
 template <class T>
 double smaller_size(const Side<T>& a, const Side<T>& b) {
   return least(a.size(), b.size());
@@ -246,6 +247,38 @@ const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
   return axes.edge.separation > face.separation + face_preference * smaller ? axes.edge : face;
 }
 
+/// What `polyhedral_contacts` answers, by the axes and faces of `pair`.
+template <class T, class Pair>
+std::optional<T> contacts_by_axes(const Pair& pair, const Side<T>& side_a, const Side<T>& side_b, const Posed& frame,
+                                  double noise, T margin, Manifold<T>& manifold, Trace* trace) {
+  const double radii = side_a.radius() + side_b.radius();
+  const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + radii + noise);
+  const SeparatingAxis& best = axes.best(noise);
+  const double signed_distance = best.separation - radii;
+  const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
+  if (distance > static_cast<double>(margin)) {
+    manifold.normal = cast<T>(rotate(frame.rotation, best.normal));
+    return static_cast<T>(distance);
+  }
+
+  const double smaller = smaller_size(side_a, side_b);
+  const SeparatingAxis& axis = chosen_axis(axes, smaller);
+  const double nearest = add_points(side_a, pair.face_a(axis.normal), side_b, pair.face_b(axis.normal), axis.normal,
+                                    furthest_kept(side_a, side_b, margin, distance), frame, manifold);
+  const bool apart = best.separation > noise;
+  const double allowed = apart ? laid_slack * noise : face_preference * smaller;
+  if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &best)) {
+    manifold.points.clear();
+    return std::nullopt;
+  }
+  if constexpr (requires { pair.name(axis); }) {
+    if (trace) trace->winner = pair.name(axis);
+    if (trace && &axis != &best)
+      trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
+  }
+  return static_cast<T>(distance);
+}
+
 /// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
 /// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
 /// nearest that no axis belongs to, or when the faces miss what is nearest.
@@ -255,31 +288,14 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   if (trace) trace->method = "separating axes";
   const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
   const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
-  const PolyhedralPair pair(a, b, b_in_a);
-  const double noise = noise_of(a, b, b_in_a.translation);
-  const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + side_a.radius() + side_b.radius() + noise);
-  const double separation = axes.best(noise).separation,
-               signed_distance = separation - side_a.radius() - side_b.radius();
-  const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
-  if (distance > static_cast<double>(margin)) {
-    manifold.normal = cast<T>(rotate(frame.rotation, axes.best(noise).normal));
-    return static_cast<T>(distance);
-  }
-
-  const double smaller = smaller_size(side_a, side_b);
-  const SeparatingAxis& axis = chosen_axis(axes, smaller);
-  const double nearest = add_points(side_a, pair.face_a(axis.normal), side_b, pair.face_b(axis.normal), axis.normal,
-                                    furthest_kept(side_a, side_b, margin, distance), frame, manifold);
-  const bool apart = separation > noise;
-  const double allowed = apart ? laid_slack * noise : face_preference * smaller;
-  if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &axes.best(noise))) {
-    manifold.points.clear();
-    return std::nullopt;
-  }
-  if (trace) trace->winner = pair.name(axis);
-  if (trace && &axis != &axes.best(noise))
-    trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
-  return static_cast<T>(distance);
+  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
+  const auto* box = a.template as<Box<T>>();
+  const auto* triangle = b.template as<Triangle<T>>();
+  const auto by_axes = [&](const auto& pair) {
+    return contacts_by_axes(pair, side_a, side_b, frame, noise, margin, manifold, trace);
+  };
+  if (box && triangle && !trace) return by_axes(BoxTriangle(*box, *triangle, b_in_a));
+  return by_axes(PolyhedralPair(a, b, b_in_a));
 }
 
 /// The points of two boxes by the kernels for them; nothing for other shapes, or where their faces do not tell. As

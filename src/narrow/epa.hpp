@@ -74,14 +74,6 @@ void slide(const Difference& difference, double noise, EpaResult& r) {
   }
 }
 
-/// The nearest facet that can still be expanded, or none.
-inline Facet* nearest_open(Polytope& polytope) {
-  Facet* best = nullptr;
-  for (Facet& f : polytope.facets())
-    if (f.live && !f.final && (!best || f.offset < best->offset)) best = &f;
-  return best;
-}
-
 template <class Difference>
 EpaResult epa(const Difference& difference, const Simplex& start, double tolerance, Trace* trace = nullptr) {
   const double noise = rounding * difference.reach();
@@ -99,8 +91,9 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
   r.upper = std::numeric_limits<double>::infinity();
   r.lower = -r.upper;
   Vec3d outward;
+  const Facet* deepest = nullptr;
   for (int i = 0; i < epa_expansions; ++i) {
-    Facet* facet = nearest_open(polytope);
+    const Facet* facet = polytope.nearest_open();
     if (!facet) break;
     r.lower = facet->offset;
     if (r.upper - r.lower <= tolerance) break;
@@ -112,18 +105,19 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
     if (depth < r.upper) {
       r.upper = depth;
       outward = normal;
+      deepest = facet;
     }
     if (depth - offset <= noise) {
-      facet->final = true;  // a facet of the difference itself
+      polytope.close(*facet);  // a facet of the difference itself
       r.upper = least(r.upper, depth);
     } else if (!polytope.expand(*facet, found)) {
-      facet->final = true;
+      polytope.close(*facet);
     }
     if (trace) trace->epa.push_back({-normal, offset, depth, traced(found), polytope.live_count()});
   }
   r.lower = least(r.lower, r.upper);
   r.normal = -outward;
-  const bool held = polytope.witness(outward, r.a, r.b);
+  const bool held = polytope.witness(outward, deepest, r.a, r.b);
   if (!held || r.upper - r.lower > tolerance) slide(difference, noise, r);
   if (trace) polytope.describe(*trace);
   return r;

@@ -37,20 +37,6 @@ void box_face_across(const Vec3d& half, const Vec3d& direction, PlacedFace& face
   corner(!positive, positive);
 }
 
-/// The face of a box that leans least from a direction given in the box's own frame; without length along one of its
-/// sides, an edge, along both a corner.
-PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
-  const Vec3d a = abs(direction);
-  PlacedFace face;
-  if (a.x >= a.y && a.x >= a.z)
-    box_face_across<0>(half, direction, face);
-  else if (a.y >= a.z)
-    box_face_across<1>(half, direction, face);
-  else
-    box_face_across<2>(half, direction, face);
-  return face;
-}
-
 SeparatingAxis axis_of(AxisKind kind, const BoxAxis<double>& axis) {
   const auto number = static_cast<std::size_t>(axis.number);
   if (kind == AxisKind::edges) return {kind, axis.separation, axis.normal, (number - 6) / 3, (number - 6) % 3};
@@ -82,6 +68,18 @@ void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
 
 }  // namespace
 
+PlacedFace box_face(const Vec3d& half, const Vec3d& direction) {
+  const Vec3d a = abs(direction);
+  PlacedFace face;
+  if (a.x >= a.y && a.x >= a.z)
+    box_face_across<0>(half, direction, face);
+  else if (a.y >= a.z)
+    box_face_across<1>(half, direction, face);
+  else
+    box_face_across<2>(half, direction, face);
+  return face;
+}
+
 template <class T>
 bool has_separating_axes(const Shape<T>& a, const Shape<T>& b) {
   if (as_box(a) && as_box(b)) return true;
@@ -101,7 +99,7 @@ template <class T>
 PolyhedralPair::PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a)
     : boxes_(as_boxes(a, b, b_in_a)) {
   if (boxes_) return;
-  a_.emplace().set(a, Mat3d::identity(), {});
+  a_.emplace().set(a);
   b_.emplace().set(b, rotation_matrix(b_in_a.rotation), b_in_a.translation);
 }
 

@@ -21,6 +21,10 @@ bool has_separating_axes(const Shape<T>& a, const Shape<T>& b);
 template <class T>
 std::optional<BoxPair<double>> as_boxes(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a);
 
+/// The face of a box that leans least from a direction given in the box's own frame; without length along one of its
+/// sides, an edge, along both a corner.
+PlacedFace box_face(const Vec3d& half, const Vec3d& direction);
+
 /// Faces laid over each other meet the separation along their axis within this many roundings of a coordinate.
 inline constexpr double laid_slack = 64;
 

@@ -10,9 +10,6 @@ namespace {
 /// A triangle whose height is less than this part of its longest side is an edge to the separating-axis test: half of
 /// double's digits are left for the normal of a thicker one.
 constexpr double slenderest = 1e-6;
-/// A face that leans further than this from a direction (its cosine) is seen from the side: an edge or a vertex
-/// describes better what lies there. No corner of a box leans as far from all of its three faces.
-constexpr double furthest_lean = 0.5;
 
 /// Vertices are as high as each other within this, relative to their coordinates: some roundings.
 constexpr double same_height = 64 * std::numeric_limits<double>::epsilon();
@@ -148,13 +145,22 @@ void Polyhedron::add_offsets() {
 }
 
 template <class T>
+void Polyhedron::take(const Shape<T>& shape) {
+  if (const auto* box = shape.template as<Box<T>>()) return set(*box);
+  if (const auto* rectangle = shape.template as<Rectangle<T>>()) return set(rectangle->as_box());
+  if (const auto* triangle = shape.template as<Triangle<T>>()) return set(*triangle);
+  if (const auto* hull = shape.template as<ConvexHull<T>>()) set(*hull);
+}
+
+template <class T>
+void Polyhedron::set(const Shape<T>& shape) {
+  take(shape);
+  add_offsets();
+}
+
+template <class T>
 void Polyhedron::set(const Shape<T>& shape, const Mat3d& rotation, const Vec3d& translation) {
-  shape.visit([&](const auto& c) {
-    if constexpr (requires { c.as_box(); })
-      set(c.as_box());
-    else if constexpr (requires { set(c); })
-      set(c);
-  });
+  take(shape);
   for (Vec3d& v : vertices_) v = rotation * v + translation;
   for (Vec3d& n : normals_) n = rotation * n;
   add_offsets();
@@ -216,6 +222,8 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
 
 template std::size_t Polyhedron::edge_count(const Shape<float>&);
 template std::size_t Polyhedron::edge_count(const Shape<double>&);
+template void Polyhedron::set(const Shape<float>&);
+template void Polyhedron::set(const Shape<double>&);
 template void Polyhedron::set(const Shape<float>&, const Mat3d&, const Vec3d&);
 template void Polyhedron::set(const Shape<double>&, const Mat3d&, const Vec3d&);
 

@@ -13,6 +13,10 @@
 
 namespace graze {
 
+/// A face that leans further than this from a direction (its cosine) is seen from the side: an edge or a vertex
+/// describes better what lies there. No corner of a box leans as far from all of its three faces.
+inline constexpr double furthest_lean = 0.5;
+
 class Polyhedron {
  public:
   /// How many edges the polyhedron of a shape has; 0 when it has none: a shape that is not flat-sided, or so slender
@@ -23,6 +27,9 @@ class Polyhedron {
   /// Takes on the core of `shape`, which has edges and outlives this, moved by a rotation and a translation.
   template <class T>
   void set(const Shape<T>& shape, const Mat3d& rotation, const Vec3d& translation);
+  /// The same where it is.
+  template <class T>
+  void set(const Shape<T>& shape);
 
   std::span<const Vec3d> vertices() const { return {vertices_.data(), vertices_.size()}; }
   std::span<const Vec3d> normals() const { return {normals_.data(), normals_.size()}; }
@@ -45,6 +52,8 @@ class Polyhedron {
   void set(const Triangle<T>& triangle);
   template <class T>
   void set(const ConvexHull<T>& hull);
+  template <class T>
+  void take(const Shape<T>& shape);
   void add_sides();
   void add_offsets();
 

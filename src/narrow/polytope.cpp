@@ -4,11 +4,27 @@
 
 namespace graze {
 
+const Facet* Polytope::nearest_open() const {
+  double least_offset = closed;
+  const Facet* best = nullptr;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if (!(open_[i] < least_offset)) continue;
+    least_offset = open_[i];
+    best = &facets_[i];
+  }
+  return best;
+}
+
+void Polytope::add_vertex(const SupportPoint& p) {
+  vertices_.push_back(p);
+  squared_.push_back(length_squared(p.w));
+}
+
 void Polytope::build_tetrahedron(const Simplex& s) {
-  for (const SupportPoint& p : s.points) vertices_.push_back(p);
-  const Vec3d& p = vertices_[0].w;
-  const double volume = dot(vertices_[3].w - p, cross(vertices_[1].w - p, vertices_[2].w - p));
-  if (volume > 0) std::swap(vertices_[1], vertices_[2]);  // so that 0, 1, 2 is counter-clockwise seen from outside
+  const Vec3d& p = s.w(0);
+  const double volume = dot(s.w(3) - p, cross(s.w(1) - p, s.w(2) - p));
+  const bool turned = volume > 0;  // so that 0, 1, 2 is counter-clockwise seen from outside
+  for (const std::size_t i : {0, turned ? 2 : 1, turned ? 1 : 2, 3}) add_vertex(s.points[i]);
   add_facet(0, 1, 2);
   add_facet(0, 3, 1);
   add_facet(0, 2, 3);
@@ -20,18 +36,24 @@ void Polytope::build_tetrahedron(const Simplex& s) {
 }
 
 std::uint16_t Polytope::add_facet(std::uint16_t i, std::uint16_t j, std::uint16_t k) {
-  const std::size_t slot = free_.empty() ? facets_.size() : free_.back();
-  free_.empty() ? facets_.push_back({}) : free_.pop_back();
+  const bool fresh = free_.empty();
+  const std::size_t slot = fresh ? facets_.size() : free_.back();
+  if (fresh) {
+    facets_.grow();
+    open_.grow();
+  } else {
+    free_.pop_back();
+  }
   Facet& f = facets_[slot];
   const Vec3d &a = vertices_[i].w, &b = vertices_[j].w, &c = vertices_[k].w;
   f.normal = unit(cross(b - a, c - a), Vec3d{});
   // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error.
-  const double la = length_squared(a), lb = length_squared(b), lc = length_squared(c);
+  const double la = squared_[i], lb = squared_[j], lc = squared_[k];
   f.offset = dot(f.normal, la <= lb && la <= lc ? a : lb <= lc ? b : c);
   f.vertex = {i, j, k};
   f.live = true;
   // A facet without area has no plane of its own; its neighbours bound the polytope there.
-  f.final = f.normal == Vec3d{};
+  open_[slot] = f.normal == Vec3d{} ? closed : f.offset;
   return static_cast<std::uint16_t>(slot);
 }
 
@@ -89,8 +111,11 @@ bool Polytope::expand(const Facet& seen_first, const SupportPoint& point) {
     return false;
   }
   const auto apex = static_cast<std::uint16_t>(vertices_.size());
-  vertices_.push_back(point);
-  for (const std::uint16_t f : seen_) free_.push_back(f);
+  add_vertex(point);
+  for (const std::uint16_t f : seen_) {
+    free_.push_back(f);
+    open_[f] = closed;
+  }
 
   std::uint16_t first = 0, previous = 0;
   for (std::size_t i = 0; i < horizon_.size(); ++i) {
@@ -115,28 +140,34 @@ std::size_t Polytope::live_count() const {
   return static_cast<std::size_t>(std::count_if(facets_.begin(), facets_.end(), [](const Facet& f) { return f.live; }));
 }
 
+/// Whether the ray meets the facet better than the best so far, by its smallest barycentric coordinate there.
+bool Polytope::pierce(const Facet& f, const Vec3d& direction, double& best, Vec3d& a, Vec3d& b) const {
+  const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
+  double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)), w = dot(direction, cross(p.w, q.w));
+  const double sum = u + v + w;
+  if (!(sum > 0)) return false;
+  const double inside = least(u, least(v, w)) / sum;
+  if (!(inside > best)) return false;
+  best = inside;
+  u = greatest(u, 0.0), v = greatest(v, 0.0), w = greatest(w, 0.0);
+  const double whole = u + v + w;
+  a = (p.a * u + q.a * v + r.a * w) / whole;
+  b = (p.b * u + q.b * v + r.b * w) / whole;
+  return true;
+}
+
 double Polytope::pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const {
-  // The facet whose smallest barycentric coordinate of the ray is largest: exactly one holds it but for rounding.
+  // Exactly one holds it but for rounding.
   double best = -std::numeric_limits<double>::infinity();
-  for (const Facet& f : facets_) {
-    if (!f.live || !(dot(f.normal, direction) > facing)) continue;
-    const SupportPoint &p = vertices_[f.vertex[0]], &q = vertices_[f.vertex[1]], &r = vertices_[f.vertex[2]];
-    double u = dot(direction, cross(q.w, r.w)), v = dot(direction, cross(r.w, p.w)),
-           w = dot(direction, cross(p.w, q.w));
-    const double sum = u + v + w;
-    if (!(sum > 0)) continue;
-    const double inside = least(u, least(v, w)) / sum;
-    if (!(inside > best)) continue;
-    best = inside;
-    u = greatest(u, 0.0), v = greatest(v, 0.0), w = greatest(w, 0.0);
-    const double whole = u + v + w;
-    a = (p.a * u + q.a * v + r.a * w) / whole;
-    b = (p.b * u + q.b * v + r.b * w) / whole;
-  }
+  for (const Facet& f : facets_)
+    if (f.live && dot(f.normal, direction) > facing) pierce(f, direction, best, a, b);
   return best;
 }
 
-bool Polytope::witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const {
+bool Polytope::witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Vec3d& b) const {
+  double best = -std::numeric_limits<double>::infinity();
+  if (likely && likely->live && likely->normal == direction && pierce(*likely, direction, best, a, b) && best > 0)
+    return true;
   // Facets seen edge-on say nothing where the origin lies in their plane: only what faces the ray counts as a hit, and
   // the others are there so that some points are returned.
   const double missed = pierce(direction, 0.9, a, b);

@@ -18,8 +18,7 @@ struct Facet {
   double offset;
   std::array<std::uint16_t, 3> vertex;    ///< counter-clockwise seen from outside
   std::array<std::uint16_t, 3> neighbor;  ///< across the edge from vertex i to vertex i + 1
-  bool live = false;
-  bool final = false;  ///< known to lie on the boundary of the difference
+  bool live;
 };
 
 /// What is found instead of a tetrahedron when the difference is flat: its normal separates the cores at no depth.
@@ -41,18 +40,22 @@ class Polytope {
   /// Replaces all facets that see the new point by a fan from their silhouette. False when that cannot be done.
   bool expand(const Facet& seen_first, const SupportPoint& point);
 
-  std::span<Facet> facets() { return {facets_.begin(), facets_.size()}; }
+  /// The nearest facet that is not closed, or none. Costs a comparison a facet.
+  const Facet* nearest_open() const;
+  /// Never expanded: known to lie on the boundary of the difference, or as good as that.
+  void close(const Facet& facet) { open_[static_cast<std::size_t>(&facet - facets_.begin())] = closed; }
   std::size_t live_count() const;
 
   /// The two shapes' points where the ray from the origin along `direction` leaves the polytope. False when rounding
-  /// lets the ray miss every facet: they are then those of the facet that it misses least.
-  bool witness(const Vec3d& direction, Vec3d& a, Vec3d& b) const;
+  /// lets the ray miss every facet: they are then those of the facet that it misses least. `likely` is looked at first.
+  bool witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Vec3d& b) const;
   /// Writes vertices and triangles for an explanation.
   void describe(Trace& trace) const;
 
  private:
   static constexpr std::size_t max_vertices = 256;
   static constexpr std::size_t max_facets = 2 * max_vertices;  // Euler: 2 V - 4 live at most
+  static constexpr double closed = std::numeric_limits<double>::infinity();
 
   struct HorizonEdge {
     std::uint16_t from, to, outside;  ///< the edge as the facet behind it, `outside`, has it reversed
@@ -64,11 +67,15 @@ class Polytope {
   bool sees(const Facet& f, const Vec3d& w) const { return dot(f.normal, w) - f.offset > noise_; }
   bool find_horizon(std::uint16_t seed, const Vec3d& w);
   bool horizon_is_loop() const;
+  void add_vertex(const SupportPoint& p);
   double pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const;
+  bool pierce(const Facet& facet, const Vec3d& direction, double& best, Vec3d& a, Vec3d& b) const;
 
   double noise_;
   FixedVector<SupportPoint, max_vertices> vertices_;
+  FixedVector<double, max_vertices> squared_;  ///< their squared distances
   FixedVector<Facet, max_facets> facets_;
+  FixedVector<double, max_facets> open_;  ///< their offsets, or `closed`
   FixedVector<HorizonEdge, max_facets> horizon_;
   FixedVector<std::uint16_t, max_facets> seen_, free_;
 };

@@ -120,19 +120,22 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
 
   // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
   const T level = dot(hull.vertices[top], n) - T(64) * std::numeric_limits<T>::epsilon() * hull.extent;
+  const auto high = [&](std::uint32_t v) { return dot(hull.vertices[v], n) >= level; };
+  // A face has another corner as high only where one beside the top is.
+  const auto beside = hull.around(top);
+  const bool ties = std::any_of(beside.begin(), beside.end(), high);
   std::uint32_t best = HullData<T>::no_face;
   std::ptrdiff_t most_tied = 0;
-  T least_lean = lean;
+  T least_squared = lean * lean;
   for (const std::uint32_t f : hull.faces_at(top)) {
     const Vec3<T>& m = hull.planes[f].normal;
-    const T sine = length(cross(m, n));
-    if (!(dot(m, n) > T(0)) || sine > lean) continue;
+    const T squared_sine = length_squared(cross(m, n));
+    if (!(dot(m, n) > T(0)) || squared_sine > lean * lean) continue;
     const auto loop = hull.loop(f);
-    const auto tied =
-        std::count_if(loop.begin(), loop.end(), [&](std::uint32_t v) { return dot(hull.vertices[v], n) >= level; });
-    if (tied < most_tied || (tied == most_tied && sine > least_lean)) continue;
+    const auto tied = ties ? std::count_if(loop.begin(), loop.end(), high) : 1;
+    if (tied < most_tied || (tied == most_tied && squared_sine > least_squared)) continue;
     most_tied = tied;
-    least_lean = sine;
+    least_squared = squared_sine;
     best = f;
   }
   if (best != HullData<T>::no_face) {
@@ -140,7 +143,7 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
     face.id = best;
     return;
   }
-  least_lean = lean;
+  T least_lean = lean;
   for (const std::uint32_t v : hull.around(top)) {
     const Vec3<T> edge = hull.vertices[top] - hull.vertices[v];
     const T fall = dot(edge, n) / length(edge);
