@@ -4,6 +4,8 @@
 #include "narrow/envelope.hpp"
 #include "narrow/general.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/pairs/box_cast.hpp"
+#include "narrow/polyhedral_pair.hpp"
 #include "narrow/translation.hpp"
 
 namespace graze {
@@ -65,12 +67,18 @@ class Advancement {
   std::optional<Impact> first(const Interval& interval) const {
     double t = interval.begin, sink = sinking * tolerance_, floor = -sink;
     std::optional<Impact> known;  // the impact at t, when it is there already
-    if (still() && !is_half_space(a_) && !is_half_space(b_)) {
+    if (const auto boxes = free_boxes(interval)) {
+      if (boxes->t == infinity) return std::nullopt;
+      t = least(interval.begin + boxes->t, interval.end);
+      known = impact_of(*boxes, t);
+      if (known && known->distance <= tolerance_ && separating_ == Separating::hit) return known;
+    } else if (still() && !is_half_space(a_) && !is_half_space(b_)) {
       MovingDifference difference(*this, interval.begin);
       const FreeTranslation free = difference.free(interval.end - interval.begin);
       if (free.t == infinity) return std::nullopt;
       t = least(interval.begin + free.t, interval.end);
       known = difference.impact(free, t);
+      if (known && known->distance <= tolerance_ && separating_ == Separating::hit) return known;
     }
     std::optional<Impact> pressing;  // where the contact that is under way began to press
     for (int i = 0;; ++i) {
@@ -157,6 +165,33 @@ class Advancement {
     PieceAt<T> a_, b_;
     Vec3d offset_;
   };
+
+  Posed pose_of(const Piece<T>& piece, const Turning& turning) const {
+    return compose(Posed{{}, turning.start}, piece.local);
+  }
+
+  /// Of two boxes with sharp edges that do not turn: until when they stay half the tolerance apart.
+  std::optional<BoxTranslation> free_boxes(const Interval& interval) const {
+    const auto *box_a = a_.shape.template as<Box<T>>(), *box_b = b_.shape.template as<Box<T>>();
+    if (!box_a || !box_b || !still() || radius_a_ > 0 || radius_b_ > 0) return std::nullopt;
+    const Posed pose_a = pose_of(a_, motion_.a);
+    Posed pose_b = pose_of(b_, motion_.b);
+    pose_b.translation += motion_.offset_at(interval.begin);
+    const auto boxes = as_boxes(a_.shape, b_.shape, relative(pose_a, pose_b));
+    return box_translation(*boxes, rotate(conjugate(pose_a.rotation), motion_.velocity), tolerance_ / 2,
+                           interval.end - interval.begin, tolerance_ / 4);
+  }
+  std::optional<Impact> impact_of(const BoxTranslation& boxes, double t) const {
+    if (!boxes.impact) return std::nullopt;
+    const Posed pose_a = pose_of(a_, motion_.a);
+    const CoreDistance<double>& d = *boxes.impact;
+    return Impact{t,
+                  d.distance,
+                  rotate(pose_a.rotation, d.normal),
+                  transform(pose_a, d.a),
+                  transform(pose_a, d.b),
+                  Status::converged};
+  }
 
   /// For how long all that the bodies ever turn through stays on its sides of the plane across `n`.
   double stays_outside(const Vec3d& n, double t, const PieceAt<T>& a, const PieceAt<T>& b) const {

@@ -39,6 +39,12 @@ struct Asked {
     tolerance = static_cast<double>(cast_tolerance<T>) * size + path_rounding * path;
   }
 
+  /// Whether the balls about the bodies' origins that hold them are clearly apart at the begin.
+  bool begins_far() const {
+    constexpr double slack = 1 + 1e-3;
+    return length(motion.offset) > slack * (reach_of(a) + reach_of(b)) + tolerance;
+  }
+
   std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval) const {
     return time_of_impact(motion, piece_a, piece_b, interval, tolerance, separating);
   }
@@ -141,7 +147,7 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const V
   const std::optional<PieceImpact> first = first_impact(asked);
   // In float `overlap` rounds more than a cast does. What it calls touching touches here too.
   if (std::is_same_v<T, float> && options.separating == Separating::hit && !(first && first->impact.t == 0) &&
-      any_overlap<T>(a, pose_a, b, pose_b, nullptr)) {
+      !asked.begins_far() && any_overlap<T>(a, pose_a, b, pose_b, nullptr)) {
     const Distance<T> d = any_distance<T>(a, pose_a, b, pose_b, nullptr);
     return CastHit<T>{T(0), (d.a + d.b) * T(0.5), d.normal, greatest(T(0), -d.distance), d.status};
   }
