@@ -37,15 +37,16 @@ std::size_t take_points(const BoxPointBlock<T>& block, std::size_t pair, Contact
 /// The normal of an axis by its number: unit, from A to B, in the world.
 template <class T>
 Vec3<T> box_normal(const PairRef<T>& pair, T axis) {
-  const Relative<T> b_in_a = relative_of(*pair.pose_a, *pair.pose_b);
+  const RelativeFrame<T> b_in_a = relative_frame(*pair.pose_a, *pair.pose_b);
   const BoxPair<T> boxes{static_cast<const Box<T>*>(pair.a)->half_extents(),
                          static_cast<const Box<T>*>(pair.b)->half_extents(), b_in_a.translation, b_in_a.rotation};
   const detail::MeetingBoxes<T> seen(boxes, axis);
   return rotation_of(pair.pose_a->rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
 }
 
-/// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found.
-inline constexpr std::size_t box_chunk = 64;
+/// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
+/// that touch fill several blocks.
+inline constexpr std::size_t box_chunk = 128;
 
 /// Asks about up to `box_chunk` pairs of plain boxes (`plain_box`), in this order:
 /// `apart(i, axis)` for those further apart than their margins, with the axis that shows it; and then, in

@@ -104,7 +104,7 @@ concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>>
 
 template <class A, class B, class T>
 BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {
-  const RelativeFrame frame = relative_frame(pose_a, pose_b);
+  const RelativeFrame<double> frame = relative_frame(cast<double>(pose_a), cast<double>(pose_b));
   return {cast<double>(core_of(a).half), cast<double>(core_of(b).half), frame.translation, frame.rotation};
 }
 
@@ -112,7 +112,7 @@ BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Po
 template <class A, class B, class T>
 std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b, bool faces_only) {
   if (plain_box(a.shape) && plain_box(b.shape)) {
-    const Relative<T> b_in_a = relative_of(a.pose, b.pose);
+    const RelativeFrame<T> b_in_a = relative_frame(a.pose, b.pose);
     const BoxPair<T> plain{core_of(ca).half, core_of(cb).half, b_in_a.translation, b_in_a.rotation};
     return !boxes_apart(plain, box_noise(plain, ca.core_extent(), cb.core_extent()), faces_only);
   }

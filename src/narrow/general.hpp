@@ -50,23 +50,6 @@ Posed in_double(const Pose<T>& pose) {
   const double scale = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   return {cast<double>(pose.translation), {q.x * scale, q.y * scale, q.z * scale, q.w * scale}};
 }
-/// The frame of B seen from A as a matrix and a vector, in double. The rotations need not be normalised for it: the
-/// matrix is divided by their squared lengths, without a root.
-struct RelativeFrame {
-  Mat3d rotation;
-  Vec3d translation;
-};
-template <class T>
-RelativeFrame relative_frame(const Pose<T>& a, const Pose<T>& b) {
-  const Quatd p = conjugate(cast<double>(a.rotation)), q = p * cast<double>(b.rotation);
-  const auto twice_inverse = [](const Quatd& r) { return 2 / (r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w); };
-  const Vec3d apart = cast<double>(b.translation) - cast<double>(a.translation), t = cross(p.vector(), apart);
-  const double s = twice_inverse(q);
-  const double xx = q.x * q.x * s, yy = q.y * q.y * s, zz = q.z * q.z * s, xy = q.x * q.y * s, xz = q.x * q.z * s,
-               yz = q.y * q.z * s, wx = q.w * q.x * s, wy = q.w * q.y * s, wz = q.w * q.z * s;
-  return {{{{1 - (yy + zz), xy - wz, xz + wy}, {xy + wz, 1 - (xx + zz), yz - wx}, {xz - wy, yz + wx, 1 - (xx + yy)}}},
-          apart + (t * p.w + cross(p.vector(), t)) * twice_inverse(p)};
-}
 
 template <class T>
 Posed relative_in_double(const Pose<T>& a, const Pose<T>& b) {

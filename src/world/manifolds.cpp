@@ -11,8 +11,9 @@ namespace graze {
 
 namespace {
 
-/// Pairs a task: a hundred microseconds of work, so that a thread that comes late to the last ones costs little.
-constexpr std::size_t pairs_per_task = 64;
+/// Pairs a task: some tens of microseconds of work, so that a thread that comes late to the last ones costs little, and
+/// as many as kernels take at a time.
+constexpr std::size_t pairs_per_task = box_chunk;
 
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;

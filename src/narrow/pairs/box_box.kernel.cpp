@@ -31,7 +31,7 @@ struct Bundle {
     boxes.half_b = vector(rows[1]);
     pose_a = pose(rows[2]);
     pose_b = pose(rows[3]);
-    const Relative<S> b_in_a = relative_of(pose_a, pose_b);
+    const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
     boxes.translation = b_in_a.translation;
     boxes.rotation = b_in_a.rotation;
   }

@@ -4,9 +4,9 @@
 // to rounding; of others a lower bound. Which axis is chosen is no part of whether they touch.
 #pragma once
 
-#include "graze/pose.hpp"
 #include "graze/shape.hpp"
 #include "narrow/pairs/box_box.hpp"
+#include "narrow/relative_frame.hpp"
 
 namespace graze {
 
@@ -23,30 +23,6 @@ template <class T>
 inline constexpr T box_rounding = 32 * std::numeric_limits<T>::epsilon();
 template <>
 inline constexpr float box_rounding<float> = 8 * std::numeric_limits<float>::epsilon();
-
-/// B seen from A, whatever the length of their quaternions: the matrix is divided by their squared lengths.
-template <class S>
-struct Relative {
-  Mat3<S> rotation;
-  Vec3<S> translation;
-};
-
-/// The rotation matrix of a quaternion that rounding has left not quite of unit length.
-template <class S>
-Mat3<S> rotation_of(const Quat<S>& q) {
-  const S s = S(2) / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w), one(1);
-  const S x = q.x * s, y = q.y * s, z = q.z * s;
-  const S xx = q.x * x, yy = q.y * y, zz = q.z * z, xy = q.x * y, xz = q.x * z, yz = q.y * z, wx = q.w * x,
-          wy = q.w * y, wz = q.w * z;
-  return {
-      {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}}};
-}
-
-template <class S>
-Relative<S> relative_of(const Pose<S>& a, const Pose<S>& b) {
-  return {rotation_of(conjugate(a.rotation) * b.rotation),
-          transposed_times(rotation_of(a.rotation), b.translation - a.translation)};
-}
 
 template <class S>
 S box_noise(const BoxPair<S>& p, const S& size_a, const S& size_b) {

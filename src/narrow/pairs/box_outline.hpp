@@ -71,8 +71,6 @@ struct LaidOver {
   FlatPoint<S> to_u, to_v;    ///< a place relative to the middle in units of u and of v: by scalar products with these
   S apart;                    ///< how far the faces are apart at the middle
   FlatPoint<S> slope;         ///< and how that changes
-  S near;                     ///< what is nearer than that to a side is on it
-  FlatPoint<S> on_side;       ///< the same in units of u and v: from there to 1
   S slack;                    ///< rounding of a place
   FlatPoint<S> slack_uv;      ///< the same in units of u and v
 
