@@ -19,8 +19,8 @@ constexpr double most_room = 0.25;
 /// Once more than one in so many boxes has left, a new list is cheaper: to look for the pairs of one takes about twice its
 /// share in finding all pairs.
 constexpr std::size_t boxes_per_left = 8;
-/// A list costs about a third more than finding all pairs without one, and is tried where most boxes would stay in their
-/// rooms for so many frames.
+/// To make a list takes some 1.7 times as long as finding all pairs without one, and is tried where most boxes would stay
+/// in their rooms for so many frames.
 constexpr int frames_to_last = 3;
 /// A list that was of use in fewer frames was not worth making: the next one waits, each time longer up to a limit.
 constexpr std::size_t few_frames = 2, longest_pause = 63;
