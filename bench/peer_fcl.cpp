@@ -20,10 +20,11 @@ class Fcl {
 
   bool prepare(std::span<const Pair> pairs) {
     objects_.clear();
+    OncePerCorners<Geometry> shared;
     for (const Pair& pair : pairs)
       for (const Body* body : {&pair.a, &pair.b}) {
         const Quatd q = rotation_from_z(*body);
-        Object object{make(*body), fcl::Transform3d::Identity()};
+        Object object{shared.of(*body, make), fcl::Transform3d::Identity()};
         object.geometry->computeLocalAABB();
         object.pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
         object.pose.translation() = vector(body->pose.translation);
@@ -88,20 +89,21 @@ class Fcl {
     case Kind::triangle: {
       auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
       mesh->beginModel();
-      mesh->addTriangle(vector(body.points[0]), vector(body.points[1]), vector(body.points[2]));
+      mesh->addTriangle(vector(body.corners->points[0]), vector(body.corners->points[1]),
+                        vector(body.corners->points[2]));
       mesh->endModel();
       return mesh;
     }
     case Kind::hull: break;
     }
     auto points = std::make_shared<std::vector<fcl::Vector3d>>();
-    for (const Vec3d& p : body.points) points->push_back(vector(p));
+    for (const Vec3d& p : body.corners->points) points->push_back(vector(p));
     auto faces = std::make_shared<std::vector<int>>();
-    for (const auto& face : body.faces) {
+    for (const auto& face : body.corners->faces) {
       faces->push_back(3);
       faces->insert(faces->end(), face.begin(), face.end());
     }
-    return std::make_shared<fcl::Convexd>(points, static_cast<int>(body.faces.size()), faces);
+    return std::make_shared<fcl::Convexd>(points, static_cast<int>(body.corners->faces.size()), faces);
   }
 
   std::vector<Object> objects_;
