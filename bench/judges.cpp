@@ -52,9 +52,9 @@ Judge ray_judge(const Reference& reference) {
     Verdict verdict;
     verdict.meets = hit.has_value();
     if (hit && answer.overlap) verdict.error = std::abs(answer.time * length_of - hit->t) / size;
-    if (hit && answer.overlap && verdict.error <= band) return verdict;
+    if (hit && answer.overlap && verdict.error <= fine) return verdict;
     if (!hit && !answer.overlap) return verdict;
-    // They differ. That counts where the ray goes deeper than the band into what the one meets and the other does not.
+    // A ray that grazes the surface may be said to hit or not.
     verdict.wrong = true;
     if (hit && answer.overlap) return verdict;
     const auto at = [&](double t) {
@@ -93,8 +93,8 @@ bool wrong_cast(const Reference& reference, std::size_t i, double least, double 
 
 Judge cast_judge(const Reference& reference) {
   auto least = std::make_shared<std::vector<double>>();
+  for (std::size_t i = 0; i < reference.size(); ++i) least->push_back(least_gap(reference, i));
   return [least, &reference](std::size_t i, const Answer& answer) {
-    while (least->size() <= i) least->push_back(least_gap(reference, least->size()));
     const double nearest = (*least)[i];
     Verdict verdict{std::abs(nearest) > coarse, nearest <= 0};
     verdict.wrong = wrong_cast(reference, i, nearest, answer.time, coarse);

@@ -29,19 +29,19 @@ class Reference {
 
 /// Within this of touching, relative to the size, either answer is right: single precision resolves about a hundredth.
 inline constexpr double band = 1e-4;
+/// By what parts of the size the answers to rays and casts may be off.
+inline constexpr double fine = 1e-3, coarse = 1e-2;
 
 /// For `overlap`, `distance` and `contacts`. The error is that of the signed distance, or of the depth of the deepest
 /// contact of pairs that overlap.
 Judge distance_judge(const Reference& reference, Query query);
 
-/// The first hit has to be where it is within `band` of the size: where the ray meets the surface or passes by no more
-/// than that far.
+/// The first hit has to be where it is within `fine` of the size. Rays that pass or enter by less than the band are not
+/// counted where the answer is another.
 Judge ray_judge(const Reference& reference);
 
 /// How near two bodies come on the way: the least of the gap, which is a convex function of time.
 double least_gap(const Reference& reference, std::size_t i);
-/// At what parts of the size an answer to a cast is wrong.
-inline constexpr double fine = 1e-3, coarse = 1e-2;
 /// Whether the answer misses a hit, finds one where there is none, or tells a time at which the shapes are further apart
 /// or deeper than `same` times their size.
 bool wrong_cast(const Reference& reference, std::size_t i, double least, double t, double same);

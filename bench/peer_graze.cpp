@@ -21,6 +21,7 @@ class Graze {
   bool prepare(std::span<const Pair> pairs) {
     placed_.clear();
     ways_.clear();
+    placed_.reserve(2 * pairs.size());
     OncePerCorners<std::optional<Shape<T>>> shared;
     for (const Pair& pair : pairs) {
       for (const Body* body : {&pair.a, &pair.b})

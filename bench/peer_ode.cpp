@@ -1,6 +1,7 @@
 // ODE, in the precision it was built with. It has contacts and no distance; overlap is a request for one contact. A
 // triangle is a mesh of one, of which it takes only the front: a quarter of its answers about triangles are wrong by our
-// count. For a pair that it has no function for it says, without a word, "no contact".
+// count. It meets hulls with rays as if they came straight at a face, and misses most that come aslant. For a pair that
+// it has no function for it says, without a word, "no contact".
 #ifdef GRAZE_BENCH_ODE
 
 #include <ode/ode.h>
@@ -47,7 +48,7 @@ class Ode {
       }
       if (max_abs(pair.motion) > 0) rays_.push_back(ray(pair));
     }
-    return !crashes();
+    return geoms_.empty() || !crashes();
   }
   bool overlap(std::size_t i) {
     dContactGeom contact;
