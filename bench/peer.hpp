@@ -9,7 +9,8 @@
 //     static constexpr const char* name = "mine";
 //     static constexpr bool single_precision = false;   // it is compared with the Graze of the same precision
 //     static std::string version();
-//     bool prepare(std::span<const Pair> pairs);        // builds its shapes, untimed; false: it lacks one of them
+//     bool prepare(std::span<const Pair> pairs);        // builds its shapes, untimed; false: it lacks one of them;
+//                                                       // called once, for other pairs there is another object
 //     // What it has of these. One that throws has no answer for the pair.
 //     bool overlap(std::size_t i);
 //     double distance(std::size_t i);                   // signed; NaN: no answer
@@ -30,6 +31,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -69,6 +71,8 @@ class Peer {
   virtual std::string version() const = 0;
   virtual bool single_precision() const = 0;
   virtual bool prepare(std::span<const Pair> pairs) = 0;
+  /// Frees what it has prepared.
+  virtual void forget() = 0;
   virtual bool has(Query query) const = 0;
   virtual Answer answer(Query query, std::size_t i) = 0;
   /// Contacts of a body at rest.
@@ -91,11 +95,15 @@ class PeerOf final : public Peer {
   std::string name() const override { return Library::name; }
   std::string version() const override { return Library::version(); }
   bool single_precision() const override { return Library::single_precision; }
-  bool prepare(std::span<const Pair> pairs) override { return library_.prepare(pairs); }
+  bool prepare(std::span<const Pair> pairs) override {
+    library_.emplace();
+    return library_->prepare(pairs);
+  }
+  void forget() override { library_.reset(); }
 
   bool has(Query query) const override {
-    if constexpr (requires { library_.has(query); })
-      if (!library_.has(query)) return false;
+    if constexpr (requires { library_->has(query); })
+      if (!library_->has(query)) return false;
     switch (query) {
     case Query::overlap: return has_overlap;
     case Query::distance: return has_distance;
@@ -110,18 +118,18 @@ class PeerOf final : public Peer {
     Answer answer;
     try {
       if (query == Query::overlap) {
-        if constexpr (has_overlap) answer.overlap = library_.overlap(i);
+        if constexpr (has_overlap) answer.overlap = library_->overlap(i);
       } else if (query == Query::distance) {
-        if constexpr (has_distance) answer.distance = library_.distance(i);
+        if constexpr (has_distance) answer.distance = library_->distance(i);
         answer.overlap = answer.distance <= 0;
         answer.failed = std::isnan(answer.distance);
       } else if (query == Query::contacts) {
-        if constexpr (has_contacts) answer = answer_of(library_.contacts(i));
+        if constexpr (has_contacts) answer = answer_of(library_->contacts(i));
       } else {
         if constexpr (has_raycast)
-          if (query == Query::raycast) answer.time = library_.raycast(i);
+          if (query == Query::raycast) answer.time = library_->raycast(i);
         if constexpr (has_cast)
-          if (query == Query::cast) answer.time = library_.cast(i);
+          if (query == Query::cast) answer.time = library_->cast(i);
         answer.overlap = answer.time < never;
         answer.failed = std::isnan(answer.time);
       }
@@ -133,32 +141,32 @@ class PeerOf final : public Peer {
   }
 
   Answer resting(std::size_t i) override {
-    if constexpr (requires { library_.resting_contacts(i); })
-      return answer_of(library_.resting_contacts(i));
+    if constexpr (requires { library_->resting_contacts(i); })
+      return answer_of(library_->resting_contacts(i));
     else
       return answer(Query::contacts, i);
   }
 
   double run(Query query, std::size_t count) override {
-    if constexpr (at_once) return library_.run(query, count);
+    if constexpr (at_once) return library_->run(query, count);
     double sum = 0;
     if (query == Query::overlap) {
-      if constexpr (has_overlap) sum = each(count, [&](std::size_t i) { return library_.overlap(i) ? 1.0 : 0.0; });
+      if constexpr (has_overlap) sum = each(count, [&](std::size_t i) { return library_->overlap(i) ? 1.0 : 0.0; });
     } else if (query == Query::distance) {
-      if constexpr (has_distance) sum = each(count, [&](std::size_t i) { return library_.distance(i); });
+      if constexpr (has_distance) sum = each(count, [&](std::size_t i) { return library_->distance(i); });
     } else if (query == Query::contacts) {
-      if constexpr (has_contacts) sum = each(count, [&](std::size_t i) { return library_.contacts(i).deepest; });
+      if constexpr (has_contacts) sum = each(count, [&](std::size_t i) { return library_->contacts(i).deepest; });
     } else if (query == Query::raycast) {
-      if constexpr (has_raycast) sum = each(count, [&](std::size_t i) { return library_.raycast(i); });
+      if constexpr (has_raycast) sum = each(count, [&](std::size_t i) { return library_->raycast(i); });
     } else {
-      if constexpr (has_cast) sum = each(count, [&](std::size_t i) { return library_.cast(i); });
+      if constexpr (has_cast) sum = each(count, [&](std::size_t i) { return library_->cast(i); });
     }
     return sum;
   }
   bool answers_at_once() const override { return at_once; }
 
   std::size_t touched(Query query) const override {
-    if constexpr (requires { library_.touched(query); }) return library_.touched(query);
+    if constexpr (requires { library_->touched(query); }) return library_->touched(query);
     return 0;
   }
 
@@ -192,7 +200,7 @@ class PeerOf final : public Peer {
     return sum;
   }
 
-  Library library_;
+  std::optional<Library> library_;
 };
 
 /// Adds a library when the program starts.

@@ -36,10 +36,14 @@ class Bullet {
   Bullet() : dispatcher_(&configuration_) {}
   Bullet(const Bullet&) = delete;
   Bullet& operator=(const Bullet&) = delete;
-  ~Bullet() { clear(); }
+  ~Bullet() {
+    for (btCollisionAlgorithm* algorithm : algorithms_) {
+      algorithm->~btCollisionAlgorithm();
+      dispatcher_.freeCollisionAlgorithm(algorithm);
+    }
+  }
 
   bool prepare(std::span<const Pair> pairs) {
-    clear();
     OncePerCorners<btCollisionShape*> shared;
     const auto make = [&](const Body& body) {
       shapes_.push_back(bullet::shape(body));
@@ -136,17 +140,6 @@ class Bullet {
     algorithms_[i]->getAllContactManifolds(manifolds_);
     return manifolds_.size();
   }
-  void clear() {
-    for (btCollisionAlgorithm* algorithm : algorithms_) {
-      algorithm->~btCollisionAlgorithm();
-      dispatcher_.freeCollisionAlgorithm(algorithm);
-    }
-    algorithms_.clear();
-    objects_.clear();
-    shapes_.clear();
-    ways_.clear();
-  }
-
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDispatcherInfo info_;

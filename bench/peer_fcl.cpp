@@ -19,7 +19,6 @@ class Fcl {
   static std::string version() { return GRAZE_BENCH_FCL_VERSION; }
 
   bool prepare(std::span<const Pair> pairs) {
-    objects_.clear();
     OncePerCorners<Geometry> shared;
     for (const Pair& pair : pairs)
       for (const Body* body : {&pair.a, &pair.b}) {

@@ -19,8 +19,6 @@ class Graze {
   static std::string version() { return "this tree"; }
 
   bool prepare(std::span<const Pair> pairs) {
-    placed_.clear();
-    ways_.clear();
     placed_.reserve(2 * pairs.size());
     OncePerCorners<std::optional<Shape<T>>> shared;
     for (const Pair& pair : pairs) {

@@ -38,8 +38,6 @@ class GrazeBatch {
   static std::string version() { return "this tree"; }
 
   bool prepare(std::span<const Pair> pairs) {
-    batch_ = {};
-    if (pairs.empty()) return true;
     a_ = pairs[0].a.kind;
     b_ = pairs[0].b.kind;
     if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.a == a_ && row.b == b_; }))

@@ -35,10 +35,14 @@ class Ode {
   Ode() { static_cast<void>(started()); }
   Ode(const Ode&) = delete;
   Ode& operator=(const Ode&) = delete;
-  ~Ode() { clear(); }
+  ~Ode() {
+    for (const dGeomID geom : geoms_) dGeomDestroy(geom);
+    for (const dGeomID ray : rays_) dGeomDestroy(ray);
+    for (const Data& data : data_)
+      if (data.mesh) dGeomTriMeshDataDestroy(data.mesh);
+  }
 
   bool prepare(std::span<const Pair> pairs) {
-    clear();
     OncePerCorners<const Data*> shared;
     for (const Pair& pair : pairs) {
       for (const Body* body : {&pair.a, &pair.b}) {
@@ -48,7 +52,7 @@ class Ode {
       }
       if (max_abs(pair.motion) > 0) rays_.push_back(ray(pair));
     }
-    return geoms_.empty() || !crashes();
+    return !crashes();
   }
   bool overlap(std::size_t i) {
     dContactGeom contact;
@@ -82,16 +86,6 @@ class Ode {
     dSetMessageHandler([](int, const char*, va_list) {});
     return done;
   }
-  void clear() {
-    for (const dGeomID geom : geoms_) dGeomDestroy(geom);
-    for (const dGeomID ray : rays_) dGeomDestroy(ray);
-    for (const Data& data : data_)
-      if (data.mesh) dGeomTriMeshDataDestroy(data.mesh);
-    geoms_.clear();
-    rays_.clear();
-    data_.clear();
-  }
-
   static dGeomID ray(const Pair& pair) {
     const Vec3d &from = pair.b.pose.translation, &way = pair.motion;
     const dGeomID ray = dCreateRay(nullptr, number(length(way)));

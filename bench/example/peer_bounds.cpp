@@ -13,7 +13,6 @@ class Bounds {
   static std::string version() { return "1"; }
 
   bool prepare(std::span<const Pair> pairs) {
-    pairs_.clear();
     for (const Pair& pair : pairs)
       pairs_.push_back({pair.a.pose.translation - pair.b.pose.translation, pair.a.reach() + pair.b.reach()});
     return true;
