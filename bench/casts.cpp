@@ -9,7 +9,6 @@
 // double, which is a convex function of time; pairs that miss or meet by less than a hundredth are not counted.
 // Worlds: boxes of 0.5 to 1.5, one in each 27 cubes of length 1 whatever their number; rays and casts go 30 far.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -45,9 +44,9 @@ struct Contender {
 };
 
 double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return processor_seconds() - start;
 }
 
 Contender graze_casts(const std::vector<Pair>& ways) {

@@ -20,13 +20,6 @@ std::vector<std::unique_ptr<Peer>>& peers() {
 
 namespace {
 
-/// Of this thread, so that a neighbour on the machine is not in it.
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
@@ -40,6 +33,12 @@ class Nothing : public std::streambuf {
 };
 
 }  // namespace
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 Cell judged(Peer& peer, Query query, std::size_t pairs, const Judge& judge, double patience) {
   constexpr std::size_t between = 1000;  // looks at the clock

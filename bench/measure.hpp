@@ -52,6 +52,9 @@ struct TimingOptions {
 /// Times those of the cells, one for each of `peers()`, that answer.
 void time(Query query, std::size_t pairs, const TimingOptions& options, std::vector<Cell>& cells);
 
+/// What this thread has had of the processor, so that a neighbour on the machine is not in it.
+double processor_seconds();
+
 /// Of values in any order; 0 of none.
 double quantile(std::vector<double> values, double share);
 

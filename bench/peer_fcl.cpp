@@ -1,5 +1,6 @@
 // FCL in double precision with its default solver, libccd. A triangle is a mesh of one, since collide() does not take
-// its triangle. For a pair that it has no function for it writes a warning and says "no contact".
+// its triangle. Casts are by its conservative advancement. For a pair that it has no function for it writes a warning
+// and says "no contact".
 #ifdef GRAZE_BENCH_FCL
 
 #include <fcl/fcl.h>
@@ -20,7 +21,7 @@ class Fcl {
 
   bool prepare(std::span<const Pair> pairs) {
     OncePerCorners<Geometry> shared;
-    for (const Pair& pair : pairs)
+    for (const Pair& pair : pairs) {
       for (const Body* body : {&pair.a, &pair.b}) {
         const Quatd q = rotation_from_z(*body);
         Object object{shared.of(*body, make), fcl::Transform3d::Identity()};
@@ -29,6 +30,8 @@ class Fcl {
         object.pose.translation() = vector(body->pose.translation);
         objects_.push_back(std::move(object));
       }
+      if (max_abs(pair.motion) > 0) ways_.push_back(vector(pair.motion));
+    }
     return true;
   }
   /// Its distances to a half-space, and from a sphere to a mesh, end the process for some poses.
@@ -65,6 +68,16 @@ class Fcl {
     for (std::size_t k = 0; k < found.count; ++k)
       found.deepest = std::min(found.deepest, -collision_.getContact(k).penetration_depth);
     return found;
+  }
+  double cast(std::size_t i) {
+    const Object &a = objects_[2 * i], &b = objects_[2 * i + 1];
+    fcl::Transform3d end = a.pose;
+    end.translation() += ways_[i];
+    const fcl::ContinuousCollisionRequestd request(100, 1e-4, fcl::CCDM_TRANS, fcl::GST_LIBCCD,
+                                                   fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+    fcl::ContinuousCollisionResultd result;
+    fcl::continuousCollide(a.geometry.get(), a.pose, end, b.geometry.get(), b.pose, b.pose, request, result);
+    return result.is_collide ? result.time_of_contact : never;
   }
 
  private:
@@ -106,6 +119,7 @@ class Fcl {
   }
 
   std::vector<Object> objects_;
+  std::vector<fcl::Vector3d> ways_;
   fcl::CollisionResultd collision_;
   fcl::DistanceResultd distance_;
 };
