@@ -51,9 +51,13 @@ std::vector<std::size_t> columns_of(const std::vector<HeadlineRow>& rows) {
 std::string times_table(const std::vector<HeadlineRow>& rows, const std::vector<std::size_t>& columns) {
   std::vector<std::string> head{"ns a pair"};
   for (const std::size_t c : columns) head.push_back(peers()[c]->name());
-  head.push_back("fastest other / Graze");
+  std::vector<std::size_t> ours;
+  for (const std::size_t c : columns)
+    if (peers()[c]->name() == "graze float" || peers()[c]->name() == "graze float batch") {
+      ours.push_back(c);
+      head.push_back(ours.size() == 1 ? "fastest other / Graze" : "/ batch");
+    }
   Table table(head);
-  const std::size_t ours = column_of("graze float");
   for (const HeadlineRow& row : rows) {
     std::vector<std::string> line{row.name};
     for (const std::size_t c : columns) {
@@ -65,8 +69,10 @@ std::string times_table(const std::vector<HeadlineRow>& rows, const std::vector<
       line.push_back(text);
     }
     const std::size_t other = fastest_other(row);
-    const bool both = ours < peers().size() && other < peers().size() && row.cells[ours].nanoseconds > 0;
-    line.push_back(both ? printed("%.2f", row.cells[other].nanoseconds / row.cells[ours].nanoseconds) : "-");
+    for (const std::size_t c : ours) {
+      const bool both = other < peers().size() && row.cells[c].state == Cell::State::measured;
+      line.push_back(both ? printed("%.2f", row.cells[other].nanoseconds / row.cells[c].nanoseconds) : "-");
+    }
     table.add(line);
   }
   return table.text();
@@ -122,7 +128,7 @@ std::string short_name(std::string processor) { return processor.substr(0, proce
 }  // namespace
 
 std::string headline_short(const std::vector<HeadlineRow>& rows) {
-  const std::size_t one = column_of("graze float"), batch = column_of("graze batch");
+  const std::size_t one = column_of("graze float"), batch = column_of("graze float batch");
   std::string text;
   for (const std::size_t ours : {one, batch}) {
     if (ours == peers().size()) continue;
@@ -178,7 +184,7 @@ std::string headline_memory(const std::vector<HeadlineRow>& rows) {
 }
 
 std::string headline_chart(const std::vector<HeadlineRow>& rows, std::size_t pairs) {
-  const std::size_t one = column_of("graze float"), batch = column_of("graze batch");
+  const std::size_t one = column_of("graze float"), batch = column_of("graze float batch");
   std::vector<ChartRow> bars;
   for (const HeadlineRow& row : rows) {
     const std::size_t other = fastest_other(row);

@@ -48,7 +48,7 @@ std::vector<Flicker> measure_flicker(std::size_t frames) {
   for (const Scene& scene : scenes) {
     const std::vector<Pair> pairs = make_frames(scene, frames);
     for (const auto& peer : peers()) {
-      if (!peer->prepare(pairs) || !peer->has(Query::contacts)) continue;
+      if (peer->answers_at_once() || !peer->prepare(pairs) || !peer->has(Query::contacts)) continue;
       Flicker flicker{peer->name(), scene.name, frames, 0, 0, 0};
       Answer last;
       bool last_face = false;

@@ -24,6 +24,9 @@ while (($# > 0)); do
   shift
 done
 
+tree=$(git describe --always --dirty --exclude '*' 2>/dev/null || echo "unknown")
+load() { cut -d' ' -f1 /proc/loadavg 2>/dev/null || echo "?"; }
+load_before=$(load)
 work=build/bench/results
 mkdir -p "$work"
 if [[ $quick == yes ]]; then
@@ -74,18 +77,19 @@ run example example --pairs 1000 --repetitions 3 --only 'box-box overlap' --libr
 
 system=$(. /etc/os-release 2>/dev/null && echo "$PRETTY_NAME" || uname -s)
 memory=$(awk '/^MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo 2>/dev/null || echo "?")
-tree=$(git describe --always --dirty --exclude '*' 2>/dev/null || echo "unknown")
-effort=$([[ $quick == yes ]] && echo "a quick run, less exact" || echo "a whole run")
+effort=$([[ $quick == yes ]] && echo "a quick run, less exact," || echo "a whole run")
 
 {
   cat <<TEXT
 # Benchmarks
 
-Written by \`make bench\`: $effort of Graze $tree on $system, $memory of memory, load $(cut -d' ' -f1 /proc/loadavg) at the end. All libraries
-are asked the same in one process, one after the other in every repetition; times are medians. Graze is compiled as for
-its users, with the compiler's defaults for the processor: wider instructions are chosen at start. The other libraries
-are the distribution's packages. \`bench_<name> --help\` or the first lines of \`bench/<name>.cpp\` say how each table is
-made; [bench/peer.hpp](peer.hpp) says how to add a library: one file.
+Written by \`make bench\`: $effort of Graze $tree on $system, $memory of memory, load $load_before when it began
+(that of others, best 0) and $(load) when it ended (best 1).
+
+All libraries are asked the same in one process, one after the other in every repetition; times are medians. Graze is
+compiled as for its users, with the compiler's defaults for the processor: wider instructions are chosen at start. The
+other libraries are the distribution's packages. The first lines of \`bench/<name>.cpp\` say how each table is made;
+[peer.hpp](peer.hpp) says how to add a library: one file.
 
 ## The pairs that programs ask about most
 
