@@ -68,7 +68,9 @@ std::string chart(const std::string& title, const std::string& note, const std::
   const auto length = [&](double time) {
     return std::max(0.0, std::log10(std::max(time, 1.0)) / decades * (right - left));
   };
-  const double per_row = (batches ? 3 : 2) * (bar + gap) + between, bottom = top + per_row * double(rows.size());
+  const auto height = [](const ChartRow& row) { return (row.batch > 0 ? 3 : 2) * (bar + gap) + between; };
+  double bottom = top;
+  for (const ChartRow& row : rows) bottom += height(row);
 
   Drawing drawing;
   drawing.text(0, 18, title, "title");
@@ -80,7 +82,8 @@ std::string chart(const std::string& title, const std::string& note, const std::
   };
   key("other", "fastest of the other libraries", 190);
   key("one", "Graze, a pair at a time", 160);
-  if (batches) key("batch", "Graze, all pairs at once", 170);
+  if (batches) key("batch", "Graze, all pairs at once", 180);
+  drawing.text(x, 39, "×: how many times as fast as the other", "small");
   for (int decade = 0; decade <= static_cast<int>(decades); ++decade) {
     const double at = left + length(std::pow(10.0, decade));
     drawing.line(at, top - 8, bottom - between + 2);
@@ -104,7 +107,7 @@ std::string chart(const std::string& title, const std::string& note, const std::
     draw(row.one, "one", ours(row.one));
     if (row.batch > 0) draw(row.batch, "batch", ours(row.batch));
     drawing.text(left - 8, (begin + y - gap) / 2 + 4, row.name, "", "end");
-    begin += per_row;
+    begin += height(row);
   }
   drawing.text(0, bottom + 12, note, "small");
   return drawing.svg(bottom + 20);
