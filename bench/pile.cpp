@@ -9,7 +9,7 @@
 // medians of the processor's time: of giving the poses, and of the update from poses to contacts. `pairs` are what the
 // broad phase passes on, `contacts` points; of these Graze and Bullet keep those up to their margin apart (0.02 here,
 // Bullet's own), ODE only those of boxes that overlap. `still` is Graze with nothing changed since the last frame. The
-// second table has the stages of Graze's update, run one by one on arrays of their own, by the clock.
+// second table has the stages of Graze's update, run one by one on arrays of their own.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -29,6 +29,7 @@
 #endif
 
 #include "graze/world.hpp"
+#include "measure.hpp"
 #include "random.hpp"
 #include "stages.hpp"
 
@@ -251,17 +252,11 @@ double milliseconds(std::clock_t begin) {
   return 1e3 * static_cast<double>(std::clock() - begin) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-double median(std::vector<double> times) {
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
-}
-
 /// The stages of a world's update, frame by frame.
 template <class T>
 class StagedPile {
  public:
-  explicit StagedPile(const Pile& pile) : stages_(serial_, T(margin)) {
+  explicit StagedPile(const Pile& pile) : stages_(serial_, processor_seconds, T(margin)) {
     for (const PiledBox& box : pile)
       ids_.push_back(stages_.add({.shape = Box<T>(cast<T>(box.half) * T(2)), .pose = cast<T>(box.pose)}));
     stages_.add({.shape = HalfSpace<T>(), .fixed = true});
@@ -274,7 +269,7 @@ class StagedPile {
     std::vector<double> times;
     // The first frame allocates, and the second is the first that remembers one.
     for (std::size_t frame = 2; frame < times_.size(); ++frame) times.push_back(times_[frame][stage]);
-    return median(times);
+    return quantile(times, 0.5);
   }
   std::size_t pairs() const { return stages_.pairs(); }
 
@@ -335,10 +330,10 @@ int run(int argc, char** argv) {
   for (std::size_t c = 0; c < all.size(); ++c) {
     Counts counts = all[c].count();
     if (counts.pairs == 0) counts.pairs = stages_f.pairs();  // a world of Graze does not tell
-    const double update = median(updating[c]);
-    std::printf("| %-17s | %8.3f | %9.3f | %6zu | %7.1f | %8zu | %8zu |", all[c].name.c_str(), median(placing[c]),
-                update, counts.pairs, 1e6 * update / static_cast<double>(counts.pairs), counts.touching,
-                counts.contacts);
+    const double update = quantile(updating[c], 0.5);
+    std::printf("| %-17s | %8.3f | %9.3f | %6zu | %7.1f | %8zu | %8zu |", all[c].name.c_str(),
+                quantile(placing[c], 0.5), update, counts.pairs, 1e6 * update / static_cast<double>(counts.pairs),
+                counts.touching, counts.contacts);
     if (counts.memory > 0)
       std::printf(" %6zu |\n", counts.memory / pile->size());
     else

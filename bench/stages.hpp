@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <vector>
 
 #include "graze/world.hpp"
@@ -16,23 +15,24 @@ class Stages {
   static constexpr const char* names[] = {"bounds",    "candidates", "filter", "bins (in manifolds)",
                                           "manifolds", "events"};
   static constexpr std::size_t count = 6;
-  /// In milliseconds.
+  /// In milliseconds, by the clock it was given.
   using Times = std::array<double, count>;
 
-  explicit Stages(Executor& executor, std::optional<T> margin = {}) : executor_(executor), bodies_(margin) {}
+  /// `clock` tells the time in seconds.
+  Stages(Executor& executor, double (*clock)(), std::optional<T> margin = {})
+      : executor_(executor), clock_(clock), bodies_(margin) {}
 
   BodyId add(graze::Body<T> body) { return bodies_.add(std::move(body)); }
   void move(BodyId id, const Pose<T>& pose) { bodies_.move(id, pose, {}, {}); }
 
   /// Finds what touches now and returns how long each stage took.
   Times update() {
-    using Clock = std::chrono::steady_clock;
     Times times{};
     std::size_t stage = 0;
     const auto timed = [&](const auto& work) {
-      const auto begin = Clock::now();
+      const double begin = clock_();
       work();
-      times[stage++] = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+      times[stage++] = 1e3 * (clock_() - begin);
     };
     const auto changes = bodies_.changes();
     boxes_.resize(bodies_.size());
@@ -59,6 +59,7 @@ class Stages {
 
  private:
   Executor& executor_;
+  double (*clock_)();
   BodyArrays<T> bodies_;
   std::vector<Aabb<T>> boxes_;
   CandidateFinder<T> candidates_;

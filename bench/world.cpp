@@ -21,6 +21,7 @@
 #include "measure.hpp"
 #include "random.hpp"
 #include "stages.hpp"
+#include "table.hpp"
 
 namespace graze::bench {
 
@@ -56,10 +57,13 @@ std::vector<Moving> make_bodies(std::size_t count) {
   return bodies;
 }
 
+/// By the clock: of work on several threads nothing else says how long one waits for it.
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
 double milliseconds(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = seconds();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  return 1e3 * (seconds() - begin);
 }
 
 std::unique_ptr<Executor> make_executor(std::size_t threads) {
@@ -72,7 +76,7 @@ std::unique_ptr<Executor> make_executor(std::size_t threads) {
 /// A world and its stages on so many threads, and how long they took.
 struct Run {
   explicit Run(std::size_t thread_count, std::unique_ptr<Executor> threads_of)
-      : threads(thread_count), executor(std::move(threads_of)), world({}, executor.get()), stages(*executor) {}
+      : threads(thread_count), executor(std::move(threads_of)), world({}, executor.get()), stages(*executor, seconds) {}
 
   void frame(const std::vector<Moving>& bodies, bool counts) {
     const double place = milliseconds([&] {
@@ -96,23 +100,26 @@ struct Run {
 };
 
 void print(const std::vector<std::unique_ptr<Run>>& runs, std::size_t bodies) {
-  const auto line = [&](const char* name, const auto& times_of) {
-    std::printf("| %-26s |", name);
+  std::vector<std::string> head{std::to_string(bodies) + " bodies"};
+  for (const auto& run : runs) {
+    head.push_back("ms, " + std::to_string(run->threads) + (run->threads == 1 ? " thread" : " threads"));
+    head.push_back("ns each");
+  }
+  Table table(head);
+  const auto line = [&](const std::string& name, const auto& times_of) {
+    std::vector<std::string> cells{name};
     for (const auto& run : runs) {
       const double ms = quantile(times_of(*run), 0.5);
-      std::printf(" %9.1f | %7.1f |", ms, 1e6 * ms / static_cast<double>(bodies));
+      cells.push_back(printed("%.1f", ms));
+      cells.push_back(nanoseconds(1e6 * ms / static_cast<double>(bodies)));
     }
-    std::printf("\n");
+    table.add(cells);
   };
-  std::printf("| %zu bodies%*s |", bodies, static_cast<int>(19 - std::to_string(bodies).size()), "");
-  for (const auto& run : runs) std::printf(" %zu: ms     | ns each |", run->threads);
-  std::printf("\n|----------------------------|");
-  for (std::size_t i = 0; i < runs.size(); ++i) std::printf("----------:|--------:|");
-  std::printf("\n");
   line("poses given", [](const Run& run) { return run.placing; });
   line("World::update", [](const Run& run) { return run.updating; });
   for (std::size_t s = 0; s < Stages<float>::count; ++s)
-    line(("stage: " + std::string(Stages<float>::names[s])).c_str(), [s](const Run& run) { return run.of_stage[s]; });
+    line("stage: " + std::string(Stages<float>::names[s]), [s](const Run& run) { return run.of_stage[s]; });
+  std::fputs(table.text().c_str(), stdout);
 }
 
 int run(int argc, char** argv) {
@@ -143,7 +150,7 @@ int run(int argc, char** argv) {
   print(runs, count);
   const World<float>& world = runs[0]->world;
   const auto& contacts = world.contacts();
-  std::printf("\n%zu candidate pairs, %zu of them in contact with %zu points, %zu events; %zu bytes a body;\n"
+  std::printf("%zu candidate pairs, %zu of them in contact with %zu points, %zu events; %zu bytes a body;\n"
               "medians of %zu frames.\n",
               runs[0]->stages.pairs(), contacts.pairs.size(), contacts.points.size(), world.events().size(),
               world.memory() / count, frames);
