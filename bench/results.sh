@@ -1,23 +1,26 @@
 #!/usr/bin/env bash
 # Runs all benchmarks and writes what they found as one page, with the chart of the headline.
 #
-#   bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY]
+#   bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY] [--resume]
 #
 # A whole run takes a quarter of an hour on a quiet machine and writes bench/RESULTS.md, docs/benchmark.svg and the
-# figures in README.md; a quick one takes two minutes, is less exact and writes below build/bench/results only.
+# figures in README.md; a quick one takes two minutes, is less exact and writes below build/bench/results only. With
+# --resume what an interrupted run has measured is kept.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 quick=no
 poses=
 programs=build/bench/bin
+resume=no
 while (($# > 0)); do
   case "$1" in
     --quick) quick=yes ;;
+    --resume) resume=yes ;;
     --poses) poses=${2:?--poses takes a file} && shift ;;
     --programs) programs=${2:?--programs takes a directory} && shift ;;
     *)
-      echo "usage: bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY]" >&2
+      echo "usage: bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY] [--resume]" >&2
       exit 2
       ;;
   esac
@@ -27,7 +30,7 @@ done
 tree=$(git describe --always --dirty --exclude '*' 2>/dev/null || echo "unknown")
 load() { cut -d' ' -f1 /proc/loadavg 2>/dev/null || echo "?"; }
 load_before=$(load)
-work=build/bench/results
+work=build/bench/results/$([[ $quick == yes ]] && echo quick || echo whole)
 mkdir -p "$work"
 if [[ $quick == yes ]]; then
   page=$work/RESULTS.md
@@ -61,10 +64,13 @@ run() {
   local name=$1 program=$2
   shift 2
   step=$((step + 1))
+  [[ $resume == no || ! -f $work/$name.md ]] || return 0
   printf '[%d/%d, %3d s] %s\n' "$step" "$steps" "$SECONDS" "$name" >&2
-  "$programs/bench_$program" "$@" >"$work/$name.md"
+  "$programs/bench_$program" "$@" >"$work/$name.part"
+  mv "$work/$name.part" "$work/$name.md"
 }
 
+[[ $resume == yes ]] || rm -f "$work"/*.md
 run headline headline "${headline[@]}" --chart "$chart" --short "$work/short.md" --memory "$work/memory.md"
 run pile pile "${pile[@]}"
 run world world "${world[@]}"
