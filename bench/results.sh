@@ -129,7 +129,7 @@ there are; `moved` asks only for the pairs of what moved. [Which to take](../doc
 
 TEXT
   cat "$work/broad.md"
-  tail -n +3 "$work/uneven.md"
+  grep '^| uneven' "$work/uneven.md"
   printf '\n## Rays at a mesh\n\n'
   cat "$work/rays.md"
   cat <<'TEXT'
