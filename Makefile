@@ -1,6 +1,6 @@
 # A thin front: what is built and how is in CMakePresets.json, what it needs in scripts/setup.sh.
 # Variables: JOBS (default: all processors), PREFIX (install), CMAKE_ARGS (to configure, e.g. -DGRAZE_WERROR=ON),
-# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages).
+# CTEST_ARGS (e.g. "-R narrow"), GRAZE_NO_SETUP=1 (install no packages), QUICK=1 and POSES=file.csv (bench).
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 CMAKE_ARGS ?=
@@ -75,12 +75,13 @@ fuzz: ## run each fuzzer for a short while
 	$(call build,fuzz)
 	$(call check,fuzz)
 
+# QUICK=1: two minutes instead of a quarter of an hour, written below build/. POSES=file.csv: a pile of one's own.
 .PHONY: bench
-bench: ## build and run the benchmarks, beside Bullet, ODE and FCL
+bench: ## measure, beside Bullet, ODE, FCL and Embree, and write bench/RESULTS.md
 	@scripts/setup.sh bench
 	$(call configure,bench)
 	$(call build,bench)
-	@for program in build/bench/bin/bench_*; do echo "== $$program"; $$program || exit 1; done
+	@bench/results.sh $(if $(QUICK),--quick) $(if $(POSES),--poses $(POSES))
 
 .PHONY: format
 format: ## format all sources in place

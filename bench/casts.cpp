@@ -9,7 +9,6 @@
 // double, which is a convex function of time; pairs that miss or meet by less than a hundredth are not counted.
 // Worlds: boxes of 0.5 to 1.5, one in each 27 cubes of length 1 whatever their number; rays and casts go 30 far.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -19,87 +18,22 @@
 #include <vector>
 
 #ifdef GRAZE_BENCH_BULLET
-#include <btBulletCollisionCommon.h>
-
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkConvexCast.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 #endif
 
+#include "bullet_shape.hpp"
 #include "graze/cast.hpp"
 #include "graze/world.hpp"
 #include "graze_shape.hpp"
+#include "judges.hpp"
 #include "random.hpp"
 
 namespace graze::bench {
 
 namespace {
-
-struct Way {
-  Body a, b;
-  Vec3d motion;  ///< of A, in one unit of time
-
-  double size() const { return std::max(a.reach(), b.reach()); }
-};
-
-Body make_body(Kind kind, Random& random) {
-  Body body{kind, {}, {}, {}, {random.in_cube(2), random.rotation()}};
-  const Vec3d radii{random.number(0.25, 1), random.number(0.25, 1), random.number(0.25, 1)};
-  if (kind == Kind::box) body.size = radii * 2.0;
-  if (kind == Kind::hull)
-    for (int i = 0; i < 32; ++i) body.points.push_back(as_float(scaled(random.direction(), radii)));
-  body.size = as_float(body.size);
-  body.pose = as_float(body.pose);
-  return body;
-}
-
-std::vector<Way> make_ways(Kind kind, std::size_t count) {
-  Random random(11);
-  std::vector<Way> ways;
-  for (std::size_t i = 0; i < count; ++i) {
-    Way way{make_body(kind, random), make_body(kind, random), {}};
-    const double apart = way.a.reach() + way.b.reach();
-    const Vec3d from = way.b.pose.translation + random.direction() * (1.5 * apart);
-    way.a.pose.translation = as_float(from);
-    way.motion = as_float((way.b.pose.translation + random.in_cube(1.1 * apart) - from) * 2.0);
-    ways.push_back(std::move(way));
-  }
-  return ways;
-}
-
-constexpr double never = std::numeric_limits<double>::infinity();
-
-constexpr double fine = 1e-3, coarse = 1e-2;  // parts of the size
-
-/// What is so: how near they come on the way.
-class Truth {
- public:
-  explicit Truth(const Way& way) : way_(way), a_(graze_shape<double>(way.a)), b_(graze_shape<double>(way.b)) {
-    double low = 0, high = 1;
-    for (int step = 0; step < 60; ++step) {
-      const double one = low + (high - low) / 3, other = high - (high - low) / 3;
-      (gap(one) < gap(other) ? high : low) = gap(one) < gap(other) ? other : one;
-    }
-    least_ = gap((low + high) / 2);
-  }
-  double gap(double t) const {
-    Posed pose = way_.a.pose;
-    pose.translation += way_.motion * t;
-    return distance(a_, pose, b_, way_.b.pose).distance;
-  }
-  bool counts() const { return std::abs(least_) > coarse * way_.size(); }
-  bool meets() const { return least_ <= 0; }
-  bool wrong(double t, double same) const {
-    if (t == never) return meets();
-    return !meets() || std::abs(gap(t)) > same * way_.size();
-  }
-
- private:
-  const Way& way_;
-  Shape<double> a_, b_;
-  double least_;
-};
 
 /// Answers when the pair of a number first meets.
 struct Contender {
@@ -109,25 +43,20 @@ struct Contender {
   std::vector<double> seconds{};
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return processor_seconds() - start;
 }
 
-Contender graze_casts(const std::vector<Way>& ways) {
+Contender graze_casts(const std::vector<Pair>& ways) {
   struct Item {
     Shape<float> a, b;
     Posef pose_a, pose_b;
     Velocity<float> velocity;
   };
   auto items = std::make_shared<std::vector<Item>>();
-  for (const Way& way : ways)
+  for (const Pair& way : ways)
     items->push_back({graze_shape<float>(way.a),
                       graze_shape<float>(way.b),
                       {cast<float>(way.a.pose.translation), cast<float>(way.a.pose.rotation)},
@@ -141,43 +70,21 @@ Contender graze_casts(const std::vector<Way>& ways) {
 }
 
 #ifdef GRAZE_BENCH_BULLET
-btVector3 vector(const Vec3d& v) {
-  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
-}
-btTransform transform(const Posed& pose) {
-  const Quatd& q = pose.rotation;
-  return btTransform(btQuaternion(static_cast<btScalar>(q.x), static_cast<btScalar>(q.y), static_cast<btScalar>(q.z),
-                                  static_cast<btScalar>(q.w)),
-                     vector(pose.translation));
-}
-
-std::unique_ptr<btConvexShape> bullet_shape(const Body& body) {
-  std::unique_ptr<btConvexShape> shape;
-  if (body.kind == Kind::box) {
-    shape = std::make_unique<btBoxShape>(vector(body.size * 0.5));
-  } else {
-    auto hull = std::make_unique<btConvexHullShape>();
-    for (const Vec3d& p : body.points) hull->addPoint(vector(p), false);
-    hull->recalcLocalAabb();
-    shape = std::move(hull);
-  }
-  shape->setMargin(0);
-  return shape;
-}
-
 enum class Method { continuous, gjk, subsimplex };
 
-Contender bullet_casts(const char* name, const std::vector<Way>& ways, Method method) {
+Contender bullet_casts(const char* name, const std::vector<Pair>& ways, Method method) {
   struct Item {
-    std::unique_ptr<btConvexShape> a, b;
+    std::unique_ptr<btCollisionShape> a, b;
+    const btConvexShape& convex_a() const { return static_cast<const btConvexShape&>(*a); }
+    const btConvexShape& convex_b() const { return static_cast<const btConvexShape&>(*b); }
     btTransform from, to, still;
   };
   auto items = std::make_shared<std::vector<Item>>();
-  for (const Way& way : ways) {
+  for (const Pair& way : ways) {
     Posed end = way.a.pose;
     end.translation += way.motion;
-    items->push_back(
-        {bullet_shape(way.a), bullet_shape(way.b), transform(way.a.pose), transform(end), transform(way.b.pose)});
+    items->push_back({bullet::shape(way.a), bullet::shape(way.b), bullet::transform(way.a.pose), bullet::transform(end),
+                      bullet::transform(way.b.pose)});
   }
   return {name, [items, method](std::size_t i) {
             const Item& item = (*items)[i];
@@ -188,18 +95,18 @@ Contender bullet_casts(const char* name, const std::vector<Way>& ways, Method me
             const auto ask = [&](btConvexCast&& method_of) {
               return method_of.calcTimeOfImpact(item.from, item.to, item.still, item.still, result);
             };
-            const bool hit = method == Method::continuous
-                                 ? ask(btContinuousConvexCollision(item.a.get(), item.b.get(), &simplex, &depth))
-                             : method == Method::gjk
-                                 ? ask(btGjkConvexCast(item.a.get(), item.b.get(), &simplex))
-                                 : ask(btSubsimplexConvexCast(item.a.get(), item.b.get(), &simplex));
+            const bool hit =
+                method == Method::continuous
+                    ? ask(btContinuousConvexCollision(&item.convex_a(), &item.convex_b(), &simplex, &depth))
+                : method == Method::gjk ? ask(btGjkConvexCast(&item.convex_a(), &item.convex_b(), &simplex))
+                                        : ask(btSubsimplexConvexCast(&item.convex_a(), &item.convex_b(), &simplex));
             return hit && result.m_fraction <= 1 ? static_cast<double>(result.m_fraction) : never;
           }};
 }
 #endif
 
 void measure_pairs(const char* name, Kind kind, std::size_t count, std::size_t rounds) {
-  const std::vector<Way> ways = make_ways(kind, count);
+  const std::vector<Pair> ways = make_ways(kind, count);
   std::vector<Contender> contenders;
   contenders.push_back(graze_casts(ways));
 #ifdef GRAZE_BENCH_BULLET
@@ -216,20 +123,21 @@ void measure_pairs(const char* name, Kind kind, std::size_t count, std::size_t r
     }
   std::vector<std::size_t> wrong(contenders.size()), far_off(contenders.size());
   std::size_t asked = 0, meeting = 0;
+  const Reference reference(ways);
   for (std::size_t i = 0; i < count; ++i) {
-    const Truth truth(ways[i]);
-    if (!truth.counts()) continue;
+    const double least = least_gap(reference, i);
+    if (std::abs(least) <= coarse) continue;
     ++asked;
-    meeting += truth.meets();
+    meeting += least <= 0;
     for (std::size_t k = 0; k < contenders.size(); ++k) {
-      wrong[k] += truth.wrong(contenders[k].answers[i], fine);
-      far_off[k] += truth.wrong(contenders[k].answers[i], coarse);
+      wrong[k] += wrong_cast(reference, i, least, contenders[k].answers[i], fine);
+      far_off[k] += wrong_cast(reference, i, least, contenders[k].answers[i], coarse);
     }
   }
   for (std::size_t k = 0; k < contenders.size(); ++k) {
-    const double each = median(contenders[k].seconds) / static_cast<double>(count);
+    const double each = quantile(contenders[k].seconds, 0.5) / static_cast<double>(count);
     std::printf("| %-9s | %-17s | %6.0f | %5.2f | %7.2f | %7.2f | %6.2f |\n", name, contenders[k].name.c_str(),
-                each * 1e9, median(contenders[k].seconds) / median(contenders[0].seconds),
+                each * 1e9, quantile(contenders[k].seconds, 0.5) / quantile(contenders[0].seconds, 0.5),
                 100 * static_cast<double>(wrong[k]) / static_cast<double>(asked),
                 100 * static_cast<double>(far_off[k]) / static_cast<double>(asked),
                 100 * static_cast<double>(meeting) / static_cast<double>(asked));
@@ -268,7 +176,7 @@ void measure_world(std::size_t count, std::size_t rounds, double (&last)[2]) {
     }));
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    const double each = median(seconds[k]) / static_cast<double>(probes);
+    const double each = quantile(seconds[k], 0.5) / static_cast<double>(probes);
     std::printf("| %-7s | %7zu | %9.0f | %7.2f | %7.2f |\n", k == 0 ? "raycast" : "cast", count, 1 / each,
                 100 * static_cast<double>(hits[k]) / static_cast<double>(probes), last[k] > 0 ? each / last[k] : 1.0);
     last[k] = each;

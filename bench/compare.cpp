@@ -1,45 +1,28 @@
 // Every pair of shapes and every query, with other libraries on the same pairs: how fast, and how right.
 //
-// All libraries are in one process and take turns in every repetition, so that what slows the machine down slows all of
-// them; of the repetitions the median is told. What is right is what Graze answers in double precision: its tests hold
-// that against an independent reference. The other libraries are as their packages were built, Graze as this tree is.
+// The other libraries are as their packages were built, Graze as this tree is. `bench_headline` has the pairs that
+// matter most, more of them.
 //
-//   bench_compare [--pairs N] [--repetitions N] [--filter REGEX] [--libraries REGEX] [--scale S] [--quick] [--write FILE]
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
+//   bench_compare [--pairs N] [--repetitions N] [--filter REGEX] [--libraries REGEX] [--scale S] [--quick] [--brief]
+//                 [--write FILE]
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
-#include <iostream>
 #include <regex>
-#include <thread>
 
-#include "graze/query.hpp"
-#include "graze_shape.hpp"
+#include "judges.hpp"
 #include "report.hpp"
 
 namespace graze::bench {
 
-std::vector<std::unique_ptr<Peer>>& peers() {
-  static std::vector<std::unique_ptr<Peer>> all;
-  return all;
-}
-
 namespace {
-
-/// Within this of touching, relative to the size, either answer is right: single precision resolves about a hundredth.
-constexpr double band = 1e-4;
-/// A repetition lasts at least so long, in as many turns through the pairs as it takes.
-constexpr double least_seconds = 1e-3;
 
 struct Options {
   std::size_t pairs = 500, repetitions = 9;
   std::string filter = ".*", libraries = ".*", write;
   double scale = 1;
+  bool brief = false;
 };
 
 constexpr const char* usage =
@@ -50,6 +33,7 @@ constexpr const char* usage =
     "  --libraries REGEX  only these, e.g. 'graze|bullet'\n"
     "  --scale S          multiply all lengths, e.g. 0.01 for shapes of a centimetre\n"
     "  --quick            100 pairs, 3 repetitions\n"
+    "  --brief            only the summary\n"
     "  --write FILE       write the tables to FILE as well\n";
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -76,6 +60,10 @@ Options parse(int argc, char** argv) {
     if (option == "--help") {
       std::fputs(usage, stdout);
       std::exit(0);
+    }
+    if (option == "--brief") {
+      options.brief = true;
+      continue;
     }
     if (option == "--quick") {
       options.pairs = 100;
@@ -110,107 +98,14 @@ std::regex expression(const std::string& option, const std::string& text) {
   }
 }
 
-Touching touching(const Body& a, const Body& b) {
-  return [a = graze_shape<double>(a), b = graze_shape<double>(b)](const Posed& pose_a, const Posed& pose_b) {
-    return overlap(a, pose_a, b, pose_b);
-  };
-}
-
-/// What is right: the signed distance over the size.
-std::vector<double> truths(const std::vector<Pair>& pairs) {
-  std::vector<double> distances;
-  for (const Pair& p : pairs)
-    distances.push_back(distance(graze_shape<double>(p.a), p.a.pose, graze_shape<double>(p.b), p.b.pose).distance /
-                        p.size());
-  return distances;
-}
-
-/// Asks once about every pair and judges the answers.
-Cell judged(Peer& peer, Query query, const std::vector<Pair>& pairs, const std::vector<double>& truth) {
-  Cell cell;
-  std::size_t found = 0, overlapping = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Answer answer = peer.answer(query, i);
-    cell.points += answer.points;
-    cell.overlapping += answer.overlap;
-    if (!answer.failed && std::isfinite(answer.distance) && (query == Query::distance || truth[i] < -band))
-      cell.errors.push_back(std::abs(answer.distance / pairs[i].size() - truth[i]));
-    if (std::abs(truth[i]) <= band) continue;
-    const bool overlaps = truth[i] < 0;
-    ++cell.asked;
-    cell.failed += answer.failed;
-    cell.wrong += answer.failed || answer.overlap != overlaps;
-    overlapping += overlaps;
-    found += overlaps && answer.overlap;
-  }
-  cell.state = overlapping > 0 && found == 0 ? Cell::State::silent : Cell::State::measured;
-  return cell;
-}
-
-/// Times those of the row's cells that answer.
-void time(Row& row, std::size_t pair_count, std::size_t repetitions) {
-  using Clock = std::chrono::steady_clock;
-  struct Runner {
-    Peer& peer;
-    Cell& cell;
-    std::size_t turns;
-    std::vector<double> times;
-  };
-  volatile double sink = 0;
-  const auto seconds = [&](Peer& peer, std::size_t turns) {
-    const auto begin = Clock::now();
-    for (std::size_t t = 0; t < turns; ++t) sink = sink + peer.run(row.query, pair_count);
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-  };
-  std::vector<Runner> runners;
-  for (std::size_t c = 0; c < row.cells.size(); ++c) {
-    if (row.cells[c].state != Cell::State::measured) continue;
-    Peer& peer = *peers()[c];
-    seconds(peer, 1);  // warm
-    runners.push_back({peer, row.cells[c], 1 + static_cast<std::size_t>(least_seconds / seconds(peer, 1)), {}});
-  }
-  for (std::size_t r = 0; r < repetitions; ++r)
-    for (std::size_t k = 0; k < runners.size(); ++k) {
-      Runner& runner = runners[(k + r) % runners.size()];  // nobody is always behind the same one
-      runner.times.push_back(seconds(runner.peer, runner.turns) * 1e9 / static_cast<double>(runner.turns * pair_count));
-    }
-  for (Runner& runner : runners) {
-    runner.cell.nanoseconds = quantile(runner.times, 0.5);
-    runner.cell.spread = (quantile(runner.times, 0.75) - quantile(runner.times, 0.25)) / 2 / runner.cell.nanoseconds;
-  }
-}
-
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-Conditions conditions(const Options& options) {
-  char day[32];
-  const std::time_t now = std::time(nullptr);
-  std::strftime(day, sizeof day, "%Y-%m-%d", std::gmtime(&now));
+/// As a run with these options was made.
+Conditions conditions_with(const Options& options) {
   char scale[32];
   std::snprintf(scale, sizeof scale, "%g", options.scale);
-#ifdef __clang__
-  const std::string compiler = __VERSION__;
-#else
-  const std::string compiler = "g++ " __VERSION__;
-#endif
-  return {{"date", day},
-          {"processor", processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads, 1 used"},
-          {"compiler", compiler + ", flags of Graze:" GRAZE_BENCH_FLAGS + "; the other libraries as packaged"},
-          {"pairs", std::to_string(options.pairs) + " for each pair of shapes, lengths times " + scale + ", " +
-                        std::to_string(options.repetitions) + " repetitions"}};
-}
-
-/// Where the run is, on a terminal.
-void progress(std::size_t done, std::size_t all, const std::string& what) {
-  static const bool shown = isatty(STDERR_FILENO) != 0;
-  if (!shown) return;
-  std::fprintf(stderr, "\r\033[K%zu/%zu %s", done, all, what.c_str());
-  if (done == all) std::fputs("\r\033[K", stderr);
+  Conditions all = conditions();
+  all.push_back({"pairs", std::to_string(options.pairs) + " for each pair of shapes, lengths times " + scale + ", " +
+                              std::to_string(options.repetitions) + " repetitions"});
+  return all;
 }
 
 std::vector<Row> measure(const Options& options) {
@@ -228,14 +123,16 @@ std::vector<Row> measure(const Options& options) {
           asked.push_back({Kind(a), Kind(b), query, std::vector<Cell>(peers().size())});
       if (asked.empty()) continue;
       progress(done, all, name);
-      const std::vector<Pair> pairs = make_pairs(Kind(a), Kind(b), options.pairs, options.scale, touching);
-      const std::vector<double> truth = truths(pairs);
+      const std::vector<Pair> pairs = make_pairs(Kind(a), Kind(b), options.pairs, options.scale, make_touching());
+      const Reference reference(pairs);
       std::vector<char> prepared;
       for (const auto& peer : peers()) prepared.push_back(peer->prepare(pairs));
       for (Row& row : asked) {
+        const Judge judge = distance_judge(reference, row.query);
         for (std::size_t c = 0; c < peers().size(); ++c)
-          if (prepared[c] && peers()[c]->has(row.query)) row.cells[c] = judged(*peers()[c], row.query, pairs, truth);
-        time(row, options.pairs, options.repetitions);
+          if (prepared[c] && peers()[c]->has(row.query))
+            row.cells[c] = judged(*peers()[c], row.query, pairs.size(), judge);
+        time(row.query, options.pairs, {.repetitions = options.repetitions}, row.cells);
         rows.push_back(std::move(row));
       }
     }
@@ -243,28 +140,11 @@ std::vector<Row> measure(const Options& options) {
   return rows;
 }
 
-/// Swallows what the libraries write: FCL writes a line for each pair that it cannot answer.
-class Quiet : public std::streambuf {
- public:
-  Quiet() : kept_(std::cerr.rdbuf(this)) {}
-  ~Quiet() override { std::cerr.rdbuf(kept_); }
-
- private:
-  int overflow(int c) override { return c == traits_type::eof() ? 0 : c; }
-  std::streamsize xsputn(const char*, std::streamsize n) override { return n; }
-  std::streambuf* kept_;
-};
-
 int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
-  const std::regex wanted = expression("--libraries", options.libraries);
-  std::erase_if(peers(), [&](const auto& peer) { return !std::regex_search(peer->name(), wanted); });
+  expression("--libraries", options.libraries);
+  choose_peers(options.libraries);
   if (peers().empty()) refuse("no library matches " + options.libraries);
-  // Graze first: the order in which they registered is the linker's.
-  std::sort(peers().begin(), peers().end(), [](const auto& p, const auto& q) {
-    const bool ours = p->name().starts_with("graze"), others = q->name().starts_with("graze");
-    return ours != others ? ours : p->name() < q->name();
-  });
   std::vector<Column> columns;
   for (const auto& peer : peers())
     columns.push_back({peer->name(), peer->version(), peer->single_precision(), peer->name() == "graze double"});
@@ -272,8 +152,9 @@ int run(int argc, char** argv) {
   const Quiet quiet;
   const std::vector<Row> rows = measure(options);
   const bool resting = std::regex_search("resting boxes", expression("--filter", options.filter));
+  const auto flickers = resting ? measure_flicker(10000) : std::vector<Flicker>{};
   const std::string text =
-      report(conditions(options), columns, rows, resting ? measure_flicker(10000) : std::vector<Flicker>{});
+      options.brief ? summary(columns, rows, flickers) : report(conditions_with(options), columns, rows, flickers);
   std::fputs(text.c_str(), stdout);
   if (!options.write.empty()) {
     std::ofstream file(options.write);

@@ -21,7 +21,7 @@ Shape<T> graze_shape(const Body& body) {
   case Kind::triangle: break;
   }
   std::vector<Vec3<T>> points;
-  for (const Vec3d& p : body.points) points.push_back(cast<T>(p));
+  for (const Vec3d& p : body.corners->points) points.push_back(cast<T>(p));
   if (body.kind == Kind::triangle) return Triangle<T>(points[0], points[1], points[2]);
   return ConvexHull<T>(points);
 }

@@ -28,29 +28,56 @@ std::vector<std::array<int, 3>> hull_faces(const std::vector<Vec3d>& points) {
   return faces;
 }
 
-Body make_body(Kind kind, double scale, Random& random) {
-  Body body{kind, {}, {}, {}, {}};
-  const auto extent = [&] { return random.number(0.25, 1) * scale; };
-  const double x = extent(), y = extent(), z = extent();
-  if (kind == Kind::box)
-    body.size = Vec3d{x, y, z} * 2.0;
-  else
-    body.size = {x, kind == Kind::ellipsoid ? y : 2 * y, z};
-  if (kind == Kind::hull)
-    for (int i = 0; i < 32; ++i) body.points.push_back(as_float(scaled(random.direction(), {x, y, z})));
-  if (kind == Kind::triangle) {
-    Vec3d p[3];
-    do {
-      for (Vec3d& v : p) v = random.in_cube(scale);
-    } while (length(cross(p[1] - p[0], p[2] - p[0])) < 0.5 * scale * scale);  // no slivers: they are a test, not a race
-    const Vec3d center = (p[0] + p[1] + p[2]) / 3.0;
-    for (const Vec3d& v : p) body.points.push_back(as_float(v - center));
+Corners make_corners(Kind kind, const Vec3d& extent, double scale, Random& random) {
+  Corners corners;
+  if (kind == Kind::hull) {
+    for (int i = 0; i < 32; ++i) corners.points.push_back(as_float(scaled(random.direction(), extent)));
+    corners.faces = hull_faces(corners.points);
+    return corners;
   }
-  if (kind == Kind::hull) body.faces = hull_faces(body.points);
-  body.size = as_float(body.size);
-  body.pose = as_float(Posed{random.in_cube(2 * scale), random.rotation()});
-  return body;
+  Vec3d p[3];
+  do {
+    for (Vec3d& v : p) v = random.in_cube(scale);
+  } while (length(cross(p[1] - p[0], p[2] - p[0])) < 0.5 * scale * scale);  // no slivers: they are a test, not a race
+  const Vec3d center = (p[0] + p[1] + p[2]) / 3.0;
+  for (const Vec3d& v : p) corners.points.push_back(as_float(v - center));
+  return corners;
 }
+
+/// Bodies one after the other, of which hulls and triangles come again from a number on.
+class Bodies {
+ public:
+  Bodies(double scale, std::size_t different, Random& random) : scale_(scale), different_(different), random_(random) {}
+
+  Body next(Kind kind) {
+    Body body{kind};
+    const auto extent = [&] { return random_.number(0.25, 1) * scale_; };
+    const double x = extent(), y = extent(), z = extent();
+    body.size = as_float(kind == Kind::box         ? Vec3d{x, y, z} * 2.0
+                         : kind == Kind::ellipsoid ? Vec3d{x, y, z}
+                                                   : Vec3d{x, 2 * y, z});
+    if (kind == Kind::hull || kind == Kind::triangle) body.corners = corners(kind, {x, y, z});
+    body.pose = as_float(Posed{random_.in_cube(2 * scale_), random_.rotation()});
+    return body;
+  }
+
+ private:
+  using Shared = std::shared_ptr<const Corners>;
+
+  Shared corners(Kind kind, const Vec3d& extent) {
+    std::vector<Shared>& made = kind == Kind::hull ? hulls_ : triangles_;
+    if (made.size() < different_) {
+      made.push_back(std::make_shared<const Corners>(make_corners(kind, extent, scale_, random_)));
+      return made.back();
+    }
+    return made[static_cast<std::size_t>(random_.number(0, 1) * static_cast<double>(made.size()))];
+  }
+
+  double scale_;
+  std::size_t different_;
+  Random& random_;
+  std::vector<Shared> hulls_, triangles_;
+};
 
 }  // namespace
 
@@ -67,17 +94,19 @@ double Body::reach() const {
   case Kind::triangle: break;
   }
   double reach = 0;
-  for (const Vec3d& p : points) reach = std::max(reach, length(p));
+  for (const Vec3d& p : corners->points) reach = std::max(reach, length(p));
   return reach;
 }
 
 double Pair::size() const { return std::max(a.reach(), b.reach()); }
 
-std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching) {
+std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching,
+                             std::size_t different) {
   Random random(1 + static_cast<std::uint64_t>(a) * kind_count + static_cast<std::uint64_t>(b));
+  Bodies bodies(scale, different, random);
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < count; ++i) {
-    Pair pair{make_body(a, scale, random), make_body(b, scale, random)};
+    Pair pair{bodies.next(a), bodies.next(b)};
     const Touching touching = make_touching(pair.a, pair.b);
     const bool plane = b == Kind::half_space;
     const Vec3d direction = plane ? rotate(pair.b.pose.rotation, Vec3d{0, 1, 0}) : random.direction();
@@ -97,6 +126,65 @@ std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, co
     pairs.push_back(std::move(pair));
   }
   return pairs;
+}
+
+std::vector<Pair> make_stacked(std::size_t count) {
+  constexpr double degree = 0.017453292519943295;
+  Random random(3);
+  const auto box = [&] {
+    Body body{Kind::box};
+    body.size = as_float(Vec3d{random.number(0.4, 2), random.number(0.4, 2), random.number(0.4, 2)});
+    return body;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < count; ++i) {
+    Pair pair{box(), box()};
+    // Half the angle is half the vector part of the quaternion, to a part in ten thousand at a degree.
+    const double turn = random.number(0, 1.5707963267948966), lean = random.number(0, degree) / 2;
+    const double toward = random.number(0, 1) * 6.283185307179586;
+    const Quatd tilt = normalized(Quatd{lean * std::cos(toward), 0, lean * std::sin(toward), 1});
+    const Quatd yaw{0, std::sin(turn / 2), 0, std::cos(turn / 2)};
+    // The centre of A stands over the face of B.
+    const Vec3d above = Vec3d{random.number(-0.5, 0.5) * pair.b.size.x,
+                              (pair.a.size.y + pair.b.size.y) / 2 + random.number(-0.02, 0.01),
+                              random.number(-0.5, 0.5) * pair.b.size.z};
+    pair.b.pose = {random.in_cube(2), random.rotation()};
+    pair.a.pose = as_float(Posed{pair.b.pose.translation + rotate(pair.b.pose.rotation, above),
+                                 normalized(pair.b.pose.rotation * (tilt * yaw))});
+    pair.b.pose = as_float(pair.b.pose);
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+std::vector<Pair> make_ways(Kind kind, std::size_t count, std::size_t different) {
+  Random random(11);
+  Bodies bodies(1, different, random);
+  std::vector<Pair> ways;
+  for (std::size_t i = 0; i < count; ++i) {
+    Pair way{bodies.next(kind), bodies.next(kind)};
+    const double apart = way.a.reach() + way.b.reach();
+    const Vec3d from = way.b.pose.translation + random.direction() * (1.5 * apart);
+    way.a.pose.translation = as_float(from);
+    way.motion = as_float((way.b.pose.translation + random.in_cube(1.1 * apart) - from) * 2.0);
+    ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+std::vector<Pair> make_rays(Kind kind, std::size_t count, std::size_t different) {
+  Random random(17);
+  Bodies bodies(1, different, random);
+  std::vector<Pair> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    Pair ray{bodies.next(kind), Body{Kind::sphere, {0.01, 0, 0}}};
+    const double reach = ray.a.reach();
+    const Vec3d from = ray.a.pose.translation + random.direction() * (3 * reach);
+    ray.b.pose.translation = as_float(from);
+    ray.motion = as_float((ray.a.pose.translation + random.in_cube(0.75 * reach) - from) * 2.0);
+    rays.push_back(std::move(ray));
+  }
+  return rays;
 }
 
 }  // namespace graze::bench

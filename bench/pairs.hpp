@@ -1,4 +1,4 @@
-// The pairs that the comparison asks every library about, described in numbers that each of them understands.
+// The pairs that every library is asked about, described in numbers that each of them understands.
 //
 // Guarantee: the same pairs on every machine and from every compiler: integer random numbers, IEEE-exact arithmetic.
 // Every number is a `float`, so that a library in single precision is given the same shapes as one in double.
@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <memory>
 #include <vector>
 
 #include "graze/pose.hpp"
@@ -18,13 +20,18 @@ inline constexpr std::size_t kind_count = 9;
 inline constexpr const char* kind_names[kind_count] = {"sphere",    "capsule", "box",      "cylinder",  "cone",
                                                        "ellipsoid", "hull32",  "triangle", "half-space"};
 
+/// The vertices of a hull, 32 of them, or of a triangle.
+struct Corners {
+  std::vector<Vec3d> points;
+  std::vector<std::array<int, 3>> faces;  ///< of a hull: its triangles, counter-clockwise seen from outside
+};
+
 /// A shape about its own origin, and where it stands. Heights run along Y, a cone's apex is on top; the half-space is
 /// y <= 0.
 struct Body {
   Kind kind{};
-  Vec3d size{};                           ///< box: edge lengths; ellipsoid: radii; else x the radius, y the height
-  std::vector<Vec3d> points;              ///< hull: 32 vertices; triangle: 3
-  std::vector<std::array<int, 3>> faces;  ///< hull: its triangles, counter-clockwise seen from outside
+  Vec3d size{};                              ///< box: edge lengths; ellipsoid: radii; else x the radius, y the height
+  std::shared_ptr<const Corners> corners{};  ///< of hulls and triangles, which may share them
   Posed pose{};
 
   /// The radius about the shape's own origin; 0 for the half-space.
@@ -33,6 +40,9 @@ struct Body {
 
 struct Pair {
   Body a, b;
+  /// What A moves by for a cast; for a ray, which begins at B's place and meets A, the way from its begin to its end.
+  Vec3d motion{};
+
   /// What errors are measured by: the larger of the two radii.
   double size() const;
 };
@@ -43,7 +53,21 @@ using MakeTouching = std::function<Touching(const Body&, const Body&)>;
 
 /// `count` pairs of these kinds, every other one overlapping: A is pushed along a random direction to where the two
 /// just touch (by `make_touching`), and from there by up to a quarter of the size, in or out. All lengths are
-/// multiplied by `scale`.
-std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching);
+/// multiplied by `scale`. There are no more different hulls and triangles than `different`, shared by all pairs.
+std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching,
+                             std::size_t different = std::numeric_limits<std::size_t>::max());
+
+/// Boxes nearly face to face, as in a stack: A on a face of B, turned about its normal at will, tilted by up to a
+/// degree, the middle of
+/// the faces between 0.02 deep and 0.01 apart, half edges of 0.2 to 1.
+std::vector<Pair> make_stacked(std::size_t count);
+
+/// Two of a kind, boxes or hulls; A moves past B so that about every other pair meets on the way.
+std::vector<Pair> make_ways(Kind kind, std::size_t count,
+                            std::size_t different = std::numeric_limits<std::size_t>::max());
+
+/// Rays at shapes of a kind, A; about every other one hits. B, where they begin, is a small ball.
+std::vector<Pair> make_rays(Kind kind, std::size_t count,
+                            std::size_t different = std::numeric_limits<std::size_t>::max());
 
 }  // namespace graze::bench

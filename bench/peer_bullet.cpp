@@ -1,11 +1,8 @@
-// Bullet in single precision, its usual build. Margins are 0, so that its shapes are those of everybody else: it rounds
-// corners by 0.04 of the unit otherwise. Contacts and overlap come from the collision algorithm that its dispatcher
-// finds for the pair, kept as a simulation keeps it; distance from its GJK with its EPA.
+// Bullet in single precision, its usual build. Contacts and overlap come from the collision algorithm that its
+// dispatcher finds for the pair, kept as a simulation keeps it; distance from its GJK with its EPA; rays and casts from
+// the functions that its world asks a single body with.
 #ifdef GRAZE_BENCH_BULLET
 
-#include <btBulletCollisionCommon.h>
-
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -13,14 +10,12 @@
 
 #include <algorithm>
 
+#include "bullet_shape.hpp"
 #include "peer.hpp"
 
 namespace graze::bench {
 
 namespace {
-
-btScalar number(double v) { return static_cast<btScalar>(v); }
-btVector3 vector(const Vec3d& v) { return {number(v.x), number(v.y), number(v.z)}; }
 
 /// Keeps only how deep, as the callback of Bullet's contactPairTest can.
 class Deepest final : public btManifoldResult {
@@ -41,23 +36,30 @@ class Bullet {
   Bullet() : dispatcher_(&configuration_) {}
   Bullet(const Bullet&) = delete;
   Bullet& operator=(const Bullet&) = delete;
-  ~Bullet() { clear(); }
+  ~Bullet() {
+    for (btCollisionAlgorithm* algorithm : algorithms_) {
+      algorithm->~btCollisionAlgorithm();
+      dispatcher_.freeCollisionAlgorithm(algorithm);
+    }
+  }
 
   bool prepare(std::span<const Pair> pairs) {
-    clear();
-    for (const Pair& pair : pairs)
+    OncePerCorners<btCollisionShape*> shared;
+    const auto make = [&](const Body& body) {
+      shapes_.push_back(bullet::shape(body));
+      return shapes_.back().get();
+    };
+    for (const Pair& pair : pairs) {
       for (const Body* body : {&pair.a, &pair.b}) {
-        auto shape = make(*body);
+        btCollisionShape* shape = shared.of(*body, make);
         if (!shape) return false;
-        const Quatd& q = body->pose.rotation;
-        auto object = std::make_unique<btCollisionObject>();
-        object->setCollisionShape(shape.get());
-        object->setWorldTransform(
-            btTransform(btQuaternion(number(q.x), number(q.y), number(q.z), number(q.w)).normalized(),
-                        vector(body->pose.translation)));
-        shapes_.push_back(std::move(shape));
-        objects_.push_back(std::move(object));
+        objects_.push_back(std::make_unique<btCollisionObject>());
+        objects_.back()->setCollisionShape(shape);
+        objects_.back()->setWorldTransform(bullet::transform(body->pose));
       }
+      if (max_abs(pair.motion) > 0) ways_.push_back(bullet::vector(pair.motion));
+    }
+    if (!ways_.empty()) return true;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto a = wrapped(2 * i), b = wrapped(2 * i + 1);
       algorithms_.push_back(dispatcher_.findAlgorithm(&a, &b, nullptr, BT_CONTACT_POINT_ALGORITHMS));
@@ -77,8 +79,7 @@ class Bullet {
     return result.deepest <= 0;
   }
   double distance(std::size_t i) {
-    const auto& a = static_cast<const btConvexShape&>(*shapes_[2 * i]);
-    const auto& b = static_cast<const btConvexShape&>(*shapes_[2 * i + 1]);
+    const btConvexShape &a = convex(2 * i), &b = convex(2 * i + 1);
     btGjkPairDetector detector(&a, &b, &simplex_, &penetration_);
     btGjkPairDetector::ClosestPointInput input;
     input.m_transformA = objects_[2 * i]->getWorldTransform();
@@ -106,8 +107,30 @@ class Bullet {
       }
     return found;
   }
+  double raycast(std::size_t i) {
+    btTransform from = objects_[2 * i + 1]->getWorldTransform(), to = from;
+    from.setBasis(btMatrix3x3::getIdentity());
+    to.setOrigin(from.getOrigin() + ways_[i]);
+    btCollisionWorld::ClosestRayResultCallback result(from.getOrigin(), to.getOrigin());
+    btCollisionObject& object = *objects_[2 * i];
+    btCollisionWorld::rayTestSingle(from, to, &object, object.getCollisionShape(), object.getWorldTransform(), result);
+    return result.hasHit() ? static_cast<double>(result.m_closestHitFraction) : never;
+  }
+  double cast(std::size_t i) {
+    const btTransform& from = objects_[2 * i]->getWorldTransform();
+    btTransform to = from;
+    to.setOrigin(from.getOrigin() + ways_[i]);
+    btCollisionWorld::ClosestConvexResultCallback result(from.getOrigin(), to.getOrigin());
+    btCollisionObject& object = *objects_[2 * i + 1];
+    btCollisionWorld::objectQuerySingle(&convex(2 * i), from, to, &object, object.getCollisionShape(),
+                                        object.getWorldTransform(), result, 0);
+    return result.hasHit() ? static_cast<double>(result.m_closestHitFraction) : never;
+  }
 
  private:
+  const btConvexShape& convex(std::size_t k) const {
+    return static_cast<const btConvexShape&>(*objects_[k]->getCollisionShape());
+  }
   btCollisionObjectWrapper wrapped(std::size_t k) const {
     const btCollisionObject& object = *objects_[k];
     return {nullptr, object.getCollisionShape(), &object, object.getWorldTransform(), -1, -1};
@@ -117,41 +140,6 @@ class Bullet {
     algorithms_[i]->getAllContactManifolds(manifolds_);
     return manifolds_.size();
   }
-  void clear() {
-    for (btCollisionAlgorithm* algorithm : algorithms_) {
-      algorithm->~btCollisionAlgorithm();
-      dispatcher_.freeCollisionAlgorithm(algorithm);
-    }
-    algorithms_.clear();
-    objects_.clear();
-    shapes_.clear();
-  }
-
-  static std::unique_ptr<btCollisionShape> make(const Body& body) {
-    const Vec3d& s = body.size;
-    std::unique_ptr<btCollisionShape> shape;
-    switch (body.kind) {
-    case Kind::sphere: return std::make_unique<btSphereShape>(number(s.x));
-    case Kind::capsule: return std::make_unique<btCapsuleShape>(number(s.x), number(s.y));
-    case Kind::box: shape = std::make_unique<btBoxShape>(vector(s) / 2); break;
-    case Kind::cylinder: shape = std::make_unique<btCylinderShape>(vector({s.x, s.y / 2, s.x})); break;
-    case Kind::cone: shape = std::make_unique<btConeShape>(number(s.x), number(s.y)); break;
-    case Kind::ellipsoid: return nullptr;
-    case Kind::half_space: shape = std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), number(0)); break;
-    case Kind::triangle:
-      shape = std::make_unique<btTriangleShape>(vector(body.points[0]), vector(body.points[1]), vector(body.points[2]));
-      break;
-    case Kind::hull: {
-      auto hull = std::make_unique<btConvexHullShape>();
-      for (const Vec3d& p : body.points) hull->addPoint(vector(p), false);
-      hull->recalcLocalAabb();
-      shape = std::move(hull);
-    }
-    }
-    shape->setMargin(0);
-    return shape;
-  }
-
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDispatcherInfo info_;
@@ -160,6 +148,7 @@ class Bullet {
   btManifoldArray manifolds_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btCollisionObject>> objects_;
+  std::vector<btVector3> ways_;
   std::vector<btCollisionAlgorithm*> algorithms_;
 };
 

@@ -1,5 +1,6 @@
 // FCL in double precision with its default solver, libccd. A triangle is a mesh of one, since collide() does not take
-// its triangle. For a pair that it has no function for it writes a warning and says "no contact".
+// its triangle. Casts are by its conservative advancement. For a pair that it has no function for it writes a warning
+// and says "no contact".
 #ifdef GRAZE_BENCH_FCL
 
 #include <fcl/fcl.h>
@@ -19,16 +20,18 @@ class Fcl {
   static std::string version() { return GRAZE_BENCH_FCL_VERSION; }
 
   bool prepare(std::span<const Pair> pairs) {
-    objects_.clear();
-    for (const Pair& pair : pairs)
+    OncePerCorners<Geometry> shared;
+    for (const Pair& pair : pairs) {
       for (const Body* body : {&pair.a, &pair.b}) {
         const Quatd q = rotation_from_z(*body);
-        Object object{make(*body), fcl::Transform3d::Identity()};
+        Object object{shared.of(*body, make), fcl::Transform3d::Identity()};
         object.geometry->computeLocalAABB();
         object.pose.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
         object.pose.translation() = vector(body->pose.translation);
         objects_.push_back(std::move(object));
       }
+      if (max_abs(pair.motion) > 0) ways_.push_back(vector(pair.motion));
+    }
     return true;
   }
   /// Its distances to a half-space, and from a sphere to a mesh, end the process for some poses.
@@ -66,6 +69,16 @@ class Fcl {
       found.deepest = std::min(found.deepest, -collision_.getContact(k).penetration_depth);
     return found;
   }
+  double cast(std::size_t i) {
+    const Object &a = objects_[2 * i], &b = objects_[2 * i + 1];
+    fcl::Transform3d end = a.pose;
+    end.translation() += ways_[i];
+    const fcl::ContinuousCollisionRequestd request(100, 1e-4, fcl::CCDM_TRANS, fcl::GST_LIBCCD,
+                                                   fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+    fcl::ContinuousCollisionResultd result;
+    fcl::continuousCollide(a.geometry.get(), a.pose, end, b.geometry.get(), b.pose, b.pose, request, result);
+    return result.is_collide ? result.time_of_contact : never;
+  }
 
  private:
   using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
@@ -88,23 +101,25 @@ class Fcl {
     case Kind::triangle: {
       auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
       mesh->beginModel();
-      mesh->addTriangle(vector(body.points[0]), vector(body.points[1]), vector(body.points[2]));
+      mesh->addTriangle(vector(body.corners->points[0]), vector(body.corners->points[1]),
+                        vector(body.corners->points[2]));
       mesh->endModel();
       return mesh;
     }
     case Kind::hull: break;
     }
     auto points = std::make_shared<std::vector<fcl::Vector3d>>();
-    for (const Vec3d& p : body.points) points->push_back(vector(p));
+    for (const Vec3d& p : body.corners->points) points->push_back(vector(p));
     auto faces = std::make_shared<std::vector<int>>();
-    for (const auto& face : body.faces) {
+    for (const auto& face : body.corners->faces) {
       faces->push_back(3);
       faces->insert(faces->end(), face.begin(), face.end());
     }
-    return std::make_shared<fcl::Convexd>(points, static_cast<int>(body.faces.size()), faces);
+    return std::make_shared<fcl::Convexd>(points, static_cast<int>(body.corners->faces.size()), faces);
   }
 
   std::vector<Object> objects_;
+  std::vector<fcl::Vector3d> ways_;
   fcl::CollisionResultd collision_;
   fcl::DistanceResultd distance_;
 };

@@ -29,7 +29,9 @@
 #endif
 
 #include "graze/world.hpp"
+#include "measure.hpp"
 #include "random.hpp"
+#include "stages.hpp"
 
 namespace graze::bench {
 
@@ -250,68 +252,32 @@ double milliseconds(std::clock_t begin) {
   return 1e3 * static_cast<double>(std::clock() - begin) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
-double median(std::vector<double> times) {
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
-}
-
-/// The stages of a world's update, each by itself.
+/// The stages of a world's update, frame by frame.
 template <class T>
-class Stages {
+class StagedPile {
  public:
-  static constexpr const char* names[] = {"bounds", "candidates", "filter", "manifolds", "events"};
-  static constexpr std::size_t count = 5;
-
-  explicit Stages(const Pile& pile) : bodies_(T(margin)) {
+  explicit StagedPile(const Pile& pile) : stages_(serial_, processor_seconds, T(margin)) {
     for (const PiledBox& box : pile)
-      ids_.push_back(bodies_.add({.shape = Box<T>(cast<T>(box.half) * T(2)), .pose = cast<T>(box.pose)}));
-    bodies_.add({.shape = HalfSpace<T>(), .fixed = true});
-    boxes_.resize(bodies_.size());
+      ids_.push_back(stages_.add({.shape = Box<T>(cast<T>(box.half) * T(2)), .pose = cast<T>(box.pose)}));
+    stages_.add({.shape = HalfSpace<T>(), .fixed = true});
   }
   void frame(const Poses& poses) {
-    for (std::size_t i = 0; i < ids_.size(); ++i) bodies_.move(ids_[i], cast<T>(poses[i]), {}, {});
-    std::size_t stage = 0;
-    const auto timed = [&](const auto& f) {
-      const auto begin = std::clock();
-      f();
-      times_[stage++].push_back(milliseconds(begin));
-    };
-    const auto changes = bodies_.changes();
-    std::span<const IdPair> found;
-    timed([&] { find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, serial_); });
-    timed([&] { found = candidates_.find(boxes_, bodies_.alive(), changes); });
-    timed([&] {
-      allowed_.assign(found.begin(), found.end());
-      keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) {
-        return bodies_.fixed()[a] == 0 || bodies_.fixed()[b] == 0;
-      });
-    });
-    timed([&] { manifolds_.find(bodies_, allowed_, serial_); });
-    timed([&] {
-      tracker_.update<T>(
-          manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
-          [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
-    });
-    bodies_.settle();
+    for (std::size_t i = 0; i < ids_.size(); ++i) stages_.move(ids_[i], cast<T>(poses[i]));
+    times_.push_back(stages_.update());
   }
   double time(std::size_t stage) const {
+    std::vector<double> times;
     // The first frame allocates, and the second is the first that remembers one.
-    return median({times_[stage].begin() + 2, times_[stage].end()});
+    for (std::size_t frame = 2; frame < times_.size(); ++frame) times.push_back(times_[frame][stage]);
+    return quantile(times, 0.5);
   }
-  std::size_t pairs() const { return allowed_.size(); }
+  std::size_t pairs() const { return stages_.pairs(); }
 
  private:
   SerialExecutor serial_;
-  BodyArrays<T> bodies_;
+  Stages<T> stages_;
   std::vector<BodyId> ids_;
-  std::vector<Aabb<T>> boxes_;
-  CandidateFinder<T> candidates_;
-  std::vector<IdPair> allowed_;
-  ManifoldFinder<T> manifolds_;
-  EventTracker tracker_;
-  std::vector<ContactEvent> events_;
-  std::vector<double> times_[count];
+  std::vector<typename Stages<T>::Times> times_;
 };
 
 int run(int argc, char** argv) {
@@ -340,8 +306,8 @@ int run(int argc, char** argv) {
 #ifdef GRAZE_BENCH_ODE
   all.push_back(ode_space(*pile));
 #endif
-  Stages<float> stages_f(*pile);
-  Stages<double> stages_d(*pile);
+  StagedPile<float> stages_f(*pile);
+  StagedPile<double> stages_d(*pile);
   std::vector<std::vector<double>> placing(all.size()), updating(all.size());
   for (std::size_t frame = 0; frame < frames + 2; ++frame) {
     const Poses& now = poses[frame % 2];
@@ -364,18 +330,18 @@ int run(int argc, char** argv) {
   for (std::size_t c = 0; c < all.size(); ++c) {
     Counts counts = all[c].count();
     if (counts.pairs == 0) counts.pairs = stages_f.pairs();  // a world of Graze does not tell
-    const double update = median(updating[c]);
-    std::printf("| %-17s | %8.3f | %9.3f | %6zu | %7.1f | %8zu | %8zu |", all[c].name.c_str(), median(placing[c]),
-                update, counts.pairs, 1e6 * update / static_cast<double>(counts.pairs), counts.touching,
-                counts.contacts);
+    const double update = quantile(updating[c], 0.5);
+    std::printf("| %-17s | %8.3f | %9.3f | %6zu | %7.1f | %8zu | %8zu |", all[c].name.c_str(),
+                quantile(placing[c], 0.5), update, counts.pairs, 1e6 * update / static_cast<double>(counts.pairs),
+                counts.touching, counts.contacts);
     if (counts.memory > 0)
       std::printf(" %6zu |\n", counts.memory / pile->size());
     else
       std::printf("      ? |\n");
   }
-  std::printf("\n| stage of graze | float ms | double ms |\n|----------------|---------:|----------:|\n");
+  std::printf("\n| stage of graze      | float ms | double ms |\n|---------------------|---------:|----------:|\n");
   for (std::size_t s = 0; s < Stages<float>::count; ++s)
-    std::printf("| %-14s | %8.3f | %9.3f |\n", Stages<float>::names[s], stages_f.time(s), stages_d.time(s));
+    std::printf("| %-19s | %8.3f | %9.3f |\n", Stages<float>::names[s], stages_f.time(s), stages_d.time(s));
   return 0;
 }
 

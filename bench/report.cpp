@@ -2,52 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "table.hpp"
 
 namespace graze::bench {
 
 namespace {
-
-std::string printed(const char* format, double v) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, v);
-  return text;
-}
-std::string nanoseconds(double v) { return printed(v < 9.95 ? "%.1f" : "%.0f", v); }
-std::string percent(std::size_t part, std::size_t whole) {
-  if (part == 0) return "0";
-  const double v = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  return printed(v < 0.995 ? "%.2f" : v < 9.95 ? "%.1f" : "%.0f", v) + " %";
-}
-std::string error(double v) { return v == 0 ? "0" : printed("%.0e", v); }
-
-/// A table of Markdown, its columns padded so that it can be read as it stands.
-class Table {
- public:
-  explicit Table(std::vector<std::string> head) : lines_{std::move(head)} {}
-  void add(std::vector<std::string> line) { lines_.push_back(std::move(line)); }
-
-  std::string text() const {
-    std::vector<std::size_t> widths(lines_[0].size(), 3);
-    for (const auto& line : lines_)
-      for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], line[c].size());
-    std::string text;
-    for (std::size_t l = 0; l < lines_.size(); ++l) {
-      for (std::size_t c = 0; c < widths.size(); ++c) {
-        const std::string padding(widths[c] - lines_[l][c].size(), ' ');
-        text += c == 0 ? "| " + lines_[l][c] + padding + " |" : " " + padding + lines_[l][c] + " |";
-      }
-      text += "\n";
-      for (std::size_t c = 0; l == 0 && c < widths.size(); ++c)
-        text += c == 0 ? "|" + std::string(widths[c] + 2, '-') + "|" : std::string(widths[c] + 1, '-') + ":|";
-      if (l == 0) text += "\n";
-    }
-    return text + "\n";
-  }
-
- private:
-  std::vector<std::vector<std::string>> lines_;
-};
 
 std::string pair_name(const Row& row) {
   return std::string(kind_names[static_cast<std::size_t>(row.a)]) + ", " + kind_names[static_cast<std::size_t>(row.b)];
@@ -91,9 +51,10 @@ std::size_t rival(const std::vector<Column>& columns, const Column& column) {
   return columns.size();
 }
 
-std::string summary(const std::vector<Column>& columns, const std::vector<Row>& rows) {
+std::string summary_table(const std::vector<Column>& columns, const std::vector<Row>& rows) {
   Table table({"query", "library", "pairs of shapes", "silent", "time by Graze's", "slowest", "wrong", "no answer",
-               "median error", "worst error", "points"});
+               "median error", "worst error", "points"},
+              2);
   for (const Query query : queries)
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::size_t other = rival(columns, columns[c]);
@@ -132,7 +93,7 @@ std::string summary(const std::vector<Column>& columns, const std::vector<Row>& 
 }
 
 std::string flicker_table(const std::vector<Flicker>& flickers) {
-  Table table({"resting box", "library", "kind changes", "number changes", "points"});
+  Table table({"resting box", "library", "kind changes", "number changes", "points"}, 2);
   for (const Flicker& f : flickers)
     table.add({f.scene, f.library, percent(f.kind_changes, f.frames), percent(f.count_changes, f.frames),
                printed("%.2f", static_cast<double>(f.points) / static_cast<double>(f.frames))});
@@ -141,29 +102,10 @@ std::string flicker_table(const std::vector<Flicker>& flickers) {
 
 }  // namespace
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows,
-                   const std::vector<Flicker>& flickers) {
-  std::string text = "# Graze beside other libraries\n\n";
-  for (const auto& [what, how] : conditions) text += "- " + what + ": " + how + "\n";
-  for (const Column& column : columns)
-    text += "- " + column.name + ": " + column.version + (column.single_precision ? ", single" : ", double") +
-            " precision\n";
-  std::vector<double> spreads;
-  for (const Row& row : rows)
-    for (const Cell& cell : row.cells)
-      if (cell.state == Cell::State::measured) spreads.push_back(cell.spread);
-  text += "- noise: half of a cell's repetitions lie within " + printed("%.0f", 100 * quantile(spreads, 0.5)) +
-          " % of its median (in the worst tenth of the cells, " + printed("%.0f", 100 * quantile(spreads, 0.9)) +
-          " %)\n";
-  text +=
-      "\nThe same pairs for all, each library with shapes it built beforehand, one library after the other in every\n"
+std::string summary(const std::vector<Column>& columns, const std::vector<Row>& rows,
+                    const std::vector<Flicker>& flickers) {
+  std::string text =
+      "The same pairs for all, each library with shapes it built beforehand, one library after the other in every\n"
       "repetition. Half of the pairs overlap, by up to a quarter of the pair's size (the larger radius about a "
       "shape's\n"
       "origin); the others are as far apart. What is right is what Graze says in double precision, which its tests "
@@ -171,11 +113,32 @@ std::string report(const Conditions& conditions, const std::vector<Column>& colu
       "against an independent reference; pairs within 1e-4 of the size of touching are not judged. Errors are "
       "relative\n"
       "to the size: of the signed distance, and of the depth of the deepest contact where the pair overlaps.\n\n"
-      "`-`: the library has no such shape or query. `silent`: it takes the pair and finds none that overlap.\n\n"
-      "## In short\n\n"
       "`time by Graze's`: the geometric mean over all pairs of shapes that both answer, against the Graze of the same\n"
-      "precision; above 1 Graze is faster. `slowest`: its slowest pair of shapes. `points`: of a pair in contact.\n\n";
-  text += summary(columns, rows);
+      "precision; above 1 Graze is faster. `slowest`: its slowest pair of shapes. `silent`: pairs of shapes that it\n"
+      "takes and of which it finds none that overlap. `points`: of a pair in contact.\n\n";
+  text += summary_table(columns, rows);
+  if (flickers.empty()) return text;
+  text += "A box of 1 m at rest on another, tilted up to 5 mrad, about 1 mm deep, its pose drawn anew in each frame. "
+          "Shares\n"
+          "of successive frames in which the kind of the contact changes (normal of a face or not) and the number of "
+          "points;\n"
+          "Graze with its `contact_margin`.\n\n";
+  return text + flicker_table(flickers);
+}
+
+std::string report(const Conditions& conditions, const std::vector<Column>& columns, const std::vector<Row>& rows,
+                   const std::vector<Flicker>& flickers) {
+  std::string text = "# Graze beside other libraries\n\n";
+  for (const auto& [what, how] : conditions) text += "- " + what + ": " + how + "\n";
+  std::vector<double> spreads;
+  for (const Row& row : rows)
+    for (const Cell& cell : row.cells)
+      if (cell.state == Cell::State::measured) spreads.push_back(cell.spread);
+  text += "- noise: half of a cell's repetitions lie within " + printed("%.0f", 100 * quantile(spreads, 0.5)) +
+          " % of its median (in the worst tenth of the cells, " + printed("%.0f", 100 * quantile(spreads, 0.9)) +
+          " %)\n\n## In short\n\n";
+  text += summary(columns, rows, flickers);
+  text += "`-`: the library has no such shape or query. `silent`: it takes the pair and finds none that overlap.\n\n";
   for (const Query query : queries) {
     if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.query == query; })) continue;
     text += "## " + std::string(query_names[static_cast<int>(query)]) + "\n\nNanoseconds per pair:\n\n";
@@ -187,13 +150,7 @@ std::string report(const Conditions& conditions, const std::vector<Column>& colu
       return cell_text(cell, [&](const Cell& c) { return correctness(c, query, column.reference); });
     });
   }
-  if (flickers.empty()) return text;
-  text +=
-      "## At rest\n\n"
-      "A box of 1 m on another, tilted up to 5 mrad, about 1 mm deep, its pose drawn anew in each frame. Shares of\n"
-      "successive frames in which the kind of the contact changes (normal of a face or not) and the number of points;\n"
-      "Graze with its `contact_margin`.\n\n";
-  return text + flicker_table(flickers);
+  return text;
 }
 
 }  // namespace graze::bench

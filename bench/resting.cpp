@@ -20,7 +20,7 @@ std::vector<Pair> make_frames(const Scene& scene, std::size_t count) {
   Random random(7);
   std::vector<Pair> frames;
   for (std::size_t i = 0; i < count; ++i) {
-    Body below{Kind::box, {1, 1, 1}, {}, {}, {}}, above = below;
+    Body below{Kind::box, {1, 1, 1}}, above = below;
     const Vec3d lean = random.in_cube(tilt) * 0.5;
     const Quatd yaw{0, scene.yaw / 2, 0, 1};
     above.pose.rotation = normalized(normalized(Quatd{lean.x, lean.y, lean.z, 1}) * normalized(yaw));
@@ -48,7 +48,7 @@ std::vector<Flicker> measure_flicker(std::size_t frames) {
   for (const Scene& scene : scenes) {
     const std::vector<Pair> pairs = make_frames(scene, frames);
     for (const auto& peer : peers()) {
-      if (!peer->prepare(pairs) || !peer->has(Query::contacts)) continue;
+      if (peer->answers_at_once() || !peer->prepare(pairs) || !peer->has(Query::contacts)) continue;
       Flicker flicker{peer->name(), scene.name, frames, 0, 0, 0};
       Answer last;
       bool last_face = false;

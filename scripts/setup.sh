@@ -41,7 +41,7 @@ for arg in "$@"; do
     --list) list_only=yes ;;
     demo) wanted+=("${base[@]}" "${demo[@]}") ;;
     test) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}") ;;
-    bench) wanted+=("${base[@]}" "${bench[@]}") ;;
+    bench) wanted+=("${base[@]}" "${bench[@]}" "${threads[@]}") ;;
     fuzz) wanted+=("${base[@]}" "${demo[@]}" "${fuzz[@]}") ;;
     # clang-tidy has to find every header.
     lint) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${lint[@]}") ;;

@@ -1,0 +1,168 @@
+#!/usr/bin/env bash
+# Runs all benchmarks and writes what they found as one page, with the chart of the headline.
+#
+#   bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY] [--resume]
+#
+# A whole run takes a quarter of an hour on a quiet machine and writes bench/RESULTS.md, docs/benchmark.svg and the
+# figures in README.md; a quick one takes two minutes, is less exact and writes below build/bench/results only. With
+# --resume what an interrupted run has measured is kept.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+quick=no
+poses=
+programs=build/bench/bin
+resume=no
+while (($# > 0)); do
+  case "$1" in
+    --quick) quick=yes ;;
+    --resume) resume=yes ;;
+    --poses) poses=${2:?--poses takes a file} && shift ;;
+    --programs) programs=${2:?--programs takes a directory} && shift ;;
+    *)
+      echo "usage: bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY] [--resume]" >&2
+      exit 2
+      ;;
+  esac
+  shift
+done
+
+tree=$(git describe --always --dirty --exclude '*' 2>/dev/null || echo "unknown")
+load() { cut -d' ' -f1 /proc/loadavg 2>/dev/null || echo "?"; }
+load_before=$(load)
+work=build/bench/results/$([[ $quick == yes ]] && echo quick || echo whole)
+mkdir -p "$work"
+if [[ $quick == yes ]]; then
+  page=$work/RESULTS.md
+  chart=$work/benchmark.svg
+  headline=(--pairs 10000 --seconds 0.03)
+  pile=(--frames 5)
+  world=(--bodies 100000 --frames 5)
+  broad=(--frames 5 --largest 10000)
+  uneven=(--frames 5 --largest 1000)
+  rays=(--rays 20000)
+  casts=(--pairs 500 --largest 10000)
+  compare=(--quick)
+else
+  page=bench/RESULTS.md
+  chart=docs/benchmark.svg
+  headline=()
+  pile=()
+  world=()
+  broad=(--frames 9 --largest 100000)
+  uneven=(--frames 9 --largest 10000)
+  rays=()
+  casts=()
+  compare=()
+fi
+[[ -z $poses ]] || pile+=(--poses "$poses")
+
+steps=9
+step=0
+# run NAME PROGRAM OPTIONS...: its output to $work/NAME.md
+run() {
+  local name=$1 program=$2
+  shift 2
+  step=$((step + 1))
+  [[ $resume == no || ! -f $work/$name.md ]] || return 0
+  printf '[%d/%d, %3d s] %s\n' "$step" "$steps" "$SECONDS" "$name" >&2
+  "$programs/bench_$program" "$@" >"$work/$name.part"
+  mv "$work/$name.part" "$work/$name.md"
+}
+
+[[ $resume == yes ]] || rm -f "$work"/*.md
+run headline headline "${headline[@]}" --chart "$chart" --short "$work/short.md" --memory "$work/memory.md"
+run pile pile "${pile[@]}"
+run world world "${world[@]}"
+run broad broad "${broad[@]}" --scene 'coherent|tenth|teleport|clustered'
+run uneven broad "${uneven[@]}" --scene uneven
+run rays rays "${rays[@]}"
+run casts casts "${casts[@]}"
+run compare compare "${compare[@]}" --brief
+run example example --pairs 1000 --repetitions 3 --only 'box-box overlap' --libraries 'bounds|graze'
+
+system=$(. /etc/os-release 2>/dev/null && echo "$PRETTY_NAME" || uname -s)
+memory=$(awk '/^MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo 2>/dev/null || echo "?")
+effort=$([[ $quick == yes ]] && echo "a quick run, less exact," || echo "a whole run")
+
+{
+  cat <<TEXT
+# Benchmarks
+
+Written by \`make bench\`: $effort of Graze $tree on $system, $memory of memory, load $load_before when it began
+(that of others, best 0) and $(load) when it ended (best 1).
+
+All libraries are asked the same in one process, one after the other in every repetition; times are medians. Graze is
+compiled as for its users, with the compiler's defaults for the processor: wider instructions are chosen at start. The
+other libraries are the distribution's packages. The first lines of \`bench/<name>.cpp\` say how each table is made;
+[peer.hpp](peer.hpp) says how to add a library: one file.
+
+## The pairs that programs ask about most
+
+TEXT
+  cat "$work/headline.md"
+  printf '\n## Memory\n\n'
+  cat "$work/memory.md"
+  printf 'Of worlds and broad phases see the columns `B/body` and `B/box` below.\n'
+  printf '\n## A settled pile, every body awake\n\n'
+  if [[ -n $poses ]]; then
+    printf 'The poses are those of a file, %s: a pile that a simulation left.\n' "$(basename "$poses")"
+  else
+    printf 'Boxes in a pyramid, each on four, a little turned, a little sunk in.\n'
+  fi
+  cat <<'TEXT'
+A frame moves every body to and fro by 1e-4 of its size, and then the whole update is asked for, on one thread.
+`pairs` are what the broad phase passes on; contacts are points, with Graze and Bullet those up to 0.02 apart, with ODE
+only those of boxes that overlap. `still`: nothing changed since the last frame.
+
+TEXT
+  cat "$work/pile.md"
+  printf '\n## A large world, everything moving\n\nHalf boxes, half spheres, 0.5 to 1.5 wide, in heaps at random; by 1 and 2 threads.\n\n'
+  cat "$work/world.md"
+  cat <<'TEXT'
+
+## Broad phases
+
+Boxes alone, one thread: the update and all pairs, every frame. All boxes drift, every tenth does, all jump anywhere, or
+they stand in a few heaps; last, one in a hundred is 50 times larger. Those that keep fat boxes find more pairs than
+there are; `moved` asks only for the pairs of what moved. [Which to take](../docs/broad-phases.md).
+
+TEXT
+  cat "$work/broad.md"
+  grep '^| uneven' "$work/uneven.md"
+  printf '\n## Rays at a mesh\n\n'
+  cat "$work/rays.md"
+  cat <<'TEXT'
+
+`ratio` and `differ` are against Embree's robust mode: what its rate is of that one's, and how many first hits are
+elsewhere. Graze is watertight as that one is, and computes in double.
+
+## Casts
+
+Pairs that move along a line, at 0.1 % and 1 % of their size how many answers are wrong; and rays and casts in worlds of
+boxes, one thread.
+
+TEXT
+  cat "$work/casts.md"
+  printf '\n## Every pair of shapes\n\nAll 44 pairs of nine shapes by `bench_compare`, which prints each of them.\n\n'
+  cat "$work/compare.md"
+} >"$work/page.md"
+mv "$work/page.md" "$page"
+
+grep -q '^| box-box overlap *| bounds ' "$work/example.md" || {
+  echo "bench/results.sh: bench_example does not show the library that it adds" >&2
+  exit 1
+}
+
+# Between the two marks in README.md stand the figures of the last whole run.
+if [[ $quick == no ]]; then
+  {
+    awk '/<!-- measured -->/ { print; exit } { print }' README.md
+    printf '%s, one thread of an %s:\n' "$(sed -n 's/^- date: //p' "$work/headline.md")" \
+      "$(sed -n 's/^- processor: \([^,]*\).*/\1/p' "$work/headline.md")"
+    cat "$work/short.md"
+    awk '/<!-- \/measured -->/ { found = 1 } found { print }' README.md
+  } >"$work/README.md"
+  mv "$work/README.md" README.md
+fi
+echo "$page and $chart were written in $SECONDS s" >&2
