@@ -9,7 +9,10 @@ template <class T>
 void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out) {
   constexpr std::size_t types = Shape<T>::count;
   std::array<std::uint32_t, types * types> begin{};
-  const auto bin = [&](const IdPair& p) { return shapes[p.a].index() * types + shapes[p.b].index(); };
+  // A byte a shape is near whichever pair asks for it.
+  out.types.resize(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) out.types[i] = static_cast<std::uint8_t>(shapes[i].index());
+  const auto bin = [&](const IdPair& p) { return out.types[p.a] * types + out.types[p.b]; };
   for (const IdPair& p : pairs) ++begin[bin(p)];
   out.bins.clear();
   std::uint32_t sum = 0;

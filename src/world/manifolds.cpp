@@ -27,6 +27,18 @@ T margin_of(const BodyArrays<T>& bodies, const IdPair& pair) {
 
 }  // namespace
 
+template <class T>
+void ManifoldFinder<T>::find_traits(const BodyArrays<T>& bodies) {
+  traits_.resize(bodies.size());
+  ground_changed_ = false;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    traits_[i] = static_cast<std::uint8_t>(
+        (plain_box(bodies.shapes()[i]) ? plain : 0) | (bodies.changed()[i] != 0 ? changed : 0) |
+        (bodies.triggers()[i] != 0 ? trigger : 0) | (bodies.fixed()[i] != 0 ? fixed : 0));
+    ground_changed_ |= (traits_[i] & (fixed | changed)) == (fixed | changed);
+  }
+}
+
 /// Finds what is known of each pair from the last call: both lists are sorted.
 template <class T>
 void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
@@ -45,11 +57,10 @@ void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
 /// For each body that moves, the fixed bodies it stands in a pair with, in the order of the pairs.
 template <class T>
 void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
-  const auto fixed = bodies.fixed();
   const auto each = [&](const auto& f) {
     for (const IdPair& p : pairs_) {
-      if (fixed[p.a] != 0) f(p.b, p.a);
-      if (fixed[p.b] != 0) f(p.a, p.b);
+      if ((traits_[p.a] & fixed) != 0) f(p.b, p.a);
+      if ((traits_[p.b] & fixed) != 0) f(p.a, p.b);
     }
   };
   first_neighbour_.assign(bodies.size() + 1, 0);
@@ -60,8 +71,6 @@ void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
   each([&](std::uint32_t body, std::uint32_t ground) {
     neighbours_[places_[body]++] = {&bodies.shapes()[ground], &bodies.poses()[ground]};
   });
-  ground_changed_ = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) ground_changed_ |= fixed[i] != 0 && bodies.changed()[i] != 0;
 }
 
 template <class T>
@@ -71,6 +80,7 @@ std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t ind
 
 template <class T>
 void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor) {
+  find_traits(bodies);
   remember(pairs);
   find_neighbours(bodies);
   bin_pairs<T>(pairs_, bodies.shapes(), bins_);
@@ -87,10 +97,10 @@ void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
 
 /// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
 template <class T>
-Surroundings<T> ManifoldFinder<T>::beside(const BodyArrays<T>& bodies, const IdPair& pair) const {
+Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   Surroundings<T> beside;
-  if (bodies.fixed()[pair.a] != 0) beside.of_a = neighbours_of(pair.b);
-  if (bodies.fixed()[pair.b] != 0) beside.of_b = neighbours_of(pair.a);
+  if ((traits_[pair.a] & fixed) != 0) beside.of_a = neighbours_of(pair.b);
+  if ((traits_[pair.b] & fixed) != 0) beside.of_b = neighbours_of(pair.a);
   if (beside.of_a.size() < 2) beside.of_a = {};
   if (beside.of_b.size() < 2) beside.of_b = {};
   return beside;
@@ -105,15 +115,15 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
   std::size_t count = 0;
   for (const std::uint32_t place : places) {
     const IdPair& pair = pairs_[place];
-    const Box<T>*a = plain_box(bodies.shapes()[pair.a]), *b = a ? plain_box(bodies.shapes()[pair.b]) : nullptr;
-    const bool changed = bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0;
+    const int either = traits_[pair.a] | traits_[pair.b], both = traits_[pair.a] & traits_[pair.b];
     const bool known = memory_[place].apart || memory_[place].contact != no_result;
-    if (!b || (!changed && known) || bodies.triggers()[pair.a] != 0 || bodies.triggers()[pair.b] != 0 ||
-        !beside(bodies, pair).empty()) {
+    if ((both & plain) == 0 || (either & trigger) != 0 || ((either & changed) == 0 && known) ||
+        ((either & fixed) != 0 && !beside(pair).empty())) {
       find_one(bodies, pair, place, task);
       continue;
     }
-    boxes[count] = {a, b, &bodies.poses()[pair.a], &bodies.poses()[pair.b], margin_of(bodies, pair)};
+    boxes[count] = {bodies.shapes()[pair.a].template as<Box<T>>(), bodies.shapes()[pair.b].template as<Box<T>>(),
+                    &bodies.poses()[pair.a], &bodies.poses()[pair.b], margin_of(bodies, pair)};
     box_places[count++] = place;
     if (count < box_chunk) continue;
     find_boxes(bodies, {boxes, count}, box_places, task);
@@ -149,16 +159,16 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
   result.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
   const std::size_t first_point = found.points.size();
 
-  const Surroundings<T> beside = this->beside(bodies, pair);
-  const bool changed =
-      bodies.changed()[pair.a] != 0 || bodies.changed()[pair.b] != 0 || (ground_changed_ && !beside.empty());
+  const int either = traits_[pair.a] | traits_[pair.b];
+  const Surroundings<T> beside = this->beside(pair);
+  const bool anew = (either & changed) != 0 || (ground_changed_ && !beside.empty());
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
   const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
-  if (bodies.triggers()[pair.a] != 0 || bodies.triggers()[pair.b] != 0) {
+  if ((either & trigger) != 0) {
     result.overlap = any_overlap<T>(a, pose_a, b, pose_b, nullptr);
     return;
   }
-  if (!changed && memory.contact != no_result) return keep_last(memory.contact, place, task);
+  if (!anew && memory.contact != no_result) return keep_last(memory.contact, place, task);
   const T margin = margin_of(bodies, pair);
 
   const auto add = [&](const Manifold<T>& m) {
@@ -167,7 +177,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, const IdPair& pair
     for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
   };
   if (a.convex() && b.convex()) {
-    if (memory.apart && !changed) return;
+    if (memory.apart && !anew) return;
     if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return;
     Manifold<T> manifold;
     result.overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
@@ -284,9 +294,10 @@ void ManifoldFinder<T>::carry_impulses(const ContactPair<T>& pair, const Contact
 template <class T>
 std::size_t ManifoldFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = bytes(bins_.order) + bytes(bins_.bins) + bytes(first_neighbour_) + bytes(neighbours_) +
-                    bytes(found_) + bytes(scratch_) + bytes(pairs_) + bytes(last_pairs_) + bytes(memory_) +
-                    bytes(last_memory_) + bytes(results_) + bytes(places_) + bytes(first_point_);
+  std::size_t sum = bytes(traits_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) +
+                    bytes(first_neighbour_) + bytes(neighbours_) + bytes(found_) + bytes(scratch_) + bytes(pairs_) +
+                    bytes(last_pairs_) + bytes(memory_) + bytes(last_memory_) + bytes(results_) + bytes(places_) +
+                    bytes(first_point_);
   for (const auto* arrays : {&now_, &last_})
     sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
   for (const auto& points : scratch_) sum += bytes(points);

@@ -89,11 +89,14 @@ class ManifoldFinder {
     bool overlap = false;
   };
   static constexpr std::uint32_t no_result = ~std::uint32_t{0};
+  /// What a pair has to know of its bodies before it looks at them: bits of a byte each.
+  static constexpr std::uint8_t plain = 1, changed = 2, trigger = 4, fixed = 8;
 
+  void find_traits(const BodyArrays<T>& bodies);
   void remember(std::span<const IdPair> pairs);
   void find_neighbours(const BodyArrays<T>& bodies);
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
-  Surroundings<T> beside(const BodyArrays<T>& bodies, const IdPair& pair) const;
+  Surroundings<T> beside(const IdPair& pair) const;
   void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t task);
   void find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes, const std::uint32_t* places,
                   std::uint32_t task);
@@ -102,6 +105,7 @@ class ManifoldFinder {
   void gather(std::span<const IdPair> pairs, Executor& executor);
   void carry_impulses(const ContactPair<T>& pair, const ContactPair<T>& last, std::vector<SolverPoint<T>>& old);
 
+  std::vector<std::uint8_t> traits_;  ///< of each body
   Bins bins_;
   std::vector<std::uint32_t> first_neighbour_;  ///< of each body: the fixed bodies that it may touch
   std::vector<PlacedRef<T>> neighbours_;
