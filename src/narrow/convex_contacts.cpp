@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "narrow/box_batch.hpp"
+#include "narrow/contact_side.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/core.hpp"
 #include "narrow/explain.hpp"
@@ -18,80 +19,6 @@ namespace graze {
 
 namespace {
 
-/// Newton's method begins close and doubles its digits: three steps are the rule.
-constexpr int newton_steps = 8;
-
-/// One of the two shapes, seen from the frame of A.
-template <class T>
-class Side {
- public:
-  Side(const Shape<T>& shape, const Posed& pose) : shape_(shape), pose_(pose) {
-    shape.visit([&](const auto& c) {
-      radius_ = static_cast<double>(rounding_radius(c, shape.margin()));
-      size_ = static_cast<double>(c.core_extent()) + radius_;
-      using C = std::decay_t<decltype(c)>;
-      whole_ = has_core(c) || std::is_same_v<C, Triangle<T>>;
-    });
-  }
-
-  double radius() const { return radius_; }
-  double size() const { return size_; }
-  bool round_side() const { return shape_.template as<Cylinder<T>>() != nullptr; }
-
-  Vec3d core_support(const Vec3d& direction) const {
-    return transform(pose_, ShapeCore<T>(shape_).core_support(rotate(conjugate(pose_.rotation), direction)));
-  }
-  /// The support face, leaning little from the direction; with `sides`, of a shape with flat sides the one that leans
-  /// least.
-  PlacedFace face(const Vec3d& direction, bool sides = false) const {
-    Face<T> face;
-    const Vec3<T> local = cast<T>(rotate(conjugate(pose_.rotation), direction));
-    shape_.visit([&](const auto& c) {
-      using C = std::decay_t<decltype(c)>;
-      if constexpr (requires { c.core_face(local, face, T()); })
-        c.core_face(local, face, sides ? side_lean<T> : face_lean<T>);
-      else if constexpr (BoundedConvex<C>)
-        c.core_face(local, face);
-    });
-    PlacedFace placed;
-    placed.id = face.id;
-    for (const Vec3<T>& v : face.vertices) placed.vertices.push_back(transform(pose_, cast<double>(v)));
-    for (const std::uint32_t id : face.ids) placed.ids.push_back(id);
-    return placed;
-  }
-  /// How far beyond a place on the face the surface lies, along the unit vector `outward`; nothing where it passes by.
-  std::optional<double> rise(const RoundedFace& face, const Vec3d& from, const Vec3d& outward) const {
-    const auto exit = face.exit(from);
-    if (!exit) return std::nullopt;
-    return !whole_ && !exit->on_plane ? around_core(from, outward, exit->rise) : exit->rise;
-  }
-
- private:
-  /// Newton's method on the distance to the core, which is convex along the line. A face of a curved core is a polygon
-  /// inscribed in the rim, or one line of the side, and the surface bulges out between their balls; of a hull, another
-  /// face may stand out beyond a sharp corner.
-  double around_core(const Vec3d& from, const Vec3d& outward, double rise) const {
-    const Shape<T> point = Sphere<T>(T(0));
-    const Vec3d local = inverse_transform(pose_, from), direction = rotate(conjugate(pose_.rotation), outward);
-    for (int i = 0; i < newton_steps; ++i) {
-      const auto core = general_distance(shape_, point, Posed{local + direction * rise, {}}, nullptr).core;
-      const double short_of = radius_ - core.distance, slope = dot(core.normal, direction);
-      if (!(std::abs(short_of) > rounding * size_) || !(slope > 0)) break;
-      rise += short_of / slope;
-    }
-    return rise;
-  }
-
-  const Shape<T>& shape_;
-  Posed pose_;
-  double radius_ = 0, size_ = 0;
-  bool whole_ = false;  ///< nothing of the rounded core stands out over the edges of its rounded face
-};
-
-template <class T>
-double separation(const Side<T>& a, const Side<T>& b, const Vec3d& normal) {
-  return dot(b.core_support(-normal) - a.core_support(normal), normal) - a.radius() - b.radius();
-}
 
 /// Of the two shapes, about their own origins.
 template <class T>

@@ -67,7 +67,7 @@ class ShapeCore {
       return {d.x < 0 ? -vertex_[0].x : vertex_[0].x, d.y < 0 ? -vertex_[0].y : vertex_[0].y,
               d.z < 0 ? -vertex_[0].z : vertex_[0].z};
     case Kind::triangle: return vertex_[detail::furthest(vertex_, 3, d)];
-    case Kind::hull: return cast<double>(shape_.template as<ConvexHull<T>>()->core_support(d));
+    case Kind::hull: return hull_support(shape_.template as<ConvexHull<T>>()->data(), d);
     case Kind::other: break;
     }
     return shape_.visit([&](const auto& c) -> Vec3d {
@@ -82,6 +82,17 @@ class ShapeCore {
  private:
   enum class Kind : unsigned char { point, box, triangle, hull, other };
 
+  /// A float's columns, which the scan has just read, hold the vertex itself.
+  Vec3d hull_support(const HullData<T>& data, const Vec3d& d) const {
+    const std::size_t i = shape_.template as<ConvexHull<T>>()->support_vertex(d);
+    if constexpr (std::is_same_v<T, float>)
+      if (!data.columns.empty()) {
+        const auto* const four = &data.columns[i / 4 * 3];
+        const int k = static_cast<int>(i % 4);
+        return {static_cast<double>(four[0][k]), static_cast<double>(four[1][k]), static_cast<double>(four[2][k])};
+      }
+    return cast<double>(data.vertices[i]);
+  }
   void take(const Sphere<T>& sphere) {
     rest(sphere, Kind::point);
     vertex_[0] = cast<double>(sphere.center());

@@ -93,9 +93,8 @@ template <class T>
 template <class S>
 std::size_t ConvexHull<T>::support_vertex(const Vec3<S>& direction) const {
   const HullData<T>& hull = *data_;
-  if (hull.hierarchy.empty())
-    return hull.columns.empty() ? detail::furthest(hull.vertices.data(), hull.vertices.size(), direction)
-                                : furthest_vertex(hull, direction);
+  if (!hull.columns.empty()) return furthest_vertex(hull, direction);
+  if (hull.hierarchy.empty()) return detail::furthest(hull.vertices.data(), hull.vertices.size(), direction);
   std::uint32_t at = 0;
   for (const auto& level : hull.hierarchy) {
     at = climbed(

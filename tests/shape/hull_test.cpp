@@ -171,6 +171,36 @@ TEST(ConvexHull, AgreesWithBruteForceOnSmallSets) {
   }
 }
 
+/// Four lanes of float find the very vertex that a scan in the direction's own scalar does, of equally high ones the first;
+/// however long the direction, and where vertices are so near that only double tells them apart.
+template <class T, class S>
+void support_is_the_scan(double scale) {
+  Random random(12);
+  for (const std::size_t count : {5u, 16u, 23u, 32u}) {
+    std::vector<Vec3<T>> points = ball<T>(count, random, true);
+    for (Vec3<T>& p : points) p *= static_cast<T>(scale);
+    points.push_back(points[0] * (T(1) + 4 * std::numeric_limits<T>::epsilon()));
+    const ConvexHull<T> hull{std::span<const Vec3<T>>(points)};
+    const HullData<T>& data = hull.data();
+    if (data.vertices.size() > 32) continue;
+    std::vector<Vec3<S>> directions;
+    for (int i = 0; i < 100; ++i) directions.push_back(cast<S>(random_vector(random, 1)));
+    for (const Plane<T>& plane : data.planes) directions.push_back(cast<S>(plane.normal));
+    for (const Vec3<S>& unit : directions)
+      for (const double reach : {1.0, 1e-30, 1e25}) {
+        const Vec3<S> d = unit * static_cast<S>(reach);
+        EXPECT_EQ(hull.support_vertex(d), detail::furthest(data.vertices.data(), data.vertices.size(), d));
+      }
+  }
+}
+TEST(ConvexHull, SupportOfSmallOnesIsThatOfAScan) {
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    support_is_the_scan<float, float>(scale);
+    support_is_the_scan<float, double>(scale);
+    support_is_the_scan<double, double>(scale);
+  }
+}
+
 TEST(ConvexHull, HundredThousandPoints) {
   Random random(4);
   const std::vector<Vec3d> points = ball<double>(100000, random, true);

@@ -32,6 +32,9 @@ struct HullData {
   int dimension = 0;   ///< 0 a point, 1 a segment, 2 a flat polygon, 3 a polyhedron
   T tolerance = T(0);  ///< how far an input point may lie outside
   T extent = T(0);     ///< the greatest distance of a vertex from the frame's origin
+  // What support queries look at comes first, in one line of the cache.
+  /// Of a hull that is scanned: the vertices four by four, their x, their y and their z; filled up with the first vertex.
+  std::vector<Wide<float, 4>> columns;
   std::vector<Vec3<T>> vertices;
   std::vector<Plane<T>> planes;               ///< one a face, outward; a flat polygon has two, back to back
   std::vector<std::uint32_t> face_begin;      ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])
@@ -41,8 +44,6 @@ struct HullData {
   std::vector<std::uint32_t> neighbors;
   std::vector<std::uint32_t> incident_begin;  ///< and its faces incident[incident_begin[v] .. [v + 1])
   std::vector<std::uint32_t> incident;
-  /// Of a hull that is scanned: the vertices four by four, their x, their y and their z; filled up with the first vertex.
-  std::vector<Wide<float, 4>> columns;
   /// Dobkin and Kirkpatrick's hierarchy, coarsest level first; empty for hulls that a scan answers faster.
   struct Level {
     std::vector<std::uint32_t> vertices;  ///< indices into the hull's vertices
