@@ -16,7 +16,8 @@ using rays::LocalRay;
 /// A pose in double, its rotation of unit length in that: float's is so only in float, and lengths would change by it.
 template <class T>
 Posed precise(const Pose<T>& pose) {
-  return {cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
+  const Quat<double> rotation = cast<double>(pose.rotation);
+  return {cast<double>(pose.translation), rotation == Quat<double>{} ? rotation : normalized(rotation)};
 }
 
 /// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
@@ -30,7 +31,7 @@ bool usable(const Vec3d& v) {
 
 /// The ray in the frame of `pose`; nothing when it cannot hit.
 template <class T>
-std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose) {
+[[gnu::flatten]] std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose) {
   constexpr double limit = std::numeric_limits<double>::max();
   const Vec3d origin = cast<double>(ray.origin), direction = cast<double>(ray.direction);
   const bool aimed = max_abs(direction) <= limit && direction == direction && direction != Vec3d{};
@@ -51,6 +52,7 @@ void visit_hits(const Shape<T>& shape, const Posed& pose, LocalRay& outer, BackF
                 bool outermost, Found& found) {
   const LocalRay ray = outermost ? outer : seen_from(pose, outer);
   const auto report = [&](const LocalHit& hit, std::uint32_t number) {
+    if (outermost) return outer.end = found(hit, number);
     return outer.end = found({hit.t, transform(pose, hit.point), rotate(pose.rotation, hit.normal)}, number);
   };
   if (const auto* compound = shape.template as<Compound<T>>()) {
@@ -97,7 +99,7 @@ Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
 }
 
 template <class T>
-RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
+[[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
   const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), cast<double>(ray.direction));
   return {least(static_cast<T>(c.hit.t), length), cast<T>(transform(pose, c.hit.point)), normalized(cast<T>(normal)),
           c.piece};
