@@ -44,45 +44,57 @@ template <class T>
   return local;
 }
 
-/// Calls `found(hit, piece)` for what the ray hits; `found` returns how far the ray has still to be followed, less than
-/// zero for no further. `pose` places the shape in the frame of the outermost one, which is the ray's and the hits'; of
-/// the outermost itself it is the identity.
-template <class T, class Found>
-void visit_hits(const Shape<T>& shape, const Posed& pose, LocalRay& outer, BackFaces back, std::uint32_t piece,
-                bool outermost, Found& found) {
-  const LocalRay ray = outermost ? outer : seen_from(pose, outer);
-  const auto report = [&](const LocalHit& hit, std::uint32_t number) {
-    if (outermost) return outer.end = found(hit, number);
-    return outer.end = found({hit.t, transform(pose, hit.point), rotate(pose.rotation, hit.normal)}, number);
-  };
-  if (const auto* compound = shape.template as<Compound<T>>()) {
-    const CompoundData<T>& data = compound->data();
-    const auto cast_at_child = [&](std::uint32_t number) {
-      const Placed<T>& child = data.children[number];
-      visit_hits(child.shape, compose(pose, precise(child.pose)), outer, back, outermost ? number : piece, false,
-                 found);
-      return outer.end >= outer.begin;
-    };
-    for (const std::uint32_t number : data.unbounded)
-      if (!cast_at_child(number)) return;
-    if (data.tree.empty()) return;
-    // Some ten operations on coordinates up to these.
-    const Aabb<T>& all = data.tree.bounds();
-    const double extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
-    const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
-    visit_ray(
-        data.tree, ray.origin, rays::inverse_of(ray.direction), [&] { return outer.end; }, cast_at_child, ray.begin,
-        slack);
+/// Calls `report(hit, triangle)` for what the ray hits of a shape that is no compound; `report` returns how far the ray has
+/// still to be followed, less than zero for no further.
+template <class T, class Report>
+[[gnu::always_inline]] inline void visit_single(const Shape<T>& shape, const LocalRay& ray, BackFaces back,
+                                                const Report& report) {
+  const bool both_sides = back == BackFaces::hit;
+  if (with_surface(shape, [&](const auto& surface) { rays::cast_at_surface(surface, ray, both_sides, report); }))
     return;
-  }
-  const auto of_surface = [&](const auto& surface) {
-    const auto numbered = [&](const LocalHit& hit, std::uint32_t triangle) {
-      return report(hit, outermost ? triangle : piece);
-    };
-    rays::cast_at_surface(surface, ray, back == BackFaces::hit, numbered);
+  if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, 0u);
+}
+
+/// Calls `found(hit, piece)` for what the ray hits of a compound; `found` returns how far the ray has still to be followed.
+/// `pose` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the child of that, or
+/// null for the outermost itself.
+template <class T, class Found>
+[[gnu::noinline]] void visit_children(const Compound<T>& compound, const Posed& pose, LocalRay& outer, BackFaces back,
+                                      const std::uint32_t* piece, Found& found) {
+  const LocalRay ray = piece ? seen_from(pose, outer) : outer;
+  const CompoundData<T>& data = compound.data();
+  const auto cast_at_child = [&](std::uint32_t number) {
+    const Placed<T>& child = data.children[number];
+    const Posed placed = compose(pose, precise(child.pose));
+    const std::uint32_t* named = piece ? piece : &number;
+    if (const auto* inner = child.shape.template as<Compound<T>>()) {
+      visit_children(*inner, placed, outer, back, named, found);
+    } else {
+      visit_single(child.shape, seen_from(placed, outer), back, [&](const LocalHit& hit, std::uint32_t) {
+        return outer.end = found({hit.t, transform(placed, hit.point), rotate(placed.rotation, hit.normal)}, *named);
+      });
+    }
+    return outer.end >= outer.begin;
   };
-  if (with_surface(shape, of_surface)) return;
-  if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, piece);
+  for (const std::uint32_t number : data.unbounded)
+    if (!cast_at_child(number)) return;
+  if (data.tree.empty()) return;
+  // Some ten operations on coordinates up to these.
+  const Aabb<T>& all = data.tree.bounds();
+  const double extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
+  const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
+  visit_ray(
+      data.tree, ray.origin, rays::inverse_of(ray.direction), [&] { return outer.end; }, cast_at_child, ray.begin,
+      slack);
+}
+
+/// The same of any shape, in its own frame.
+template <class T, class Found>
+[[gnu::always_inline]] inline void visit_hits(const Shape<T>& shape, LocalRay& ray, BackFaces back, Found& found) {
+  if (const auto* compound = shape.template as<Compound<T>>())
+    visit_children(*compound, Posed{}, ray, back, nullptr, found);
+  else
+    visit_single(shape, ray, back, found);
 }
 
 /// The first of equals is that of the least piece, in whichever order they are found.
@@ -112,8 +124,8 @@ bool before(const Candidate& a, const Candidate& b) {
 }  // namespace
 
 template <class T>
-std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
-                                 BackFaces back) {
+[[gnu::flatten]] std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                                  T length, BackFaces back) {
   const Posed frame = precise(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return {};
@@ -123,13 +135,14 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, con
     if (before(found, first)) first = found;
     return first.hit.t;
   };
-  visit_hits(shape, Posed{}, *local, back, 0, true, nearest);
+  visit_hits(shape, *local, back, nearest);
   if (!(first.hit.t < rays::infinity)) return {};
   return in_world(first, frame, ray, length);
 }
 
 template <class T>
-bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length, BackFaces back) {
+[[gnu::flatten]] bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
+                                  BackFaces back) {
   std::optional<LocalRay> local = local_ray(ray, length, precise(pose));
   if (!local) return false;
   bool hit = false;
@@ -137,7 +150,7 @@ bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, 
     hit = true;
     return -rays::infinity;
   };
-  visit_hits(shape, Posed{}, *local, back, 0, true, stop);
+  visit_hits(shape, *local, back, stop);
   return hit;
 }
 
@@ -152,7 +165,7 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>
     all.push_back({hit, piece});
     return end;
   };
-  visit_hits(shape, Posed{}, *local, back, 0, true, keep);
+  visit_hits(shape, *local, back, keep);
   std::sort(all.begin(), all.end(), before);
   for (const Candidate& c : all) hits.push_back(in_world(c, frame, ray, length));
   return all.size();

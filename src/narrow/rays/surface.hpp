@@ -6,6 +6,7 @@
 
 #include "narrow/rays/sheared.hpp"
 #include "narrow/rays/tree_walk.hpp"
+#include "shape/height_field_data.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze::rays {
@@ -35,57 +36,79 @@ void walk_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f
   kernel(walk);
 }
 
-/// Calls `found(hit, triangle)` for the triangles that the ray crosses; `found` returns the ray's new end.
-template <class Surface, class Found>
-void cast_at_surface(const Surface& surface, const LocalRay& far, bool both_sides, Found& found) {
-  const auto& hierarchy = surface.hierarchy();
-  if (hierarchy.empty()) return;
-  const auto& bounds = hierarchy.bounds();
-  const Vec3d center = cast<double>(bounds.center());
-  const Recentered near = recentered(far, center);
-  LocalRay ray = near.ray;
-  std::optional<Sheared> sheared;  // many a ray meets nothing
+/// A ray that is cast at one triangle after the other of a surface about `center`.
+template <class Found>
+class TriangleCast {
+ public:
+  TriangleCast(const LocalRay& far, const Vec3d& center, bool both_sides, Found& found)
+      : near_(recentered(far, center)), both_sides_(both_sides), found_(found) {}
 
-  const auto try_triangle = [&](const auto& corners, const auto& number) __attribute__((flatten)) {
+  /// Whose origin is near the centre, and whose end is the nearest hit or what `found` made of it.
+  const LocalRay& ray() const { return near_.ray; }
+
+  /// `number()` tells the triangle's, where it is hit.
+  template <class Corners, class Number>
+  [[gnu::flatten]] double at(const Corners& corners, const Number& number) {
+    LocalRay& ray = near_.ray;
     const auto vertex = [&](std::size_t i) { return cast<double>(corners[i]); };
     const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
-    if (!sheared) sheared.emplace(ray);
-    const Crossing at = crossing((*sheared)(a), (*sheared)(b), (*sheared)(c));
+    if (!sheared_) sheared_.emplace(ray);
+    const Crossing at = crossing((*sheared_)(a), (*sheared_)(b), (*sheared_)(c));
     MaybeHit hit;
     switch (at.kind) {
-    case Crossing::none: return;
-    case Crossing::edge_on: hit = hit_in_plane(ray, 3, vertex); break;
+    case Crossing::none: return ray.end;
+    case Crossing::edge_on: hit = hit_edge_on(ray, a, b, c); break;
     case Crossing::back:
-      if (!both_sides) return;
+      if (!both_sides_) return ray.end;
       [[fallthrough]];
     case Crossing::front:
       if (at.t >= ray.begin && at.t <= ray.end)
         hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
     }
-    if (hit) ray.end = found(*near.restored(hit), number()) - near.shift;
-  };
-  using Hierarchy = std::decay_t<decltype(hierarchy)>;
-  using T = typename Surface::Scalar;
-  if constexpr (std::is_same_v<Hierarchy, WideTree<T>>) {
-    // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
-    const double reach = surface.radius + greatest(dot(center - ray.origin, ray.direction), 0.0);
-    if (!(length_squared(ray.origin - center) <= reach * reach)) return;
-    auto try_lane = [&](const PackedLeaf& leaf, std::size_t i) {
-      const Vec3<T> corners[3] = {surface.points[leaf.corners[i][0]], surface.points[leaf.corners[i][1]],
-                                  surface.points[leaf.corners[i][2]]};
-      try_triangle(corners, [&] { return hierarchy.order()[leaf.first + i]; });
-      return ray.end;
-    };
-    walk_mesh(surface, ray, reach, try_lane);
-  } else {
-    // Some ten operations on coordinates up to these.
-    const double slack = 16 * epsilon * (static_cast<double>(surface.extent) + max_abs(ray.origin));
-    const auto try_piece = [&](std::uint32_t number) {
-      try_triangle(surface.triangle(number), [&] { return number; });
-    };
-    visit_ray(
-        hierarchy, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_piece, ray.begin, slack);
+    if (hit) ray.end = found_(*near_.restored(hit), number()) - near_.shift;
+    return ray.end;
   }
+
+ private:
+  [[gnu::noinline]] static MaybeHit hit_edge_on(const LocalRay& ray, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return hit_in_plane(ray, 3, [&](std::size_t i) { return i == 0 ? a : i == 1 ? b : c; });
+  }
+
+  Recentered near_;
+  std::optional<Sheared> sheared_;  // many a ray comes near nothing
+  bool both_sides_;
+  Found& found_;
+};
+
+/// Calls `found(hit, triangle)` for the triangles that the ray crosses; `found` returns the ray's new end.
+template <class T, class Found>
+void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sides, Found& found) {
+  if (mesh.tree.empty()) return;
+  const Vec3d center = cast<double>(mesh.tree.bounds().center());
+  TriangleCast<Found> triangle(far, center, both_sides, found);
+  const LocalRay& ray = triangle.ray();
+  // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
+  const Vec3d to = center - ray.origin;
+  const double reach = mesh.radius + greatest(dot(to, ray.direction), 0.0);
+  if (!(length_squared(to) <= reach * reach)) return;
+  auto try_lane = [&](const PackedLeaf& leaf, std::size_t i) {
+    const auto point = [&](std::size_t k) { return mesh.points[leaf.corners[i][k]]; };
+    return triangle.at(std::array<Vec3<T>, 3>{point(0), point(1), point(2)},
+                       [&] { return mesh.tree.order()[leaf.first + i]; });
+  };
+  walk_mesh(mesh, ray, reach, try_lane);
+}
+
+template <class T, class Found>
+[[gnu::noinline]] void cast_at_surface(const HeightFieldData<T>& field, const LocalRay& far, bool both_sides,
+                                       Found& found) {
+  TriangleCast<Found> triangle(far, cast<double>(field.bounds().center()), both_sides, found);
+  const LocalRay& ray = triangle.ray();
+  // Some ten operations on coordinates up to these.
+  const double slack = 16 * epsilon * (static_cast<double>(field.extent) + max_abs(ray.origin));
+  const auto try_piece = [&](std::uint32_t number) { triangle.at(field.triangle(number), [&] { return number; }); };
+  visit_ray(
+      field, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_piece, ray.begin, slack);
 }
 
 }  // namespace graze::rays

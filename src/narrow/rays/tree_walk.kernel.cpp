@@ -139,13 +139,23 @@ constexpr double rounding_of = sizeof(T) == 4 ? 0x1p-23 : 0x1p-52;
 constexpr double single = rounding_of<float>;
 constexpr float least_float = 1.17549435e-38f;
 
+using Doubles = Wide<double, 4>;
+
+[[gnu::always_inline]] inline Doubles doubles(double x, double y, double z) {
+  return Doubles::of(Doubles::Vector{x, y, z, 1});
+}
+template <class T>
+[[gnu::always_inline]] inline Wide<T, 4> narrowed(const Doubles& d) {
+  return Wide<T, 4>::of(__builtin_convertvector(d.v, typename Wide<T, 4>::Vector));
+}
+
 /// The ray in numbers of the tree's, and of single precision where they are in units of `unit`, so that none over- or
 /// underflows. A key tells how far along the ray from 2 radii before its origin: what is met has a positive one.
 template <class T>
 struct Walk {
   // For the boxes, an axis a lane: a step of the node's frame is `inverse` times it along the ray, and the frame's origin
   // `inverse` times it less `first` at the earliest, less `last` at the latest.
-  T inverse[4], first[4], last[4];
+  Wide<T, 4> inverse, first, last;
   std::uint32_t enter[3], leave[3];  ///< which bytes of a node have the sides that the ray comes to first and last
   float begin;                       ///< a key
 
@@ -157,11 +167,10 @@ struct Walk {
 
   double start, per_length, around;
 
-  /// What no key exceeds of what the ray meets by `t`; less than zero if it meets nothing.
+  /// What no key exceeds of what the ray meets by `t`; not above zero if it meets nothing.
   [[gnu::always_inline]] float key(double t) const {
-    double number = (t - start) * per_length + around;
-    number = number < 0x1p100 ? number : 0x1p100;
-    return number > 0 ? static_cast<float>(number) * (1 + 4 * static_cast<float>(single)) : -1.0f;
+    const double number = (t - start) * per_length + around;
+    return static_cast<float>(number < 0x1p100 ? number : 0x1p100) * (1 + 4 * static_cast<float>(single));
   }
 
   [[gnu::always_inline]] explicit Walk(const TreeWalk<T>& q) {
@@ -183,34 +192,33 @@ struct Walk {
     scale = static_cast<T>(per_length);
     part_scale = static_cast<T>(per_length * (1.0 / PackedLeaf::parts));
 
-    inverse[3] = first[3] = last[3] = T(0);
-    double size[3], inverses[3];
-    for (int i = 0; i < 3; ++i) {
-      const double d = q.direction[i];
-      size[i] = d < 0 ? -d : d;
-      // What is slower than this crosses less than a rounding of the radius in single precision.
-      constexpr double slowest = 0x1p-32;
-      const double inverse_size = 1 / ((size[i] > slowest ? size[i] : slowest) * unit);
-      inverses[i] = d < 0 ? -inverse_size : inverse_size;
-      inverse[i] = static_cast<T>(inverses[i]);
-      // With `inverse` as rounded: what that is off by then goes with the distance and not with the coordinates.
-      const double from = (q.origin[i] + d * start) * static_cast<double>(inverse[i]);
-      const double widening = blur * inverse_size + static_cast<double>(least_float);
-      first[i] = static_cast<T>(from + widening);
-      last[i] = static_cast<T>(from - widening);
-      const auto lower = static_cast<std::uint32_t>(offsetof(TreeNode<T>, lower) + width * static_cast<std::size_t>(i)),
-                 upper = static_cast<std::uint32_t>(offsetof(TreeNode<T>, upper) + width * static_cast<std::size_t>(i));
-      enter[i] = d < 0 ? upper : lower;
-      leave[i] = d < 0 ? lower : upper;
+    // No branch on a sign: whoever casts rays every way would pay for it.
+    const double x = q.direction[0], y = q.direction[1], z = q.direction[2];
+    const Doubles d = doubles(x, y, z), from = doubles(q.origin[0], q.origin[1], q.origin[2]) + d * Doubles(start);
+    // What is slower than this crosses less than a rounding of the radius in single precision.
+    constexpr double slowest = 0x1p-32;
+    const Doubles inverse_size = Doubles(1.0) / (greatest(abs(d), Doubles(slowest)) * Doubles(unit));
+    inverse = narrowed<T>(select(d < Doubles(0.0), -inverse_size, inverse_size));
+    // With the inverse as rounded: what that is off by then goes with the distance and not with the coordinates.
+    const Doubles at = from * Doubles::of(__builtin_convertvector(inverse.v, Doubles::Vector));
+    const Doubles widening = inverse_size * Doubles(blur) + Doubles(static_cast<double>(least_float));
+    first = narrowed<T>(at + widening);
+    last = narrowed<T>(at - widening);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      constexpr std::uint32_t lower = offsetof(TreeNode<T>, lower), upper = offsetof(TreeNode<T>, upper), side = width;
+      const std::uint32_t back = (upper - lower) * static_cast<std::uint32_t>(q.direction[i] < 0);
+      enter[i] = lower + side * i + back;
+      leave[i] = upper + side * i - back;
     }
-    const double from = ((q.begin - start) * per_length - around) * (1 - 4 * single);
-    begin = from > static_cast<double>(least_float) ? static_cast<float>(from) : least_float;
+    begin = larger(Quad(static_cast<float>(((q.begin - start) * per_length - around) * (1 - 4 * single))),
+                   Quad(least_float))[0];
 
-    const std::uint32_t z = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-    axis[0] = z == 2 ? 0 : z + 1;
-    axis[1] = z == 0 ? 2 : z - 1;
-    axis[2] = z;
-    const double along = inverses[z] * unit;
+    const double size_x = x < 0 ? -x : x, size_y = y < 0 ? -y : y, size_z = z < 0 ? -z : z;
+    const double x_or_y = size_y > size_x ? size_y : size_x;
+    axis[2] = size_z > x_or_y ? 2 : static_cast<std::uint32_t>(size_y > size_x);
+    axis[0] = axis[2] == 2 ? 0 : axis[2] + 1;
+    axis[1] = axis[2] == 0 ? 2 : axis[2] - 1;
+    const double along = 1 / q.direction[axis[2]];
     shear_x = static_cast<float>(q.direction[axis[0]] * along);
     shear_y = static_cast<float>(q.direction[axis[1]] * along);
     for (int i = 0; i < 3; ++i) sheared_origin[i] = static_cast<T>(q.origin[axis[i]]);
@@ -221,12 +229,12 @@ struct Walk {
 struct Frame {
   Quad scale, first, last;
   [[gnu::always_inline]] Frame(const Walk<float>& walk, const TreeNode<float>& node) {
-    const Quad inverse = Quad::load(walk.inverse), from = Quad::load(node.origin) * inverse;
-    first = from - Quad::load(walk.first);
-    last = from - Quad::load(walk.last);
+    const Quad from = Quad::load(node.origin) * walk.inverse;
+    first = from - walk.first;
+    last = from - walk.last;
     // Not from `step` on: what follows it are no numbers, which some processors are slow at.
     const Quad steps = Quad::load(node.origin + 2);
-    scale = Quad::of(__builtin_shufflevector(steps.v, steps.v, 1, 2, 3, 3)) * inverse;
+    scale = Quad::of(__builtin_shufflevector(steps.v, steps.v, 1, 2, 3, 3)) * walk.inverse;
   }
   [[gnu::always_inline]] Frame(const Walk<double>& walk, const TreeNode<double>& node) {
     for (int i = 0; i < 3; ++i) {
@@ -270,10 +278,12 @@ template <class T>
 /// Asks for a child that will be needed soon, perhaps.
 template <class T>
 [[gnu::always_inline]] inline void fetch(const TreeWalk<T>& walk, const TreeNode<T>& node, std::uint32_t place) {
-  const auto* inner = reinterpret_cast<const char*>(walk.nodes);
-  const auto* leaf = reinterpret_cast<const char*>(walk.leaves);
-  const char* child = place < node.inner ? inner + sizeof node * (node.first_child + place)
-                                         : leaf + sizeof *walk.leaves * (node.first_leaf + place - node.inner);
+  const auto inner = reinterpret_cast<std::uintptr_t>(walk.nodes) + sizeof node * (node.first_child + place);
+  const auto leaf =
+      reinterpret_cast<std::uintptr_t>(walk.leaves) + sizeof *walk.leaves * (node.first_leaf + place - node.inner);
+  // Which of the two cannot be foreseen: no branch.
+  const std::uintptr_t if_inner = -static_cast<std::uintptr_t>(place < node.inner);
+  const auto* child = reinterpret_cast<const char*>(leaf ^ ((inner ^ leaf) & if_inner));
   __builtin_prefetch(child);
   __builtin_prefetch(child + 64);
 }
@@ -313,9 +323,9 @@ template <class T>
 template <class T>
 void walk_tree(const TreeWalk<T>& question) {
   /// A node with those of its children that the ray has still to visit.
-  struct Entry {
-    const TreeNode<T>* node;
+  struct alignas(64) Entry {
     float keys[width];
+    const TreeNode<T>* node;
   };
   Entry stack[TreeNode<T>::deepest + 1];
   std::size_t waiting = 0;
@@ -349,7 +359,7 @@ void walk_tree(const TreeWalk<T>& question) {
     std::uint32_t bits = left(walk, *node, leaf) & ((1u << leaf.count) - 1);
     for (; bits != 0; bits &= bits - 1) {
       limit = walk.key(question.found(question.owner, leaf, first_bit(bits)));
-      if (limit < 0) return;
+      if (!(limit > 0)) return;
     }
   }
 }
