@@ -1,4 +1,4 @@
-// Rays at a mesh, one at a time on one thread, side by side with Bullet and Embree.
+// Rays at a mesh, one at a time (Graze: and as a batch) on one thread, side by side with Bullet and Embree.
 //
 //   bench_rays [--mesh FILE.obj] [--rays N] [--rounds N] [--only REGEX]
 //
@@ -28,7 +28,7 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include "graze/raycast.hpp"
+#include "graze/batch_raycast.hpp"
 #include "random.hpp"
 
 namespace graze::bench {
@@ -134,6 +134,17 @@ struct Graze : Contender {
     }
   }
   Shape<float> shape;
+};
+
+/// All at once.
+struct GrazeBatch : Graze {
+  using Graze::Graze;
+  void trace(const Rays& rays, float length, std::vector<float>& hits) override {
+    found.resize(rays.size());
+    raycast<float>(shape, {}, rays, found, length);
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = found[i] ? found[i]->t : none;
+  }
+  std::vector<std::optional<RayHit<float>>> found{};
 };
 
 #ifdef GRAZE_BENCH_BULLET
@@ -280,6 +291,7 @@ int run(int argc, char** argv) {
     if (std::regex_search(name, wanted)) columns.push_back({name, make()});
   };
   add("graze", [&] { return std::make_unique<Graze>(soup); });
+  add("graze batch", [&] { return std::make_unique<GrazeBatch>(soup); });
 #ifdef GRAZE_BENCH_BULLET
   add("bullet", [&] { return std::make_unique<Bullet>(soup); });
 #endif

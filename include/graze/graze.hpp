@@ -1,6 +1,7 @@
 // All of Graze's core in one include.
 #pragma once
 
+#include "graze/batch_raycast.hpp"
 #include "graze/broad_phase.hpp"
 #include "graze/cast.hpp"
 #include "graze/contact.hpp"
