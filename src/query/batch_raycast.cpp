@@ -9,6 +9,7 @@ namespace {
 
 using namespace shape_rays;
 using rays::BlockFrame;
+using rays::BlockHits;
 using rays::BlockShape;
 using rays::RayBlock;
 
@@ -56,7 +57,10 @@ BlockFrame block_frame(const Posed& pose) {
   return {{t.x, t.y, t.z}, {q.x, q.y, q.z, q.w}};
 }
 
-Vec3d at(const double (&from)[3][RayBlock::size], std::size_t i) { return {from[0][i], from[1][i], from[2][i]}; }
+template <class T>
+Vec3<T> at(const T (&from)[3][RayBlock::size], std::size_t i) {
+  return {from[0][i], from[1][i], from[2][i]};
+}
 void put(double (&to)[3][RayBlock::size], std::size_t i, const Vec3d& v) {
   for (std::size_t k = 0; k < 3; ++k) to[k][i] = v[k];
 }
@@ -68,18 +72,11 @@ LocalRay local_ray(const RayBlock& block, std::size_t i) {
 /// Up to `RayBlock::size` rays into the shape's frame; returns how many lanes are filled.
 template <class T>
 std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const BlockFrame& frame) {
-  constexpr std::size_t most_lanes = 8;
-  const std::size_t filled = (rays.size() + most_lanes - 1) / most_lanes * most_lanes;
-  for (std::size_t i = 0; i < filled; ++i) {
-    const Ray<T>& ray = rays[least(i, rays.size() - 1)];
-    block.end[i] = end_of(ray, length);
-    const bool used = block.end[i] >= 0;
-    put(block.from, i, used ? cast<double>(ray.origin) : Vec3d{});
-    put(block.along, i, used ? cast<double>(ray.direction) : Vec3d{0, 1, 0});
-  }
+  static_assert(sizeof(Ray<T>) == 6 * sizeof(T) && std::is_standard_layout_v<Ray<T>>);
+  const double end = length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
   static const auto to_local = GRAZE_KERNEL(chosen_isa(), block_to_local<T>);
-  to_local(block, filled, frame);
-  return filled;
+  to_local(block, &rays.front().origin.x, rays.size(), end, frame);
+  return (rays.size() + 7) / 8 * 8;
 }
 
 /// Calls `f(block, filled, first, some)` for some rays after the other, `first` being the place of the first.
@@ -103,6 +100,7 @@ template <class T>
                                 std::uint32_t (&pieces)[RayBlock::size]) {
   for (std::size_t i = 0; i < filled; ++i) {
     block.state[i] = rays::ray_missed;
+    block.t[i] = 0;
     put(block.point, i, {});
     put(block.normal, i, {0, 1, 0});
     if (block.end[i] < 0) continue;
@@ -126,23 +124,22 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
   const BlockShape closed = block_shape(shape, back);
   static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
   std::uint32_t pieces[RayBlock::size] = {};
+  BlockHits<T> found;
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
                if (closed.kind != BlockShape::none)
                  find_hits(block, filled, closed);
                else
                  find_hits(block, filled, shape, back, pieces);
-               to_world(block, filled, frame);
+               to_world(block, filled, frame, length, found);
                for (std::size_t i = 0; i < some.size(); ++i) {
+                 // Written in any case: whether a ray hits is hard to foresee.
                  std::optional<RayHit<T>>& hit = hits[first + i];
-                 if (block.state[i] == rays::ray_hit)
-                   hit = RayHit<T>{least(static_cast<T>(block.t[i]), length), cast<T>(at(block.world_point, i)),
-                                   cast<T>(at(block.world_normal, i)), pieces[i]};
-                 else if (block.state[i] == rays::ray_again)
-                   hit = raycast(shape, pose, some[i], length, back);
-                 else
-                   hit.reset();
+                 hit = RayHit<T>{found.t[i], at(found.point, i), at(found.normal, i), pieces[i]};
+                 if (block.state[i] != rays::ray_hit) hit.reset();
                }
+               for (std::size_t i = 0; i < some.size(); ++i)
+                 if (block.state[i] == rays::ray_again) hits[first + i] = raycast(shape, pose, some[i], length, back);
              });
 }
 

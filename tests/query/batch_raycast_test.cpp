@@ -126,11 +126,18 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
   using T = TypeParam;
   using namespace rays;
   Random random(2);
-  const auto answers = [&](Isa level, RayBlock block, const BlockFrame& frame, const BlockShape& shape) {
-    GRAZE_KERNEL(level, block_to_local<T>)(block, RayBlock::size, frame);
-    GRAZE_KERNEL(level, block_hits)(block, RayBlock::size, shape);
-    GRAZE_KERNEL(level, block_to_world<T>)(block, RayBlock::size, frame);
-    return block;
+  std::size_t met = 0;
+  struct Answers {
+    RayBlock block{};
+    BlockHits<T> hits{};
+  };
+  const auto answers = [&](Isa level, const std::vector<Ray<T>>& rays, const BlockFrame& frame,
+                           const BlockShape& shape) {
+    Answers a;
+    GRAZE_KERNEL(level, block_to_local<T>)(a.block, &rays[0].origin.x, rays.size(), 1e9, frame);
+    GRAZE_KERNEL(level, block_hits)(a.block, RayBlock::size, shape);
+    GRAZE_KERNEL(level, block_to_world<T>)(a.block, RayBlock::size, frame, T(1e9), a.hits);
+    return a;
   };
   for (const auto kind : {BlockShape::ball, BlockShape::box, BlockShape::half_space, BlockShape::triangle})
     for (int round = 0; round < 20; ++round) {
@@ -142,31 +149,24 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
         for (double& v : p) v = static_cast<double>(uniform(random, 0.1f, 2));
       const Quat<double> turn = normalized(cast<double>(random_rotation(random)));
       const BlockFrame frame{{1, -2, 3}, {turn.x, turn.y, turn.z, turn.w}};
-      RayBlock block{};
-      const auto rays = random_rays<T>(random, RayBlock::size, 2, {T(1), T(-2), T(3)});
-      for (std::size_t i = 0; i < RayBlock::size; ++i) {
-        const bool usable = rays[i].origin == rays[i].origin && max_abs(rays[i].direction) < T(1e9);
-        block.end[i] = usable ? 1e9 : -1;
-        for (std::size_t k = 0; k < 3; ++k) {
-          block.from[k][i] = usable ? static_cast<double>(rays[i].origin[k]) : 0;
-          block.along[k][i] = usable ? static_cast<double>(rays[i].direction[k]) : 1;
-        }
-      }
-      const RayBlock first = answers(Isa::baseline, block, frame, shape);
+      const auto rays = random_rays<T>(random, RayBlock::size - 3, 2, {T(1), T(-2), T(3)});
+      const Answers first = answers(Isa::baseline, rays, frame, shape);
       for (const Isa level : {Isa::avx2, Isa::avx512}) {
         if (!isa_available(level)) continue;
-        const RayBlock other = answers(level, block, frame, shape);
+        const Answers other = answers(level, rays, frame, shape);
         for (std::size_t i = 0; i < RayBlock::size; ++i) {
-          ASSERT_EQ(first.state[i], other.state[i]);
-          if (first.state[i] != ray_hit) continue;
-          ASSERT_EQ(first.t[i], other.t[i]);
+          ASSERT_EQ(first.block.state[i], other.block.state[i]);
+          if (first.block.state[i] != ray_hit) continue;
+          ASSERT_EQ(first.hits.t[i], other.hits.t[i]);
+          met += 1;
           for (std::size_t k = 0; k < 3; ++k) {
-            ASSERT_EQ(first.world_point[k][i], other.world_point[k][i]);
-            ASSERT_EQ(first.world_normal[k][i], other.world_normal[k][i]);
+            ASSERT_EQ(first.hits.point[k][i], other.hits.point[k][i]);
+            ASSERT_EQ(first.hits.normal[k][i], other.hits.normal[k][i]);
           }
         }
       }
     }
+  EXPECT_TRUE(met > 500 || !isa_available(Isa::avx2)) << met;
 }
 
 }  // namespace

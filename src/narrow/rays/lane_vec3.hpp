@@ -67,4 +67,25 @@ template <class S>
   return v + t * w + cross(vector, t);
 }
 
+/// The number `which` of each of some records of `stride` numbers that lie one behind the other from `from` on; that of the
+/// one in the place `last` for any beyond it.
+template <int stride, class T>
+[[gnu::always_inline]] inline Lanes<double> column(const T* records, std::size_t from, std::size_t last,
+                                                   std::size_t which) {
+  constexpr int lanes = Lanes<double>::lanes;
+  typedef T Narrow __attribute__((vector_size(sizeof(T) * lanes)));
+  const auto at = [&](std::size_t i) __attribute__((always_inline)) {
+    const std::size_t place = from + i;
+    return records[stride * (place < last ? place : last) + which];
+  };
+  Narrow n;
+  if constexpr (lanes == 8)
+    n = Narrow{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+  else if constexpr (lanes == 4)
+    n = Narrow{at(0), at(1), at(2), at(3)};
+  else
+    n = Narrow{at(0), at(1)};
+  return Lanes<double>::of(__builtin_convertvector(n, Lanes<double>::Vector));
+}
+
 }  // namespace graze::GRAZE_ISA

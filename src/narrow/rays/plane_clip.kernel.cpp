@@ -9,24 +9,6 @@ namespace {
 using S = Lanes<double>;
 constexpr auto step = static_cast<std::size_t>(S::lanes);
 
-/// One number of each of some planes that lie one behind the other; of the last one in place of any beyond it.
-template <class T>
-[[gnu::always_inline]] inline S column(const T* planes, std::size_t from, std::size_t last, std::size_t which) {
-  typedef T Narrow __attribute__((vector_size(sizeof(T) * S::lanes)));
-  const auto at = [&](std::size_t i) __attribute__((always_inline)) {
-    const std::size_t place = from + i;
-    return planes[4 * (place < last ? place : last) + which];
-  };
-  Narrow n;
-  if constexpr (S::lanes == 8)
-    n = Narrow{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-  else if constexpr (S::lanes == 4)
-    n = Narrow{at(0), at(1), at(2), at(3)};
-  else
-    n = Narrow{at(0), at(1)};
-  return S::of(__builtin_convertvector(n, S::Vector));
-}
-
 }  // namespace
 
 template <class T>
@@ -40,7 +22,7 @@ void clip_by_planes(const T* planes, std::size_t count, const double (&origin)[3
   auto outside = zero < zero;
   for (std::size_t i = 0; i < count; i += step, place += S(static_cast<double>(step))) {
     const auto get = [&](std::size_t which) __attribute__((always_inline)) {
-      return column(planes, i, count - 1, which);
+      return column<4>(planes, i, count - 1, which);
     };
     const Lane3<S> n{get(0), get(1), get(2)};
     const S above = dot(n, o) - get(3), toward = dot(n, d), t = -above / toward;

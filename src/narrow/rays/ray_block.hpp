@@ -17,18 +17,22 @@ struct alignas(64) RayBlock {
   static constexpr std::size_t size = 64;  ///< a multiple of every number of lanes
   using Numbers = double[size];
 
-  // In the caller's frame. Where `end` is less than zero the ray hits nothing.
-  Numbers from[3], along[3], end;
+  // The direction in the caller's frame. Where `end` is less than zero the ray hits nothing.
+  Numbers along[3], end;
   // In the shape's; as `LocalRay`. `blur` is set where it is asked for.
   Numbers origin[3], direction[3], blur;
   // Hits, there; `state` tells of which rays.
-  Numbers t, point[3], normal[3];
-  std::uint8_t state[size];
-  // Hits in the caller's frame, in his scalar.
-  double world_t[size], world_point[3][size], world_normal[3][size];
+  Numbers t, point[3], normal[3], state;
 };
 
-enum RayState : std::uint8_t { ray_missed, ray_hit, ray_again };
+/// Hits in the caller's frame, in his scalar.
+template <class T>
+struct alignas(64) BlockHits {
+  T t[RayBlock::size], point[3][RayBlock::size], normal[3][RayBlock::size];
+};
+
+/// States of a ray; numbers, so that lanes choose among them.
+inline constexpr double ray_missed = 0, ray_hit = 1, ray_again = 2;
 
 /// A frame: translation, and unit quaternion x, y, z, w.
 struct BlockFrame {
@@ -51,13 +55,16 @@ namespace graze {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// From the caller's frame, whose scalar is T, into the shape's.
-    template <class T> void block_to_local(rays::RayBlock& block, std::size_t count, const rays::BlockFrame& frame);
+    /// From the caller's frame into the shape's: `rays` are six numbers each, origin and direction; the block is filled up
+    /// with the last one to a multiple of eight. Rays that no shape can hit get an end less than zero, others `end`.
+    template <class T> void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, double end,
+                                           const rays::BlockFrame& frame);
     /// Sets `state` and the hits.
     void block_hits(rays::RayBlock& block, std::size_t count, const rays::BlockShape& shape);
-    /// Hits from the shape's frame into the caller's, with numbers of T; `ray_again` where rounding has turned a normal
-    /// along the ray.
-    template <class T> void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockFrame& frame);)
+    /// Hits from the shape's frame into the caller's, none further than `length`; `ray_again` where rounding has turned a
+    /// normal along the ray.
+    template <class T> void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockFrame& frame,
+                                           T length, rays::BlockHits<T>& hits);)
 // clang-format on
 
 }  // namespace graze

@@ -153,10 +153,7 @@ template <class F>
     h.point.store(block.point, i);
     h.normal.store(block.normal, i);
     const M met = aimed & h.hit & (h.t < S(infinity)) & (!h.again), again = aimed & h.again;
-    for (int k = 0; k < S::lanes; ++k)
-      block.state[i + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(again[k] ? rays::ray_again
-                                                                               : met[k] ? rays::ray_hit
-                                                                                        : rays::ray_missed);
+    select(again, S(rays::ray_again), select(met, S(rays::ray_hit), S(rays::ray_missed))).store(block.state + i);
   }
 }
 
