@@ -15,7 +15,7 @@ namespace graze {
 
 /// The first hit of each ray with 0 <= t <= `length`, as `raycast` tells it. `hits` has at least as many places as there
 /// are rays; rays beyond its end are left out. Rays that begin and go alike are best kept together. Cost on one core with
-/// AVX-512, in float: some 10 ns a ray at a box, and of a mesh a tenth less than one at a time..
+/// AVX-512, in float: some 10 ns a ray at a box, and of a mesh a tenth less than one at a time.
 template <class T>
 void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays,
              std::span<std::optional<RayHit<T>>> hits, T length = std::numeric_limits<T>::infinity(),

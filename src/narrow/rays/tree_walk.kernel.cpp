@@ -62,12 +62,6 @@ template <int N>
   return static_cast<std::uint32_t>(__builtin_ctz(bits));
 }
 
-#if defined(__AVX2__)
-[[gnu::always_inline]] inline std::uint32_t bits_of(const Part::Mask& mask) {
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(cast_bits<__m256>(mask.bits)));
-}
-#endif
-
 /// Eight bytes as numbers.
 [[gnu::always_inline]] inline void load_bytes(const std::uint8_t* from, Part (&to)[parts]) {
 #if defined(__AVX2__)
