@@ -59,6 +59,11 @@ class DynamicTree final : public BroadPhase<T> {
   /// rounding cannot tell from as near may be among them.
   template <class F>
   void nearest(const Aabb<T>& from, T limit, const F& f) const;
+  /// The boxes whose key is at most `limit`, those of a node in the order of their keys: `keys(node, out)` gives those of
+  /// a node's children, no larger than that of any box in them; `f(id, box)` returns the limit from then on, below zero to
+  /// end the search.
+  template <class Keys, class F>
+  void in_order(const Keys& keys, T limit, const F& f) const;
 
  private:
   static constexpr std::uint32_t width = WideNode<T>::width;
@@ -158,25 +163,35 @@ class DynamicTree final : public BroadPhase<T> {
 template <class T>
 template <class F>
 void DynamicTree<T>::nearest(const Aabb<T>& from, T limit, const F& f) const {
-  refresh();
   // The distance of a box may be less than that of what is around it by the rounding of some eight operations each.
   constexpr T slack = T(1) - T(16) * std::numeric_limits<T>::epsilon();
+  const auto distances = [&](const WideNode<T>& node, std::array<T, width>& out) {
+    node.distances(from, out);
+    for (T& distance : out) distance *= slack;
+  };
+  in_order(distances, limit, f);
+}
+
+template <class T>
+template <class Keys, class F>
+void DynamicTree<T>::in_order(const Keys& keys, T limit, const F& f) const {
+  refresh();
   struct Visit {
-    T distance;
+    T key;
     std::uint32_t child;
   };
   SmallVector<Visit, 128> stack;
-  // The farthest first: the nearest is taken from the end.
+  // The last first: the first is taken from the end.
   const auto add = [&](const WideNode<T>& node) {
-    std::array<T, width> distance;
-    node.distances(from, distance);
+    std::array<T, width> key;
+    keys(node, key);
     const std::size_t begin = stack.size();
     for (std::uint32_t i = 0; i < width; ++i) {
-      const Visit visit{distance[i] * slack, node.child[i]};
-      if (visit.child == TreeChild::none || !(visit.distance <= limit)) continue;
+      const Visit visit{key[i], node.child[i]};
+      if (visit.child == TreeChild::none || !(visit.key <= limit)) continue;
       stack.push_back(visit);
       std::size_t j = stack.size() - 1;
-      for (; j > begin && stack[j - 1].distance < visit.distance; --j) stack[j] = stack[j - 1];
+      for (; j > begin && stack[j - 1].key < visit.key; --j) stack[j] = stack[j - 1];
       stack[j] = visit;
     }
   };
@@ -184,7 +199,7 @@ void DynamicTree<T>::nearest(const Aabb<T>& from, T limit, const F& f) const {
   while (!stack.empty() && limit >= T(0)) {
     const Visit next = stack.back();
     stack.truncate(stack.size() - 1);
-    if (!(next.distance <= limit)) continue;
+    if (!(next.key <= limit)) continue;
     if (TreeChild::is_leaf(next.child)) {
       const std::uint32_t leaf = TreeChild::leaf(next.child);
       limit = f(id_[leaf], box_[leaf]);
@@ -196,9 +211,9 @@ void DynamicTree<T>::nearest(const Aabb<T>& from, T limit, const F& f) const {
     if (!(limit >= T(0))) return;
     WideNode<T> alone;
     alone.set(0, box_[leaf], leaf);
-    std::array<T, width> distance;
-    alone.distances(from, distance);
-    if (distance[0] * slack <= limit) limit = f(id_[leaf], box_[leaf]);
+    std::array<T, width> key;
+    keys(alone, key);
+    if (key[0] <= limit) limit = f(id_[leaf], box_[leaf]);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graze/batch.hpp"
+#include "graze/batch_raycast.hpp"
 #include "graze/broad_phase.hpp"
 #include "graze/cast.hpp"
 #include "graze/contact.hpp"

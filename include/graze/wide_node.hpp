@@ -6,6 +6,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -20,6 +21,25 @@ struct TreeChild {
 
   static constexpr bool is_leaf(std::uint32_t child) { return (child & leaf_bit) != 0; }
   static constexpr std::uint32_t leaf(std::uint32_t child) { return child & ~leaf_bit; }
+};
+
+/// A ray, as boxes ask for it: the points origin + t direction with t >= 0, its direction of any length.
+template <class T>
+struct NodeRay {
+  Vec3<T> origin, inverse, margin;
+
+  /// Boxes are met that grow by `slack` on all sides.
+  NodeRay(const Vec3<T>& from, const Vec3<double>& direction, double slack) : origin(from) {
+    constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
+    constexpr double rounding = 1 + 8 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Finite, so that a side that the ray lies in is not passed at 0 * infinity; nor at 0, hence a margin of 1e-18.
+      const double d = direction[i], inv = d == 0 ? most : 1 / d;
+      inverse[i] = static_cast<T>(inv < -most ? -most : inv > most ? most : inv);
+      const double m = d == 0 ? most * greatest(slack * rounding, 0x1p-60) : slack * std::abs(inv) * rounding;
+      margin[i] = static_cast<T>(m > most ? most : m);
+    }
+  }
 };
 
 template <class T>
@@ -83,6 +103,28 @@ struct alignas(64) WideNode {
       Lanes sum = zero;
       for (const Lanes& g : gap) sum += g * scale * (g * scale);
       select(plain, largest * sqrt(sum), largest).store(&out[first]);
+    }
+  }
+  /// Where a ray enters each child at the earliest, in multiples of its direction; infinity for those that it misses, and
+  /// anything for a place without a child (Kay, Kajiya 1986, "Ray tracing complex scenes", on slabs).
+  void entries(const NodeRay<T>& ray, std::array<T, width>& out) const {
+    constexpr int lanes = 16 / sizeof(T);
+    using Lanes = Wide<T, lanes>;
+    // A difference and its product with an inverse that is rounded itself: each way less than two epsilon.
+    const Lanes rounding(T(1) + T(8) * std::numeric_limits<T>::epsilon()),
+        less(T(1) - T(4) * std::numeric_limits<T>::epsilon()), never(std::numeric_limits<T>::infinity());
+    for (std::size_t at = 0; at < width; at += lanes) {
+      Lanes enter(T(0)), leave = never;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool forward = ray.inverse[axis] >= T(0);
+        const Lanes near = Lanes::load(&(forward ? lower : upper)[axis][at]),
+                    far = Lanes::load(&(forward ? upper : lower)[axis][at]);
+        const Lanes origin(ray.origin[axis]), inverse(ray.inverse[axis]), margin(ray.margin[axis]);
+        const Lanes first = (near - origin) * inverse - margin, last = (far - origin) * inverse + margin;
+        enter = select(first > enter, first, enter);
+        leave = select(last < leave, last, leave);
+      }
+      select(enter <= leave * rounding, enter * less, never).store(&out[at]);
     }
   }
   /// One bit a child: whether it overlaps the box.

@@ -19,7 +19,6 @@ namespace graze {
 
 namespace {
 
-
 /// Of the two shapes, about their own origins.
 template <class T>
 double smaller_size(const Side<T>& a, const Side<T>& b) {

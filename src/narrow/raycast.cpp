@@ -93,10 +93,9 @@ MaybeHit cast_at(const HalfSpace<T>&, T margin, const LocalRay& ray, BackFaces) 
   return rays::hit_half_space(ray, wide(margin));
 }
 
-/// Whether the ray comes near the ball about a shape's origin that holds it; `radius` is a sum in the shape's scalar.
-template <class T>
+/// Whether the ray comes near the ball about a shape's origin that holds it.
 bool near_ball(const LocalRay& ray, double radius) {
-  const double reach = radius * (1 + 8 * wide(std::numeric_limits<T>::epsilon())) + ray.blur;
+  const double reach = radius + ray.blur;
   return length_squared(ray.at(clamp(-dot(ray.origin, ray.direction), ray.begin, ray.end))) <= reach * reach;
 }
 
@@ -106,10 +105,8 @@ template <class T>
 MaybeHit convex_raycast(const Shape<T>& shape, const LocalRay& ray, BackFaces back) {
   return shape.visit([&](const auto& c) -> MaybeHit {
     using C = std::decay_t<decltype(c)>;
-    if constexpr (BoundedConvex<C>) {
-      const double radius = wide(c.core_extent()) + wide(c.core_radius()) + wide(shape.margin());
-      if (!near_ball<T>(ray, radius)) return {};
-    }
+    if constexpr (BoundedConvex<C>)
+      if (!near_ball(ray, ball_around(c, shape.margin()))) return {};
     if constexpr (BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>)
       return cast_at(c, shape.margin(), ray, back);
     else

@@ -48,6 +48,10 @@ std::optional<Interval> when_near(const PairMotion& motion, double radii, Interv
   return interval.begin <= interval.end ? std::optional(interval) : std::nullopt;
 }
 
+/// What counts as contact of the distance that contact is allowed to have: a distance of curved shapes is itself known to
+/// a tenth of that, and steps end where the shapes stay more than half of it apart.
+constexpr double touching = 0.875;
+
 template <class T>
 class Advancement {
  public:
@@ -89,7 +93,7 @@ class Advancement {
                                      {impact.normal, motion_.a.angular, turning_radius_a_},
                                      {impact.normal, motion_.b.angular, turning_radius_b_});
       const double left = interval.end - t;
-      const bool touch = impact.distance <= tolerance_;
+      const bool touch = impact.distance <= touching * tolerance_;
       // Points of both shapes are that near, however good a bound of the depth or of the gap has been found.
       if (touch && impact.status == Status::bounded) impact.status = Status::converged;
       double step = 0;

@@ -2,141 +2,29 @@
 
 #include <algorithm>
 
-#include "mid/pieces.hpp"
-#include "narrow/raycast.hpp"
-#include "narrow/rays/surface.hpp"
+#include "query/shape_rays.hpp"
 
 namespace graze {
 
-namespace {
-
-using rays::LocalHit;
-using rays::LocalRay;
-
-/// A pose in double, its rotation of unit length in that: float's is so only in float, and lengths would change by it.
-template <class T>
-Posed precise(const Pose<T>& pose) {
-  return {cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
-}
-
-/// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
-template <class T>
-constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
+using namespace shape_rays;
 
 template <class T>
-bool usable(const Vec3d& v) {
-  return max_abs(v) <= longest<T> && v == v;  // not so for NaN
-}
-
-/// The ray in the frame of `pose`; nothing when it cannot hit.
-template <class T>
-std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose) {
-  constexpr double limit = std::numeric_limits<double>::max();
-  const Vec3d origin = cast<double>(ray.origin), direction = cast<double>(ray.direction);
-  const bool aimed = max_abs(direction) <= limit && direction == direction && direction != Vec3d{};
-  if (!usable<T>(origin) || !aimed || !(length >= T(0))) return {};
-  const double end = least(static_cast<double>(length), longest<T>);
-  // Turning makes its length 1; only its squares must neither over- nor underflow before.
-  const Vec3d safe = std::is_same_v<T, float> ? direction : direction / max_abs(direction);
-  LocalRay local = seen_from(pose, LocalRay{origin, safe, 0, end, 0});
-  local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
-  return local;
-}
-
-/// Calls `found(hit, piece)` for what the ray hits; `found` returns how far the ray has still to be followed, less than
-/// zero for no further. `pose` places the shape in the frame of the outermost one, which is the ray's and the hits'; of
-/// the outermost itself it is the identity.
-template <class T, class Found>
-void visit_hits(const Shape<T>& shape, const Posed& pose, LocalRay& outer, BackFaces back, std::uint32_t piece,
-                bool outermost, Found& found) {
-  const LocalRay ray = outermost ? outer : seen_from(pose, outer);
-  const auto report = [&](const LocalHit& hit, std::uint32_t number) {
-    return outer.end = found({hit.t, transform(pose, hit.point), rotate(pose.rotation, hit.normal)}, number);
-  };
-  if (const auto* compound = shape.template as<Compound<T>>()) {
-    const CompoundData<T>& data = compound->data();
-    const auto cast_at_child = [&](std::uint32_t number) {
-      const Placed<T>& child = data.children[number];
-      visit_hits(child.shape, compose(pose, precise(child.pose)), outer, back, outermost ? number : piece, false,
-                 found);
-      return outer.end >= outer.begin;
-    };
-    for (const std::uint32_t number : data.unbounded)
-      if (!cast_at_child(number)) return;
-    if (data.tree.empty()) return;
-    // Some ten operations on coordinates up to these.
-    const Aabb<T>& all = data.tree.bounds();
-    const double extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
-    const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
-    visit_ray(
-        data.tree, ray.origin, rays::inverse_of(ray.direction), [&] { return outer.end; }, cast_at_child, ray.begin,
-        slack);
-    return;
-  }
-  const auto of_surface = [&](const auto& surface) {
-    const auto numbered = [&](const LocalHit& hit, std::uint32_t triangle) {
-      return report(hit, outermost ? triangle : piece);
-    };
-    rays::cast_at_surface(surface, ray, back == BackFaces::hit, numbered);
-  };
-  if (with_surface(shape, of_surface)) return;
-  if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, piece);
-}
-
-/// The first of equals is that of the least piece, in whichever order they are found.
-struct Candidate {
-  LocalHit hit{rays::infinity, {}, {}};
-  std::uint32_t piece = 0;
-};
-
-/// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
-Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
-  if (!(dot(normal, ray) > 0)) return normal;
-  const Vec3d direction = normalized(ray);
-  return normalized(normal - direction * dot(normal, direction), -direction);
-}
-
-template <class T>
-RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
-  const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), cast<double>(ray.direction));
-  return {least(static_cast<T>(c.hit.t), length), cast<T>(transform(pose, c.hit.point)), normalized(cast<T>(normal)),
-          c.piece};
-}
-
-bool before(const Candidate& a, const Candidate& b) {
-  return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.piece < b.piece;
-}
-
-}  // namespace
-
-template <class T>
-std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
-                                 BackFaces back) {
+[[gnu::flatten]] std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                                  T length, BackFaces back) {
   const Posed frame = precise(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return {};
-  Candidate first;
-  auto nearest = [&](const LocalHit& hit, std::uint32_t piece) {
-    const Candidate found{hit, piece};
-    if (before(found, first)) first = found;
-    return first.hit.t;
-  };
-  visit_hits(shape, Posed{}, *local, back, 0, true, nearest);
+  const Candidate first = first_hit(shape, *local, back);
   if (!(first.hit.t < rays::infinity)) return {};
   return in_world(first, frame, ray, length);
 }
 
 template <class T>
-bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length, BackFaces back) {
+[[gnu::flatten]] bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
+                                  BackFaces back) {
   std::optional<LocalRay> local = local_ray(ray, length, precise(pose));
   if (!local) return false;
-  bool hit = false;
-  auto stop = [&](const LocalHit&, std::uint32_t) {
-    hit = true;
-    return -rays::infinity;
-  };
-  visit_hits(shape, Posed{}, *local, back, 0, true, stop);
-  return hit;
+  return hits_any(shape, *local, back);
 }
 
 template <class T>
@@ -150,7 +38,7 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>
     all.push_back({hit, piece});
     return end;
   };
-  visit_hits(shape, Posed{}, *local, back, 0, true, keep);
+  visit_hits(shape, *local, back, keep);
   std::sort(all.begin(), all.end(), before);
   for (const Candidate& c : all) hits.push_back(in_world(c, frame, ray, length));
   return all.size();

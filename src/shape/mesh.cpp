@@ -1,8 +1,53 @@
+#include <algorithm>
+
 #include "shape/mesh_data.hpp"
 #include "shape/mesh_topology.hpp"
 #include "shape/placed_bounds.hpp"
 
 namespace graze {
+
+namespace {
+
+template <class T>
+PackedLeaf packed_leaf(const MeshData<T>& mesh, const TreeNode<T>& node, std::size_t lane) {
+  PackedLeaf leaf;
+  leaf.first = node.first_piece + (node.pieces[lane] >> 3);
+  leaf.count = node.pieces[lane] & 7u;
+  for (std::uint32_t i = 0; i < PackedLeaf::lanes; ++i) {
+    const std::uint32_t number = mesh.tree.order()[leaf.first + least(i, leaf.count - 1)];
+    const std::array<Vec3<T>, 3> corners = mesh.triangle(number);
+    std::copy_n(mesh.triangles[number].begin(), 3, leaf.corners[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto origin = static_cast<double>(node.origin[axis]), step = static_cast<double>(node.step[axis]);
+      const double parts_per_length = step > 0 ? PackedLeaf::parts / step : 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double parts = (static_cast<double>(corners[k][axis]) - origin) * parts_per_length + 0.5;
+        leaf.at[axis][k][i] = static_cast<std::uint16_t>(clamp(parts, 0.0, 65535.0));
+      }
+    }
+  }
+  return leaf;
+}
+
+/// Of the ball about the box's centre, which is off by a rounding; and a little more.
+template <class T>
+double ball_radius(const Aabb<T>& box) {
+  constexpr double epsilon = std::numeric_limits<T>::epsilon();
+  const Vec3d lower = cast<double>(box.lower), upper = cast<double>(box.upper);
+  return length(upper - lower) * 0.5005 + 2 * epsilon * greatest(max_abs(lower), max_abs(upper));
+}
+
+template <class T>
+std::vector<PackedLeaf> packed_leaves(const MeshData<T>& mesh) {
+  static_assert(PackedLeaf::lanes == TreeNode<T>::leaf_size);
+  std::vector<PackedLeaf> leaves;
+  leaves.reserve(mesh.tree.leaves());
+  for (const TreeNode<T>& node : mesh.tree.nodes())
+    for (std::size_t lane = node.inner; lane < node.count; ++lane) leaves.push_back(packed_leaf(mesh, node, lane));
+  return leaves;
+}
+
+}  // namespace
 
 template <class T>
 Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides) {
@@ -26,8 +71,8 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
   for (const std::uint32_t i : different_triangles<T>(data->points, data->triangles))
     pieces.push_back({bounds_of(data->triangle(i)), i});
   data->tree = WideTree<T>(std::move(pieces));
-  data->corners.reserve(data->tree.size());
-  for (const std::uint32_t number : data->tree.order()) data->corners.push_back(data->triangles[number]);
+  data->leaves = packed_leaves(*data);
+  data->radius = ball_radius(data->tree.bounds());
   data_ = std::move(data);
 }
 

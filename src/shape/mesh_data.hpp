@@ -4,6 +4,7 @@
 #pragma once
 
 #include "graze/shape/mesh.hpp"
+#include "shape/packed_leaf.hpp"
 #include "shape/wide_tree.hpp"
 
 namespace graze {
@@ -14,9 +15,10 @@ struct MeshData {
   std::vector<Vec3<T>> points;
   std::vector<typename Mesh<T>::Index> triangles;
   WideTree<T> tree;
-  std::vector<typename Mesh<T>::Index> corners;  ///< of the triangles in the tree's order: a leaf's stand side by side
-  T extent = T(0);      ///< the greatest distance of a point from the frame's origin
-  bool closed = false;  ///< bounds a solid
+  std::vector<PackedLeaf> leaves;  ///< of the tree, in the order of `TreeNode::first_leaf`
+  T extent = T(0);                 ///< the greatest distance of a point from the frame's origin
+  double radius = 0;               ///< of a ball about the centre of the bounds, as rounded, that holds all of them
+  bool closed = false;             ///< bounds a solid
   Sides sides = Sides::both;
 
   const WideTree<T>& hierarchy() const { return tree; }

@@ -157,40 +157,44 @@ class BinaryBuilder {
   std::vector<BinaryNode<T>> nodes_;
 };
 
-}  // namespace
-
 /// The frame of a box: steps so wide that the last one reaches the upper side, as `at` rounds it.
 template <class T>
-void WideTree<T>::Node::frame(const Aabb<T>& box) {
+void set_frame(TreeNode<T>& node, const Aabb<T>& box) {
+  constexpr unsigned steps = TreeNode<T>::steps;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const T top = box.upper[axis];
-    origin[axis] = box.lower[axis];
-    const T extent = top - origin[axis];
-    step[axis] = std::isfinite(extent) ? extent / T(steps) : top / T(steps) - origin[axis] / T(steps);
+    T &origin = node.origin[axis], &step = node.step[axis];
+    origin = box.lower[axis];
+    const T extent = top - origin;
+    step = std::isfinite(extent) ? extent / T(steps) : top / T(steps) - origin / T(steps);
     // What `at` rounds off is a few units of the larger side: doubling them passes it soon.
-    for (T more = std::numeric_limits<T>::epsilon() * greatest(std::abs(top), std::abs(origin[axis])) / T(steps);
-         at(axis, steps) < top; more *= T(2))
-      step[axis] = greatest(step[axis] + more, std::nextafter(step[axis], std::numeric_limits<T>::max()));
+    for (T more = std::numeric_limits<T>::epsilon() * greatest(std::abs(top), std::abs(origin)) / T(steps);
+         node.at(axis, steps) < top; more *= T(2))
+      step = greatest(step + more, std::nextafter(step, std::numeric_limits<T>::max()));
   }
 }
 
 template <class T>
-void WideTree<T>::Node::set_lane(std::size_t i, const Aabb<T>& box) {
+void set_lane(TreeNode<T>& node, std::size_t i, const Aabb<T>& box) {
+  constexpr unsigned steps = TreeNode<T>::steps;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at = [&](unsigned q) { return node.at(axis, q); };
     const auto nearest = [&](T value) {
-      if (!(step[axis] > T(0))) return 0u;
-      const T q = (value - origin[axis]) / step[axis];
+      if (!(node.step[axis] > T(0))) return 0u;
+      const T q = (value - node.origin[axis]) / node.step[axis];
       return q > T(0) ? static_cast<unsigned>(least(q, T(steps))) : 0u;
     };
     unsigned low = nearest(box.lower[axis]), high = nearest(box.upper[axis]);
-    while (low < steps && at(axis, low + 1) <= box.lower[axis]) ++low;
-    while (low > 0 && at(axis, low) > box.lower[axis]) --low;
-    while (high > 0 && at(axis, high - 1) >= box.upper[axis]) --high;
-    while (high < steps && at(axis, high) < box.upper[axis]) ++high;
-    lower[axis][i] = static_cast<std::uint8_t>(low);
-    upper[axis][i] = static_cast<std::uint8_t>(high);
+    while (low < steps && at(low + 1) <= box.lower[axis]) ++low;
+    while (low > 0 && at(low) > box.lower[axis]) --low;
+    while (high > 0 && at(high - 1) >= box.upper[axis]) --high;
+    while (high < steps && at(high) < box.upper[axis]) ++high;
+    node.lower[axis][i] = static_cast<std::uint8_t>(low);
+    node.upper[axis][i] = static_cast<std::uint8_t>(high);
   }
 }
+
+}  // namespace
 
 /// Makes the binary tree wide: of a node's descendants those that are most often met, by their area, are opened until
 /// eight are left.
@@ -237,14 +241,16 @@ class WideTree<T>::Builder {
 
   Node node_of(const Aabb<T>& box, const std::uint32_t (&lanes)[width], std::size_t count, std::size_t inner) {
     Node node{};
-    node.frame(box);
+    set_frame(node, box);
     node.first_child = static_cast<std::uint32_t>(tree_.nodes_.size());
     node.first_piece = static_cast<std::uint32_t>(tree_.order_.size());
+    node.first_leaf = static_cast<std::uint32_t>(tree_.leaves_);
+    tree_.leaves_ += count - inner;
     node.inner = static_cast<std::uint8_t>(inner);
     node.count = static_cast<std::uint8_t>(count);
     for (std::size_t i = 0; i < count; ++i) {
       const BinaryNode<T>& child = binary_[lanes[i]];
-      node.set_lane(i, child.box);
+      set_lane(node, i, child.box);
       if (i < inner) continue;
       node.pieces[i] = static_cast<std::uint8_t>(8 * (tree_.order_.size() - node.first_piece) + child.count);
       for (std::uint32_t k = 0; k < child.count; ++k) tree_.order_.push_back(pieces_[child.first + k].number);

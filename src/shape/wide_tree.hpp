@@ -9,13 +9,11 @@
 // traversal on GPUs through compressed wide BVHs" (boxes relative to the node's).
 #pragma once
 
-#include <bit>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "shape/hierarchy.hpp"
-#include "shape/tree_ray.hpp"
+#include "shape/tree_node.hpp"
 
 namespace graze {
 
@@ -29,8 +27,9 @@ struct TreePiece {
 template <class T>
 class WideTree {
  public:
-  static constexpr std::size_t width = 8, leaf_size = 4;
-  static constexpr int deepest = 48;
+  using Node = TreeNode<T>;
+  static constexpr std::size_t width = Node::width, leaf_size = Node::leaf_size;
+  static constexpr int deepest = Node::deepest;
   /// A node by its place; or, with the highest bit set, a leaf by eight times its node's place and its lane there.
   using Ref = std::uint32_t;
   using Children = ChildBoxes<T, Ref, width>;
@@ -50,8 +49,8 @@ class WideTree {
   bool leaf(Ref ref) const { return (ref & leaf_bit) != 0; }
 
   Aabb<T> box(Ref ref) const {
-    if (leaf(ref)) return nodes_[(ref & ~leaf_bit) / width].lane(ref % width);
-    return nodes_[ref].box();
+    if (leaf(ref)) return lane(nodes_[(ref & ~leaf_bit) / width], ref % width);
+    return box(nodes_[ref]);
   }
 
   void children(Ref ref, Children& out) const {
@@ -80,90 +79,27 @@ class WideTree {
   /// The numbers of all pieces, those of a leaf side by side.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// Calls `f(first, count)` for each leaf that the ray crosses by `limit()`, with the places of its pieces in `order()`,
-  /// in the order in which it enters them; `limit()` is asked again on the way.
-  /// `soon(first)` is called some time before for the same leaves and for others, so that what `f` needs may be fetched.
-  template <class Limit, class Soon, class F>
-  void each_leaf(const TreeRay<T>& ray, const Limit& limit, const Soon& soon, F&& f) const {
-    struct Entry {
-      Ref ref;
-      T key;
-    };
-    TraversalStack<Entry> stack;
-    if (nodes_.empty()) return;
-    Entry next{root(), std::numeric_limits<T>::lowest()};
-    for (;;) {
-      const T most = ray.limit(limit());
-      if (next.key <= most) {
-        if (leaf(next.ref)) {
-          const Node& node = nodes_[(next.ref & ~leaf_bit) / width];
-          const std::uint8_t pieces = node.pieces[next.ref % width];
-          f(std::size_t{node.first_piece} + (pieces >> 3), std::size_t{pieces & 7u});
-        } else {
-          const Node& node = nodes_[next.ref];
-          T keys[width];
-          std::uint32_t bits = ray.crossed(node, most, keys);
-          const auto entry = [&](std::uint32_t bit) {
-            const auto i = static_cast<std::uint32_t>(std::countr_zero(bit));
-            if (i < node.inner) {
-              // A node lies on two lines, of 64 bytes as on most machines.
-              const auto* child = reinterpret_cast<const char*>(&nodes_[node.first_child + i]);
-              __builtin_prefetch(child);
-              __builtin_prefetch(child + 64);
-              return Entry{node.first_child + i, keys[i]};
-            }
-            soon(std::size_t{node.first_piece} + (node.pieces[i] >> 3));
-            return Entry{leaf_bit | static_cast<Ref>(next.ref * width + i), keys[i]};
-          };
-          if (bits != 0) {
-            // The nearest is gone to at once; the others wait in the order of their keys, of equals the first on top.
-            Entry waiting[width], nearest = entry(bits);
-            std::size_t count = 0;
-            while (bits &= bits - 1) {
-              Entry further = entry(bits);
-              if (further.key < nearest.key) std::swap(further, nearest);
-              std::size_t at = count++;
-              for (; at > 0 && waiting[at - 1].key <= further.key; --at) waiting[at] = waiting[at - 1];
-              waiting[at] = further;
-            }
-            for (std::size_t i = 0; i < count; ++i) stack.push(waiting[i]);
-            next = nearest;
-            continue;
-          }
-        }
-      }
-      if (stack.empty()) return;
-      next = stack.pop();
-    }
-  }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  std::size_t leaves() const { return leaves_; }
 
  private:
   static constexpr Ref leaf_bit = 0x80000000u;
-  static constexpr unsigned steps = 255;
 
-  /// Its inner children come first, and stand one behind the other in the array of nodes; then its leaves, whose pieces
-  /// stand one behind the other in the order of pieces.
-  struct Node {
-    T origin[3], step[3];
-    std::uint32_t first_child, first_piece;
-    std::uint8_t inner, count;
-    std::uint8_t pieces[width];  ///< of a leaf: eight times its first piece's place from `first_piece`, plus how many
-    std::uint8_t lower[3][width], upper[3][width];
-
-    /// One expression for the builder and for queries: what the builder found to contain, contains.
-    T at(std::size_t axis, unsigned q) const { return origin[axis] + static_cast<T>(static_cast<int>(q)) * step[axis]; }
-    Aabb<T> lane(std::size_t i) const {
-      return {{at(0, lower[0][i]), at(1, lower[1][i]), at(2, lower[2][i])},
-              {at(0, upper[0][i]), at(1, upper[1][i]), at(2, upper[2][i])}};
-    }
-    Aabb<T> box() const { return {{origin[0], origin[1], origin[2]}, {at(0, steps), at(1, steps), at(2, steps)}}; }
-    void frame(const Aabb<T>& box);
-    void set_lane(std::size_t i, const Aabb<T>& box);
-  };
+  static Aabb<T> lane(const Node& node, std::size_t i) {
+    const auto corner = [&](const std::uint8_t(&q)[3][width]) {
+      return Vec3<T>{node.at(0, q[0][i]), node.at(1, q[1][i]), node.at(2, q[2][i])};
+    };
+    return {corner(node.lower), corner(node.upper)};
+  }
+  static Aabb<T> box(const Node& node) {
+    return {{node.origin[0], node.origin[1], node.origin[2]},
+            {node.at(0, Node::steps), node.at(1, Node::steps), node.at(2, Node::steps)}};
+  }
   class Builder;
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
+  std::size_t leaves_ = 0;
   Aabb<T> bounds_ = Aabb<T>::empty();
 };
 

@@ -97,21 +97,22 @@ std::optional<BodyDistance<T>> World<T>::closest(const Shape<T>& shape, const Po
 template <class T>
 template <class F>
 void World<T>::each_hit(const Ray<T>& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const {
-  const Vec3d origin = graze::cast<double>(ray.origin),
-              direction = normalized(graze::cast<double>(ray.direction), Vec3d{});
-  const auto inverse = [](double v) { return v == 0 ? infinity<double> : 1 / v; };
+  const Vec3d direction = normalized(graze::cast<double>(ray.direction), Vec3d{});
   // A hit is known up to the rounding of the ray, which the boxes' own margin need not cover.
-  const double slack = 16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * max_abs(origin);
-  T end = length;
-  const RayQuestion<double> question{
-      origin, {inverse(direction.x), inverse(direction.y), inverse(direction.z)}, 0, infinity<double>, slack};
-  const auto passes = [&](const Aabb<T>& box) {
-    return end >= T(0) && question(box) <= question.key(static_cast<double>(end) + slack);
+  const double slack =
+      16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * max_abs(graze::cast<double>(ray.origin));
+  const NodeRay<T> seen(ray.origin, direction, slack);
+  const auto entries = [&](const WideNode<T>& node, std::array<T, WideNode<T>::width>& out) {
+    node.entries(seen, out);
   };
-  tree().visit(passes, [&](std::uint32_t i, const Aabb<T>&) {
-    if (!(end >= T(0)) || !is_asked(filter, i)) return;
-    if (const auto hit = graze::raycast(bodies_.shapes()[i], bodies_.poses()[i], ray, end, back))
-      end = f(BodyRayHit<T>{bodies_.id(i), *hit});
+  // Finite, so that what the ray misses is left out.
+  const auto limit = [&](T end) { return least(end + static_cast<T>(2 * slack), std::numeric_limits<T>::max()); };
+  T end = length;
+  tree().in_order(entries, limit(end), [&](std::uint32_t i, const Aabb<T>&) {
+    if (is_asked(filter, i))
+      if (const auto hit = graze::raycast(bodies_.shapes()[i], bodies_.poses()[i], ray, end, back))
+        end = f(BodyRayHit<T>{bodies_.id(i), *hit});
+    return end < T(0) ? end : limit(end);
   });
 }
 
@@ -170,13 +171,17 @@ void World<T>::each_met(const Shape<T>& shape, const Pose<T>& pose, const Veloci
                         const QueryFilter& filter, const CastOptions& options, F&& f) const {
   const Sweep<T> sweep = safe_sweep(bounds_turning(shape, pose, velocity.angular), velocity.linear * duration, T(0));
   T end = duration;
-  const auto passes = [&](const Aabb<T>& still) { return entry(still, sweep) * duration <= end; };
-  tree().visit(passes, [&](std::uint32_t i, const Aabb<T>& still) {
-    if (!is_asked(filter, i) || !passes(still)) return;
+  const auto entries = [&](const WideNode<T>& node, std::array<T, WideNode<T>::width>& out) {
+    for (std::uint32_t i = 0; i < WideNode<T>::width; ++i)
+      out[i] = node.child[i] == TreeChild::none ? infinity<T> : entry(node.box(i), sweep) * duration;
+  };
+  tree().in_order(entries, end, [&](std::uint32_t i, const Aabb<T>&) {
+    if (!is_asked(filter, i)) return end;
     // For the whole time, whatever is known already: the last digits of a time follow from how long is asked about.
     const auto hit =
         graze::cast<T>(shape, pose, velocity, bodies_.shapes()[i], bodies_.poses()[i], {}, duration, options);
     if (hit) end = f(BodyCastHit<T>{bodies_.id(i), *hit});
+    return end;
   });
 }
 

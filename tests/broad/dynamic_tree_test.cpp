@@ -115,6 +115,53 @@ TEST(DynamicTree, VisitsWhatAnyPredicateAccepts) {
   EXPECT_EQ(found, expected);
 }
 
+TEST(DynamicTree, FollowsARayFromNearToFarAndMissesNothing) {
+  Random random;
+  DynamicTree<float> tree;
+  std::vector<Aabbf> boxes;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const Aabbd box = random.box(20, i % 3 == 0 ? 0 : 1);  // some are points
+    boxes.push_back({cast<float>(box.lower), cast<float>(box.upper)});
+    tree.insert(i, boxes.back());
+  }
+  std::size_t crossed = 0, told = 0;
+  for (int k = 0; k < 1500; ++k) {
+    // Half of them through a corner of a box, a third along a side of it.
+    const Aabbf& aimed = boxes[random.bits() % boxes.size()];
+    const Vec3f from = k % 3 == 0 ? Vec3f{aimed.lower.x, aimed.upper.y, -30} : cast<float>(random.point(25));
+    Vec3d way = cast<double>(aimed.upper) - cast<double>(from);
+    if (k % 3 == 0) way = {0, 0, 1};
+    if (k % 2 != 0 && k % 3 != 0) way = random.point(1);
+    const NodeRay<float> ray(from, way, 0);
+    constexpr float most = std::numeric_limits<float>::max();
+    std::vector<std::uint32_t> found;
+    tree.in_order([&](const auto& node, auto& out) { node.entries(ray, out); }, most,
+                  [&](std::uint32_t id, const Aabbf&) {
+                    found.push_back(id);
+                    return most;
+                  });
+    std::sort(found.begin(), found.end());
+    told += found.size();
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      // Slabs in double, with no allowance for rounding.
+      double enter = 0, leave = std::numeric_limits<double>::infinity();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double o = double(from[axis]), low = double(boxes[i].lower[axis]) - o,
+                     high = double(boxes[i].upper[axis]) - o;
+        if (way[axis] == 0 && (low > 0 || high < 0)) leave = -1;
+        if (way[axis] == 0) continue;
+        enter = std::max(enter, std::min(low / way[axis], high / way[axis]));
+        leave = std::min(leave, std::max(low / way[axis], high / way[axis]));
+      }
+      if (!(enter <= leave)) continue;
+      ++crossed;
+      EXPECT_TRUE(std::binary_search(found.begin(), found.end(), i)) << "ray " << k << ", box " << i;
+    }
+  }
+  EXPECT_GT(crossed, 1000u);
+  EXPECT_LT(told, crossed + crossed / 4);
+}
+
 /// Drifting, jumping, coming and going for long: what it costs to ask stays what a new tree costs.
 TEST(DynamicTree, StaysAsGoodAsANewOne) {
   constexpr std::uint32_t n = 2000;

@@ -28,7 +28,7 @@ class Mesh {
   using Index = std::array<std::uint32_t, 3>;
 
   /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a million
-  /// triangles; besides points and triangles some 15 bytes for each are kept. Throws `InvalidValue`.
+  /// triangles; besides points and triangles some 50 bytes for each triangle are kept. Throws `InvalidValue`.
   Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both);
 
   std::span<const Vec3<T>> points() const;

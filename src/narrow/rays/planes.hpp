@@ -2,6 +2,7 @@
 // "Generalized two- and three-dimensional clipping"; for boxes Kay, Kajiya 1986, "Ray tracing complex scenes").
 #pragma once
 
+#include "narrow/rays/plane_clip.hpp"
 #include "narrow/rays/round.hpp"
 #include "narrow/rays/sheared.hpp"
 
@@ -46,22 +47,14 @@ template <class T>
 MaybeHit hit_polyhedron(const LocalRay& far, const HullData<T>& hull) {
   const Recentered near = recentered(far, {});
   const LocalRay& ray = near.ray;
-  double enter = -infinity, leave = infinity;
-  Vec3d normal = -ray.direction;
-  for (const Plane<T>& plane : hull.planes) {
-    const Vec3d n = cast<double>(plane.normal);
-    const double above = dot(n, ray.origin) - static_cast<double>(plane.offset), toward = dot(n, ray.direction);
-    if (toward == 0) {
-      if (above > 0) return {};
-    } else if (const double t = -above / toward; toward > 0) {
-      leave = least(leave, t);
-    } else if (t > enter) {
-      enter = t;
-      normal = n;
-    }
-    if (enter > leave) return {};
-  }
-  return near.restored(entered(ray, enter, leave, normalized(normal)));
+  static_assert(sizeof(Plane<T>) == 4 * sizeof(T) && std::is_standard_layout_v<Plane<T>>);
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), clip_by_planes<T>);
+  PlaneClip clip;
+  kernel(&hull.planes[0].normal.x, hull.planes.size(), {ray.origin.x, ray.origin.y, ray.origin.z},
+         {ray.direction.x, ray.direction.y, ray.direction.z}, clip);
+  if (clip.outside || clip.enter > clip.leave) return {};
+  const Vec3d normal = clip.enter > -infinity ? cast<double>(hull.planes[clip.plane].normal) : -ray.direction;
+  return near.restored(entered(ray, clip.enter, clip.leave, normalized(normal)));
 }
 
 template <class T>

@@ -4,9 +4,10 @@
 // can move a crossing by. Nearer subtrees first, so that a ray that shrinks prunes the rest.
 #pragma once
 
-#include "narrow/rays/passed.hpp"
 #include "narrow/rays/sheared.hpp"
-#include "shape/wide_tree.hpp"
+#include "narrow/rays/tree_walk.hpp"
+#include "shape/height_field_data.hpp"
+#include "shape/mesh_data.hpp"
 
 namespace graze::rays {
 
@@ -16,57 +17,98 @@ inline Vec3d inverse_of(const Vec3d& direction) {
   return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
 }
 
-/// Calls `found(hit, triangle)` for the triangles that the ray crosses; `found` returns the ray's new end.
-template <class Surface, class Found>
-void cast_at_surface(const Surface& surface, const LocalRay& far, bool both_sides, Found& found) {
-  const auto& hierarchy = surface.hierarchy();
-  if (hierarchy.empty()) return;
-  const Recentered near = recentered(far, cast<double>(hierarchy.bounds().center()));
-  LocalRay ray = near.ray;
-  const Sheared sheared(ray);
-  // Some ten operations on coordinates up to these.
-  const double slack = 16 * epsilon * (static_cast<double>(surface.extent) + max_abs(ray.origin));
+/// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns how far it has still to be followed.
+/// `radius` as in `TreeWalk`.
+template <class T, class F>
+void walk_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
+  TreeWalk<T> walk{
+      mesh.tree.nodes().data(),
+      mesh.leaves.data(),
+      static_cast<double>(mesh.extent),
+      radius,
+      {ray.origin.x, ray.origin.y, ray.origin.z},
+      {ray.direction.x, ray.direction.y, ray.direction.z},
+      ray.begin,
+      ray.end,
+      [](void* owner, const PackedLeaf& leaf, std::size_t i) { return (*static_cast<F*>(owner))(leaf, i); },
+      &f};
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), walk_tree<T>);
+  kernel(walk);
+}
 
-  const auto try_triangle = [&](std::uint32_t index) {
-    const auto corners = surface.triangle(index);
+/// A ray that is cast at one triangle after the other of a surface about `center`.
+template <class Found>
+class TriangleCast {
+ public:
+  TriangleCast(const LocalRay& far, const Vec3d& center, bool both_sides, Found& found)
+      : near_(recentered(far, center)), both_sides_(both_sides), found_(found) {}
+
+  /// Whose origin is near the centre, and whose end is the nearest hit or what `found` made of it.
+  const LocalRay& ray() const { return near_.ray; }
+
+  /// `number()` tells the triangle's, where it is hit.
+  template <class Corners, class Number>
+  [[gnu::flatten]] double at(const Corners& corners, const Number& number) {
+    LocalRay& ray = near_.ray;
     const auto vertex = [&](std::size_t i) { return cast<double>(corners[i]); };
     const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
-    const Crossing at = crossing(sheared(a), sheared(b), sheared(c));
+    if (!sheared_) sheared_.emplace(ray);
+    const Crossing at = crossing((*sheared_)(a), (*sheared_)(b), (*sheared_)(c));
     MaybeHit hit;
     switch (at.kind) {
-    case Crossing::none: return;
-    case Crossing::edge_on: hit = hit_in_plane(ray, 3, vertex); break;
+    case Crossing::none: return ray.end;
+    case Crossing::edge_on: hit = hit_edge_on(ray, a, b, c); break;
     case Crossing::back:
-      if (!both_sides) return;
+      if (!both_sides_) return ray.end;
       [[fallthrough]];
     case Crossing::front:
       if (at.t >= ray.begin && at.t <= ray.end)
         hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
     }
-    if (hit) ray.end = found(*near.restored(hit), index) - near.shift;
-  };
-  using Hierarchy = std::decay_t<decltype(hierarchy)>;
-  if constexpr (std::is_same_v<Hierarchy, WideTree<typename Surface::Scalar>>) {
-    using T = typename Surface::Scalar;
-    const double extent = static_cast<double>(surface.extent);
-    const RayQuestion<double> question{ray.origin, inverse_of(ray.direction), ray.begin, ray.end, slack};
-    if (!(question(hierarchy.bounds()) < infinity)) return;
-    using Filter = PassedFilter<T>;
-    const Filter filter(sheared, extent);
-    const auto try_leaf = [&](std::size_t first, std::size_t count) {
-      for (const std::size_t end = first + count; first < end; first += Filter::lanes) {
-        std::uint32_t bits = filter.left(surface, first, least(Filter::lanes, end - first));
-        for (; bits != 0; bits &= bits - 1)
-          try_triangle(hierarchy.order()[first + static_cast<std::size_t>(std::countr_zero(bits))]);
-      }
-    };
-    const auto soon = [&](std::size_t first) { __builtin_prefetch(&surface.corners[first]); };
-    hierarchy.each_leaf(
-        TreeRay<T>(ray.origin, ray.direction, ray.begin, extent, slack), [&] { return ray.end; }, soon, try_leaf);
-  } else {
-    visit_ray(
-        hierarchy, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_triangle, ray.begin, slack);
+    if (hit) ray.end = found_(*near_.restored(hit), number()) - near_.shift;
+    return ray.end;
   }
+
+ private:
+  [[gnu::noinline]] static MaybeHit hit_edge_on(const LocalRay& ray, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return hit_in_plane(ray, 3, [&](std::size_t i) { return i == 0 ? a : i == 1 ? b : c; });
+  }
+
+  Recentered near_;
+  std::optional<Sheared> sheared_;  // many a ray comes near nothing
+  bool both_sides_;
+  Found& found_;
+};
+
+/// Calls `found(hit, triangle)` for the triangles that the ray crosses; `found` returns the ray's new end.
+template <class T, class Found>
+void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sides, Found& found) {
+  if (mesh.tree.empty()) return;
+  const Vec3d center = cast<double>(mesh.tree.bounds().center());
+  TriangleCast<Found> triangle(far, center, both_sides, found);
+  const LocalRay& ray = triangle.ray();
+  // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
+  const Vec3d to = center - ray.origin;
+  const double reach = mesh.radius + greatest(dot(to, ray.direction), 0.0);
+  if (!(length_squared(to) <= reach * reach)) return;
+  auto try_lane = [&](const PackedLeaf& leaf, std::size_t i) {
+    const auto point = [&](std::size_t k) { return mesh.points[leaf.corners[i][k]]; };
+    return triangle.at(std::array<Vec3<T>, 3>{point(0), point(1), point(2)},
+                       [&] { return mesh.tree.order()[leaf.first + i]; });
+  };
+  walk_mesh(mesh, ray, reach, try_lane);
+}
+
+template <class T, class Found>
+[[gnu::noinline]] void cast_at_surface(const HeightFieldData<T>& field, const LocalRay& far, bool both_sides,
+                                       Found& found) {
+  TriangleCast<Found> triangle(far, cast<double>(field.bounds().center()), both_sides, found);
+  const LocalRay& ray = triangle.ray();
+  // Some ten operations on coordinates up to these.
+  const double slack = 16 * epsilon * (static_cast<double>(field.extent) + max_abs(ray.origin));
+  const auto try_piece = [&](std::uint32_t number) { triangle.at(field.triangle(number), [&] { return number; }); };
+  visit_ray(
+      field, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_piece, ray.begin, slack);
 }
 
 }  // namespace graze::rays

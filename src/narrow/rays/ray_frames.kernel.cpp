@@ -1,0 +1,87 @@
+// The way of rays into the frame of a shape and of hits out of it.
+#include "narrow/rays/lane_vec3.hpp"
+#include "narrow/rays/ray_block.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+using S = Lanes<double>;
+using V = Lane3<S>;
+constexpr auto step = static_cast<std::size_t>(S::lanes);
+static_assert(rays::RayBlock::size % step == 0);
+
+/// A frame's rotation, the same in all lanes.
+struct Rotation {
+  V vector;
+  S w;
+  [[gnu::always_inline]] explicit Rotation(const rays::BlockFrame& frame)
+      : vector{S(frame.rotation[0]), S(frame.rotation[1]), S(frame.rotation[2])}, w(frame.rotation[3]) {}
+};
+
+}  // namespace
+
+template <class T>
+void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, double end,
+                    const rays::BlockFrame& frame) {
+  constexpr bool single = sizeof(T) == 4;
+  constexpr double epsilon = single ? 0x1p-23 : 0x1p-52;
+  // As `longest` and `end_of` of one ray.
+  constexpr double longest = single ? 1e37 : 1e150, most = 1.7976931348623157e308;
+  const Rotation forward(frame);
+  const S zero(0), one(1);
+  const V back = -forward.vector, translation = V::all(frame.translation);
+  for (std::size_t i = 0; i < (count + 7) / 8 * 8; i += step) {
+    const auto read = [&](std::size_t first) __attribute__((always_inline)) {
+      const auto number = [&](std::size_t k) __attribute__((always_inline)) {
+        return column<6>(rays, i, count - 1, first + k);
+      };
+      return V{number(0), number(1), number(2)};
+    };
+    // What is no number compares as false.
+    const auto within = [](const V& v, double limit) __attribute__((always_inline)) {
+      const S l(limit);
+      return (abs(v.x) <= l) & (abs(v.y) <= l) & (abs(v.z) <= l);
+    };
+    const V from = read(0), to = read(3);
+    const auto usable = within(from, longest) & within(to, most) & ((to.x != zero) | (to.y != zero) | (to.z != zero));
+    const V along = select(usable, to, V{zero, one, zero});
+    const V safe = single ? along : along / max_abs(along);
+    const V origin = rotate(back, forward.w, select(usable, from, V{zero, zero, zero}) - translation);
+    select(usable, S(end), S(-1)).store(block.end + i);
+    along.store(block.along, i);
+    origin.store(block.origin, i);
+    normalized(rotate(back, forward.w, safe), V{zero, one, zero}).store(block.direction, i);
+    (S(4 * epsilon) * length(origin)).store(block.blur + i);
+  }
+}
+
+template <class T>
+void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockFrame& frame, T length,
+                    rays::BlockHits<T>& hits) {
+  using Narrow = Wide<T, S::lanes>;
+  const auto narrowed = [](const S& s) __attribute__((always_inline)) {
+    return Narrow::of(__builtin_convertvector(s.v, typename Narrow::Vector));
+  };
+  const auto all_narrowed = [&](const V& v) __attribute__((always_inline)) {
+    return Lane3<Narrow>{narrowed(v.x), narrowed(v.y), narrowed(v.z)};
+  };
+  const Rotation rotation(frame);
+  const V translation = V::all(frame.translation);
+  for (std::size_t i = 0; i < count; i += step) {
+    const V normal = rotate(rotation.vector, rotation.w, V::load(block.normal, i));
+    const auto turned = dot(normal, V::load(block.along, i)) > S(0);
+    const S state = S::load(block.state + i);
+    select(turned & (state == S(rays::ray_hit)), S(rays::ray_again), state).store(block.state + i);
+    normalized(all_narrowed(normal), Lane3<Narrow>{Narrow(T(0)), Narrow(T(1)), Narrow(T(0))}).store(hits.normal, i);
+    all_narrowed(translation + rotate(rotation.vector, rotation.w, V::load(block.point, i))).store(hits.point, i);
+    least(narrowed(S::load(block.t + i)), Narrow(length)).store(hits.t + i);
+  }
+}
+
+template void block_to_local(rays::RayBlock&, const float*, std::size_t, double, const rays::BlockFrame&);
+template void block_to_local(rays::RayBlock&, const double*, std::size_t, double, const rays::BlockFrame&);
+template void block_to_world(rays::RayBlock&, std::size_t, const rays::BlockFrame&, float, rays::BlockHits<float>&);
+template void block_to_world(rays::RayBlock&, std::size_t, const rays::BlockFrame&, double, rays::BlockHits<double>&);
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,176 @@
+// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space` and `hit_polygon` of one
+// ray, with choices in place of branches. What those do for few rays only is left to them.
+#include "narrow/rays/lane_vec3.hpp"
+#include "narrow/rays/ray_block.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+using S = Lanes<double>;
+using V = Lane3<S>;
+using M = S::Mask;
+constexpr auto step = static_cast<std::size_t>(S::lanes);
+constexpr double infinity = __builtin_inf();
+
+/// `LocalRay`, and what became of it.
+struct Rays {
+  V origin, direction;
+  S begin, end, blur;
+
+  [[gnu::always_inline]] Rays(const rays::RayBlock& block, std::size_t i)
+      : origin(V::load(block.origin, i)),
+        direction(V::load(block.direction, i)),
+        begin(0),
+        end(S::load(block.end + i)),
+        blur(S::load(block.blur + i)) {}
+  [[gnu::always_inline]] V at(const S& t) const { return origin + direction * t; }
+
+  /// Moves the origin to the point nearest to `center`; returns how far.
+  [[gnu::always_inline]] S recenter(const V& center) {
+    const S shift = greatest(dot(center - origin, direction), begin);
+    origin = at(shift);
+    begin = begin - shift;
+    end = end - shift;
+    return shift;
+  }
+};
+
+struct Hits {
+  M hit, again;
+  S t;
+  V point, normal;
+};
+
+[[gnu::always_inline]] inline M none() { return S(1) < S(0); }
+
+[[gnu::always_inline]] inline Hits entered(const Rays& ray, const S& shift, const M& met, const S& enter,
+                                           const S& leave, const V& normal) {
+  const M hit = met & (enter <= leave) & (leave >= ray.begin) & (enter <= ray.end), inside = enter <= ray.begin;
+  const S t = select(inside, ray.begin, enter);
+  return {hit, none(), t + shift, ray.at(t), select(inside, -ray.direction, normal)};
+}
+
+[[gnu::always_inline]] inline Hits hit_ball(Rays ray, const rays::BlockShape& shape) {
+  const V center = V::all(shape.points[0]);
+  const S shift = ray.recenter(center), radius(shape.radius);
+  const V to = center - ray.origin;
+  const S along = dot(to, ray.direction), across = length(to - ray.direction * along);
+  const S half = sqrt((radius - across) * (radius + across)), enter = along - half;
+  const V normal = normalized(ray.at(enter) - center, -ray.direction);
+  return entered(ray, shift, across <= radius, enter, along + half, normal);
+}
+
+[[gnu::always_inline]] inline Hits hit_half_space(const Rays& ray, const rays::BlockShape& shape) {
+  const S height(shape.radius), above = ray.at(ray.begin).y - height;
+  const M inside = above <= S(0);
+  const S t = ray.begin - above / ray.direction.y;
+  const M met = (ray.direction.y < S(0)) & (t <= ray.end) & (t != S(infinity));
+  const V p = ray.at(select(inside, ray.begin, t));
+  return {inside | met,
+          none(),
+          select(inside, ray.begin, t),
+          {p.x, select(inside, p.y, height), p.z},
+          select(inside, -ray.direction, V{S(0), S(1), S(0)})};
+}
+
+[[gnu::always_inline]] inline Hits hit_box(Rays ray, const rays::BlockShape& shape) {
+  const S shift = ray.recenter({S(0), S(0), S(0)});
+  S enter(-infinity), leave(infinity);
+  V normal{S(0), S(0), S(0)};
+  M met = !none();
+  const auto clip = [&](const S& d, const S& o, const S& half, S V::*component) __attribute__((always_inline)) {
+    const M still = d == S(0), forward = d > S(0);
+    met = met & (!(still & (abs(o) > half)));
+    const S low = select(forward, -half, half), in = (low - o) / d, out = (-low - o) / d;
+    leave = select(still, leave, least(leave, out));
+    const M later = (!still) & (!(in <= enter));
+    enter = select(later, in, enter);
+    V face{S(0), S(0), S(0)};
+    face.*component = select(forward, S(-1), S(1));
+    normal = select(later, face, normal);
+  };
+  clip(ray.direction.x, ray.origin.x, S(shape.points[0][0]), &V::x);
+  clip(ray.direction.y, ray.origin.y, S(shape.points[0][1]), &V::y);
+  clip(ray.direction.z, ray.origin.z, S(shape.points[0][2]), &V::z);
+  return entered(ray, shift, met, enter, leave, normal);
+}
+
+[[gnu::always_inline]] inline Hits hit_triangle(Rays ray, const rays::BlockShape& shape) {
+  const V p[3] = {V::all(shape.points[0]), V::all(shape.points[1]), V::all(shape.points[2])};
+  const S shift = ray.recenter((p[0] + p[1] + p[2]) / S(3));
+  // The frame along the ray: z is the greatest coordinate of the direction, x and y follow it, exchanged where it is less
+  // than zero.
+  const V size{abs(ray.direction.x), abs(ray.direction.y), abs(ray.direction.z)};
+  const M along_x = (size.x >= size.y) & (size.x >= size.z), along_y = (!along_x) & (size.y >= size.z);
+  const auto turned = [&](const V& v) __attribute__((always_inline)) {
+    return V{select(along_x, v.y, select(along_y, v.z, v.x)), select(along_x, v.z, select(along_y, v.x, v.y)),
+             select(along_x, v.x, select(along_y, v.y, v.z))};
+  };
+  const V d = turned(ray.direction);
+  const M back = d.z < S(0);
+  const auto exchanged = [&](const V& v) __attribute__((always_inline)) {
+    return V{select(back, v.y, v.x), select(back, v.x, v.y), v.z};
+  };
+  const V e = exchanged(d);
+  const S shear_x = e.x / e.z, shear_y = e.y / e.z, shear_z = S(1) / e.z;
+  V c[3];
+  for (int i = 0; i < 3; ++i) {
+    const V q = exchanged(turned(p[i] - ray.origin));
+    c[i] = {q.x - shear_x * q.z, q.y - shear_y * q.z, shear_z * q.z};
+  }
+  M again = none(), left = none(), right = none();
+  S whole(0), low(infinity), high(-infinity);
+  for (int i = 0; i < 3; ++i) {
+    const V &from = c[(i + 2) % 3], &to = c[i];
+    const S one = to.x * from.y, other = to.y * from.x, side = one - other;
+    again = again | (one == other);  // rounding's share decides the sign
+    left = left | (side > S(0));
+    right = right | (side < S(0));
+    whole = whole + side;
+    low = least(low, to.z);
+    high = greatest(high, to.z);
+  }
+  again = again | (whole == S(0));
+  const V first = p[0], area = V{S(0), S(0), S(0)} + cross(p[1] - first, p[2] - first);
+  const V normal = normalized(area, -ray.direction);
+  const S t = greatest(low, least(dot(normal, first - ray.origin) / dot(normal, ray.direction), high));
+  M hit = (!(left & right)) & (t >= ray.begin) & (t <= ray.end);
+  if (!shape.both_sides) hit = hit & (!(whole < S(0)));
+  return {hit, again, t + shift, ray.at(t), select(dot(normal, ray.direction) > S(0), -normal, normal)};
+}
+
+template <class F>
+[[gnu::always_inline]] inline void each_ray(rays::RayBlock& block, std::size_t count, double around, const F& hit) {
+  for (std::size_t i = 0; i < count; i += step) {
+    const Rays ray(block, i);
+    // As `near_ball`: its rounding, too, decides what is hit.
+    const S reach = S(around) + ray.blur;
+    const V nearest = ray.at(greatest(ray.begin, least(-dot(ray.origin, ray.direction), ray.end)));
+    const M aimed = (ray.end >= S(0)) & (dot(nearest, nearest) <= reach * reach);
+    const Hits h = hit(ray);
+    h.t.store(block.t + i);
+    h.point.store(block.point, i);
+    h.normal.store(block.normal, i);
+    const M met = aimed & h.hit & (h.t < S(infinity)) & (!h.again), again = aimed & h.again;
+    select(again, S(rays::ray_again), select(met, S(rays::ray_hit), S(rays::ray_missed))).store(block.state + i);
+  }
+}
+
+}  // namespace
+
+void block_hits(rays::RayBlock& block, std::size_t count, const rays::BlockShape& shape) {
+  const auto each = [&](const auto& hit) __attribute__((always_inline)) {
+    each_ray(
+        block, count, shape.around, [&](const Rays& ray) __attribute__((always_inline)) { return hit(ray, shape); });
+  };
+  switch (shape.kind) {
+  case rays::BlockShape::none: return;
+  case rays::BlockShape::ball: return each(hit_ball);
+  case rays::BlockShape::box: return each(hit_box);
+  case rays::BlockShape::half_space: return each(hit_half_space);
+  case rays::BlockShape::triangle: return each(hit_triangle);
+  }
+}
+
+}  // namespace graze::GRAZE_ISA

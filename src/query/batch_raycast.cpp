@@ -1,0 +1,173 @@
+#include "graze/batch_raycast.hpp"
+
+#include "narrow/rays/ray_block.hpp"
+#include "query/shape_rays.hpp"
+
+namespace graze {
+
+namespace {
+
+using namespace shape_rays;
+using rays::BlockFrame;
+using rays::BlockHits;
+using rays::BlockShape;
+using rays::RayBlock;
+
+/// The shape as the kernels know it; `none` for what has no closed form there.
+template <class T>
+BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
+  BlockShape out;
+  out.both_sides = back == BackFaces::hit;
+  const double margin = static_cast<double>(shape.margin());
+  const auto put = [&](std::size_t i, const Vec3<T>& p) {
+    for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
+  };
+  const auto put_box = [&](const Box<T>& box) {
+    const Vec3<T>& half = box.half_extents();
+    put(0, half);
+    const int flat = (half.x <= T(0)) + (half.y <= T(0)) + (half.z <= T(0));
+    if (margin == 0 && flat < 2) out.kind = BlockShape::box;
+  };
+  shape.visit([&](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (std::is_same_v<C, Sphere<T>>) {
+      put(0, c.center());
+      out.radius = static_cast<double>(c.radius()) + margin;
+      if (out.radius > 0) out.kind = BlockShape::ball;
+    } else if constexpr (std::is_same_v<C, Box<T>>) {
+      put_box(c);
+    } else if constexpr (std::is_same_v<C, Rectangle<T>>) {
+      put_box(c.as_box());
+    } else if constexpr (std::is_same_v<C, HalfSpace<T>>) {
+      out.radius = margin;
+      out.kind = BlockShape::half_space;
+    } else if constexpr (std::is_same_v<C, Triangle<T>>) {
+      for (std::size_t i = 0; i < 3; ++i) put(i, c.point(i));
+      if (margin == 0) out.kind = BlockShape::triangle;
+    }
+    out.around = rays::infinity;
+    if constexpr (BoundedConvex<C>) out.around = ball_around(c, shape.margin());
+  });
+  return out;
+}
+
+BlockFrame block_frame(const Posed& pose) {
+  const Vec3d& t = pose.translation;
+  const Quat<double>& q = pose.rotation;
+  return {{t.x, t.y, t.z}, {q.x, q.y, q.z, q.w}};
+}
+
+template <class T>
+Vec3<T> at(const T (&from)[3][RayBlock::size], std::size_t i) {
+  return {from[0][i], from[1][i], from[2][i]};
+}
+void put(double (&to)[3][RayBlock::size], std::size_t i, const Vec3d& v) {
+  for (std::size_t k = 0; k < 3; ++k) to[k][i] = v[k];
+}
+
+LocalRay local_ray(const RayBlock& block, std::size_t i) {
+  return {at(block.origin, i), at(block.direction, i), 0, block.end[i], block.blur[i]};
+}
+
+/// Up to `RayBlock::size` rays into the shape's frame; returns how many lanes are filled.
+template <class T>
+std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const BlockFrame& frame) {
+  static_assert(sizeof(Ray<T>) == 6 * sizeof(T) && std::is_standard_layout_v<Ray<T>>);
+  const double end = length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
+  static const auto to_local = GRAZE_KERNEL(chosen_isa(), block_to_local<T>);
+  to_local(block, &rays.front().origin.x, rays.size(), end, frame);
+  return (rays.size() + 7) / 8 * 8;
+}
+
+/// Calls `f(block, filled, first, some)` for some rays after the other, `first` being the place of the first.
+template <class T, class F>
+void each_block(std::span<const Ray<T>> rays, T length, const BlockFrame& frame, const F& f) {
+  RayBlock block;
+  for (std::size_t first = 0; first < rays.size(); first += RayBlock::size) {
+    const auto some = rays.subspan(first, least(RayBlock::size, rays.size() - first));
+    f(block, load(block, some, length, frame), first, some);
+  }
+}
+
+void find_hits(RayBlock& block, std::size_t filled, const BlockShape& shape) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), block_hits);
+  kernel(block, filled, shape);
+}
+
+/// One ray after the other, where there is no closed form for several.
+template <class T>
+[[gnu::flatten]] void find_hits(RayBlock& block, std::size_t filled, const Shape<T>& shape, BackFaces back,
+                                std::uint32_t (&pieces)[RayBlock::size]) {
+  for (std::size_t i = 0; i < filled; ++i) {
+    block.state[i] = rays::ray_missed;
+    block.t[i] = 0;
+    put(block.point, i, {});
+    put(block.normal, i, {0, 1, 0});
+    if (block.end[i] < 0) continue;
+    LocalRay ray = local_ray(block, i);
+    const Candidate first = first_hit(shape, ray, back);
+    if (!(first.hit.t < rays::infinity)) continue;
+    block.state[i] = rays::ray_hit;
+    block.t[i] = first.hit.t;
+    put(block.point, i, first.hit.point);
+    put(block.normal, i, first.hit.normal);
+    pieces[i] = first.piece;
+  }
+}
+
+}  // namespace
+
+template <class T>
+void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays,
+             std::span<std::optional<RayHit<T>>> hits, T length, BackFaces back) {
+  const BlockFrame frame = block_frame(precise(pose));
+  const BlockShape closed = block_shape(shape, back);
+  static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
+  std::uint32_t pieces[RayBlock::size] = {};
+  BlockHits<T> found;
+  each_block(rays.first(least(rays.size(), hits.size())), length, frame,
+             [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
+               if (closed.kind != BlockShape::none)
+                 find_hits(block, filled, closed);
+               else
+                 find_hits(block, filled, shape, back, pieces);
+               to_world(block, filled, frame, length, found);
+               for (std::size_t i = 0; i < some.size(); ++i) {
+                 // Written in any case: whether a ray hits is hard to foresee.
+                 std::optional<RayHit<T>>& hit = hits[first + i];
+                 hit = RayHit<T>{found.t[i], at(found.point, i), at(found.normal, i), pieces[i]};
+                 if (block.state[i] != rays::ray_hit) hit.reset();
+               }
+               for (std::size_t i = 0; i < some.size(); ++i)
+                 if (block.state[i] == rays::ray_again) hits[first + i] = raycast(shape, pose, some[i], length, back);
+             });
+}
+
+template <class T>
+void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays, std::span<bool> hits,
+                 T length, BackFaces back) {
+  const BlockFrame frame = block_frame(precise(pose));
+  const BlockShape closed = block_shape(shape, back);
+  each_block(rays.first(least(rays.size(), hits.size())), length, frame,
+             [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
+               if (closed.kind != BlockShape::none) find_hits(block, filled, closed);
+               for (std::size_t i = 0; i < some.size(); ++i) {
+                 if (closed.kind != BlockShape::none && block.state[i] != rays::ray_again) {
+                   hits[first + i] = block.state[i] == rays::ray_hit;
+                 } else {
+                   LocalRay ray = local_ray(block, i);
+                   hits[first + i] = ray.end >= 0 && hits_any(shape, ray, back);
+                 }
+               }
+             });
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template void raycast(const Shape<T>&, const Pose<T>&, std::span<const Ray<T>>, std::span<std::optional<RayHit<T>>>, \
+                        T, BackFaces);                                                                                 \
+  template void raycast_any(const Shape<T>&, const Pose<T>&, std::span<const Ray<T>>, std::span<bool>, T, BackFaces);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze

@@ -1,0 +1,157 @@
+// What casts of one ray and of many have in common: the ray in the frame of what it is cast at, everything that it hits
+// there, and a hit in the caller's frame.
+//
+// Guarantee: all in double, whatever the caller's scalar is; hits are told with where they lie along the ray, in whichever
+// order.
+#pragma once
+
+#include "mid/pieces.hpp"
+#include "narrow/raycast.hpp"
+#include "narrow/rays/surface.hpp"
+
+namespace graze::shape_rays {
+
+using rays::LocalHit;
+using rays::LocalRay;
+
+/// A pose in double, its rotation of unit length in that: float's is so only in float, and lengths would change by it.
+template <class T>
+Posed precise(const Pose<T>& pose) {
+  const Quat<double> rotation = cast<double>(pose.rotation);
+  return {cast<double>(pose.translation), rotation == Quat<double>{} ? rotation : normalized(rotation)};
+}
+
+/// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
+template <class T>
+constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
+
+template <class T>
+bool usable(const Vec3d& v) {
+  return max_abs(v) <= longest<T> && v == v;  // not so for NaN
+}
+
+/// How far the ray is followed; less than zero when it cannot hit.
+template <class T>
+double end_of(const Ray<T>& ray, T length) {
+  constexpr double limit = std::numeric_limits<double>::max();
+  const Vec3d origin = cast<double>(ray.origin), direction = cast<double>(ray.direction);
+  const bool aimed = max_abs(direction) <= limit && direction == direction && direction != Vec3d{};
+  if (!usable<T>(origin) || !aimed || !(length >= T(0))) return -1;
+  return least(static_cast<double>(length), longest<T>);
+}
+
+/// The ray in the frame of `pose`, if it can hit.
+template <class T>
+[[gnu::flatten]] std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose) {
+  const double end = end_of(ray, length);
+  if (end < 0) return {};
+  const Vec3d direction = cast<double>(ray.direction);
+  // Turning makes its length 1; only its squares must neither over- nor underflow before.
+  const Vec3d safe = std::is_same_v<T, float> ? direction : direction / max_abs(direction);
+  LocalRay local = seen_from(pose, LocalRay{cast<double>(ray.origin), safe, 0, end, 0});
+  local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
+  return local;
+}
+
+/// Calls `report(hit, triangle)` for what the ray hits of a shape that is no compound; `report` returns how far the ray has
+/// still to be followed, less than zero for no further.
+template <class T, class Report>
+[[gnu::always_inline]] inline void visit_single(const Shape<T>& shape, const LocalRay& ray, BackFaces back,
+                                                const Report& report) {
+  const bool both_sides = back == BackFaces::hit;
+  if (with_surface(shape, [&](const auto& surface) { rays::cast_at_surface(surface, ray, both_sides, report); }))
+    return;
+  if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, 0u);
+}
+
+/// Calls `found(hit, piece)` for what the ray hits of a compound; `found` returns how far the ray has still to be followed.
+/// `pose` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the child of that, or
+/// null for the outermost itself.
+template <class T, class Found>
+[[gnu::noinline]] void visit_children(const Compound<T>& compound, const Posed& pose, LocalRay& outer, BackFaces back,
+                                      const std::uint32_t* piece, Found& found) {
+  const LocalRay ray = piece ? seen_from(pose, outer) : outer;
+  const CompoundData<T>& data = compound.data();
+  const auto cast_at_child = [&](std::uint32_t number) {
+    const Placed<T>& child = data.children[number];
+    const Posed placed = compose(pose, precise(child.pose));
+    const std::uint32_t* named = piece ? piece : &number;
+    if (const auto* inner = child.shape.template as<Compound<T>>()) {
+      visit_children(*inner, placed, outer, back, named, found);
+    } else {
+      visit_single(child.shape, seen_from(placed, outer), back, [&](const LocalHit& hit, std::uint32_t) {
+        return outer.end = found({hit.t, transform(placed, hit.point), rotate(placed.rotation, hit.normal)}, *named);
+      });
+    }
+    return outer.end >= outer.begin;
+  };
+  for (const std::uint32_t number : data.unbounded)
+    if (!cast_at_child(number)) return;
+  if (data.tree.empty()) return;
+  // Some ten operations on coordinates up to these.
+  const Aabb<T>& all = data.tree.bounds();
+  const double extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
+  const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
+  visit_ray(
+      data.tree, ray.origin, rays::inverse_of(ray.direction), [&] { return outer.end; }, cast_at_child, ray.begin,
+      slack);
+}
+
+/// The same of any shape, in its own frame.
+template <class T, class Found>
+[[gnu::always_inline]] inline void visit_hits(const Shape<T>& shape, LocalRay& ray, BackFaces back, Found& found) {
+  if (const auto* compound = shape.template as<Compound<T>>())
+    visit_children(*compound, Posed{}, ray, back, nullptr, found);
+  else
+    visit_single(shape, ray, back, found);
+}
+
+/// The first of equals is that of the least piece, in whichever order they are found.
+struct Candidate {
+  LocalHit hit{rays::infinity, {}, {}};
+  std::uint32_t piece = 0;
+};
+
+/// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
+inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
+  if (!(dot(normal, ray) > 0)) return normal;
+  const Vec3d direction = normalized(ray);
+  return normalized(normal - direction * dot(normal, direction), -direction);
+}
+
+template <class T>
+[[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
+  const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), cast<double>(ray.direction));
+  return {least(static_cast<T>(c.hit.t), length), cast<T>(transform(pose, c.hit.point)), normalized(cast<T>(normal)),
+          c.piece};
+}
+
+inline bool before(const Candidate& a, const Candidate& b) {
+  return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.piece < b.piece;
+}
+
+/// Infinitely far along the ray where it hits nothing.
+template <class T>
+[[gnu::always_inline]] inline Candidate first_hit(const Shape<T>& shape, LocalRay& ray, BackFaces back) {
+  Candidate first;
+  auto nearest = [&](const LocalHit& hit, std::uint32_t piece) {
+    const Candidate found{hit, piece};
+    if (before(found, first)) first = found;
+    return first.hit.t;
+  };
+  visit_hits(shape, ray, back, nearest);
+  return first;
+}
+
+template <class T>
+[[gnu::always_inline]] inline bool hits_any(const Shape<T>& shape, LocalRay& ray, BackFaces back) {
+  bool hit = false;
+  auto stop = [&](const LocalHit&, std::uint32_t) {
+    hit = true;
+    return -rays::infinity;
+  };
+  visit_hits(shape, ray, back, stop);
+  return hit;
+}
+
+}  // namespace graze::shape_rays

@@ -1,0 +1,22 @@
+// What a ray asks of a leaf's triangles, in two lines of memory: their corners side by side in sixteen bits a coordinate,
+// enough to tell of most triangles that the ray passes them, and which points of the mesh they are.
+//
+// Guarantee: no coordinate is further from the corner's than `off` parts, of which a step of the leaf's node has `parts`
+// (a node's frame has 255 steps, hence 65535 parts), plus what rounding does to whoever computes it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace graze {
+
+struct alignas(64) PackedLeaf {
+  static constexpr std::size_t lanes = 4;
+  static constexpr int parts = 257;
+  static constexpr double off = 0.51;
+  std::uint16_t at[3][3][lanes];    ///< axis, corner, triangle; lanes without a triangle repeat one
+  std::uint32_t corners[lanes][3];  ///< points of the mesh
+  std::uint32_t first, count;       ///< the triangles' places in the tree's order
+};
+
+}  // namespace graze
