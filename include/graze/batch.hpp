@@ -109,7 +109,7 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
-/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box.
+/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box, sphere with sphere.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 

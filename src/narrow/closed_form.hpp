@@ -36,6 +36,17 @@ struct BallCores {
   }
 };
 
+/// Two balls' distance and nearest points: what they were computed in lies along the world's axes and only has to move.
+template <class S>
+Distance<S> ball_contact(const CoreDistance<S>& core, const S& radius_a, const S& radius_b, const Vec3<S>& origin) {
+  Distance<S> d;
+  d.distance = core.distance - (radius_a + radius_b);
+  d.normal = core.normal;
+  d.a = origin + (core.a + core.normal * radius_a);
+  d.b = origin + (core.b - core.normal * radius_b);
+  return d;
+}
+
 /// Adds the rounding radii and takes the answer from A's frame to the world.
 template <class T>
 Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {

@@ -52,6 +52,8 @@ GRAZE_DECLARE_KERNEL(
     /// radii beside their own, capsules even.
     template <class A, class B, class T> void closed_distances(const PairRef<T>* pairs, std::size_t count,
                                                                Distance<T>* distances);
+    /// The point of contact of pairs of spheres, as far apart as they may be, and their distance.
+    template <class T> void sphere_contacts(const PairRef<T>* pairs, std::size_t count, Distance<T>* points);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "narrow/ball_batch.hpp"
 #include "narrow/box_batch.hpp"
 #include "narrow/closed_form.hpp"
 #include "narrow/convex_pair.hpp"
@@ -229,22 +230,37 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
     for (const Manifold<T>& m : several) add(m.normal, m.piece_a, m.piece_b, m.points.data(), m.points.size());
     pair.manifold_count = static_cast<std::uint32_t>(several.size());
   };
-  visit_batch<1>(
+  constexpr int boxes = 0, spheres = 1;
+  const auto found_boxes = [&](const Queue<T>& queue) {
+    visit_box_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t k, const BoxAxisNumber<T>&) { begin(queue.places[k]); },
+        [&](std::size_t k, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
+          auto& pair = begin(queue.places[k]);
+          pair.overlap = distance <= T(0);
+          pair.manifold_count = 1;
+          add(normal, 0, 0, points, count);
+        },
+        [&](std::size_t k) { single(queue.places[k]); });
+  };
+  const auto found_spheres = [&](const Queue<T>& queue) {
+    visit_ball_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t k) { begin(queue.places[k]); },
+        [&](std::size_t k, const Vec3<T>& normal, const ContactPoint<T>& point) {
+          auto& pair = begin(queue.places[k]);
+          pair.overlap = point.distance <= T(0);
+          pair.manifold_count = 1;
+          add(normal, 0, 0, &point, 1);
+        });
+  };
+  visit_batch<2>(
       batch, margin,
       [](std::size_t kinds) {
-        return std::pair{kinds == both<Box<T>, Box<T>, T>() ? 0 : -1, false};
+        return std::pair{kinds == both<Box<T>, Box<T>, T>()         ? boxes
+                         : kinds == both<Sphere<T>, Sphere<T>, T>() ? spheres
+                                                                    : -1,
+                         false};
       },
-      [&](std::size_t, const Queue<T>& queue) {
-        visit_box_contacts(
-            queue.pairs.data(), queue.count, [&](std::size_t k, const BoxAxisNumber<T>&) { begin(queue.places[k]); },
-            [&](std::size_t k, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
-              auto& pair = begin(queue.places[k]);
-              pair.overlap = distance <= T(0);
-              pair.manifold_count = 1;
-              add(normal, 0, 0, points, count);
-            },
-            [&](std::size_t k) { single(queue.places[k]); });
-      },
+      [&](std::size_t number, const Queue<T>& queue) { number == boxes ? found_boxes(queue) : found_spheres(queue); },
       single);
 }
 

@@ -1,8 +1,10 @@
 #include "graze/world/manifolds.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "mid/composite.hpp"
+#include "narrow/ball_batch.hpp"
 #include "narrow/box_batch.hpp"
 #include "narrow/cached_axis.hpp"
 #include "narrow/convex_pair.hpp"
@@ -32,8 +34,9 @@ void ManifoldFinder<T>::find_traits(const BodyArrays<T>& bodies) {
   traits_.resize(bodies.size());
   ground_changed_ = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Shape<T>& shape = bodies.shapes()[i];
     traits_[i] = static_cast<std::uint8_t>(
-        (plain_box(bodies.shapes()[i]) ? plain : 0) | (bodies.changed()[i] != 0 ? changed : 0) |
+        (plain_box(shape) ? box : 0) | (plain_ball(shape) ? ball : 0) | (bodies.changed()[i] != 0 ? changed : 0) |
         (bodies.triggers()[i] != 0 ? trigger : 0) | (bodies.fixed()[i] != 0 ? fixed : 0));
     ground_changed_ |= (traits_[i] & (fixed | changed)) == (fixed | changed);
   }
@@ -106,47 +109,71 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// Pairs of boxes that are to be asked about anew are put together for the kernels, all others taken one by one.
+/// Pairs of boxes and of balls that are to be asked about anew are put together for the kernels, all others taken one by
+/// one.
 template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t task) {
-  PairRef<T> boxes[box_chunk];
-  std::uint32_t box_places[box_chunk];
-  std::size_t count = 0;
+  PairRef<T> boxes[box_chunk], balls[box_chunk];
+  std::uint32_t box_places[box_chunk], ball_places[box_chunk];
+  std::size_t box_count = 0, ball_count = 0;
   for (const std::uint32_t place : places) {
     const IdPair& pair = pairs_[place];
     const int either = traits_[pair.a] | traits_[pair.b], both = traits_[pair.a] & traits_[pair.b];
     const bool known = memory_[place].apart || memory_[place].contact != no_result;
-    if ((both & plain) == 0 || (either & trigger) != 0 || ((either & changed) == 0 && known) ||
+    if ((both & (box | ball)) == 0 || (either & trigger) != 0 || ((either & changed) == 0 && known) ||
         ((either & fixed) != 0 && !beside(pair).empty())) {
       find_one(bodies, pair, place, task);
       continue;
     }
-    boxes[count] = {bodies.shapes()[pair.a].template as<Box<T>>(), bodies.shapes()[pair.b].template as<Box<T>>(),
-                    &bodies.poses()[pair.a], &bodies.poses()[pair.b], margin_of(bodies, pair)};
-    box_places[count++] = place;
-    if (count < box_chunk) continue;
-    find_boxes(bodies, {boxes, count}, box_places, task);
-    count = 0;
+    const auto ref = [&](const auto* a, const auto* b) {
+      return PairRef<T>{a, b, &bodies.poses()[pair.a], &bodies.poses()[pair.b], margin_of(bodies, pair)};
+    };
+    const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
+    if ((both & box) != 0) {
+      boxes[box_count] = ref(a.template as<Box<T>>(), b.template as<Box<T>>());
+      box_places[box_count++] = place;
+    } else {
+      balls[ball_count] = ref(a.template as<Sphere<T>>(), b.template as<Sphere<T>>());
+      ball_places[ball_count++] = place;
+    }
+    if (box_count == box_chunk) find_boxes(bodies, {boxes, std::exchange(box_count, 0)}, box_places, task);
+    if (ball_count == box_chunk) find_balls({balls, std::exchange(ball_count, 0)}, ball_places, task);
   }
-  find_boxes(bodies, {boxes, count}, box_places, task);
+  find_boxes(bodies, {boxes, box_count}, box_places, task);
+  find_balls({balls, ball_count}, ball_places, task);
+}
+
+/// Notes the one manifold of a pair.
+template <class T>
+void ManifoldFinder<T>::keep(std::uint32_t place, std::uint32_t task, T distance, const Vec3<T>& normal,
+                             std::span<const ContactPoint<T>> points) {
+  Found& found = found_[task];
+  const auto count = static_cast<std::uint32_t>(points.size());
+  memory_[place].apart = false;
+  results_[place] = {task, static_cast<std::uint32_t>(found.manifolds.size()), 1, count, distance <= T(0)};
+  found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(found.points.size()), count});
+  for (const ContactPoint<T>& p : points) found.points.push_back({p, {}});
 }
 
 template <class T>
 void ManifoldFinder<T>::find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes,
                                    const std::uint32_t* places, std::uint32_t task) {
-  Found& found = found_[task];
   visit_box_contacts(
       boxes.data(), boxes.size(), [&](std::size_t i, const BoxAxisNumber<T>&) { memory_[places[i]].apart = true; },
       [&](std::size_t i, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
-        memory_[places[i]].apart = false;
-        Result& result = results_[places[i]];
-        result = {task, static_cast<std::uint32_t>(found.manifolds.size()), 1, static_cast<std::uint32_t>(count),
-                  distance <= T(0)};
-        found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(found.points.size()), result.point_count});
-        for (std::size_t k = 0; k < count; ++k) found.points.push_back({points[k], {}});
+        keep(places[i], task, distance, normal, {points, count});
       },
       [&](std::size_t i) { find_one(bodies, pairs_[places[i]], places[i], task); });
+}
+
+template <class T>
+void ManifoldFinder<T>::find_balls(std::span<const PairRef<T>> balls, const std::uint32_t* places, std::uint32_t task) {
+  visit_ball_contacts(
+      balls.data(), balls.size(), [&](std::size_t i) { memory_[places[i]].apart = true; },
+      [&](std::size_t i, const Vec3<T>& normal, const ContactPoint<T>& point) {
+        keep(places[i], task, point.distance, normal, {&point, 1});
+      });
 }
 
 template <class T>

@@ -90,7 +90,7 @@ class ManifoldFinder {
   };
   static constexpr std::uint32_t no_result = ~std::uint32_t{0};
   /// What a pair has to know of its bodies before it looks at them: bits of a byte each.
-  static constexpr std::uint8_t plain = 1, changed = 2, trigger = 4, fixed = 8;
+  static constexpr std::uint8_t box = 1, ball = 2, changed = 4, trigger = 8, fixed = 16;
 
   void find_traits(const BodyArrays<T>& bodies);
   void remember(std::span<const IdPair> pairs);
@@ -100,6 +100,9 @@ class ManifoldFinder {
   void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t task);
   void find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes, const std::uint32_t* places,
                   std::uint32_t task);
+  void find_balls(std::span<const PairRef<T>> balls, const std::uint32_t* places, std::uint32_t task);
+  void keep(std::uint32_t place, std::uint32_t task, T distance, const Vec3<T>& normal,
+            std::span<const ContactPoint<T>> points);
   void find_one(const BodyArrays<T>& bodies, const IdPair& pair, std::uint32_t place, std::uint32_t task);
   void keep_last(std::uint32_t contact, std::uint32_t place, std::uint32_t task);
   void gather(std::span<const IdPair> pairs, Executor& executor);

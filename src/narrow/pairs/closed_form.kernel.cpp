@@ -75,6 +75,16 @@ struct Bundle {
   }
 };
 
+/// Writes the lanes that hold a pair.
+template <class T>
+[[gnu::always_inline]] inline void put(const Distance<Lanes<T>>& d, std::size_t count, Distance<T>* to) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const int lane = static_cast<int>(i);
+    const auto of = [&](const Vec3<Lanes<T>>& v) { return Vec3<T>{v.x[lane], v.y[lane], v.z[lane]}; };
+    to[i] = {d.distance[lane], of(d.normal), of(d.a), of(d.b)};
+  }
+}
+
 template <class T>
 BallCores<Lanes<T>> balls_of(const Bundle<Sphere<T>, Sphere<T>, T>& p) {
   return {p.a.core.point, p.pose_a, p.b.core.point, p.pose_b};
@@ -100,11 +110,19 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const Distance<S> d = distance_of(p);
-    for (std::size_t i = 0; i < p.count; ++i) {
-      const int lane = static_cast<int>(i);
-      const auto of = [&](const Vec3<S>& v) { return Vec3<T>{v.x[lane], v.y[lane], v.z[lane]}; };
-      distances[first + i] = {d.distance[lane], of(d.normal), of(d.a), of(d.b)};
-    }
+    put(d, p.count, distances + first);
+  }
+}
+
+template <class T>
+[[gnu::flatten]] void sphere_contacts(const PairRef<T>* pairs, std::size_t count, Distance<T>* points) {
+  using S = Lanes<T>;
+  using Pairs = Bundle<Sphere<T>, Sphere<T>, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const BallCores<S> balls = balls_of(p);
+    put(ball_contact(core_distance(balls.a, balls.b), p.a.radius, p.b.radius, balls.frame.translation), p.count,
+        points + first);
   }
 }
 
@@ -119,6 +137,8 @@ template <class T>
   }
 }
 
+template void sphere_contacts(const PairRef<float>*, std::size_t, Distance<float>*);
+template void sphere_contacts(const PairRef<double>*, std::size_t, Distance<double>*);
 template void sphere_overlaps(const PairRef<float>*, std::size_t, std::uint8_t*);
 template void sphere_overlaps(const PairRef<double>*, std::size_t, std::uint8_t*);
 #define GRAZE_INSTANTIATE(A, B)                                                                                        \

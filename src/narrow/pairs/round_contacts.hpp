@@ -104,6 +104,13 @@ std::uint32_t box_feature(const Vec3<T>& half, const Vec3<T>& outward, const Vec
 
 }  // namespace round
 
+/// What touches of two balls, and where between their points the radius-weighted one lies.
+inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
+template <class T>
+T ball_weight(T radius_a, T radius_b) {
+  return radius_a + radius_b > T(0) ? radius_a / (radius_a + radius_b) : T(0.5);
+}
+
 /// Of two shapes in the order of the list; see above.
 template <class T>
 std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
@@ -116,14 +123,10 @@ std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const 
     if (const auto* other = b.template as<Sphere<T>>()) {
       const T rb = rounding_radius(*other, b.margin());
       const BallCores<T> balls(ball->center(), pose_a, other->center(), pose_b);
-      const auto core = core_distance(balls.a, balls.b);
-      const T distance = core.distance - (ra + rb);
-      manifold.normal = core.normal;
-      if (!(distance <= margin)) return distance;
-      manifold.points.push_back({balls.frame.translation + (core.a + core.normal * ra),
-                                 balls.frame.translation + (core.b - core.normal * rb), distance,
-                                 feature_id(center, center), ra + rb > T(0) ? ra / (ra + rb) : T(0.5)});
-      return distance;
+      const Distance<T> d = ball_contact(core_distance(balls.a, balls.b), ra, rb, balls.frame.translation);
+      manifold.normal = d.normal;
+      if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, ball_feature, ball_weight(ra, rb)});
+      return d.distance;
     }
     if (capsule_b) {
       const SegmentCore<T> segment = round::seen_from(pose_a, *capsule_b, pose_b);
