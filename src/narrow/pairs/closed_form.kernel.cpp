@@ -1,6 +1,5 @@
 #include "narrow/closed_form.hpp"
-#include "lanes/gather.hpp"
-#include "narrow/pair_kernels.hpp"
+#include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
@@ -9,71 +8,6 @@
 namespace graze::GRAZE_ISA {
 
 namespace {
-
-/// A core and what rounds it.
-template <class Core, class S>
-struct Rounded {
-  Core core;
-  S radius;
-};
-
-// The numbers of a shape, as its class holds them.
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Sphere<T>*) {
-  static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
-  Lanes<T> n[4];
-  gather<T>(rows, 0, n);
-  return Rounded<PointCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, n[3]};
-}
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Capsule<T>*) {
-  static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
-  using S = Lanes<T>;
-  S n[2];
-  gather<T>(rows, 0, n);
-  return Rounded<SegmentCore<S>, S>{{{{S(0), -n[0], S(0)}, {S(0), n[0], S(0)}}}, n[1]};
-}
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Box<T>*) {
-  static_assert(sizeof(Box<T>) == 3 * sizeof(T));
-  Lanes<T> n[3];
-  gather<T>(rows, 0, n);
-  return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
-}
-template <class T>
-[[gnu::always_inline]] inline Pose<Lanes<T>> load(const void* const* rows, const Pose<T>*) {
-  Lanes<T> t[3], q[4];
-  gather<T>(rows, 0, t);
-  gather<T>(rows, 3 * sizeof(T), q);
-  return {{t[0], t[1], t[2]}, {q[0], q[1], q[2], q[3]}};
-}
-
-/// A bundle of pairs of A and B, one a lane. Lanes without a pair repeat the last one.
-template <class A, class B, class T>
-struct Bundle {
-  using S = Lanes<T>;
-  static constexpr std::size_t lanes = lanes_of<T>;
-
-  std::size_t count;
-  decltype(load(nullptr, static_cast<const A*>(nullptr))) a;
-  decltype(load(nullptr, static_cast<const B*>(nullptr))) b;
-  Pose<S> pose_a, pose_b;
-
-  [[gnu::always_inline]] Bundle(const PairRef<T>* pairs, std::size_t left) : count(left < lanes ? left : lanes) {
-    const void* rows[4][lanes];
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const PairRef<T>& pair = pairs[i < count ? i : count - 1];
-      rows[0][i] = pair.a;
-      rows[1][i] = pair.b;
-      rows[2][i] = pair.pose_a;
-      rows[3][i] = pair.pose_b;
-    }
-    a = load(rows[0], static_cast<const A*>(nullptr));
-    b = load(rows[1], static_cast<const B*>(nullptr));
-    pose_a = load(rows[2], static_cast<const Pose<T>*>(nullptr));
-    pose_b = load(rows[3], static_cast<const Pose<T>*>(nullptr));
-  }
-};
 
 /// Writes the lanes that hold a pair.
 template <class T>
@@ -86,12 +20,12 @@ template <class T>
 }
 
 template <class T>
-BallCores<Lanes<T>> balls_of(const Bundle<Sphere<T>, Sphere<T>, T>& p) {
+BallCores<Lanes<T>> balls_of(const PairBundle<Sphere<T>, Sphere<T>, T>& p) {
   return {p.a.core.point, p.pose_a, p.b.core.point, p.pose_b};
 }
 
 template <class A, class B, class T>
-Distance<Lanes<T>> distance_of(const Bundle<A, B, T>& p) {
+Distance<Lanes<T>> distance_of(const PairBundle<A, B, T>& p) {
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
     const BallCores<Lanes<T>> balls = balls_of(p);
     return finished(core_distance(balls.a, balls.b), p.a.radius, p.b.radius, balls.frame);
@@ -106,7 +40,7 @@ Distance<Lanes<T>> distance_of(const Bundle<A, B, T>& p) {
 template <class A, class B, class T>
 [[gnu::flatten]] void closed_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances) {
   using S = Lanes<T>;
-  using Pairs = Bundle<A, B, T>;
+  using Pairs = PairBundle<A, B, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const Distance<S> d = distance_of(p);
@@ -117,7 +51,7 @@ template <class A, class B, class T>
 template <class T>
 [[gnu::flatten]] void sphere_contacts(const PairRef<T>* pairs, std::size_t count, Distance<T>* points) {
   using S = Lanes<T>;
-  using Pairs = Bundle<Sphere<T>, Sphere<T>, T>;
+  using Pairs = PairBundle<Sphere<T>, Sphere<T>, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const BallCores<S> balls = balls_of(p);
@@ -128,7 +62,7 @@ template <class T>
 
 template <class T>
 [[gnu::flatten]] void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
-  using Pairs = Bundle<Sphere<T>, Sphere<T>, T>;
+  using Pairs = PairBundle<Sphere<T>, Sphere<T>, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const BallCores<Lanes<T>> balls = balls_of(p);

@@ -1,0 +1,79 @@
+// A bundle of pairs in lanes: shapes and poses gathered from where they stand. Only for `*.kernel.cpp`.
+//
+// Guarantee: everything is inlined or lives in the namespace of the level.
+#pragma once
+
+#include "lanes/gather.hpp"
+#include "narrow/core.hpp"
+#include "narrow/pair_kernels.hpp"
+
+namespace graze::GRAZE_ISA {
+
+/// A core and what rounds it.
+template <class Core, class S>
+struct Rounded {
+  Core core;
+  S radius;
+};
+
+// The numbers of a shape, as its class holds them.
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Sphere<T>*) {
+  static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
+  Lanes<T> n[4];
+  gather<T>(rows, 0, n);
+  return Rounded<PointCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, n[3]};
+}
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Capsule<T>*) {
+  static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
+  using S = Lanes<T>;
+  S n[2];
+  gather<T>(rows, 0, n);
+  return Rounded<SegmentCore<S>, S>{{{{S(0), -n[0], S(0)}, {S(0), n[0], S(0)}}}, n[1]};
+}
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Box<T>*) {
+  static_assert(sizeof(Box<T>) == 3 * sizeof(T));
+  Lanes<T> n[3];
+  gather<T>(rows, 0, n);
+  return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
+}
+template <class T>
+[[gnu::always_inline]] inline Pose<Lanes<T>> load(const void* const* rows, const Pose<T>*) {
+  Lanes<T> t[3], q[4];
+  gather<T>(rows, 0, t);
+  gather<T>(rows, 3 * sizeof(T), q);
+  return {{t[0], t[1], t[2]}, {q[0], q[1], q[2], q[3]}};
+}
+
+/// A bundle of pairs of A and B, one a lane. Lanes without a pair repeat the last one.
+template <class A, class B, class T>
+struct PairBundle {
+  using S = Lanes<T>;
+  static constexpr std::size_t lanes = lanes_of<T>;
+
+  std::size_t count;
+  decltype(load(nullptr, static_cast<const A*>(nullptr))) a;
+  decltype(load(nullptr, static_cast<const B*>(nullptr))) b;
+  Pose<S> pose_a, pose_b;
+  S margin;
+
+  [[gnu::always_inline]] PairBundle(const PairRef<T>* pairs, std::size_t left) : count(left < lanes ? left : lanes) {
+    const void* rows[4][lanes];
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const PairRef<T>& pair = pairs[i < count ? i : count - 1];
+      rows[0][i] = pair.a;
+      rows[1][i] = pair.b;
+      rows[2][i] = pair.pose_a;
+      rows[3][i] = pair.pose_b;
+      margin.set(static_cast<int>(i), pair.margin);
+    }
+    a = load(rows[0], static_cast<const A*>(nullptr));
+    b = load(rows[1], static_cast<const B*>(nullptr));
+    pose_a = load(rows[2], static_cast<const Pose<T>*>(nullptr));
+    pose_b = load(rows[3], static_cast<const Pose<T>*>(nullptr));
+  }
+};
+
+}  // namespace graze::GRAZE_ISA
