@@ -12,36 +12,38 @@
 
 namespace graze {
 
-/// The points of one of the pairs of a block, of which there are at most eight; returns how many. Of two of the same
-/// features the deeper one is kept.
-template <class T>
-std::size_t take_points(const BoxPointBlock<T>& block, std::size_t pair, ContactPoint<T>* points) {
+/// Writes the points in the slots of one pair, of which there are at most eight, and returns how many. Of two of the same
+/// features the deeper one is kept. `slot(i)` gives the i-th slot of the pair.
+template <class T, class Slot>
+std::size_t take_points(unsigned filled, const Slot& slot, ContactPoint<T>* points) {
   std::size_t count = 0;
-  for (auto left = static_cast<unsigned>(block.filled[pair]); left != 0; left &= left - 1) {
-    const auto& slot = block.slots[std::countr_zero(left)];
-    const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(slot.part_a[pair])],
-                                             box_features.of[static_cast<std::size_t>(slot.part_b[pair])]);
-    const T distance = slot.distance[pair];
+  for (; filled != 0; filled &= filled - 1) {
+    const typename BoxManifold<T>::Slot from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
+    const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(from.part_a)],
+                                             box_features.of[static_cast<std::size_t>(from.part_b)]);
     std::size_t place = 0;
     while (place < count && points[place].feature != feature) ++place;
-    if (place < count && !(distance < points[place].distance)) continue;
-    points[place] = {{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
-                     {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
-                     distance,
-                     feature};
+    if (place < count && !(from.distance < points[place].distance)) continue;
+    points[place] = {from.a, from.b, from.distance, feature};
     count += place == count;
   }
   return count;
 }
 
-/// The normal of an axis by its number: unit, from A to B, in the world.
+/// The points of one of the pairs of a block.
 template <class T>
-Vec3<T> box_normal(const PairRef<T>& pair, T axis) {
-  const RelativeFrame<T> b_in_a = relative_frame(*pair.pose_a, *pair.pose_b);
-  const BoxPair<T> boxes{static_cast<const Box<T>*>(pair.a)->half_extents(),
-                         static_cast<const Box<T>*>(pair.b)->half_extents(), b_in_a.translation, b_in_a.rotation};
-  const detail::MeetingBoxes<T> seen(boxes, axis);
-  return rotation_of(pair.pose_a->rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
+std::size_t take_points(const BoxPointBlock<T>& block, std::size_t pair, ContactPoint<T>* points) {
+  return take_points<T>(
+      static_cast<unsigned>(block.filled[pair]),
+      [&](std::size_t i) {
+        const auto& slot = block.slots[i];
+        return typename BoxManifold<T>::Slot{{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
+                                             {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
+                                             slot.distance[pair],
+                                             slot.part_a[pair],
+                                             slot.part_b[pair]};
+      },
+      points);
 }
 
 /// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those

@@ -224,28 +224,29 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   return by_axes(PolyhedralPair(a, b, b_in_a));
 }
 
-/// The points of two boxes by the kernels for them; nothing for other shapes, or where their faces do not tell. As
-/// `polyhedral_contacts`, in T.
+/// The points of two boxes, as the kernels find them for many pairs; nothing for other shapes, or where their faces do
+/// not tell. As `polyhedral_contacts`, in T.
 template <class T>
 std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                               T margin, Manifold<T>& manifold) {
   const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
   if (!box_a || !box_b) return std::nullopt;
-  const PairRef<T> pair{box_a, box_b, &pose_a, &pose_b, margin};
-  std::optional<T> answer;
-  visit_box_contacts(
-      &pair, 1,
-      [&](std::size_t, const BoxAxisNumber<T>& axis) {
-        manifold.normal = box_normal(pair, axis.axis);
-        answer = axis.distance;
-      },
-      [&](std::size_t, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
-        manifold.normal = normal;
-        for (std::size_t i = 0; i < count; ++i) manifold.points.push_back(points[i]);
-        answer = distance;
-      },
-      [](std::size_t) {});
-  return answer;
+  const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
+  const BoxPair<T> boxes{box_a->half_extents(), box_b->half_extents(), b_in_a.translation, b_in_a.rotation};
+  const BoxChoice<T> choice = box_choice(boxes, margin);
+  if (choice.distance > margin) {
+    const detail::MeetingBoxes<T> seen(boxes, choice.axis);
+    manifold.normal = rotation_of(pose_a.rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
+    return choice.distance;
+  }
+  const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
+  if (found.known == T(0)) return std::nullopt;
+  ContactPoint<T> points[most_box_points];
+  const std::size_t count = take_points<T>(
+      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, points);
+  manifold.normal = found.normal;
+  for (std::size_t i = 0; i < count; ++i) manifold.points.push_back(points[i]);
+  return choice.distance;
 }
 
 /// The support face of a body that lies on a half-space: each vertex with its own height.

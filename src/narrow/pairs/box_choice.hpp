@@ -38,10 +38,30 @@ struct BoxChoice {
   S closest;   ///< not 0: apart, and other features than those of the axis may be nearest
 };
 
+/// The largest separation along the products of edges, and the number of that axis.
+template <class S>
+S box_edges(const BoxPair<S>& p, const Mat3<S>& absolute, S& number) {
+  using std::abs, std::sqrt;
+  using T = typename LaneOf<S>::type;
+  // Separations along edges are compared by their squares with their signs, a product each in place of a root.
+  S gap(-std::numeric_limits<T>::infinity()), squared(1);
+  any_edge_pair([&](auto i, auto j) {
+    const BoxEdgeAxis<S> edge = box_edge<i, j>(p, absolute);
+    const S g = abs(edge.middle) - edge.reach, length = edge.length_squared(), signed_square = g * abs(g);
+    const auto better = (length > S(parallel_edges<S>)) & (signed_square * squared > gap * length);
+    gap = select(better, signed_square, gap);
+    squared = select(better, length, squared);
+    number = select(better, S(T(6 + 3 * i + j)), number);
+    return false;
+  });
+  const S length = sqrt(abs(gap) / squared);
+  return select(gap < S(0), -length, length);
+}
+
 /// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
 template <class S>
 BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
-  using std::abs, std::sqrt;
+  using std::abs;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const Mat3<S> absolute = abs(p.rotation);
@@ -57,20 +77,11 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
     keep_face(abs(dot(p.translation, p.rotation.column(j))) - (p.half_b[j] + dot(absolute.column(j), p.half_a)),
               static_cast<int>(3 + j));
 
-  // Separations along edges are compared by their squares with their signs, a product each in place of a root.
-  S gap(-std::numeric_limits<T>::infinity()), squared(1), edge_number(6);
-  any_edge_pair([&](auto i, auto j) {
-    const BoxEdgeAxis<S> edge = box_edge<i, j>(p, absolute);
-    const S g = abs(edge.middle) - edge.reach, length = edge.length_squared(), signed_square = g * abs(g);
-    const auto better = (length > S(parallel_edges<S>)) & (signed_square * squared > gap * length);
-    gap = select(better, signed_square, gap);
-    squared = select(better, length, squared);
-    edge_number = select(better, S(T(6 + 3 * i + j)), edge_number);
-    return false;
-  });
-  const S length = sqrt(abs(gap) / squared), edge = select(gap < S(0), -length, length);
-
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
+  // Where a face tells that they are further apart than anybody asks, edges need not be tried.
+  const Mask decided = face > margin + noise;
+  S edge(-std::numeric_limits<T>::infinity()), edge_number(6);
+  if (!all(decided)) edge = select(decided, edge, box_edges(p, absolute, edge_number));
   const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
   const S separation = select(edge_best, edge, face);
   const S distance = select(abs(separation) <= noise, S(0), separation);
