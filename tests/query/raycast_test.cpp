@@ -170,7 +170,6 @@ TEST_P(RaycastKind, InFloat) {
 // Flat, thin, of equal sizes, in line with the axes, of zero size: every answer is finite and any hit is proven.
 TEST_P(RaycastKind, Degenerate) {
   Random random(static_cast<unsigned>(GetParam()) + 200);
-  Tally tally;
   for (int i = 0; i < 600; ++i) {
     const RayCase<double> c(on_lattice(degenerate_specimen(kind(), 1, random), 1, random));
     for (int k = 0; k < 4; ++k) {
