@@ -92,12 +92,12 @@ void expect_manifolds(const Manifolds<T>& manifolds, const std::vector<PieceMani
   Random random(99);
   const auto same_normal = [&](const Vec3<T>& m, const Vec3<T>& n) { return length(m - n) <= noise; };
   bool all_stand = true;
-  for (const auto& [piece, stands] : expected) {
-    all_stand = all_stand && stands;
-    if (!stands) continue;
-    for (const ContactPoint<T>& p : piece.points)
+  for (const PieceManifold<T>& of : expected) {
+    all_stand = all_stand && of.stands;
+    if (!of.stands) continue;
+    for (const ContactPoint<T>& p : of.manifold.points)
       EXPECT_TRUE(std::any_of(manifolds.begin(), manifolds.end(), [&](const Manifold<T>& m) {
-        return same_normal(m.normal, piece.normal) && spanned(p, m, random, noise);
+        return same_normal(m.normal, of.manifold.normal) && spanned(p, m, random, noise);
       }));
   }
   if (!all_stand) return;
