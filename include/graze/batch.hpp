@@ -16,6 +16,21 @@
 
 namespace graze {
 
+namespace detail {
+
+/// The place of a kind in `ShapeList`.
+template <class C, class T>
+constexpr std::size_t kind_of() {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    std::size_t place = 0;
+    static_cast<void>(((place = I, std::is_same_v<std::variant_alternative_t<I, ShapeList<T>>, C>) || ...));
+    return place;
+  }
+  (std::make_index_sequence<Shape<T>::count>());
+}
+
+}  // namespace detail
+
 /// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
 /// shape for all poses, or one pose for all shapes.
 template <class T>
@@ -127,11 +142,7 @@ Bodies<T>::Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses)
       return b.any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
     };
   } else {
-    kind_ = []<class... Kinds>(std::variant<Kinds...>*) {
-      std::size_t place = 0;
-      static_cast<void>(((std::is_same_v<Kinds, C> ? true : (++place, false)) || ...));
-      return place;
-    }(static_cast<ShapeList<T>*>(nullptr));
+    kind_ = detail::kind_of<C, T>();
     concrete_ = [](const Bodies& b, std::size_t i) { return static_cast<const void*>(&b.template as<C>(i)); };
   }
   if (poses.size() != size_ && poses.size() != 1)

@@ -19,7 +19,7 @@ const Sphere<T>* plain_ball(const Shape<T>& shape) {
 template <class T, class Apart, class Touching>
 void visit_ball_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching) {
   Distance<T> contacts[box_chunk];
-  GRAZE_KERNEL(chosen_isa(), sphere_contacts<T>)(pairs, count, contacts);
+  GRAZE_KERNEL(chosen_isa(), closed_distances<Sphere<T>, Sphere<T>, T>)(pairs, count, contacts);
   const auto radius = [](const void* ball) { return static_cast<const Sphere<T>*>(ball)->radius(); };
   for (std::size_t i = 0; i < count; ++i) {
     const Distance<T>& d = contacts[i];

@@ -51,21 +51,20 @@ std::size_t take_points(const BoxPointBlock<T>& block, std::size_t pair, Contact
 inline constexpr std::size_t box_chunk = 128;
 
 /// Asks about up to `box_chunk` pairs of plain boxes (`plain_box`), in this order:
-/// `apart(i, axis)` for those further apart than their margins, with the axis that shows it; and then, in
-/// the order of the pairs, `touching(i, distance, normal, points, count)` or, where their faces do not tell,
-/// `unknown(i)`.
+/// `apart(i)` for those further apart than their margins; and then, in the order of the pairs,
+/// `touching(i, distance, normal, points, count)` or, where their faces do not tell, `unknown(i)`.
 template <class T, class Apart, class Touching, class Unknown>
 void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                         const Unknown& unknown) {
   const Isa level = chosen_isa();
-  BoxAxisNumber<T> axes[box_chunk], met_axes[box_chunk];
+  BoxChoice<T> axes[box_chunk], met_axes[box_chunk];
   GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
   PairRef<T> met[box_chunk];
   std::uint8_t place[box_chunk];
   std::size_t met_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (axes[i].distance > pairs[i].margin) {
-      apart(i, axes[i]);
+      apart(i);
       continue;
     }
     met[met_count] = pairs[i];

@@ -20,12 +20,22 @@ SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
 template <class S>
 struct BallCores {
   PointCore<S> a, b;
-  Pose<S> frame;
+  Vec3<S> origin;  ///< of that frame, in the world
 
   BallCores(const Vec3<S>& center_a, const Pose<S>& pose_a, const Vec3<S>& center_b, const Pose<S>& pose_b)
       : a{turned(center_a, pose_a)},
         b{pose_b.translation - pose_a.translation + turned(center_b, pose_b)},
-        frame{pose_a.translation, {S(0), S(0), S(0), S(1)}} {}
+        origin(pose_a.translation) {}
+
+  /// Adds the radii and moves the answer to the world.
+  Distance<S> distance(const CoreDistance<S>& core, const S& radius_a, const S& radius_b) const {
+    Distance<S> d;
+    d.distance = core.distance - (radius_a + radius_b);
+    d.normal = core.normal;
+    d.a = origin + (core.a + core.normal * radius_a);
+    d.b = origin + (core.b - core.normal * radius_b);
+    return d;
+  }
 
  private:
   /// The same bits without the question, which pays for a scalar alone.
@@ -35,17 +45,6 @@ struct BallCores {
     return rotate(pose.rotation, center);
   }
 };
-
-/// Two balls' distance and nearest points: what they were computed in lies along the world's axes and only has to move.
-template <class S>
-Distance<S> ball_contact(const CoreDistance<S>& core, const S& radius_a, const S& radius_b, const Vec3<S>& origin) {
-  Distance<S> d;
-  d.distance = core.distance - (radius_a + radius_b);
-  d.normal = core.normal;
-  d.a = origin + (core.a + core.normal * radius_a);
-  d.b = origin + (core.b - core.normal * radius_b);
-  return d;
-}
 
 /// Adds the rounding radii and takes the answer from A's frame to the world.
 template <class T>

@@ -87,7 +87,7 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   } else {
     if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
       const BallCores<T> balls(ca.center(), a.pose, cb.center(), b.pose);
-      return finished(core_distance(balls.a, balls.b), ra, rb, balls.frame);
+      return balls.distance(core_distance(balls.a, balls.b), ra, rb);
     } else if constexpr (ClosedForm<A, B, T>) {
       if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
     } else if constexpr (ClosedForm<B, A, T>) {

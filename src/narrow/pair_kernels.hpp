@@ -23,11 +23,8 @@ struct PairRef {
 /// So many pairs at most are asked about at a time where the answer is a block of arrays.
 inline constexpr std::size_t block_pairs = 16;
 
-/// The axis that contacts of two boxes stand on; see `BoxChoice`.
-template <class T>
-struct BoxAxisNumber {
-  T distance, axis, closest;
-};
+template <class S>
+struct BoxChoice;  // pairs/box_choice.hpp
 
 /// The points of contact of up to `block_pairs` pairs of boxes; see `BoxManifold`. A number of a pair stands at the
 /// pair's place in each array.
@@ -44,16 +41,14 @@ struct BoxPointBlock {
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
-    template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxAxisNumber<T>* axes);
+    template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes);
     /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
-    template <class T> void box_points(const PairRef<T>* pairs, const BoxAxisNumber<T>* axes, std::size_t count,
+    template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                        BoxPointBlock<T>& points);
     /// The distances of pairs of round shapes, or of a round shape and a box, by their closed forms: without rounding
     /// radii beside their own, capsules even.
     template <class A, class B, class T> void closed_distances(const PairRef<T>* pairs, std::size_t count,
                                                                Distance<T>* distances);
-    /// The point of contact of pairs of spheres, as far apart as they may be, and their distance.
-    template <class T> void sphere_contacts(const PairRef<T>* pairs, std::size_t count, Distance<T>* points);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

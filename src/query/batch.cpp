@@ -14,16 +14,7 @@ namespace graze {
 
 namespace {
 
-/// The place of a kind in the list of shapes.
-template <class C, class T>
-constexpr std::size_t kind_of() {
-  return []<std::size_t... I>(std::index_sequence<I...>) {
-    std::size_t place = 0;
-    static_cast<void>(((place = I, std::is_same_v<std::variant_alternative_t<I, ShapeList<T>>, C>) || ...));
-    return place;
-  }
-  (std::make_index_sequence<Shape<T>::count>());
-}
+using detail::kind_of;
 
 /// What is loaded for one kernel is near when the next one wants it.
 constexpr std::size_t chunk = box_chunk;
@@ -233,7 +224,7 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   constexpr int boxes = 0, spheres = 1;
   const auto found_boxes = [&](const Queue<T>& queue) {
     visit_box_contacts(
-        queue.pairs.data(), queue.count, [&](std::size_t k, const BoxAxisNumber<T>&) { begin(queue.places[k]); },
+        queue.pairs.data(), queue.count, [&](std::size_t k) { begin(queue.places[k]); },
         [&](std::size_t k, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
           auto& pair = begin(queue.places[k]);
           pair.overlap = distance <= T(0);

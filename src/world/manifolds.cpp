@@ -160,7 +160,7 @@ template <class T>
 void ManifoldFinder<T>::find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes,
                                    const std::uint32_t* places, std::uint32_t task) {
   visit_box_contacts(
-      boxes.data(), boxes.size(), [&](std::size_t i, const BoxAxisNumber<T>&) { memory_[places[i]].apart = true; },
+      boxes.data(), boxes.size(), [&](std::size_t i) { memory_[places[i]].apart = true; },
       [&](std::size_t i, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
         keep(places[i], task, distance, normal, {points, count});
       },

@@ -7,17 +7,10 @@
 #include <limits>
 #include <random>
 
+#include "broad/all_pairs.hpp"
+
 namespace graze {
 namespace {
-
-template <class T>
-std::vector<IdPair> brute_force(const std::vector<Aabb<T>>& boxes) {
-  std::vector<IdPair> pairs;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    for (std::uint32_t j = i + 1; j < boxes.size(); ++j)
-      if (overlap(boxes[i], boxes[j])) pairs.push_back({i, j});
-  return pairs;
-}
 
 /// Boxes that move at random.
 template <class T>
@@ -62,7 +55,7 @@ class Finders {
       if (isa_available(level)) finders_.emplace_back(level);
   }
   bool agree(const std::vector<Aabb<T>>& boxes) {
-    const std::vector<IdPair> expected = brute_force(boxes);
+    const std::vector<IdPair> expected = all_pairs(boxes);
     bool same = true;
     for (KeptPairs<T>& finder : finders_) {
       finder.find(boxes, found_);

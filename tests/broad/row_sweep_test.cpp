@@ -11,6 +11,8 @@
 
 #include "broad/radix_sort.hpp"
 
+#include "broad/all_pairs.hpp"
+
 namespace graze {
 namespace {
 
@@ -21,17 +23,8 @@ std::vector<Isa> available_levels() {
 }
 
 template <class T>
-std::vector<IdPair> brute_force(const std::vector<Aabb<T>>& boxes) {
-  std::vector<IdPair> pairs;
-  for (std::uint32_t i = 0; i < boxes.size(); ++i)
-    for (std::uint32_t j = i + 1; j < boxes.size(); ++j)
-      if (overlap(boxes[i], boxes[j])) pairs.push_back({i, j});
-  return pairs;
-}
-
-template <class T>
 void expect_same(const std::vector<Aabb<T>>& boxes, const char* what) {
-  const std::vector<IdPair> expected = brute_force(boxes);
+  const std::vector<IdPair> expected = all_pairs(boxes);
   for (const Isa level : available_levels()) {
     RowSweep<T> sweep(level);
     std::vector<IdPair> found;
@@ -123,7 +116,7 @@ RC_GTEST_PROP(RowSweep, CountsTouchingOnALattice, (const std::vector<std::array<
     RowSweep<double> sweep(level);
     std::vector<IdPair> found;
     sweep.find(boxes, found);
-    RC_ASSERT(found == brute_force(boxes));
+    RC_ASSERT(found == all_pairs(boxes));
   }
 }
 

@@ -3,7 +3,8 @@
 // Guarantee: for each pair what `contacts` answers, bit for bit, in the order of the pairs, whatever was remembered from
 // the last call and on however many threads it runs; but for what moves over the seam of fixed bodies side by side,
 // which meets them as if they were one. What is remembered only saves work: a pair of which neither body
-// changed keeps its manifolds, and one that was apart is tried first along the direction in which it was.
+// changed keeps its manifolds, and one that was apart is tried first along the direction in which it was, but for boxes and
+// balls: those are asked about many at a time.
 #pragma once
 
 #include <span>

@@ -24,7 +24,7 @@ template <class T>
 }  // namespace
 
 template <class T>
-[[gnu::flatten]] void box_axes(const PairRef<T>* pairs, std::size_t count, BoxAxisNumber<T>* axes) {
+[[gnu::flatten]] void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes) {
   using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
@@ -37,14 +37,14 @@ template <class T>
 }
 
 template <class T>
-[[gnu::flatten]] void box_points(const PairRef<T>* pairs, const BoxAxisNumber<T>* axes, std::size_t count,
+[[gnu::flatten]] void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                  BoxPointBlock<T>& points) {
   using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
     BoxChoice<S> choice;
     for (std::size_t i = 0; i < Boxes<T>::lanes; ++i) {
-      const BoxAxisNumber<T>& of = axes[first + (i < bundle.count ? i : bundle.count - 1)];
+      const BoxChoice<T>& of = axes[first + (i < bundle.count ? i : bundle.count - 1)];
       const int lane = static_cast<int>(i);
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
@@ -80,8 +80,8 @@ template <class T>
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template void box_axes(const PairRef<T>*, std::size_t, BoxAxisNumber<T>*);                                           \
-  template void box_points(const PairRef<T>*, const BoxAxisNumber<T>*, std::size_t, BoxPointBlock<T>&);                \
+  template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
+  template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, BoxPointBlock<T>&);                    \
   template void box_overlaps(const PairRef<T>*, std::size_t, std::uint8_t*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

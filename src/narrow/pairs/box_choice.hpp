@@ -91,8 +91,9 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   return {distance, select(by_edge, edge_number, face_number), select(closest, S(1), S(0))};
 }
 
-/// Whether a box is one that these answer for: with a length along every side, and so large and small that areas have
-/// squares.
+/// Whether a box is one that these answer for: with a length along every side, and so large and small that the
+/// fourth power of a length, which squares of areas and of gaps along edges are made of, neither overflows nor loses
+/// digits after it is multiplied by `parallel_edges`.
 template <class S>
 auto regular_box(const Vec3<S>& half) {
   using T = typename LaneOf<S>::type;

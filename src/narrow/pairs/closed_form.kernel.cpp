@@ -28,7 +28,7 @@ template <class A, class B, class T>
 Distance<Lanes<T>> distance_of(const PairBundle<A, B, T>& p) {
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
     const BallCores<Lanes<T>> balls = balls_of(p);
-    return finished(core_distance(balls.a, balls.b), p.a.radius, p.b.radius, balls.frame);
+    return balls.distance(core_distance(balls.a, balls.b), p.a.radius, p.b.radius);
   } else {
     return finished(core_distance(p.a.core, moved(p.b.core, relative(p.pose_a, p.pose_b))), p.a.radius, p.b.radius,
                     p.pose_a);
@@ -49,18 +49,6 @@ template <class A, class B, class T>
 }
 
 template <class T>
-[[gnu::flatten]] void sphere_contacts(const PairRef<T>* pairs, std::size_t count, Distance<T>* points) {
-  using S = Lanes<T>;
-  using Pairs = PairBundle<Sphere<T>, Sphere<T>, T>;
-  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
-    const Pairs p(pairs + first, count - first);
-    const BallCores<S> balls = balls_of(p);
-    put(ball_contact(core_distance(balls.a, balls.b), p.a.radius, p.b.radius, balls.frame.translation), p.count,
-        points + first);
-  }
-}
-
-template <class T>
 [[gnu::flatten]] void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
   using Pairs = PairBundle<Sphere<T>, Sphere<T>, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
@@ -71,8 +59,6 @@ template <class T>
   }
 }
 
-template void sphere_contacts(const PairRef<float>*, std::size_t, Distance<float>*);
-template void sphere_contacts(const PairRef<double>*, std::size_t, Distance<double>*);
 template void sphere_overlaps(const PairRef<float>*, std::size_t, std::uint8_t*);
 template void sphere_overlaps(const PairRef<double>*, std::size_t, std::uint8_t*);
 #define GRAZE_INSTANTIATE(A, B)                                                                                        \

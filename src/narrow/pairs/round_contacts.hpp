@@ -123,7 +123,7 @@ std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const 
     if (const auto* other = b.template as<Sphere<T>>()) {
       const T rb = rounding_radius(*other, b.margin());
       const BallCores<T> balls(ball->center(), pose_a, other->center(), pose_b);
-      const Distance<T> d = ball_contact(core_distance(balls.a, balls.b), ra, rb, balls.frame.translation);
+      const Distance<T> d = balls.distance(core_distance(balls.a, balls.b), ra, rb);
       manifold.normal = d.normal;
       if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, ball_feature, ball_weight(ra, rb)});
       return d.distance;
