@@ -162,22 +162,32 @@ S feature_place(const RoundContact<S>& c) {
   return c.part_a * S(typename LaneOf<S>::type(box_part_count)) + c.part_b;
 }
 
+/// Of concrete shapes with their margins. One function, so that numbers stay in registers on their way to the manifold.
+template <class A, class B, class T>
+[[gnu::flatten]] std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
+                                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const auto of_a = rounded_core(a, margin_a);
+  const auto of_b = rounded_core(b, margin_b);
+  const RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
+  if (found.known == T(0)) return std::nullopt;
+  manifold.normal = found.at.normal;
+  if (!(found.at.distance <= margin)) return found.at.distance;
+  ContactPoint<T>& point = manifold.points.emplace_back();
+  point.a = found.at.a;
+  point.b = found.at.b;
+  point.distance = found.at.distance;
+  point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found))];
+  if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
+    point.weight = ball_weight(of_a.radius, of_b.radius);
+  return found.at.distance;
+}
+
 /// Of two shapes in the order of the list; see above. Nothing of other shapes.
 template <class T>
 std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                                 T margin, Manifold<T>& manifold) {
-  const auto of = [&]<class A, class B>(const A& ca, const B& cb) -> std::optional<T> {
-    const RoundContact<T> found =
-        round_contact(rounded_core(ca, a.margin()), pose_a, rounded_core(cb, b.margin()), pose_b, margin);
-    if (found.known == T(0)) return std::nullopt;
-    manifold.normal = found.at.normal;
-    if (!(found.at.distance <= margin)) return found.at.distance;
-    T weight(0.5);
-    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
-      weight = ball_weight(rounding_radius(ca, a.margin()), rounding_radius(cb, b.margin()));
-    const std::uint32_t feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found))];
-    manifold.points.push_back({found.at.a, found.at.b, found.at.distance, feature, weight});
-    return found.at.distance;
+  const auto of = [&](const auto& ca, const auto& cb) {
+    return round_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
   };
   const auto has_length = [](const Capsule<T>& c) { return !c.tapered() && c.half_height() > T(0); };
   const auto* capsule = b.template as<Capsule<T>>();
