@@ -177,6 +177,7 @@ template <class A, class B, class T>
   point.b = found.at.b;
   point.distance = found.at.distance;
   point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found))];
+  point.weight = T(0.5);
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
     point.weight = ball_weight(of_a.radius, of_b.radius);
   return found.at.distance;
