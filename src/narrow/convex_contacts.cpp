@@ -241,11 +241,9 @@ std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Sh
   }
   const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
   if (found.known == T(0)) return std::nullopt;
-  ContactPoint<T> points[most_box_points];
-  const std::size_t count = take_points<T>(
-      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, points);
+  take_points<T>(
+      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, manifold.points);
   manifold.normal = found.normal;
-  for (std::size_t i = 0; i < count; ++i) manifold.points.push_back(points[i]);
   return choice.distance;
 }
 

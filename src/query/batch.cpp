@@ -225,11 +225,12 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   const auto found_boxes = [&](const Queue<T>& queue) {
     visit_box_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { begin(queue.places[k]); },
-        [&](std::size_t k, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
+        [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
           auto& pair = begin(queue.places[k]);
           pair.overlap = distance <= T(0);
           pair.manifold_count = 1;
-          add(normal, 0, 0, points, count);
+          const auto first = static_cast<std::uint32_t>(found.points.size());
+          found.manifolds.push_back({normal, 0, 0, first, static_cast<std::uint32_t>(points.append(found.points))});
         },
         [&](std::size_t k) { single(queue.places[k]); });
   };
