@@ -1,6 +1,7 @@
 // The manifold of two convex shapes: their distance gives the normal, their support faces the points.
 #include <algorithm>
 
+#include "narrow/add_point.hpp"
 #include "narrow/box_batch.hpp"
 #include "narrow/contact_side.hpp"
 #include "narrow/convex_pair.hpp"
@@ -10,6 +11,7 @@
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
 #include "narrow/pairs/box_triangle.hpp"
+#include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
@@ -64,22 +66,6 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
   }
   on_b = on_a + normal * (apart - rises);
   return true;
-}
-
-/// Appends a point, unless one of the same features is known, or one at the same place: rounding splits a point in two
-/// where edges end about on a corner. Of the two the deeper is kept, so that names are unique within a manifold.
-template <class T>
-void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
-  for (ContactPoint<T>& known : manifold.points) {
-    const auto near = [&](const Vec3<T>& p, const Vec3<T>& q) {
-      return std::abs(p.x - q.x) <= together && std::abs(p.y - q.y) <= together && std::abs(p.z - q.z) <= together;
-    };
-    const bool same = known.feature == point.feature || (near(known.a, point.a) && near(known.b, point.b));
-    if (!same) continue;
-    if (point.distance < known.distance) known = point;
-    return;
-  }
-  manifold.points.push_back(point);
 }
 
 /// The points of two faces laid over each other that are at most `limit` apart, appended to the manifold. Distances are
@@ -284,6 +270,7 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
                    Manifold<T>& manifold, Trace* trace) {
   if (!trace) {
     if (const auto distance = box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+    if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   }
   if (has_separating_axes(a, b))
