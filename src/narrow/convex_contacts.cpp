@@ -210,15 +210,13 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   return by_axes(PolyhedralPair(a, b, b_in_a));
 }
 
-/// The points of two boxes, as the kernels find them for many pairs; nothing for other shapes, or where their faces do
-/// not tell. As `polyhedral_contacts`, in T.
+/// The points of two boxes, as the kernels find them for many pairs; nothing where their faces do not tell. As
+/// `polyhedral_contacts`, in T, but also where hardly more than the distance is between the faces.
 template <class T>
-std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                              T margin, Manifold<T>& manifold) {
-  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
-  if (!box_a || !box_b) return std::nullopt;
+std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b, const Pose<T>& pose_b, T margin,
+                              Manifold<T>& manifold) {
   const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
-  const BoxPair<T> boxes{box_a->half_extents(), box_b->half_extents(), b_in_a.translation, b_in_a.rotation};
+  const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
   const BoxChoice<T> choice = box_choice(boxes, margin);
   if (choice.distance > margin) {
     const detail::MeetingBoxes<T> seen(boxes, choice.axis);
@@ -268,12 +266,15 @@ void mirror(Manifold<T>& manifold) {
 template <class T>
 T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
-  if (!trace) {
-    if (const auto distance = box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
+  const bool boxes = !trace && box_a && box_b;
+  if (boxes)
+    if (const auto distance = box_contacts(*box_a, pose_a, *box_b, pose_b, margin, manifold)) return *distance;
+  if (!trace && !boxes) {
     if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   }
-  if (has_separating_axes(a, b))
+  if (!boxes && has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.
   const T limit = trace ? std::numeric_limits<T>::infinity() : margin;
