@@ -67,31 +67,35 @@ template <class T, class Apart, class Touching, class Unknown>
 void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                         const Unknown& unknown) {
   const Isa level = chosen_isa();
-  BoxChoice<T> axes[box_chunk], met_axes[box_chunk];
+  BoxChoice<T> axes[box_chunk];
   GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
-  PairRef<T> met[box_chunk];
-  std::uint8_t place[box_chunk];
-  std::size_t met_count = 0;
+  // No branch that nobody foresees: places are written either way and kept or written over.
+  std::uint8_t place[box_chunk], apart_place[box_chunk];
+  std::size_t met_count = 0, apart_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (axes[i].distance > pairs[i].margin) {
-      apart(i);
-      continue;
-    }
-    met[met_count] = pairs[i];
-    met_axes[met_count] = axes[i];
-    place[met_count++] = static_cast<std::uint8_t>(i);
+    const bool meets = !(axes[i].distance > pairs[i].margin);
+    place[met_count] = apart_place[apart_count] = static_cast<std::uint8_t>(i);
+    met_count += meets;
+    apart_count += !meets;
   }
+  for (std::size_t k = 0; k < apart_count; ++k) apart(apart_place[k]);
+  PairRef<T> met[block_pairs];
+  BoxChoice<T> met_axes[block_pairs];
   BoxPointBlock<T> block;
   for (std::size_t first = 0; first < met_count; first += block_pairs) {
     const std::size_t size = std::min(block_pairs, met_count - first);
-    GRAZE_KERNEL(level, box_points<T>)(met + first, met_axes + first, size, block);
+    for (std::size_t k = 0; k < size; ++k) {
+      met[k] = pairs[place[first + k]];
+      met_axes[k] = axes[place[first + k]];
+    }
+    GRAZE_KERNEL(level, box_points<T>)(met, met_axes, size, block);
     for (std::size_t k = 0; k < size; ++k) {
       const std::size_t i = place[first + k];
       if (block.known[k] == T(0)) {
         unknown(i);
         continue;
       }
-      touching(i, met_axes[first + k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
+      touching(i, met_axes[k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
                BoxPoints<T>{block, k});
     }
   }

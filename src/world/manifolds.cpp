@@ -291,13 +291,15 @@ void ManifoldFinder<T>::gather(std::size_t blocks, bool alone, Executor& executo
     manifolds += static_cast<std::uint32_t>(found_[i].manifolds.size());
     points += static_cast<std::uint32_t>(found_[i].points.size());
   }
-  now_.pairs.clear();
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+  const auto touches = [](const Result& r) { return r.overlap || r.manifold_count != 0; };
+  now_.pairs.resize(static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), touches)));
+  // Written whether it touches or not, and written over by the next one: nobody foresees which do.
+  for (std::uint32_t i = 0, count = 0; count < now_.pairs.size(); ++i) {
     const Result& r = results_[i];
-    if (!r.overlap && r.manifold_count == 0) continue;
-    memory_[i].contact = static_cast<std::uint32_t>(now_.pairs.size());
-    now_.pairs.push_back(
-        {pairs_[i].a, pairs_[i].b, r.overlap, first_manifold_[r.block] + r.first_manifold, r.manifold_count});
+    now_.pairs[count] = {pairs_[i].a, pairs_[i].b, r.overlap, first_manifold_[r.block] + r.first_manifold,
+                         r.manifold_count};
+    memory_[i].contact = touches(r) ? count : apart;
+    count += touches(r);
   }
   if (alone) {
     now_.manifolds.swap(found_[0].manifolds);

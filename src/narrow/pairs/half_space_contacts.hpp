@@ -1,7 +1,7 @@
 // Boxes, balls and even capsules on a half-space: the support face, each of its corners with its own height, in T.
 //
-// Guarantee: the distance is that of `distance`, bit for bit, and the lowest corner's of what is not rounded; the names
-// of the points are those that the general path gives. Nothing is answered for other shapes.
+// Guarantee: the distance is that of `distance`, bit for bit; the points are those that the general path gives, up to
+// rounding, under the same names. Nothing is answered for other shapes.
 #pragma once
 
 #include <optional>
@@ -17,48 +17,75 @@ namespace graze {
 
 namespace resting {
 
-/// How far straight below a corner of the core's support face the surface lies; `down` is in the body's frame.
+/// A body on a half-space whose surface has the height `plane` in its own frame.
 template <class C, class T>
-T rise(const C&, const Vec3<T>&, T radius, const Face<T>&, std::size_t) {
-  return radius;
-}
-/// Below an end of a capsule's side, which leans, the side may lie, or the other end's ball.
+struct Resting {
+  const C& body;
+  T radius;
+  const Pose<T>& pose;
+  Pose<T> seen;  ///< from the half-space
+  Vec3<T> up;    ///< of the world
+  Vec3<T> down;  ///< in the body's frame
+  T plane, distance;
+
+  Resting(const C& c, T rounding, const Pose<T>& pose_c, T height, const Pose<T>& plane_pose)
+      : body(c), radius(rounding), pose(pose_c), seen(relative(plane_pose, pose_c)), plane(height) {
+    const CoreDistance<T> core = half_space_distance(body, seen);
+    distance = core.distance - (plane + radius);
+    up = rotate(plane_pose.rotation, core.normal);
+    down = rotate(conjugate(seen.rotation), -core.normal);
+  }
+  /// Below a corner of the core, on which the surface lies `rise` straight below.
+  ContactPoint<T> below(const Vec3<T>& corner, std::uint32_t id, T rise) const {
+    const T apart = seen.translation.y - dot(down, corner) - (plane + rise);
+    const Vec3<T> low = transform(pose, corner) - up * rise;
+    return {low, low - up * apart, apart, feature_id(vertex_feature(id), face_feature(0))};
+  }
+  /// Points nearer to each other than this are one.
+  T together() const { return tolerance<T> * (body.core_extent() + radius); }
+};
+
 template <class T>
-T rise(const Capsule<T>& capsule, const Vec3<T>& down, T radius, const Face<T>& face, std::size_t corner) {
-  if (face.vertices.size() == 1) return radius;
-  const T length = T(2) * capsule.half_height(), toward_other = corner == 0 ? down.y : -down.y;
-  const T steep = down.x * down.x + down.z * down.z;
-  T most = radius;
-  const T side = radius / std::sqrt(steep), place = side * toward_other;
-  if (place >= T(0) && place <= length) most = greatest(most, side);
-  const T beside = radius * radius - length * length * steep;
-  if (beside >= T(0)) most = greatest(most, std::sqrt(beside) + length * toward_other);
-  return most;
+void add_points(const Resting<Sphere<T>, T>& ball, T margin, Manifold<T>& manifold) {
+  const ContactPoint<T> point = ball.below(ball.body.center(), 0, ball.radius);
+  if (point.distance <= margin) manifold.points.push_back(point);
 }
 
-/// `plane` is the height of the half-space's surface in its own frame.
-template <class C, class T>
-T contacts(const C& body, T radius, const Pose<T>& pose, T plane, const Pose<T>& plane_pose, T margin,
-           Manifold<T>& manifold) {
-  const Pose<T> seen = relative(plane_pose, pose);
-  const CoreDistance<T> core = half_space_distance(body, seen);
-  const T distance = core.distance - (plane + radius);
-  const Vec3<T> up = rotate(plane_pose.rotation, core.normal);
-  manifold.normal = -up;
-  if (!(distance <= margin)) return distance;
-  const Vec3<T> down = rotate(conjugate(seen.rotation), -core.normal);
+/// The corners of the support face.
+template <class T>
+void add_points(const Resting<Box<T>, T>& box, T margin, Manifold<T>& manifold) {
+  const Vec3<T>& half = box.body.half_extents();
+  const T together = box.together();
+  const bool distinct = least(half.x, least(half.y, half.z)) > together;
+  box.body.support_corners(box.down, face_lean<T>, [&](const Vec3<T>& corner, std::size_t id) {
+    const ContactPoint<T> point = box.below(corner, static_cast<std::uint32_t>(id), T(0));
+    if (point.distance > margin) return;
+    if (distinct)
+      manifold.points.push_back(point);
+    else
+      add_point(point, together, manifold);
+  });
+}
+
+/// Both ends of a side that lies, or the lower end.
+template <class T>
+void add_points(const Resting<Capsule<T>, T>& capsule, T margin, Manifold<T>& manifold) {
   Face<T> face;
-  body.core_face(down, face);
-  const T together = tolerance<T> * (body.core_extent() + radius);
+  capsule.body.core_face(capsule.down, face);
+  const T radius = capsule.radius, length = T(2) * capsule.body.half_height(), along = capsule.down.y;
+  const T steep = capsule.down.x * capsule.down.x + capsule.down.z * capsule.down.z;
   for (std::size_t i = 0; i < face.vertices.size(); ++i) {
-    const T lift = rise(body, down, radius, face, i);
-    const T apart = transform(seen, face.vertices[i]).y - (plane + lift);
-    if (apart > margin) continue;
-    const Vec3<T> low = transform(pose, face.vertices[i]) - up * lift;
-    add_point<T>({low, low - up * apart, apart, feature_id(vertex_feature(face.ids[i]), face_feature(0))}, together,
-                 manifold);
+    T rise = radius;
+    if (face.vertices.size() == 2) {
+      // Straight below an end of a side that leans may lie the side, or the other end's ball.
+      const T side = radius / std::sqrt(steep), toward_other = i == 0 ? along : -along, place = side * toward_other;
+      if (place >= T(0) && place <= length) rise = greatest(rise, side);
+      const T beside = radius * radius - length * length * steep;
+      if (beside >= T(0)) rise = greatest(rise, std::sqrt(beside) + length * toward_other);
+    }
+    const ContactPoint<T> point = capsule.below(face.vertices[i], face.ids[i], rise);
+    if (point.distance <= margin) add_point(point, capsule.together(), manifold);
   }
-  return distance;
 }
 
 }  // namespace resting
@@ -69,7 +96,10 @@ std::optional<T> half_space_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
                                      T margin, Manifold<T>& manifold) {
   if (!b.template as<HalfSpace<T>>()) return std::nullopt;
   const auto contacts = [&](const auto& body) {
-    return resting::contacts(body, rounding_radius(body, a.margin()), pose_a, b.margin(), pose_b, margin, manifold);
+    const resting::Resting rests(body, rounding_radius(body, a.margin()), pose_a, b.margin(), pose_b);
+    manifold.normal = -rests.up;
+    if (rests.distance <= margin) resting::add_points(rests, margin, manifold);
+    return rests.distance;
   };
   if (const auto* ball = a.template as<Sphere<T>>()) return contacts(*ball);
   if (const auto* capsule = a.template as<Capsule<T>>())
