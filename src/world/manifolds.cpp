@@ -20,6 +20,12 @@ constexpr std::size_t pairs_per_task = box_chunk;
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;
 
+/// Pairs below which no second thread is asked for what takes each a nanosecond or two.
+constexpr std::size_t few_pairs = 4096;
+
+/// What is copied takes a tenth of the time that it took to find.
+constexpr std::size_t blocks_per_task = 8;
+
 }  // namespace
 
 template <class T>
@@ -85,32 +91,43 @@ template <class T>
 bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor) {
   const bool same_pairs = std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end());
   if (same_pairs && bodies.unsorted_changes().empty()) return false;
-  look(bodies);
-  if (!same_pairs) remember(pairs);
+  SerialExecutor serial;
+  const bool alone = executor.concurrency() == 1;
+  // Three parts of about the same length that know nothing of each other.
+  const auto prepare = [&](std::size_t part) {
+    if (part == 0) look(bodies);
+    if (part == 1 && !same_pairs) remember(pairs);
+    if (part == 2) bin_pairs<T>(pairs, bodies.shapes(), bins_);
+  };
+  (pairs.size() < few_pairs ? serial : executor).run(3, prepare);
   std::swap(last_, now_);
   if (ground_ > 1) find_neighbours(bodies);
-  bin_pairs<T>(pairs_, bodies.shapes(), bins_);
+
   results_.resize(pairs_.size());
   const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
-  // One thread finds them all one behind the other; what several find is joined in the same order.
-  const bool alone = executor.concurrency() == 1;
-  const std::size_t blocks = alone ? 1 : tasks;
+  begin_blocks(alone ? 1 : tasks, alone);
+  for_each_chunk(alone ? serial : executor, pairs_.size(), pairs_per_task,
+                 [&](std::size_t begin, std::size_t end, std::size_t task) {
+                   find_some(bodies, std::span(bins_.order).subspan(begin, end - begin),
+                             alone ? 0 : static_cast<std::uint32_t>(task));
+                 });
+  gather(alone ? 1 : tasks, alone, executor);
+  return true;
+}
+
+/// One thread finds all manifolds one behind the other, where they stay; what several find is joined in the same order.
+template <class T>
+void ManifoldFinder<T>::begin_blocks(std::size_t blocks, bool alone) {
   if (found_.size() < blocks) found_.resize(blocks);
+  if (alone) {
+    found_[0].manifolds.swap(now_.manifolds);
+    found_[0].points.swap(now_.points);
+  }
   for (std::size_t i = 0; i < blocks; ++i) {
-    if (alone) {
-      found_[i].manifolds.swap(now_.manifolds);
-      found_[i].points.swap(now_.points);
-    }
     found_[i].manifolds.clear();
     found_[i].points.clear();
+    found_[i].contacts = 0;
   }
-  const auto find_task = [&](std::size_t begin, std::size_t end, std::size_t task) {
-    find_some(bodies, std::span(bins_.order).subspan(begin, end - begin), alone ? 0 : static_cast<std::uint32_t>(task));
-  };
-  SerialExecutor serial;
-  for_each_chunk(alone ? serial : executor, pairs_.size(), pairs_per_task, find_task);
-  gather(blocks, alone, executor);
-  return true;
 }
 
 /// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
@@ -155,12 +172,13 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
   }
   find_boxes(bodies, {boxes, box_count}, box_places, block);
   find_balls({balls, ball_count}, ball_places, block);
+  for (const std::uint32_t place : places) found_[block].contacts += results_[place].touches();
 }
 
 /// Where what is found of a pair from now on stands.
 template <class T>
 typename ManifoldFinder<T>::Result& ManifoldFinder<T>::begin(std::uint32_t place, std::uint32_t block) {
-  return results_[place] = {block, static_cast<std::uint32_t>(found_[block].manifolds.size()), 0, false};
+  return results_[place] = {block, static_cast<std::uint32_t>(found_[block].manifolds.size()), 0, 0};
 }
 
 template <class T>
@@ -282,44 +300,49 @@ void ManifoldFinder<T>::keep_last(std::uint32_t place, std::uint32_t block) {
 /// Lays what was found one behind the other, and the pairs in their order.
 template <class T>
 void ManifoldFinder<T>::gather(std::size_t blocks, bool alone, Executor& executor) {
-  first_manifold_.clear();
-  std::uint32_t manifolds = 0, points = 0;
-  places_.clear();
+  std::uint32_t manifolds = 0, points = 0, contacts = 0;
   for (std::size_t i = 0; i < blocks; ++i) {
-    first_manifold_.push_back(manifolds);
-    places_.push_back(points);
-    manifolds += static_cast<std::uint32_t>(found_[i].manifolds.size());
-    points += static_cast<std::uint32_t>(found_[i].points.size());
+    Found& found = found_[i];
+    found.first_manifold = std::exchange(manifolds, manifolds + static_cast<std::uint32_t>(found.manifolds.size()));
+    found.first_point = std::exchange(points, points + static_cast<std::uint32_t>(found.points.size()));
+    contacts += found.contacts;
   }
-  const auto touches = [](const Result& r) { return r.overlap || r.manifold_count != 0; };
-  now_.pairs.resize(static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), touches)));
-  // Written whether it touches or not, and written over by the next one: nobody foresees which do.
-  for (std::uint32_t i = 0, count = 0; count < now_.pairs.size(); ++i) {
-    const Result& r = results_[i];
-    now_.pairs[count] = {pairs_[i].a, pairs_[i].b, r.overlap, first_manifold_[r.block] + r.first_manifold,
-                         r.manifold_count};
-    memory_[i].contact = touches(r) ? count : apart;
-    count += touches(r);
-  }
+  now_.pairs.resize(contacts);
   if (alone) {
+    gather_pairs();
     now_.manifolds.swap(found_[0].manifolds);
     now_.points.swap(found_[0].points);
     return;
   }
   now_.manifolds.resize(manifolds);
   now_.points.resize(points);
-  constexpr std::size_t blocks_per_task = 8;
-  for_each_chunk(executor, blocks, blocks_per_task, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
+  // The pairs, which are the longest of these tasks, beside all others.
+  executor.run((blocks + blocks_per_task - 1) / blocks_per_task + 1, [&](std::size_t task) {
+    if (task == 0) return gather_pairs();
+    for (std::size_t i = (task - 1) * blocks_per_task; i < std::min(blocks, task * blocks_per_task); ++i) {
       const Found& found = found_[i];
-      auto to = now_.manifolds.begin() + first_manifold_[i];
+      auto to = now_.manifolds.begin() + found.first_manifold;
       for (ContactManifold<T> m : found.manifolds) {
-        m.first_point += places_[i];
+        m.first_point += found.first_point;
         *to++ = m;
       }
-      std::copy(found.points.begin(), found.points.end(), now_.points.begin() + places_[i]);
+      std::copy(found.points.begin(), found.points.end(), now_.points.begin() + found.first_point);
     }
   });
+}
+
+/// Each is written whether it touches or not, and written over by the next one: no branch would foresee which do.
+template <class T>
+void ManifoldFinder<T>::gather_pairs() {
+  const std::size_t count = now_.pairs.size();
+  std::uint32_t place = 0;
+  for (std::size_t i = 0; place < count; ++i) {
+    const Result& r = results_[i];
+    now_.pairs[place] = {pairs_[i].a, pairs_[i].b, r.overlap != 0, found_[r.block].first_manifold + r.first_manifold,
+                         r.manifold_count};
+    memory_[i].contact = r.touches() ? place : apart;
+    place += r.touches();
+  }
 }
 
 /// What a pair had after the last call; its points stand one behind the other.
@@ -379,7 +402,7 @@ std::size_t ManifoldFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) +
                     bytes(first_neighbour_) + bytes(neighbours_) + bytes(found_) + bytes(pairs_) + bytes(last_pairs_) +
-                    bytes(memory_) + bytes(last_memory_) + bytes(results_) + bytes(places_) + bytes(first_manifold_);
+                    bytes(memory_) + bytes(last_memory_) + bytes(results_) + bytes(places_);
   for (const Found& found : found_)
     sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
   for (const ContactArrays<T>* arrays : {&now_, &last_})

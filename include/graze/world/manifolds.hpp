@@ -84,14 +84,17 @@ class ManifoldFinder {
   struct Found {
     std::vector<ContactManifold<T>> manifolds;
     std::vector<SolverPoint<T>> points;
+    std::uint32_t contacts = 0;                         ///< pairs that touch
+    std::uint32_t first_manifold = 0, first_point = 0;  ///< of all, once everything is found
     // Kept for their storage.
     Manifolds<T> composite;
     std::vector<SolverPoint<T>> sorted;
   };
   /// Where a pair's result stands: as `ContactPair`, but within what was found with it.
   struct Result {
-    std::uint32_t block, first_manifold, manifold_count;
-    bool overlap;
+    std::uint32_t block, first_manifold, manifold_count, overlap;
+
+    bool touches() const { return (manifold_count | overlap) != 0; }
   };
   /// What a pair has to know of a body before it looks at it.
   struct Seen {
@@ -116,6 +119,8 @@ class ManifoldFinder {
   Result& begin(std::uint32_t place, std::uint32_t block);
   void add(const Manifold<T>& manifold, std::uint32_t block);
   void keep(std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal, std::size_t points);
+  void begin_blocks(std::size_t blocks, bool alone);
+  void gather_pairs();
   void gather(std::size_t blocks, bool alone, Executor& executor);
   void carry_one(const Memory& memory, std::span<SolverPoint<T>> points) const;
   void carry_many(const Memory& memory, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
@@ -131,7 +136,6 @@ class ManifoldFinder {
   std::vector<Memory> memory_, last_memory_;
   std::vector<Found> found_;
   std::vector<Result> results_;
-  std::vector<std::uint32_t> first_manifold_;  ///< of each of what was found
   ContactArrays<T> now_, last_;
 };
 
