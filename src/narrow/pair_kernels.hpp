@@ -38,6 +38,16 @@ struct BoxPointBlock {
   } slots[8];
 };
 
+/// The points of contact of up to `block_pairs` boxes on half-spaces; see `BoxRest`.
+template <class T>
+struct BoxRestBlock {
+  using Column = T[block_pairs];
+  Column distance, up[3], filled;
+  struct Slot {
+    Column of_box[3], of_plane[3], distance, corner;
+  } slots[4];
+};
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
@@ -45,6 +55,8 @@ GRAZE_DECLARE_KERNEL(
     /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                        BoxPointBlock<T>& points);
+    /// The points of up to `block_pairs` boxes on half-spaces without a margin.
+    template <class T> void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& points);
     /// The distances of pairs of round shapes, or of a round shape and a box, by their closed forms: without rounding
     /// radii beside their own, capsules even.
     template <class A, class B, class T> void closed_distances(const PairRef<T>* pairs, std::size_t count,

@@ -8,6 +8,7 @@
 #include "narrow/box_batch.hpp"
 #include "narrow/cached_axis.hpp"
 #include "narrow/convex_pair.hpp"
+#include "narrow/rest_batch.hpp"
 
 namespace graze {
 
@@ -28,6 +29,19 @@ constexpr std::size_t blocks_per_task = 8;
 
 }  // namespace
 
+/// Pairs that wait for a kernel.
+template <class T>
+struct Waiting {
+  PairRef<T> pairs[box_chunk];
+  std::uint32_t places[box_chunk];
+  std::size_t count = 0;
+
+  void add(const PairRef<T>& pair, std::uint32_t place) {
+    pairs[count] = pair;
+    places[count++] = place;
+  }
+};
+
 template <class T>
 void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
   seen_.resize(bodies.size());
@@ -39,7 +53,8 @@ void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
     const Sphere<T>* round = plain_ball(shape);
     const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
     seen_[i] = {plain ? static_cast<const void*>(plain) : round, bodies.margins()[i],
-                static_cast<std::uint8_t>((plain ? box : 0) | (round ? ball : 0) | (moved ? changed : 0) |
+                static_cast<std::uint8_t>((plain ? box : 0) | (round ? ball : 0) |
+                                          (plain_half_space(shape) ? plane : 0) | (moved ? changed : 0) |
                                           (bodies.triggers()[i] != 0 ? trigger : 0) | (stands ? fixed : 0))};
     ground_ += stands;
     ground_changed_ |= stands && moved;
@@ -142,36 +157,36 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// Pairs of boxes and of balls that are to be asked about anew are put together for the kernels, all others taken one by
-/// one.
+/// Pairs of boxes, of balls and of a box and a half-space that are to be asked about anew are put together for the
+/// kernels, all others taken one by one.
 template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t block) {
-  PairRef<T> boxes[box_chunk], balls[box_chunk];
-  std::uint32_t box_places[box_chunk], ball_places[box_chunk];
-  std::size_t box_count = 0, ball_count = 0;
+  Waiting<T> boxes, balls, rests;
   const Pose<T>* const poses = bodies.poses().data();
   for (const std::uint32_t place : places) {
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
     const int either = a.traits | b.traits, both = a.traits & b.traits;
-    if ((both & (box | ball)) == 0 || (either & trigger) != 0 ||
+    const bool rest = (either & (box | plane)) == (box | plane);
+    if (((both & (box | ball)) == 0 && !rest) || (either & trigger) != 0 ||
         ((either & changed) == 0 && memory_[place].contact != unknown) ||
         ((either & fixed) != 0 && !beside(pair).empty())) {
       find_one(bodies, place, block);
       continue;
     }
-    const PairRef<T> ref{a.concrete, b.concrete, poses + pair.a, poses + pair.b, least(a.margin, b.margin)};
-    if ((both & box) != 0) {
-      boxes[box_count] = ref;
-      box_places[box_count++] = place;
-    } else {
-      balls[ball_count] = ref;
-      ball_places[ball_count++] = place;
-    }
+    const T margin = least(a.margin, b.margin);
+    if ((a.traits & plane) != 0)
+      rests.add({b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}, place);
+    else
+      (rest                ? rests
+       : (both & box) != 0 ? boxes
+                           : balls)
+          .add({a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin}, place);
   }
-  find_boxes(bodies, {boxes, box_count}, box_places, block);
-  find_balls({balls, ball_count}, ball_places, block);
+  find_boxes(bodies, boxes, block);
+  find_balls(balls, block);
+  find_rests(rests, block);
   for (const std::uint32_t place : places) found_[block].contacts += results_[place].touches();
 }
 
@@ -201,25 +216,34 @@ void ManifoldFinder<T>::keep(std::uint32_t place, std::uint32_t block, bool over
 }
 
 template <class T>
-void ManifoldFinder<T>::find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes,
-                                   const std::uint32_t* places, std::uint32_t block) {
+void ManifoldFinder<T>::find_boxes(const BodyArrays<T>& bodies, const Waiting<T>& boxes, std::uint32_t block) {
   visit_box_contacts(
-      boxes.data(), boxes.size(), [&](std::size_t i) { keep_apart(places[i]); },
+      boxes.pairs, boxes.count, [&](std::size_t i) { keep_apart(boxes.places[i]); },
       [&](std::size_t i, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
         const std::size_t count = points.append(found_[block].points);
-        keep(places[i], block, distance <= T(0), normal, count);
+        keep(boxes.places[i], block, distance <= T(0), normal, count);
       },
-      [&](std::size_t i) { find_one(bodies, places[i], block); });
+      [&](std::size_t i) { find_one(bodies, boxes.places[i], block); });
 }
 
 template <class T>
-void ManifoldFinder<T>::find_balls(std::span<const PairRef<T>> balls, const std::uint32_t* places,
-                                   std::uint32_t block) {
+void ManifoldFinder<T>::find_balls(const Waiting<T>& balls, std::uint32_t block) {
   visit_ball_contacts(
-      balls.data(), balls.size(), [&](std::size_t i) { keep_apart(places[i]); },
+      balls.pairs, balls.count, [&](std::size_t i) { keep_apart(balls.places[i]); },
       [&](std::size_t i, const Vec3<T>& normal, const ContactPoint<T>& point) {
         found_[block].points.push_back({point, {}});
-        keep(places[i], block, point.distance <= T(0), normal, 1);
+        keep(balls.places[i], block, point.distance <= T(0), normal, 1);
+      });
+}
+
+template <class T>
+void ManifoldFinder<T>::find_rests(const Waiting<T>& rests, std::uint32_t block) {
+  visit_rest_contacts(
+      rests.pairs, rests.count, [&](std::size_t i) { return (seen_[pairs_[rests.places[i]].a].traits & plane) != 0; },
+      [&](std::size_t i) { keep_apart(rests.places[i]); },
+      [&](std::size_t i, T distance, const RestPoints<T>& points) {
+        const std::size_t count = points.append(found_[block].points);
+        keep(rests.places[i], block, distance <= T(0), points.normal(), count);
       });
 }
 

@@ -35,11 +35,6 @@ class Box {
   /// a corner.
   void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
     face.clear();
-    face.id = support_corners(direction, lean, [&](const Vec3<T>& p, std::size_t id) { face.push(p, id); });
-  }
-  /// Calls `f(corner, id)` for the corners of that face, edge or corner, and returns its number.
-  template <class F>
-  std::uint32_t support_corners(const Vec3<T>& direction, T lean, const F& f) const {
     const Vec3<T> n = normalized(direction), a = abs(n);
     const std::size_t major = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
     const std::size_t u = (major + 1) % 3, v = (major + 2) % 3;
@@ -50,25 +45,30 @@ class Box {
       p[u] = positive_u ? half_[u] : -half_[u];
       p[v] = positive_v ? half_[v] : -half_[v];
       // Both ends of a side of no length are one corner, with one number.
-      f(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u && half_[u] > T(0)) << u) |
-               (std::size_t(positive_v && half_[v] > T(0)) << v));
+      face.push(p, (std::size_t(positive[major]) << major) | (std::size_t(positive_u && half_[u] > T(0)) << u) |
+                       (std::size_t(positive_v && half_[v] > T(0)) << v));
     };
     // A side of no length has but one end: what is left of the face is an edge or a corner.
     const bool flat_u = a[u] <= lean && half_[u] > T(0), flat_v = a[v] <= lean && half_[v] > T(0);
-    const bool forward = positive[major];  // u, v, major are right-handed
-    corner(positive[u] && !flat_u, positive[v] && !flat_v);
     if (flat_u && flat_v) {
+      face.id = static_cast<std::uint32_t>(2 * major + std::size_t(positive[major]));
+      const bool forward = positive[major];  // u, v, major are right-handed
+      corner(false, false);
       corner(forward, !forward);
       corner(true, true);
       corner(!forward, forward);
-      return static_cast<std::uint32_t>(2 * major + std::size_t(positive[major]));
-    }
-    if (flat_u) {
+    } else if (flat_u) {
+      face.id = edge_id(u);
+      corner(false, positive[v]);
       corner(true, positive[v]);
-      return edge_id(u);
+    } else if (flat_v) {
+      face.id = edge_id(v);
+      corner(positive[u], false);
+      corner(positive[u], true);
+    } else {
+      corner(positive[u], positive[v]);
+      face.id = edge_id(3);
     }
-    if (flat_v) corner(positive[u], true);
-    return flat_v ? edge_id(v) : edge_id(3);
   }
 
   Aabb<T> core_bounds(const Pose<T>& pose) const {

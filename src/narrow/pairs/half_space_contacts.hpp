@@ -11,6 +11,7 @@
 #include "narrow/add_point.hpp"
 #include "narrow/features.hpp"
 #include "narrow/pairs/half_space.hpp"
+#include "narrow/rest_batch.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -49,22 +50,6 @@ template <class T>
 void add_points(const Resting<Sphere<T>, T>& ball, T margin, Manifold<T>& manifold) {
   const ContactPoint<T> point = ball.below(ball.body.center(), 0, ball.radius);
   if (point.distance <= margin) manifold.points.push_back(point);
-}
-
-/// The corners of the support face.
-template <class T>
-void add_points(const Resting<Box<T>, T>& box, T margin, Manifold<T>& manifold) {
-  const Vec3<T>& half = box.body.half_extents();
-  const T together = box.together();
-  const bool distinct = least(half.x, least(half.y, half.z)) > together;
-  box.body.support_corners(box.down, face_lean<T>, [&](const Vec3<T>& corner, std::size_t id) {
-    const ContactPoint<T> point = box.below(corner, static_cast<std::uint32_t>(id), T(0));
-    if (point.distance > margin) return;
-    if (distinct)
-      manifold.points.push_back(point);
-    else
-      add_point(point, together, manifold);
-  });
 }
 
 /// Both ends of a side that lies, or the lower end.
@@ -106,7 +91,13 @@ std::optional<T> half_space_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
     return has_core(*capsule) && capsule->half_height() > T(0) ? std::optional(contacts(*capsule)) : std::nullopt;
   // The corners of a rounded box do not lie straight above its lowest points.
   const auto* box = a.template as<Box<T>>();
-  return box && a.margin() == T(0) ? std::optional(contacts(*box)) : std::nullopt;
+  if (!box || a.margin() != T(0)) return std::nullopt;
+  const BoxRest<T> found = box_rest(box->half_extents(), pose_a, b.margin(), pose_b, margin);
+  manifold.normal = -found.up;
+  each_rest_point<T>(
+      static_cast<unsigned>(found.filled), *box, [&](std::size_t i) { return found.slots[i]; },
+      [&](const ContactPoint<T>& p) { manifold.points.push_back(p); });
+  return found.distance;
 }
 
 }  // namespace graze
