@@ -131,8 +131,8 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
-/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box; sphere with sphere, with capsule and with box;
-/// capsule with capsule.
+/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box and with
+/// half-space; sphere with sphere, with capsule and with box; capsule with capsule.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 

@@ -12,39 +12,49 @@
 
 namespace graze {
 
-/// Writes the points in the slots of one pair, of which there are at most eight, and returns how many. Of two of the same
-/// features the deeper one is kept. `slot(i)` gives the i-th slot of the pair.
-template <class T, class Slot>
-std::size_t take_points(unsigned filled, const Slot& slot, ContactPoint<T>* points) {
-  std::size_t count = 0;
+/// Appends the points in the slots of one pair, of which there are at most eight, to `points` (of contact points or of
+/// what begins with one), and returns how many. Of two of the same features the deeper one is kept. `slot(i)` gives the
+/// i-th slot of the pair.
+template <class T, class Slot, class Points>
+std::size_t take_points(unsigned filled, const Slot& slot, Points& points) {
+  const std::size_t first = points.size();
   for (; filled != 0; filled &= filled - 1) {
     const typename BoxManifold<T>::Slot from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
     const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(from.part_a)],
                                              box_features.of[static_cast<std::size_t>(from.part_b)]);
-    std::size_t place = 0;
+    const std::size_t count = points.size();
+    std::size_t place = first;
     while (place < count && points[place].feature != feature) ++place;
-    if (place < count && !(from.distance < points[place].distance)) continue;
-    points[place] = {from.a, from.b, from.distance, feature};
-    count += place == count;
+    if (place == count)
+      points.push_back({ContactPoint<T>{from.a, from.b, from.distance, feature}});
+    else if (from.distance < points[place].distance)
+      points[place] = {ContactPoint<T>{from.a, from.b, from.distance, feature}};
   }
-  return count;
+  return points.size() - first;
 }
 
 /// The points of one of the pairs of a block.
 template <class T>
-std::size_t take_points(const BoxPointBlock<T>& block, std::size_t pair, ContactPoint<T>* points) {
-  return take_points<T>(
-      static_cast<unsigned>(block.filled[pair]),
-      [&](std::size_t i) {
-        const auto& slot = block.slots[i];
-        return typename BoxManifold<T>::Slot{{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
-                                             {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
-                                             slot.distance[pair],
-                                             slot.part_a[pair],
-                                             slot.part_b[pair]};
-      },
-      points);
-}
+struct BoxPoints {
+  const BoxPointBlock<T>& block;
+  std::size_t pair;
+
+  /// As `take_points`.
+  template <class Points>
+  std::size_t append(Points& points) const {
+    return take_points<T>(
+        static_cast<unsigned>(block.filled[pair]),
+        [&](std::size_t i) {
+          const auto& slot = block.slots[i];
+          return typename BoxManifold<T>::Slot{{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
+                                               {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
+                                               slot.distance[pair],
+                                               slot.part_a[pair],
+                                               slot.part_b[pair]};
+        },
+        points);
+  }
+};
 
 /// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
 /// that touch fill several blocks.
@@ -52,39 +62,41 @@ inline constexpr std::size_t box_chunk = 128;
 
 /// Asks about up to `box_chunk` pairs of plain boxes (`plain_box`), in this order:
 /// `apart(i)` for those further apart than their margins; and then, in the order of the pairs,
-/// `touching(i, distance, normal, points, count)` or, where their faces do not tell, `unknown(i)`.
+/// `touching(i, distance, normal, points)`, the last a `BoxPoints`, or, where their faces do not tell, `unknown(i)`.
 template <class T, class Apart, class Touching, class Unknown>
 void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                         const Unknown& unknown) {
   const Isa level = chosen_isa();
-  BoxChoice<T> axes[box_chunk], met_axes[box_chunk];
+  BoxChoice<T> axes[box_chunk];
   GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
-  PairRef<T> met[box_chunk];
-  std::uint8_t place[box_chunk];
-  std::size_t met_count = 0;
+  // No branch that nobody foresees: places are written either way and kept or written over.
+  std::uint8_t place[box_chunk], apart_place[box_chunk];
+  std::size_t met_count = 0, apart_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (axes[i].distance > pairs[i].margin) {
-      apart(i);
-      continue;
-    }
-    met[met_count] = pairs[i];
-    met_axes[met_count] = axes[i];
-    place[met_count++] = static_cast<std::uint8_t>(i);
+    const bool meets = !(axes[i].distance > pairs[i].margin);
+    place[met_count] = apart_place[apart_count] = static_cast<std::uint8_t>(i);
+    met_count += meets;
+    apart_count += !meets;
   }
+  for (std::size_t k = 0; k < apart_count; ++k) apart(apart_place[k]);
+  PairRef<T> met[block_pairs];
+  BoxChoice<T> met_axes[block_pairs];
   BoxPointBlock<T> block;
-  ContactPoint<T> points[most_box_points];
   for (std::size_t first = 0; first < met_count; first += block_pairs) {
     const std::size_t size = std::min(block_pairs, met_count - first);
-    GRAZE_KERNEL(level, box_points<T>)(met + first, met_axes + first, size, block);
+    for (std::size_t k = 0; k < size; ++k) {
+      met[k] = pairs[place[first + k]];
+      met_axes[k] = axes[place[first + k]];
+    }
+    GRAZE_KERNEL(level, box_points<T>)(met, met_axes, size, block);
     for (std::size_t k = 0; k < size; ++k) {
       const std::size_t i = place[first + k];
       if (block.known[k] == T(0)) {
         unknown(i);
         continue;
       }
-      const std::size_t found = take_points(block, k, points);
-      touching(i, met_axes[first + k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
-               points, found);
+      touching(i, met_axes[k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
+               BoxPoints<T>{block, k});
     }
   }
 }

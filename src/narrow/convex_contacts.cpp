@@ -1,6 +1,7 @@
 // The manifold of two convex shapes: their distance gives the normal, their support faces the points.
 #include <algorithm>
 
+#include "narrow/add_point.hpp"
 #include "narrow/box_batch.hpp"
 #include "narrow/contact_side.hpp"
 #include "narrow/convex_pair.hpp"
@@ -10,6 +11,7 @@
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
 #include "narrow/pairs/box_triangle.hpp"
+#include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
@@ -64,22 +66,6 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
   }
   on_b = on_a + normal * (apart - rises);
   return true;
-}
-
-/// Appends a point, unless one of the same features is known, or one at the same place: rounding splits a point in two
-/// where edges end about on a corner. Of the two the deeper is kept, so that names are unique within a manifold.
-template <class T>
-void add_point(const ContactPoint<T>& point, T together, Manifold<T>& manifold) {
-  for (ContactPoint<T>& known : manifold.points) {
-    const auto near = [&](const Vec3<T>& p, const Vec3<T>& q) {
-      return std::abs(p.x - q.x) <= together && std::abs(p.y - q.y) <= together && std::abs(p.z - q.z) <= together;
-    };
-    const bool same = known.feature == point.feature || (near(known.a, point.a) && near(known.b, point.b));
-    if (!same) continue;
-    if (point.distance < known.distance) known = point;
-    return;
-  }
-  manifold.points.push_back(point);
 }
 
 /// The points of two faces laid over each other that are at most `limit` apart, appended to the manifold. Distances are
@@ -224,15 +210,13 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   return by_axes(PolyhedralPair(a, b, b_in_a));
 }
 
-/// The points of two boxes, as the kernels find them for many pairs; nothing for other shapes, or where their faces do
-/// not tell. As `polyhedral_contacts`, in T.
+/// The points of two boxes, as the kernels find them for many pairs; nothing where their faces do not tell. As
+/// `polyhedral_contacts`, in T, but also where hardly more than the distance is between the faces.
 template <class T>
-std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                              T margin, Manifold<T>& manifold) {
-  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
-  if (!box_a || !box_b) return std::nullopt;
+std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b, const Pose<T>& pose_b, T margin,
+                              Manifold<T>& manifold) {
   const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
-  const BoxPair<T> boxes{box_a->half_extents(), box_b->half_extents(), b_in_a.translation, b_in_a.rotation};
+  const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
   const BoxChoice<T> choice = box_choice(boxes, margin);
   if (choice.distance > margin) {
     const detail::MeetingBoxes<T> seen(boxes, choice.axis);
@@ -241,11 +225,9 @@ std::optional<T> box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Sh
   }
   const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
   if (found.known == T(0)) return std::nullopt;
-  ContactPoint<T> points[most_box_points];
-  const std::size_t count = take_points<T>(
-      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, points);
+  take_points<T>(
+      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, manifold.points);
   manifold.normal = found.normal;
-  for (std::size_t i = 0; i < count; ++i) manifold.points.push_back(points[i]);
   return choice.distance;
 }
 
@@ -284,11 +266,15 @@ void mirror(Manifold<T>& manifold) {
 template <class T>
 T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
-  if (!trace) {
-    if (const auto distance = box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
+  const bool boxes = !trace && box_a && box_b;
+  if (boxes)
+    if (const auto distance = box_contacts(*box_a, pose_a, *box_b, pose_b, margin, manifold)) return *distance;
+  if (!trace && !boxes) {
+    if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   }
-  if (has_separating_axes(a, b))
+  if (!boxes && has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.
   const T limit = trace ? std::numeric_limits<T>::infinity() : margin;

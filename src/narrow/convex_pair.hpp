@@ -33,8 +33,9 @@ bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
 template <class T>
 bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
-/// `contacts` of two convex shapes: fills the manifold. Returns their signed distance, or where that is more than
-/// `margin`, something between the two; the normal is then a direction that separates them by as much.
+/// `contacts` of two convex shapes: fills the manifold. Returns their signed distance, of boxes that are apart a lower
+/// bound with its sign, or where it is more than `margin`, something between the two; the normal is then a direction that
+/// separates them by as much.
 template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                   Manifold<T>& manifold, Trace* trace);

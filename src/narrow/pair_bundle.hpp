@@ -32,6 +32,12 @@ template <class T>
   gather<T>(rows, 0, n);
   return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
 }
+/// A half-space is all in its pose.
+struct Nothing {};
+template <class T>
+[[gnu::always_inline]] inline Nothing load(const void* const*, const HalfSpace<T>*) {
+  return {};
+}
 template <class T>
 [[gnu::always_inline]] inline Pose<Lanes<T>> load(const void* const* rows, const Pose<T>*) {
   static_assert(sizeof(Pose<T>) == 7 * sizeof(T));

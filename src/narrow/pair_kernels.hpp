@@ -48,6 +48,16 @@ struct PointContact {
 /// What is to be known of two shapes before their contact is read; `unknown`: their faces may give two points.
 enum class Meeting : std::uint8_t { apart, touching, unknown };
 
+/// The points of contact of up to `block_pairs` boxes on half-spaces; see `BoxRest`.
+template <class T>
+struct BoxRestBlock {
+  using Column = T[block_pairs];
+  Column distance, up[3], filled;
+  struct Slot {
+    Column of_box[3], of_plane[3], distance, corner;
+  } slots[4];
+};
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
@@ -61,6 +71,8 @@ GRAZE_DECLARE_KERNEL(
     /// The contacts of the same pairs; capsules with a length.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings);
+    /// The points of up to `block_pairs` boxes on half-spaces without a margin.
+    template <class T> void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& points);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

@@ -2,6 +2,7 @@
 
 #include "graze/batch.hpp"
 #include "narrow/box_batch.hpp"
+#include "narrow/rest_batch.hpp"
 #include "query/batch_routes.hpp"
 
 namespace graze {
@@ -57,18 +58,29 @@ class Writer {
   void begin(std::size_t pair, bool overlap) {
     found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
   }
-  /// One more manifold of the pair that was begun last.
-  void add(std::size_t pair, const Vec3<T>& normal, std::uint32_t piece_a, std::uint32_t piece_b,
-           const ContactPoint<T>* points, std::size_t count) {
-    reserve(1, count);
-    found_.manifolds[manifolds_++] = {normal, piece_a, piece_b, static_cast<std::uint32_t>(points_),
-                                      static_cast<std::uint32_t>(count)};
-    std::copy_n(points, count, found_.points.begin() + static_cast<std::ptrdiff_t>(points_));
-    points_ += count;
+  /// One more manifold of the pair that was begun last; `append(points)` writes at most `most` points behind those that are
+  /// there, and returns how many.
+  template <class Append>
+  void add(std::size_t pair, const Vec3<T>& normal, std::uint32_t piece_a, std::uint32_t piece_b, std::size_t most,
+           const Append& append) {
+    reserve(1, most);
+    Tail tail{found_.points, points_};
+    const auto first = static_cast<std::uint32_t>(points_);
+    found_.manifolds[manifolds_++] = {normal, piece_a, piece_b, first, static_cast<std::uint32_t>(append(tail))};
+    points_ = tail.end;
     ++found_.pairs[pair].manifold_count;
   }
 
  private:
+  /// The points as a vector that ends where those end that count.
+  struct Tail {
+    std::vector<ContactPoint<T>>& points;
+    std::size_t end;
+    std::size_t size() const { return end; }
+    ContactPoint<T>& operator[](std::size_t i) { return points[i]; }
+    void push_back(const ContactPoint<T>& p) { points[end++] = p; }
+  };
+
   template <class Array>
   static void make_room(Array& array, std::size_t size) {
     if (array.size() < size) array.resize(std::max(size, 2 * array.size()));
@@ -94,7 +106,10 @@ class OneByOne {
     });
     writer_.begin(i, overlap);
     for (const Manifold<T>& m : manifolds_)
-      writer_.add(i, m.normal, m.piece_a, m.piece_b, m.points.data(), m.points.size());
+      writer_.add(i, m.normal, m.piece_a, m.piece_b, m.points.size(), [&](auto& points) {
+        for (const ContactPoint<T>& point : m.points) points.push_back(point);
+        return m.points.size();
+      });
   }
 
  private:
@@ -113,6 +128,8 @@ class Together {
   void operator()(Route route, bool turned, const Queue<T>& queue) {
     if (route == Route::box_box)
       boxes(queue);
+    else if (route == Route::box_half_space)
+      rests(turned, queue);
     else
       round(route, turned, queue);
   }
@@ -121,11 +138,23 @@ class Together {
   void boxes(const Queue<T>& queue) {
     visit_box_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](std::size_t k, T distance, const Vec3<T>& normal, const ContactPoint<T>* points, std::size_t count) {
-          writer_.begin(queue.places[k], distance <= T(0));
-          writer_.add(queue.places[k], normal, 0, 0, points, count);
+        [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
+          touching(queue.places[k], distance, normal, points);
         },
         [&](std::size_t k) { single_(queue.places[k]); });
+  }
+  void rests(bool turned, const Queue<T>& queue) {
+    visit_rest_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t) { return turned; },
+        [&](std::size_t k) { writer_.begin(queue.places[k], false); },
+        [&](std::size_t k, T distance, const RestPoints<T>& points) {
+          touching(queue.places[k], distance, points.normal(), points);
+        });
+  }
+  template <class Points>
+  void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
+    writer_.begin(pair, distance <= T(0));
+    writer_.add(pair, normal, 0, 0, most_box_points, [&](auto& tail) { return points.append(tail); });
   }
   void round(Route route, bool turned, const Queue<T>& queue) {
     round_kernel<T>(route)(queue.pairs.data(), queue.count, contacts_, meetings_);

@@ -12,7 +12,15 @@
 namespace graze {
 
 /// The kernels for two kinds. Those for round shapes come first, in the order of `round_kernels`.
-enum class Route : std::uint8_t { sphere_sphere, sphere_capsule, sphere_box, capsule_capsule, box_box, none };
+enum class Route : std::uint8_t {
+  sphere_sphere,
+  sphere_capsule,
+  sphere_box,
+  capsule_capsule,
+  box_box,
+  box_half_space,
+  none
+};
 inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none), round_route_count = 4;
 
 /// A route, and whether a pair has to be turned round for it, as one number.
@@ -31,6 +39,7 @@ class Routes {
     add<Sphere<T>, Box<T>>(Route::sphere_box);
     add<Capsule<T>, Capsule<T>>(Route::capsule_capsule);
     add<Box<T>, Box<T>>(Route::box_box);
+    add<Box<T>, HalfSpace<T>>(Route::box_half_space);
   }
   constexpr std::size_t operator()(std::size_t kind_a, std::size_t kind_b) const {
     return queues_[kind_a * Shape<T>::count + kind_b];
@@ -59,7 +68,7 @@ struct Queue {
 /// along every side.
 template <class T>
 bool regular(std::size_t kind, const void* concrete) {
-  if (kind == detail::kind_of<Sphere<T>, T>()) return true;
+  if (kind == detail::kind_of<Sphere<T>, T>() || kind == detail::kind_of<HalfSpace<T>, T>()) return true;
   if (kind == detail::kind_of<Box<T>, T>()) return regular_box(static_cast<const Box<T>*>(concrete)->half_extents());
   const auto& capsule = *static_cast<const Capsule<T>*>(concrete);
   return !capsule.tapered() && capsule.half_height() > T(0);

@@ -13,7 +13,15 @@ void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, 
   out.types.resize(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) out.types[i] = static_cast<std::uint8_t>(shapes[i].index());
   const auto bin = [&](const IdPair& p) { return out.types[p.a] * types + out.types[p.b]; };
-  for (const IdPair& p : pairs) ++begin[bin(p)];
+  // Pairs that follow each other are mostly of one bin: what is counted there stays out of memory.
+  std::size_t last = 0;
+  std::uint32_t run = 0;
+  for (const IdPair& p : pairs) {
+    const std::size_t b = bin(p);
+    if (b != last) begin[std::exchange(last, b)] += std::exchange(run, 0);
+    ++run;
+  }
+  begin[last] += run;
   out.bins.clear();
   std::uint32_t sum = 0;
   for (std::size_t b = 0; b < begin.size(); ++b) {
@@ -24,7 +32,15 @@ void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, 
           {static_cast<std::uint8_t>(b / types), static_cast<std::uint8_t>(b % types), sum - count, sum});
   }
   out.order.resize(pairs.size());
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) out.order[begin[bin(pairs[i])]++] = i;
+  std::uint32_t to = begin[last = 0];
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    const std::size_t b = bin(pairs[i]);
+    if (b != last) {
+      begin[last] = to;
+      to = begin[last = b];
+    }
+    out.order[to++] = i;
+  }
 }
 
 template void bin_pairs(std::span<const IdPair>, std::span<const Shape<float>>, Bins&);

@@ -10,6 +10,9 @@ namespace graze {
 
 namespace {
 
+/// One in so many bodies that changed, from which on to look at all of them costs less than to sort those.
+constexpr std::size_t many = 16;
+
 template <class T>
 Pose<T> checked_pose(const Pose<T>& pose) {
   return {validate::point(pose.translation, "pose.translation"), validate::rotation(pose.rotation, "pose.rotation")};
@@ -64,6 +67,7 @@ BodyId BodyArrays<T>::add(Body<T> body) {
   linear_[index] = body.linear;
   angular_[index] = body.angular;
   filters_[index] = body.filter;
+  filtered_ |= body.filter != Filter{};
   margins_[index] = margin;
   alive_[index] = 1;
   fixed_[index] = body.fixed ? 1 : 0;
@@ -107,6 +111,7 @@ void BodyArrays<T>::set_shape(BodyId id, Shape<T> shape) {
 template <class T>
 void BodyArrays<T>::set_filter(BodyId id, const Filter& filter) {
   filters_[checked(id)] = filter;
+  filtered_ |= filter != Filter{};
 }
 
 template <class T>
@@ -118,7 +123,14 @@ Body<T> BodyArrays<T>::body(BodyId id) const {
 
 template <class T>
 std::span<const std::uint32_t> BodyArrays<T>::changes() {
-  std::sort(changes_.begin(), changes_.end());
+  if (std::is_sorted(changes_.begin(), changes_.end())) return changes_;
+  if (changes_.size() < changed_.size() / many) {
+    std::sort(changes_.begin(), changes_.end());
+    return changes_;
+  }
+  changes_.clear();
+  for (std::uint32_t i = 0; i < changed_.size(); ++i)
+    if (changed_[i] != 0) changes_.push_back(i);
   return changes_;
 }
 

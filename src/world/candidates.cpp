@@ -22,7 +22,7 @@ std::span<const IdPair> CandidateFinder<T>::find(std::span<const Aabb<T>> boxes,
   if (changes.size() * few > boxes.size())
     find_all(boxes, alive);
   else
-    find_changed(boxes, alive, changes);
+    find_changed(boxes, alive);
   return pairs_;
 }
 
@@ -67,13 +67,11 @@ void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<cons
     for (IdPair& p : pairs_) p = {index_[p.a], index_[p.b]};
 }
 
-/// The pairs of what stood still, and those that the tree finds of what moved; some are among both where all pairs were
-/// found anew in between, which the tree does not know.
+/// The pairs of what the tree knows, and those that it finds of what it does not know yet: what moved now, and where all
+/// pairs were found anew in between, then.
 template <class T>
-void CandidateFinder<T>::find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                                      std::span<const std::uint32_t> changes) {
-  const auto changed = [&](std::uint32_t i) { return std::binary_search(changes.begin(), changes.end(), i); };
-  std::erase_if(pairs_, [&](const IdPair& p) { return changed(p.a) || changed(p.b); });
+void CandidateFinder<T>::find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive) {
+  std::erase_if(pairs_, [&](const IdPair& p) { return (is_stale_[p.a] | is_stale_[p.b]) != 0; });
   tree(boxes, alive, {});
   tree_.moved_pairs(moved_);
   merged_.clear();

@@ -37,8 +37,19 @@ bool World<T>::is_pair(std::uint32_t a, std::uint32_t b) const {
 /// The third stage.
 template <class T>
 void World<T>::filter(std::span<const IdPair> candidates) {
-  allowed_.assign(candidates.begin(), candidates.end());
-  keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
+  if (bodies_.filtered() || settings_.allow) {
+    allowed_.assign(candidates.begin(), candidates.end());
+    keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
+    return;
+  }
+  const std::span<const std::uint8_t> fixed = bodies_.fixed();
+  allowed_.resize(candidates.size());
+  std::size_t count = 0;
+  for (const IdPair& p : candidates) {
+    allowed_[count] = p;
+    count += (fixed[p.a] & fixed[p.b]) == 0;
+  }
+  allowed_.resize(count);
 }
 
 template <class T>

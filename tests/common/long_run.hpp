@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_bits<float> = 2613564017545717608u;
+inline constexpr std::uint64_t golden_bits<float> = 181247229163547103u;
 template <>
-inline constexpr std::uint64_t golden_bits<double> = 6572571812563554618u;
+inline constexpr std::uint64_t golden_bits<double> = 6847570499979446382u;
 
 /// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of the bytes of numbers.
 class Hash {
@@ -84,12 +84,14 @@ std::uint64_t hash_of_a_long_run() {
   std::vector<Distance<T>> distances;
   for (unsigned seed = 10; seed < 20; ++seed) {
     const LongRunScene<T> scene(seed);
+    const HalfSpace<T> ground;
     const std::span<const Pose<T>> poses(scene.poses);
     const Bodies<T> crates(std::span<const Box<T>>(scene.boxes), poses),
         balls(std::span<const Sphere<T>>(scene.spheres), poses),
-        pills(std::span<const Capsule<T>>(scene.capsules), poses);
+        pills(std::span<const Capsule<T>>(scene.capsules), poses),
+        grounds(std::span<const HalfSpace<T>>(&ground, 1), poses);
     for (const auto& [a, b] : {std::pair(&crates, &crates), std::pair(&balls, &balls), std::pair(&balls, &pills),
-                               std::pair(&crates, &balls), std::pair(&pills, &pills)}) {
+                               std::pair(&crates, &balls), std::pair(&pills, &pills), std::pair(&grounds, &crates)}) {
       contacts(Batch<T>(*a, *b, scene.pairs), T(0.01f), found);
       for (const auto& p : found.points) hash.add(p.a), hash.add(p.b), hash.add(p.distance), hash.add(p.feature);
       for (const auto& m : found.manifolds) hash.add(m.normal);

@@ -69,6 +69,8 @@ class BodyArrays {
   std::span<const Vec3<T>> linear() const { return linear_; }
   std::span<const Vec3<T>> angular() const { return angular_; }
   std::span<const Filter> filters() const { return filters_; }
+  /// Whether any was ever given a filter of its own: without, all may collide.
+  bool filtered() const { return filtered_; }
   std::span<const std::uint8_t> alive() const { return alive_; }
   std::span<const std::uint8_t> fixed() const { return fixed_; }
   std::span<const std::uint8_t> triggers() const { return triggers_; }
@@ -102,6 +104,7 @@ class BodyArrays {
   std::vector<std::uint8_t> alive_, fixed_, triggers_, fast_, changed_;
   std::vector<std::uint32_t> generations_, free_, changes_;
   std::uint64_t revision_ = 0;
+  bool filtered_ = false;
 };
 
 }  // namespace graze

@@ -31,8 +31,7 @@ class CandidateFinder {
  private:
   void note_stale(std::size_t bodies, std::span<const std::uint32_t> changes);
   void find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive);
-  void find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                    std::span<const std::uint32_t> changes);
+  void find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive);
 
   DynamicTree<T> tree_;
   PairFinder<T> finder_;

@@ -42,12 +42,19 @@ class EventTracker {
         out.push_back({EventKind::end, last_[next].trigger, last_[next].a, last_[next].b, ContactEvent::no_pair});
     };
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-      const Touching now{id(pairs[i].a), id(pairs[i].b), trigger(pairs[i].a) || trigger(pairs[i].b)};
+      const BodyId a = id(pairs[i].a), b = id(pairs[i].b);
+      // Mostly the next one that touched still does.
+      if (next < last_.size() && last_[next].a == a && last_[next].b == b) {
+        touching_.push_back(last_[next]);
+        out.push_back({EventKind::stay, last_[next++].trigger, a, b, i});
+        continue;
+      }
+      const Touching now{a, b, trigger(a.index) || trigger(b.index)};
       end_before([&](const Touching& t) { return t < now; });
       const bool before = next < last_.size() && !(now < last_[next]);
       next += before;
       if (!before && !pairs[i].overlap) continue;
-      out.push_back({before ? EventKind::stay : EventKind::begin, now.trigger, now.a, now.b, i});
+      out.push_back({before ? EventKind::stay : EventKind::begin, now.trigger, a, b, i});
       touching_.push_back(now);
     }
     end_before([](const Touching&) { return true; });

@@ -1,10 +1,11 @@
 // The fifth stage of a world: from pairs to contact manifolds, in plain arrays.
 //
-// Guarantee: for each pair what `contacts` answers, bit for bit, in the order of the pairs, whatever was remembered from
-// the last call and on however many threads it runs; but for what moves over the seam of fixed bodies side by side,
-// which meets them as if they were one. What is remembered only saves work: a pair of which neither body
-// changed keeps its manifolds, and one that was apart is tried first along the direction in which it was, but for boxes and
-// balls: those are asked about many at a time.
+// Guarantee: for each pair what `contacts` answers, bit for bit, whatever was remembered from the last call and on however
+// many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if they were
+// one. Pairs are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair, and those of
+// one pair one behind the other. What is remembered only saves work: a pair of which neither body changed keeps its
+// manifolds, and one that was apart is tried first along the direction in which it was, but for boxes, balls and
+// boxes on half-spaces: those are asked about many at a time.
 #pragma once
 
 #include <span>
@@ -18,9 +19,9 @@
 namespace graze {
 
 template <class T>
-struct PairRef;
-template <class T>
 struct Surroundings;
+template <class T>
+struct Waiting;
 
 /// Two bodies within the margin of each other, and where their manifolds stand.
 template <class T>
@@ -47,8 +48,8 @@ struct SolverPoint : ContactPoint<T> {
 /// What an update found. The solver writes the points' impulses, nobody anything else.
 template <class T>
 struct ContactArrays {
-  std::vector<ContactPair<T>> pairs;  ///< sorted
-  std::vector<ContactManifold<T>> manifolds;
+  std::vector<ContactPair<T>> pairs;          ///< sorted
+  std::vector<ContactManifold<T>> manifolds;  ///< in an order of their own, as are the points
   std::vector<SolverPoint<T>> points;
 
   std::span<const ContactManifold<T>> manifolds_of(const ContactPair<T>& p) const {
@@ -63,8 +64,9 @@ template <class T>
 class ManifoldFinder {
  public:
   /// The contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is only
-  /// asked whether it overlaps, and has no manifolds.
-  void find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor);
+  /// asked whether it overlaps, and has no manifolds. Returns whether anything may be other than after the last call:
+  /// without a changed body and with the same pairs nothing is, and nothing is done.
+  bool find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor);
 
   ContactArrays<T>& contacts() { return now_; }
   const ContactArrays<T>& contacts() const { return now_; }
@@ -74,52 +76,66 @@ class ManifoldFinder {
  private:
   /// What is remembered of a candidate pair.
   struct Memory {
-    bool apart = false;                 ///< they were, when they were asked about last
-    Vec3<T> axis{};                     ///< in the frame of a: along it; zero for none
-    std::uint32_t contact = no_result;  ///< its place among the pairs in contact
+    Vec3<T> axis{};                   ///< in the frame of a: along it they were apart; zero for none
+    std::uint32_t contact = unknown;  ///< its place among the pairs in contact, or one of the two below
   };
-  /// What a task finds, until all are gathered in order.
+  static constexpr std::uint32_t unknown = ~std::uint32_t{0}, apart = unknown - 1;
+  /// What one or more tasks find, one behind the other.
   struct Found {
     std::vector<ContactManifold<T>> manifolds;
     std::vector<SolverPoint<T>> points;
-    Manifolds<T> composite;  ///< kept for its storage
+    std::uint32_t contacts = 0;                         ///< pairs that touch
+    std::uint32_t first_manifold = 0, first_point = 0;  ///< of all, once everything is found
+    // Kept for their storage.
+    Manifolds<T> composite;
+    std::vector<SolverPoint<T>> sorted;
   };
-  /// Where a pair's result stands.
+  /// Where a pair's result stands: as `ContactPair`, but within what was found with it.
   struct Result {
-    std::uint32_t task = 0, first_manifold = 0, manifold_count = 0, point_count = 0;
-    bool overlap = false;
-  };
-  static constexpr std::uint32_t no_result = ~std::uint32_t{0};
-  /// What a pair has to know of its bodies before it looks at them: bits of a byte each.
-  static constexpr std::uint8_t box = 1, ball = 2, changed = 4, trigger = 8, fixed = 16;
+    std::uint32_t block, first_manifold, manifold_count, overlap;
 
-  void find_traits(const BodyArrays<T>& bodies);
+    bool touches() const { return (manifold_count | overlap) != 0; }
+  };
+  /// What a pair has to know of a body before it looks at it.
+  struct Seen {
+    const void* concrete;
+    T margin;
+    std::uint8_t traits;  ///< bits of those below
+  };
+  static constexpr std::uint8_t box = 1, ball = 2, plane = 4, changed = 8, trigger = 16, fixed = 32;
+
+  void look(const BodyArrays<T>& bodies);
   void remember(std::span<const IdPair> pairs);
   void find_neighbours(const BodyArrays<T>& bodies);
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
   Surroundings<T> beside(const IdPair& pair) const;
-  void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t task);
-  void find_boxes(const BodyArrays<T>& bodies, std::span<const PairRef<T>> boxes, const std::uint32_t* places,
-                  std::uint32_t task);
-  void find_balls(std::span<const PairRef<T>> balls, const std::uint32_t* places, std::uint32_t task);
-  void keep(std::uint32_t place, std::uint32_t task, T distance, const Vec3<T>& normal,
-            std::span<const ContactPoint<T>> points);
-  void find_one(const BodyArrays<T>& bodies, const IdPair& pair, std::uint32_t place, std::uint32_t task);
-  void keep_last(std::uint32_t contact, std::uint32_t place, std::uint32_t task);
-  void gather(std::span<const IdPair> pairs, Executor& executor);
-  void carry_impulses(const ContactPair<T>& pair, const ContactPair<T>& last, std::vector<SolverPoint<T>>& old);
+  void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t block);
+  void find_boxes(const BodyArrays<T>& bodies, const Waiting<T>& boxes, std::uint32_t block);
+  void find_balls(const Waiting<T>& balls, std::uint32_t block);
+  void find_rests(const Waiting<T>& rests, std::uint32_t block);
+  void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
+  void keep_last(std::uint32_t place, std::uint32_t block);
+  void keep_apart(std::uint32_t place);
+  Result& begin(std::uint32_t place, std::uint32_t block);
+  void add(const Manifold<T>& manifold, std::uint32_t block);
+  void keep(std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal, std::size_t points);
+  void begin_blocks(std::size_t blocks, bool alone);
+  void gather_pairs();
+  void gather(std::size_t blocks, bool alone, Executor& executor);
+  void carry_one(const Memory& memory, std::span<SolverPoint<T>> points) const;
+  void carry_many(const Memory& memory, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
+  std::span<const SolverPoint<T>> last_points(const Memory& memory) const;
 
-  std::vector<std::uint8_t> traits_;  ///< of each body
+  std::vector<Seen> seen_;  ///< of each body
   Bins bins_;
-  std::vector<std::uint32_t> first_neighbour_;  ///< of each body: the fixed bodies that it may touch
+  std::vector<std::uint32_t> first_neighbour_, places_;  ///< of each body: the fixed bodies that it may touch
   std::vector<PlacedRef<T>> neighbours_;
-  bool ground_changed_ = false;  ///< some fixed body did
+  std::size_t ground_ = 0;       ///< how many bodies are fixed
+  bool ground_changed_ = false;  ///< some of them did
   std::vector<IdPair> pairs_, last_pairs_;
   std::vector<Memory> memory_, last_memory_;
   std::vector<Found> found_;
-  std::vector<std::vector<SolverPoint<T>>> scratch_;  ///< of each task
   std::vector<Result> results_;
-  std::vector<std::uint32_t> places_, first_point_;  ///< of the pairs in contact: among all, and of their points
   ContactArrays<T> now_, last_;
 };
 

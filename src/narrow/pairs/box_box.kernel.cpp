@@ -31,7 +31,7 @@ template <class T>
     const BoxChoice<S> choice = box_choice(box_pair(bundle), bundle.margin);
     for (std::size_t i = 0; i < bundle.count; ++i) {
       const int lane = static_cast<int>(i);
-      axes[first + i] = {choice.distance[lane], choice.axis[lane], choice.closest[lane]};
+      axes[first + i] = {choice.distance[lane], choice.axis[lane]};
     }
   }
 }
@@ -48,7 +48,6 @@ template <class T>
       const int lane = static_cast<int>(i);
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
-      choice.closest.set(lane, of.closest);
     }
     const BoxManifold<S> found = box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b);
     const auto vector = [&](auto& columns, const Vec3<S>& v) {

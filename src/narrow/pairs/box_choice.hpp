@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// How much deeper the normal of a face may be than the least depth and still be chosen, relative to the smaller
-/// shape. A resting box of size 1 leans by milliradians and sinks in by millimetres; the least depth then changes
+/// How much deeper the normal of a face may be than the least depth and still be chosen, and how much further apart than
+/// what is nearest the points along it, relative to the smaller shape. A resting box of size 1 leans by milliradians and sinks in by millimetres; the least depth then changes
 /// between faces and edges from frame to frame, and a solver needs the face. It is no part of the decision whether
 /// shapes overlap, and every point carries its true distance along the chosen normal.
 inline constexpr double face_preference = 1.0 / 200;
@@ -35,7 +35,6 @@ template <class S>
 struct BoxChoice {
   S distance;  ///< signed; where it is more than the margin, a lower bound
   S axis;      ///< its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th
-  S closest;   ///< not 0: apart, and other features than those of the axis may be nearest
 };
 
 /// The largest separation along the products of edges, and the number of that axis.
@@ -87,8 +86,7 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   const S distance = select(abs(separation) <= noise, S(0), separation);
   const Mask outside = distance > margin;
   const Mask by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
-  const Mask closest = (!outside) & (distance > S(0)) & edge_best & (!edge_chosen);
-  return {distance, select(by_edge, edge_number, face_number), select(closest, S(1), S(0))};
+  return {distance, select(by_edge, edge_number, face_number)};
 }
 
 /// Whether a box is one that these answer for: with a length along every side, and so large and small that the

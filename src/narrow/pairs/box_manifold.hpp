@@ -1,7 +1,8 @@
 // Box against box, the points of contact: the face of one laid over the face of the other along a normal, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the area that the faces
-// share, as `lay_over` gives them, up to rounding; where they do not include what is nearest, `known` says so.
+// share, as `lay_over` gives them, up to rounding; where what is nearest lies nearer than these by more than
+// `face_preference`, `known` says so.
 #pragma once
 
 #include "graze/contact.hpp"
@@ -21,7 +22,7 @@ struct BoxManifold {
     S part_a, part_b;  ///< of A and of B: a number of `box_features`
   } slots[most_box_points];
   S filled;  ///< slot i holds a point: bit i of this number
-  S known;   ///< not 0: what is nearest is among them
+  S known;   ///< not 0: what is nearest is among them, or hardly nearer
 };
 
 /// What of a box `part_a` and `part_b` name: 9 times the number of a face, and 3 times where along the second of the axes
@@ -198,9 +199,8 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
     slot.part_b = select(boxes.by_b, of_clip, of_other);
     found.filled = found.filled + select(here, S(T(1 << i)), zero);
   }
-  const Mask apart_boxes = choice.distance > zero;
-  const S allowed = select(apart_boxes, S(64) * noise, S(T(face_preference)) * least(size_a, size_b));
-  const Mask known = (found.filled > zero) & (choice.closest == zero) & (nearest <= choice.distance + allowed);
+  const S allowed = S(T(face_preference)) * least(size_a, size_b);
+  const Mask known = (found.filled > zero) & (nearest <= choice.distance + allowed);
   found.known = select(known, one, zero);
   return found;
 }

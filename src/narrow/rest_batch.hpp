@@ -1,0 +1,96 @@
+// Contacts of boxes that rest on half-spaces: of one pair, and of many by the kernel for them.
+//
+// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+
+#include "narrow/add_point.hpp"
+#include "narrow/box_batch.hpp"
+#include "narrow/pairs/box_rest.hpp"
+
+namespace graze {
+
+/// Whether the shape is a half-space without a margin, as the kernel takes it.
+template <class T>
+bool plain_half_space(const Shape<T>& shape) {
+  return shape.margin() == T(0) && shape.template as<HalfSpace<T>>() != nullptr;
+}
+
+/// Calls `f(point)` for the points in the slots of one pair, the box before the half-space, but the later of two at one
+/// place. `slot(i)` gives the i-th slot.
+template <class T, class Slot, class F>
+void each_rest_point(unsigned filled, const Box<T>& box, const Slot& slot, const F& f) {
+  const auto point = [&](std::size_t i) {
+    const typename BoxRest<T>::Slot from = slot(i);
+    return ContactPoint<T>{from.of_box, from.of_plane, from.distance,
+                           feature_id(vertex_feature(static_cast<std::uint32_t>(from.corner)), face_feature(0))};
+  };
+  const Vec3<T>& half = box.half_extents();
+  const T together = tolerance<T> * length(half);
+  if (least(half.x, least(half.y, half.z)) > together) [[likely]] {
+    for (; filled != 0; filled &= filled - 1) f(point(static_cast<std::size_t>(std::countr_zero(filled))));
+    return;
+  }
+  Manifold<T> manifold;
+  for (; filled != 0; filled &= filled - 1)
+    add_point(point(static_cast<std::size_t>(std::countr_zero(filled))), together, manifold);
+  for (const ContactPoint<T>& p : manifold.points) f(p);
+}
+
+/// The points of one of the pairs of a block. In the order in which the two stand, which is with the half-space first
+/// where they are `turned`.
+template <class T>
+struct RestPoints {
+  const BoxRestBlock<T>& block;
+  std::size_t pair;
+  const Box<T>& box;
+  bool turned;
+
+  /// Unit, from the first of the two to the second.
+  Vec3<T> normal() const {
+    const Vec3<T> up{block.up[0][pair], block.up[1][pair], block.up[2][pair]};
+    return turned ? up : -up;
+  }
+  /// Appends them to `points` (of contact points or of what begins with one) and returns how many.
+  template <class Points>
+  std::size_t append(Points& points) const {
+    const std::size_t first = points.size();
+    const auto at = [&](const auto& columns) { return Vec3<T>{columns[0][pair], columns[1][pair], columns[2][pair]}; };
+    each_rest_point<T>(
+        static_cast<unsigned>(block.filled[pair]), box,
+        [&](std::size_t i) {
+          const auto& slot = block.slots[i];
+          return typename BoxRest<T>::Slot{at(slot.of_box), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
+        },
+        [&](const ContactPoint<T>& p) {
+          points.push_back({turned ? ContactPoint<T>{p.b, p.a, p.distance, swapped_feature_id(p.feature)} : p});
+        });
+    return points.size() - first;
+  }
+};
+
+/// Asks about pairs of a plain box (`plain_box`) and a plain half-space, in their order: `apart(i)` for those further
+/// apart than their margins, for the others `touching(i, distance, points)`, the last `RestPoints`. `turned(i)` tells
+/// whether the half-space is the first of the two for whoever asks.
+template <class T, class Turned, class Apart, class Touching>
+void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, const Turned& turned, const Apart& apart,
+                         const Touching& touching) {
+  const auto kernel = GRAZE_KERNEL(chosen_isa(), box_rests<T>);
+  BoxRestBlock<T> block;
+  for (std::size_t first = 0; first < count; first += block_pairs) {
+    const std::size_t size = std::min(block_pairs, count - first);
+    kernel(pairs + first, size, block);
+    for (std::size_t k = 0; k < size; ++k) {
+      const PairRef<T>& pair = pairs[first + k];
+      if (!(block.distance[k] <= pair.margin))
+        apart(first + k);
+      else
+        touching(first + k, block.distance[k],
+                 RestPoints<T>{block, k, *static_cast<const Box<T>*>(pair.a), turned(first + k)});
+    }
+  }
+}
+
+}  // namespace graze

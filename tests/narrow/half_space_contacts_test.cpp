@@ -1,0 +1,99 @@
+// Boxes, balls and capsules on half-spaces: the routines of their own against the general path in double, which answers
+// wherever an explanation is asked for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/specimen.hpp"
+#include "graze/query.hpp"
+
+namespace graze::testing {
+namespace {
+
+template <class T>
+Shape<T> random_resting_shape(int i, Random& random) {
+  const Vec3f size = abs(random_vector(random, 1.0f)) + Vec3f{0.05f, 0.05f, 0.05f};
+  if (i % 4 == 0) return Shape<T>(Sphere<T>(T(size.x), cast<T>(random_vector(random, 0.2f))), T(i % 8 == 0 ? 0.1 : 0));
+  if (i % 4 == 1) return Shape<T>(Capsule<T>(T(size.x), T(size.y)), T(i % 8 == 1 ? 0.1 : 0));
+  return Box<T>(cast<T>(i % 16 == 2 ? Vec3f{size.x, 0, size.z} : size));
+}
+
+/// A direction of the body that points about down, by less than what makes a flat part its support face, by more, or any.
+Quatf random_lean(int i, Random& random) {
+  constexpr Quatf faces[] = {{0, 0, 0, 1}, {1, 0, 0, 0}, {0.5f, 0.5f, 0.5f, 0.5f}, {0, 0, 0.70710678f, 0.70710678f}};
+  if (i % 3 == 0) return random_rotation(random);
+  const float lean = i % 3 == 1 ? 0.005f : 0.1f;
+  const Vec3f v = random_vector(random, lean);
+  return normalized(Quatf{v.x, v.y, v.z, 1} * faces[random() % 4]);
+}
+
+template <class T>
+void expect_as_in_double(unsigned seed, double tolerance_of_size) {
+  Random random(seed);
+  int compared = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const Shape<T> shape = random_resting_shape<T>(i, random), plane(HalfSpace<T>(), T(i % 5 == 0 ? 0.2 : 0));
+    const Pose<T> ground{cast<T>(random_vector(random, 3.0f)), normalized(cast<T>(random_rotation(random)))};
+    const Quat<T> lean = normalized(cast<T>(random_lean(i, random)));
+    const Pose<T> upright{Vec3<T>{T(random_vector(random, 2.0f).x), T(0), T(0)}, lean};
+    // Lifted until its lowest point is about at the surface.
+    const T lift = -distance<T>(shape, upright, plane, Pose<T>{}).distance + cast<T>(random_vector(random, 0.1f)).x;
+    const Pose<T> pose = compose(ground, Pose<T>{upright.translation + Vec3<T>{T(0), lift, T(0)}, lean});
+
+    const bool turned = i % 2 == 0;
+    Manifolds<T> fast, slow;
+    Trace trace;
+    const auto ask = [&](Manifolds<T>& found, Trace* explain) {
+      return turned ? contacts<T>(plane, ground, shape, pose, T(0.05), found, explain)
+                    : contacts<T>(shape, pose, plane, ground, T(0.05), found, explain);
+    };
+    EXPECT_EQ(ask(fast, nullptr), ask(slow, &trace));
+    ASSERT_EQ(fast.size(), slow.size());
+    if (fast.empty()) continue;
+    const double near = tolerance_of_size * 5;
+    EXPECT_LT(length(cast<double>(fast[0].normal - slow[0].normal)), near);
+    T lowest = fast[0].points[0].distance;
+    for (const auto& p : fast[0].points) {
+      lowest = std::min(lowest, p.distance);
+      const auto same = std::find_if(slow[0].points.begin(), slow[0].points.end(),
+                                     [&](const auto& q) { return q.feature == p.feature; });
+      if (same == slow[0].points.end()) {
+        // It lies as high as points are wanted.
+        EXPECT_NEAR(static_cast<double>(p.distance), 0.05, near);
+        continue;
+      }
+      ++compared;
+      EXPECT_NEAR(static_cast<double>(p.distance), static_cast<double>(same->distance), near);
+      EXPECT_LT(length(cast<double>(p.a - same->a)), near);
+      EXPECT_LT(length(cast<double>(p.b - same->b)), near);
+    }
+    EXPECT_NEAR(
+        static_cast<double>(lowest),
+        static_cast<double>(
+            (turned ? distance<T>(plane, ground, shape, pose) : distance<T>(shape, pose, plane, ground)).distance),
+        near);
+  }
+  EXPECT_GT(compared, 6000);
+}
+
+TEST(HalfSpaceContacts, AreThoseOfTheGeneralPath) {
+  expect_as_in_double<float>(1, 1e-5);
+  expect_as_in_double<double>(2, 1e-10);
+}
+
+TEST(HalfSpaceContacts, OfAFaceThatTouchesAreItsFourCorners) {
+  Random random(3);
+  for (int i = 0; i < 1000; ++i) {
+    // Turned with its ground, so that rounding alone lifts one of its corners or the other.
+    const Posed ground{{}, normalized(cast<double>(random_rotation(random)))};
+    const Posed box = compose(ground, Posed{{0.3, 0.5, 0.2}, {}});
+    Manifolds<double> found;
+    contacts<double>(Box<double>({1, 1, 1}), box, HalfSpace<double>(), ground, 1e-14, found);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].points.size(), 4u);
+  }
+}
+
+}  // namespace
+}  // namespace graze::testing
