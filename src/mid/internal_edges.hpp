@@ -10,29 +10,10 @@
 // duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies are all alike.
 #pragma once
 
-#include <span>
-
 #include "graze/contact.hpp"
-#include "graze/shape.hpp"
+#include "mid/piece_of.hpp"
 
 namespace graze {
-
-/// A convex piece of a shape, the shape, and what stands still beside it and may continue its surface.
-template <class T>
-struct PieceOf {
-  const Shape<T>& whole;
-  const Pose<T>& whole_pose;
-  const Shape<T>& piece;
-  const Pose<T>& pose;
-  std::span<const PlacedRef<T>> beside = {};
-};
-
-/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
-/// is right wherever it is met.
-template <class T>
-bool is_solid(const Shape<T>& shape) {
-  return !shape.template as<Triangle<T>>() && !shape.template as<HalfSpace<T>>();
-}
 
 /// What becomes of the manifold of two pieces.
 template <class T>
