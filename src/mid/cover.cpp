@@ -4,29 +4,16 @@
 #include "mid/pieces.hpp"
 #include "mid/risers.hpp"
 #include "narrow/convex_pair.hpp"
+#include "narrow/raycast.hpp"
 
 namespace graze {
 
 namespace {
 
-/// Whether a place lies inside a solid piece of `whole` other than `self`, by more than rounding.
+/// How deep a shape reaches below the plane of a surface.
 template <class T>
-bool is_buried(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& place) {
-  bool buried = false;
-  const Vec3<T> local = inverse_transform(pose, place);
-  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
-    if (buried || &piece == self) return;
-    if (!piece.convex()) {
-      buried = is_buried(piece, at, self, place);
-      return;
-    }
-    const Distance<T> d = convex_distance<T>(piece, at, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr);
-    const T size = max_abs(bounds(piece, Pose<T>{}).extent());
-    buried = d.distance < -T(4) * tolerance<T> * size - place_noise(place);
-  };
-  visit_pieces(
-      whole, pose, Aabb<T>{local, local}, [] { return T(0); }, look);
-  return buried;
+T depth_below(const OnSurface<T>& surface, const PieceOf<T>& other) {
+  return dot(surface.point - furthest(other.piece, other.pose, -surface.normal), surface.normal);
 }
 
 /// The way from a contact to the middle of what touches it.
@@ -37,13 +24,14 @@ struct Sight {
   T slack;  ///< what lies nearer is on it
 };
 
-/// Whether the piece goes on above the sheet, which then is the floor of a wall and does not hide it: at four times what
-/// counts as on the sheet, along the wall. `above`: of the contact over the sheet.
+/// Whether the piece goes on above what may cover it, which then is the floor of a wall: at four times what counts as on
+/// the floor, along the wall. `above`: of the contact over the floor.
 template <class T>
 bool goes_on_above(const Sight<T>& sight, const Vec3<T>& normal, T above, T slack) {
   const Vec3<T> along_wall = normal - sight.outward * dot(sight.outward, normal);
-  const T rise = T(4) * slack;
-  const Vec3<T> place = sight.from + along_wall * ((rise - above) / length_squared(along_wall));
+  const T squared = length_squared(along_wall), rise = T(4) * slack;
+  if (!(squared > region_slack<T> * region_slack<T>)) return true;  // one that faces the other cannot cover it
+  const Vec3<T> place = sight.from + along_wall * ((rise - above) / squared);
   return convex_distance<T>(sight.self.piece, sight.self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr)
              .distance < rise / T(2);
 }
@@ -78,27 +66,51 @@ std::optional<OnSurface<T>> crossing(const Triangle<T>& triangle, const Pose<T>&
   return OnSurface<T>{sight.from + at, normal};
 }
 
-/// What covers the beginning of a sight, of those seen so far: first one that nothing rises above, then one that the
-/// other shape is least deep below. Beneath the corner of a floor the walls that hold it up hide each other too.
+/// Where the sight, seen from its end, enters a solid that it goes through or that it begins on.
+template <class T>
+std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, const Sight<T>& sight) {
+  // A little further in, so that what begins on the solid up to rounding meets it.
+  const Vec3<T> inward = normalized(bounds(solid, pose).center() - sight.from, Vec3<T>{}) * sight.slack;
+  const Quatd back = conjugate(cast<double>(pose.rotation));
+  const auto local = [&](const Vec3<T>& place) { return rotate(back, cast<double>(place - pose.translation)); };
+  const Vec3d eye = local(sight.to), way = local(sight.from + inward) - eye;
+  if (way == Vec3d{}) return std::nullopt;
+  const rays::MaybeHit hit = convex_raycast(solid, {eye, normalized(way), 0, length(way), 0}, BackFaces::hit);
+  if (!hit || !(hit->t > 0)) return std::nullopt;  // not met, or its middle is inside too
+  const Vec3<T> at = transform(pose, cast<T>(hit->point)), normal = rotate(pose.rotation, cast<T>(hit->normal));
+  const T above = dot(normal, sight.from - at);
+  if (above > sight.slack || !piece_rises_above(solid, pose, at, sight.outward) ||
+      goes_on_above(sight, normal, above, sight.slack))
+    return std::nullopt;
+  return OnSurface<T>{length(at - sight.from) > T(4) * sight.slack ? at : sight.from, normal};
+}
+
+/// Of what is seen to cover the beginning of a sight: what nothing rises above, then what is nearest to the sight's end,
+/// then what the other shape is least deep below. Beneath the corner of a floor the walls that hold it up hide each
+/// other too.
 template <class T>
 struct BestCover {
   const PieceOf<T>& other;
   std::optional<OnSurface<T>> surface = {};
   bool risen = true;
-  T depth = std::numeric_limits<T>::infinity();
+  T along = T(0), depth = std::numeric_limits<T>::infinity();
 
-  void offer(const OnSurface<T>& seen, const PieceOf<T>& self) {
-    const Vec3<T> down = rotate(conjugate(other.pose.rotation), -seen.normal);
-    const T deep = dot(seen.point - transform(other.pose, support(other.piece, down)), seen.normal);
-    const bool risen_above = riser_around(self, seen.point, seen.normal, Among::all).has_value();
-    if (surface && (risen_above != risen ? risen_above : deep >= depth)) return;
+  void offer(const OnSurface<T>& seen, const Sight<T>& sight) {
+    const bool now_risen = riser_around(sight.self, seen.point, seen.normal, Among::all).has_value();
+    const T now_along = length(seen.point - sight.from), deep = depth_below(seen, other);
+    const T nearer = now_along - along;
+    const bool better = !surface || (now_risen != risen                      ? risen
+                                     : std::abs(nearer) > T(8) * sight.slack ? nearer > T(0)
+                                                                             : deep < depth);
+    if (!better) return;
     surface = seen;
-    risen = risen_above;
+    risen = now_risen;
+    along = now_along;
     depth = deep;
   }
 };
 
-/// Offers all triangles of `whole` that cover the beginning of the sight.
+/// Offers all pieces of `whole` that cover the beginning of the sight.
 template <class T>
 void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sight, BestCover<T>& best) {
   const Vec3<T> from = inverse_transform(pose, sight.from), to = inverse_transform(pose, sight.to), way = to - from;
@@ -108,7 +120,9 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
     if (!piece.convex()) {
       look_along(piece, at, sight, best);
     } else if (const auto* triangle = piece.template as<Triangle<T>>()) {
-      if (const auto seen = crossing(*triangle, at, one_sided(whole), sight)) best.offer(*seen, sight.self);
+      if (const auto seen = crossing(*triangle, at, one_sided(whole), sight)) best.offer(*seen, sight);
+    } else if (&piece != &sight.self.piece && is_solid(piece)) {
+      if (const auto seen = entry(piece, at, sight)) best.offer(*seen, sight);
     }
   };
   visit_pieces(
@@ -116,16 +130,6 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
 }
 
 }  // namespace
-
-template <class T>
-bool is_covered(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
-  const Aabb<T> box = bounds(self.piece, self.pose);
-  const T step = on_piece<T> * max_abs(box.extent());
-  const Vec3<T> to_center = box.center() - point, inward = to_center - outward * dot(to_center, outward);
-  const Vec3<T> place = point + normalized(inward, Vec3<T>{}) * (T(4) * step) + outward * step;
-  return any_around(self, point,
-                    [&](const Shape<T>& shape, const Pose<T>& at) { return is_buried(shape, at, &self.piece, place); });
-}
 
 template <class T>
 std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
@@ -142,12 +146,9 @@ std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& 
   return best.surface;
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                           \
-  template bool is_covered(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&);                                         \
-  template std::optional<OnSurface<T>> surface_over(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&,                 \
-                                                    const PieceOf<T>&);
-GRAZE_INSTANTIATE(float)
-GRAZE_INSTANTIATE(double)
-#undef GRAZE_INSTANTIATE
+template std::optional<OnSurface<float>> surface_over(const PieceOf<float>&, const Vec3f&, const Vec3f&,
+                                                      const PieceOf<float>&);
+template std::optional<OnSurface<double>> surface_over(const PieceOf<double>&, const Vec3d&, const Vec3d&,
+                                                       const PieceOf<double>&);
 
 }  // namespace graze

@@ -1,10 +1,11 @@
 // What lies over a contact, so that it is none of the surface that the pieces make together.
 //
-// A solid covers what is inside it. A sheet of triangles has no inside: it covers what it hides from the middle of the
-// shape that touches it. A shape whose middle is above a floor and that meets, below the floor, the side of what
-// continues the floor has been let through by the sheet and not by the side.
+// A shape whose middle is above a floor and that meets, below the floor, the side of something has been let through by
+// the floor and not by that side. So one looks from the contact to the middle of the shape: what lies between is the
+// surface. That needs no inside: a sheet of triangles covers as a solid does.
 //
-// Guarantee: a wall that goes on above the sheet is not covered, be it a step of twice the tolerance of its foot.
+// Guarantee: a wall that goes on above the floor at its foot is not covered, be it a step of four ten-thousandths of the
+// smaller of the wall and the shape (and of what coordinates lose by rounding).
 #pragma once
 
 #include <optional>
@@ -13,18 +14,15 @@
 
 namespace graze {
 
-/// Whether the face of a solid lies against another solid at the point: a step outward leads into that.
-template <class T>
-bool is_covered(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward);
-
 /// A place on a surface, and its normal there (unit, world) on the side of what touches it.
 template <class T>
 struct OnSurface {
   Vec3<T> point, normal;
 };
 
-/// Where a sheet hides a contact of `self`, at `point` with the normal `outward`, from the middle of `other`, if one does
-/// that continues the surface: it rises above the plane through the contact, and `self` does not go on above it.
+/// Where a neighbour hides a contact of `self`, at `point` with the normal `outward`, from the middle of `other`, if one
+/// does that continues the surface: it rises above the plane through the contact, and `self` does not go on above it.
+/// A search along a line for each contact asked about; no allocation.
 template <class T>
 std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                          const PieceOf<T>& other);

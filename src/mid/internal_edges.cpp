@@ -18,15 +18,6 @@ Vec3<T> face_normal(const Triangle<T>& t) {
   return normalized(cross(t.point(1) - t.point(0), t.point(2) - t.point(0)), Vec3<T>{});
 }
 
-/// The middle of the points of a manifold on one of its sides, taken about the first, which is exact far from the origin.
-template <class T>
-Vec3<T> middle(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*side) {
-  const Vec3<T> first = manifold.points[0].*side;
-  Vec3<T> sum{};
-  for (const ContactPoint<T>& p : manifold.points) sum += p.*side - first;
-  return first + sum / static_cast<T>(manifold.points.size());
-}
-
 /// Where a manifold stands on one of its sides: the middle of its deepest points, which of an edge's contact is inside
 /// the edge and not at an end of it.
 template <class T>
@@ -64,12 +55,6 @@ Vec3<T> face_along(const PieceOf<T>& self, const Vec3<T>& outward) {
   return rotate(self.pose.rotation, face);
 }
 
-/// The point of a convex shape where it stands that lies furthest along a direction.
-template <class T>
-Vec3<T> furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direction) {
-  return transform(pose, support(shape, rotate(conjugate(pose.rotation), direction)));
-}
-
 /// Whether a triangle has only those of its own mesh around it.
 template <class T>
 bool is_alone(const PieceOf<T>& self) {
@@ -84,43 +69,19 @@ Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const P
   return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
 }
 
-/// The normal of the face of a box that is one of the surface: nothing rises above it where it is over the point or under
-/// it, the other shape is on its side, and of several it is the one that this is least deep below.
-template <class T>
-std::optional<Vec3<T>> outer_face(const Placed<T>& box, const PieceOf<T>& self, const PieceOf<T>& other,
-                                  const Vec3<T>& point) {
-  std::optional<Vec3<T>> best;
-  if (!box.shape.template as<Box<T>>()) return best;
-  const Vec3<T> middle_of_other = bounds(other.piece, other.pose).center();
-  T least_depth = std::numeric_limits<T>::infinity();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const T sign : {T(1), T(-1)}) {
-      Vec3<T> face{};
-      face[axis] = sign;
-      face = rotate(box.pose.rotation, face);
-      const Vec3<T> place = point + face * dot(furthest(box.shape, box.pose, face) - point, face);
-      const T depth = dot(place - furthest(other.piece, other.pose, -face), face);
-      if (!(depth < least_depth) || !(dot(middle_of_other - place, face) > T(0))) continue;
-      if (riser_around(self, place, face, Among::all)) continue;
-      best = face;
-      least_depth = depth;
-    }
-  return best;
-}
-
 /// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle its
 /// own face's, on the side where the other shape is, unless a sheet covers that; of a solid piece that of the neighbour
 /// which rises above it, as far as the other shape touches that, or of a face of its own, if nothing rises above those.
 template <class T>
 std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>& neighbour, const PieceOf<T>& other,
-                                         const Vec3<T>& point, T margin) {
+                                         const Vec3<T>& point, const Vec3<T>& outward, T margin) {
   if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (face == Vec3<T>{}) return std::nullopt;
     // A neighbour in the plane of the face, as on any flat floor, covers nothing.
     if (is_alone(self) && !piece_rises_above(neighbour.shape, neighbour.pose, point, face)) return face;
     if (const std::optional<OnSurface<T>> over = surface_over(self, point, face, other)) return over->normal;
-    if (is_alone(self) || !is_covered(self, point, face)) return face;
+    return face;
   }
   if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
     const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
@@ -128,11 +89,14 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
   }
   Manifold<T> beside;
   convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
-  if (!beside.points.empty() &&
-      !riser_around(self, standing_point(beside, &ContactPoint<T>::a), beside.normal, Among::all))
-    return beside.normal;
-  const Placed<T> own{self.piece, self.pose};
-  return outer_face(self.piece.template as<Box<T>>() ? own : neighbour, self, other, point);
+  if (!beside.points.empty()) {
+    const PieceOf<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
+    const Vec3<T> place = standing_point(beside, &ContactPoint<T>::a);
+    if (!riser_around(self, place, beside.normal, Among::all) && !surface_over(next, place, beside.normal, other))
+      return beside.normal;
+  }
+  const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
+  return over ? std::optional(over->normal) : std::nullopt;
 }
 
 /// A manifold without points between the pieces that another is between.
@@ -192,9 +156,9 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     const Vec3<T> point = on_face || triangle
                               ? standing_point(now, side)
                               : convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
-    if (!on_face || is_covered(self, middle(now, side), outward)) {
+    if (!on_face) {
       if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward)) {
-        const auto normal = normal_of_surface(self, *neighbour, other, point, margin);
+        const auto normal = normal_of_surface(self, *neighbour, other, point, outward, margin);
         if (!normal) continue;
         const Manifold<T> before = now;
         now = laid_along(a, b, of_a, *normal, margin, before);

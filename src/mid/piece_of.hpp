@@ -28,6 +28,12 @@ bool is_solid(const Shape<T>& shape) {
   return !shape.template as<Triangle<T>>() && !shape.template as<HalfSpace<T>>();
 }
 
+/// The point of a convex shape where it stands that lies furthest along a direction.
+template <class T>
+Vec3<T> furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direction) {
+  return transform(pose, support(shape, rotate(conjugate(pose.rotation), direction)));
+}
+
 /// Sines below this are none: far above the error of a normal in float (curved depths have half the digits), far below
 /// what a slope is made of.
 template <class T>
