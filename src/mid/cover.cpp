@@ -24,6 +24,13 @@ struct Sight {
   T slack;  ///< what lies nearer is on it
 };
 
+template <class T>
+Sight<T> sight_of(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward, const PieceOf<T>& other) {
+  const Aabb<T> box = bounds(self.piece, self.pose), of_other = bounds(other.piece, other.pose);
+  const T size = least(max_abs(box.extent()), max_abs(of_other.extent()));
+  return {self, point, of_other.center(), outward, on_piece<T> * size + place_noise(point) + place_noise(box.extent())};
+}
+
 /// Whether the piece goes on above what may cover it, which then is the floor of a wall: at four times what counts as on
 /// the floor, along the wall. `above`: of the contact over the floor.
 template <class T>
@@ -32,6 +39,11 @@ bool goes_on_above(const Sight<T>& sight, const Vec3<T>& normal, T above, T slac
   const T squared = length_squared(along_wall), rise = T(4) * slack;
   if (!(squared > region_slack<T> * region_slack<T>)) return true;  // one that faces the other cannot cover it
   const Vec3<T> place = sight.from + along_wall * ((rise - above) / squared);
+  if (const auto* triangle = sight.self.piece.template as<Triangle<T>>()) {
+    const Vec3<T> p = inverse_transform(sight.self.pose, place);
+    const auto nearest = closest_point_on_triangle(triangle->point(0), triangle->point(1), triangle->point(2), p);
+    return length(nearest.point - p) < rise / T(2);
+  }
   return convex_distance<T>(sight.self.piece, sight.self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr)
              .distance < rise / T(2);
 }
@@ -134,10 +146,7 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
 template <class T>
 std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                          const PieceOf<T>& other) {
-  const Aabb<T> box = bounds(self.piece, self.pose), of_other = bounds(other.piece, other.pose);
-  const T size = least(max_abs(box.extent()), max_abs(of_other.extent()));
-  const Sight<T> sight{self, point, of_other.center(), outward,
-                       on_piece<T> * size + place_noise(point) + place_noise(box.extent())};
+  const Sight<T> sight = sight_of(self, point, outward, other);
   BestCover<T> best{other};
   if (!self.whole.convex()) look_along(self.whole, self.whole_pose, sight, best);
   const Aabb<T> seen = inflated(Aabb<T>{least(sight.from, sight.to), greatest(sight.from, sight.to)}, sight.slack);

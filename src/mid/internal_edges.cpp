@@ -55,18 +55,22 @@ Vec3<T> face_along(const PieceOf<T>& self, const Vec3<T>& outward) {
   return rotate(self.pose.rotation, face);
 }
 
-/// Whether a triangle has only those of its own mesh around it.
-template <class T>
-bool is_alone(const PieceOf<T>& self) {
-  return self.beside.empty() && !self.whole.template as<Compound<T>>();
-}
-
 /// The face normal of a triangle on the side where the other shape is, in the world; zero without area.
 template <class T>
 Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const PieceOf<T>& other,
                        const Vec3<T>& point) {
   const Vec3<T> face = rotate(pose.rotation, face_normal(triangle));
   return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
+}
+
+/// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh. To
+/// its back pushes the wall of a closed mesh that is met from inside, below the top.
+template <class T>
+bool lies_open(const PieceOf<T>& self, const Vec3<T>& outward) {
+  const auto* triangle = self.piece.template as<Triangle<T>>();
+  if (!triangle || !self.beside.empty() || self.whole.template as<Compound<T>>()) return false;
+  const Vec3<T> front = cross(triangle->point(1) - triangle->point(0), triangle->point(2) - triangle->point(0));
+  return dot(front, rotate(conjugate(self.pose.rotation), outward)) >= T(0);
 }
 
 /// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle its
@@ -78,10 +82,9 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
   if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (face == Vec3<T>{}) return std::nullopt;
-    // A neighbour in the plane of the face, as on any flat floor, covers nothing.
-    if (is_alone(self) && !piece_rises_above(neighbour.shape, neighbour.pose, point, face)) return face;
-    if (const std::optional<OnSurface<T>> over = surface_over(self, point, face, other)) return over->normal;
-    return face;
+    if (lies_open(self, face)) return face;
+    const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
+    return over ? over->normal : face;
   }
   if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
     const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
@@ -148,10 +151,10 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     }
     if (now.points.empty()) continue;
     const bool triangle = self.piece.template as<Triangle<T>>(), on_face = face != Vec3<T>{};
-    // A triangle's face is part of the surface that the triangles of its own mesh make.
-    if (on_face && triangle && is_alone(self)) continue;
     const Vec3<T> outward = of_a ? now.normal : -now.normal;
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
+    const bool open = lies_open(self, outward);
+    if (on_face && open) continue;
     // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
     const Vec3<T> point = on_face || triangle
                               ? standing_point(now, side)
@@ -166,6 +169,7 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
         continue;
       }
     }
+    if (open) continue;
     if (const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other)) {
       const Manifold<T> before = now;
       now = laid_along(a, b, of_a, over->normal, margin, before);

@@ -174,6 +174,28 @@ TYPED_TEST(Seams, OfSolidsAndSheetsAreNotFelt) {
     }
 }
 
+/// A block of triangles, both sides of which count: what stands on it and over its rim meets the top and not the back of
+/// its walls.
+TYPED_TEST(Seams, OfTheTopAndTheWallsOfABlockAreNotFelt) {
+  using T = TypeParam;
+  Random random(11);
+  const Shape<T> block = closed_tile<T>();
+  std::vector<Shape<T>> movers = sliders<T>(random);
+  movers.pop_back();  // a pebble leans over the rim, which has normals of its own
+  for (const Shape<T>& slider : movers)
+    for (std::size_t i = 0; i < slides(); ++i) {
+      const auto number = [&](float low, float high) { return static_cast<T>(uniform(random, low, high)); };
+      const Quat<T> turn = Quat<T>::from_axis_angle({0, 1, 0}, random() % 2 == 0 ? T(0) : number(-3, 3));
+      Vec3<T> at{number(-0.9f, 0.9f), T(1) - lowest(slider, turn) - number(0.0005f, 0.02f), number(-0.9f, 0.9f)};
+      // Over the rim by less than it is deep.
+      if (i % 2 == 0) at.x = T(1) - furthest(slider, turn, Vec3<T>{1, 0, 0}).x + number(0, 0.02f);
+      for (const Manifold<T>& m : contacts_of(block, slider, Pose<T>{at, turn}, i % 4 < 2))
+        ASSERT_LT(length(m.normal - Vec3<T>{0, 1, 0}), T(2e-4))
+            << slider.name() << ' ' << i << " at " << at.x << ' ' << at.y << ' ' << at.z << " piece " << m.piece_a
+            << '/' << m.piece_b << ' ' << m.normal.x << ' ' << m.normal.y << ' ' << m.normal.z;
+    }
+}
+
 /// A sheet about the origin and a solid beside it or upon it that is higher: its side is a wall, and felt as one.
 TYPED_TEST(Seams, OfStepsAreFelt) {
   using T = TypeParam;
