@@ -128,6 +128,7 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
   const Vec3<T> from = inverse_transform(pose, sight.from), to = inverse_transform(pose, sight.to), way = to - from;
   const RayQuestion<T> question{
       from, {T(1) / way.x, T(1) / way.y, T(1) / way.z}, T(0), T(1), sight.slack + place_noise(from) + place_noise(to)};
+  if (question(bounds(whole, Pose<T>{})) > T(1)) return;
   const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
     if (!piece.convex()) {
       look_along(piece, at, sight, best);
@@ -149,9 +150,7 @@ std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& 
   const Sight<T> sight = sight_of(self, point, outward, other);
   BestCover<T> best{other};
   if (!self.whole.convex()) look_along(self.whole, self.whole_pose, sight, best);
-  const Aabb<T> seen = inflated(Aabb<T>{least(sight.from, sight.to), greatest(sight.from, sight.to)}, sight.slack);
-  for (const PlacedRef<T>& beside : self.beside)
-    if (overlap(seen, bounds(*beside.shape, *beside.pose))) look_along(*beside.shape, *beside.pose, sight, best);
+  for (const PlacedRef<T>& beside : self.beside) look_along(*beside.shape, *beside.pose, sight, best);
   return best.surface;
 }
 

@@ -7,6 +7,65 @@
 
 namespace graze {
 
+namespace {
+
+/// Whether a triangle touches `p` and rises above the plane through it. `noise`: what the coordinates of `p` may be off by.
+template <class T>
+bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p, const Vec3<T>& n, T noise) {
+  const T to_a = length(a - p), to_b = length(b - p), to_c = length(c - p);
+  const auto rises = [&](const Vec3<T>& corner, T away) { return dot(corner - p, n) > region_slack<T> * away + noise; };
+  if (!rises(a, to_a) && !rises(b, to_b) && !rises(c, to_c)) return false;
+  const T size = greatest(to_a, greatest(to_b, to_c));
+  return length(closest_point_on_triangle(a, b, c, p).point - p) <= on_piece<T> * size + noise;
+}
+
+/// A triangle of a mesh or height field that comes near `region`, a small one about `p`, and rises there.
+template <class T, class Surface>
+std::optional<std::uint32_t> rising_triangle(const Surface& surface, const Aabb<T>& region, const Vec3<T>& p,
+                                             const Vec3<T>& n, T noise) {
+  std::optional<std::uint32_t> found;
+  const auto look = [&](std::uint32_t number) {
+    const std::array<Vec3<T>, 3> t = surface.triangle(number);
+    if (overlap(bounds_of(t), region) && rises_above(t[0], t[1], t[2], p, n, noise)) found = number;
+    return !found;
+  };
+  if constexpr (requires { surface.each_at(region, look); })
+    surface.each_at(region, look);
+  else
+    visit(
+        surface.hierarchy(), region, [] { return T(0); }, look);
+  return found;
+}
+
+/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
+/// there is one.
+template <class T>
+std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& point,
+                               const Vec3<T>& outward) {
+  std::optional<Placed<T>> found;
+  const Vec3<T> local = inverse_transform(pose, point);
+  const T noise = place_noise(point), reach = on_piece<T> * max_abs(bounds(whole, Pose<T>{}).extent()) + noise;
+  const Aabb<T> region = inflated(Aabb<T>{local, local}, reach);
+  const auto of_surface = [&](const auto& surface) {
+    const auto number = rising_triangle(surface, region, local, rotate(conjugate(pose.rotation), outward), noise);
+    if (number) found.emplace(Placed<T>{triangle_shape(surface.triangle(*number)), pose});
+  };
+  if (with_surface(whole, of_surface)) return found;
+  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
+    if (&piece == self) return true;
+    if (!piece.convex())
+      found = riser(piece, at, self, point, outward);
+    else if (piece_rises_above(piece, at, point, outward))
+      found.emplace(Placed<T>{piece, at});
+    return !found;
+  };
+  visit_pieces(
+      whole, pose, region, [] { return T(0); }, look);
+  return found;
+}
+
+}  // namespace
+
 template <class T>
 bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward) {
   const Vec3<T> p = inverse_transform(pose, point), n = rotate(conjugate(pose.rotation), outward);
@@ -14,15 +73,7 @@ bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>
   return piece.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (std::is_same_v<C, Triangle<T>>) {
-      const T size = greatest(length(c.point(0) - p), greatest(length(c.point(1) - p), length(c.point(2) - p)));
-      const Vec3<T> nearest = closest_point_on_triangle(c.point(0), c.point(1), c.point(2), p).point;
-      if (length(nearest - p) > on_piece<T> * size + noise) return false;
-      bool rises = false;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3<T> to = c.point(i) - p;
-        rises = rises || dot(to, n) > region_slack<T> * length(to) + noise;
-      }
-      return rises;
+      return rises_above(c.point(0), c.point(1), c.point(2), p, n, noise);
     } else if constexpr (BoundedConvex<C>) {
       const T radius = rounding_radius(c, piece.margin()), size = c.core_extent() + radius;
       const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, nullptr);
@@ -33,30 +84,6 @@ bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>
     }
   });
 }
-
-namespace {
-
-/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
-/// there is one.
-template <class T>
-std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& point,
-                               const Vec3<T>& outward) {
-  std::optional<Placed<T>> found;
-  const Vec3<T> local = inverse_transform(pose, point);
-  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
-    if (found || &piece == self) return;
-    if (!piece.convex())
-      found = riser(piece, at, self, point, outward);
-    else if (piece_rises_above(piece, at, point, outward))
-      found.emplace(Placed<T>{piece, at});
-  };
-  const T reach = on_piece<T> * max_abs(bounds(whole, Pose<T>{}).extent()) + place_noise(point);
-  visit_pieces(
-      whole, pose, inflated(Aabb<T>{local, local}, reach), [] { return T(0); }, look);
-  return found;
-}
-
-}  // namespace
 
 template <class T>
 std::optional<Placed<T>> riser_around(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,

@@ -16,9 +16,11 @@ template <class T, class F>
 bool any_around(const PieceOf<T>& self, const Vec3<T>& point, const F& f) {
   if (!self.whole.convex() && f(self.whole, self.whole_pose)) return true;
   return std::any_of(self.beside.begin(), self.beside.end(), [&](const PlacedRef<T>& other) {
-    const Aabb<T> box = bounds(*other.shape, *other.pose);
+    // In its own frame, where bounds cost nothing.
+    const Vec3<T> local = inverse_transform(*other.pose, point);
+    const Aabb<T> box = bounds(*other.shape, Pose<T>{});
     const T reach = on_piece<T> * max_abs(box.extent()) + place_noise(point);
-    return overlap(inflated(box, reach), Aabb<T>{point, point}) && f(*other.shape, *other.pose);
+    return overlap(inflated(box, reach), Aabb<T>{local, local}) && f(*other.shape, *other.pose);
   });
 }
 
