@@ -7,6 +7,7 @@
 #include "mid/cover.hpp"
 #include "mid/risers.hpp"
 #include "narrow/convex_pair.hpp"
+#include "shape/mesh_data.hpp"
 
 namespace graze {
 
@@ -134,6 +135,37 @@ Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool
   return manifold;
 }
 
+/// Whether a triangle of a mesh is known to lie level with all around it.
+template <class T>
+bool lies_level(const PieceOf<T>& self) {
+  const auto* mesh = self.whole.template as<Mesh<T>>();
+  return mesh && mesh->data().level[self.number];
+}
+
+/// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it is
+/// that of a face of the piece.
+template <class T>
+std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
+                                 Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward, bool on_face, T margin) {
+  const auto* triangle = self.piece.template as<Triangle<T>>();
+  const bool open = lies_open(self, outward);
+  if (on_face && open) return std::nullopt;
+  // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
+  const Vec3<T> point = on_face || triangle
+                            ? standing_point(manifold, side)
+                            : convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
+  if (open && lies_level(self)) {
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
+    if (lies_open(self, face)) return face;
+  }
+  if (!on_face)
+    if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward))
+      return normal_of_surface(self, *neighbour, other, point, outward, margin);
+  if (open) return std::nullopt;
+  const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
+  return over ? std::optional(over->normal) : std::nullopt;
+}
+
 }  // namespace
 
 template <class T>
@@ -150,31 +182,12 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
       if (now.points.empty()) settled.instead = tilted;  // rounding may leave a sliver without points
     }
     if (now.points.empty()) continue;
-    const bool triangle = self.piece.template as<Triangle<T>>(), on_face = face != Vec3<T>{};
-    const Vec3<T> outward = of_a ? now.normal : -now.normal;
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
-    const bool open = lies_open(self, outward);
-    if (on_face && open) continue;
-    // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
-    const Vec3<T> point = on_face || triangle
-                              ? standing_point(now, side)
-                              : convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
-    if (!on_face) {
-      if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward)) {
-        const auto normal = normal_of_surface(self, *neighbour, other, point, outward, margin);
-        if (!normal) continue;
-        const Manifold<T> before = now;
-        now = laid_along(a, b, of_a, *normal, margin, before);
-        if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, before);
-        continue;
-      }
-    }
-    if (open) continue;
-    if (const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other)) {
-      const Manifold<T> before = now;
-      now = laid_along(a, b, of_a, over->normal, margin, before);
-      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, over->normal, before);
-    }
+    const auto normal = corrected(self, other, now, side, of_a ? now.normal : -now.normal, face != Vec3<T>{}, margin);
+    if (!normal) continue;
+    const Manifold<T> before = now;
+    now = laid_along(a, b, of_a, *normal, margin, before);
+    if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, before);
   }
   return settled;
 }

@@ -19,6 +19,7 @@ struct PieceOf {
   const Shape<T>& piece;
   const Pose<T>& pose;
   std::span<const PlacedRef<T>> beside = {};
+  std::uint32_t number = 0;  ///< of the piece, if the whole is a mesh
 };
 
 /// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
