@@ -81,6 +81,10 @@ std::optional<OnSurface<T>> crossing(const Triangle<T>& triangle, const Pose<T>&
 /// Where the sight, seen from its end, enters a solid that it goes through or that it begins on.
 template <class T>
 std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, const Sight<T>& sight) {
+  // The plane through a place further along lies no lower.
+  const T ahead = dot(sight.to - sight.from, sight.outward);
+  const T highest = dot(furthest(solid, pose, sight.outward) - sight.from, sight.outward);
+  if (ahead >= T(0) && highest <= place_noise(sight.from)) return std::nullopt;
   // A little further in, so that what begins on the solid up to rounding meets it.
   const Vec3<T> inward = normalized(bounds(solid, pose).center() - sight.from, Vec3<T>{}) * sight.slack;
   const Quatd back = conjugate(cast<double>(pose.rotation));
@@ -128,7 +132,7 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
   const Vec3<T> from = inverse_transform(pose, sight.from), to = inverse_transform(pose, sight.to), way = to - from;
   const RayQuestion<T> question{
       from, {T(1) / way.x, T(1) / way.y, T(1) / way.z}, T(0), T(1), sight.slack + place_noise(from) + place_noise(to)};
-  if (question(bounds(whole, Pose<T>{})) > T(1)) return;
+  if (whole.convex() && question(bounds(whole, Pose<T>{})) > T(1)) return;  // of others the hierarchy tells
   const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
     if (!piece.convex()) {
       look_along(piece, at, sight, best);

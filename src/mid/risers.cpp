@@ -37,6 +37,14 @@ std::optional<std::uint32_t> rising_triangle(const Surface& surface, const Aabb<
   return found;
 }
 
+/// No piece is larger than this: the longest side of the bounds, or of a compound, for which those cost a look at every
+/// child, about as much.
+template <class T>
+T size_of(const Shape<T>& shape) {
+  const auto* compound = shape.template as<Compound<T>>();
+  return compound ? T(2) * compound->core_extent() : max_abs(bounds(shape, Pose<T>{}).extent());
+}
+
 /// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
 /// there is one.
 template <class T>
@@ -44,7 +52,7 @@ std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const
                                const Vec3<T>& outward) {
   std::optional<Placed<T>> found;
   const Vec3<T> local = inverse_transform(pose, point);
-  const T noise = place_noise(point), reach = on_piece<T> * max_abs(bounds(whole, Pose<T>{}).extent()) + noise;
+  const T noise = place_noise(point), reach = on_piece<T> * size_of(whole) + noise;
   const Aabb<T> region = inflated(Aabb<T>{local, local}, reach);
   const auto of_surface = [&](const auto& surface) {
     const auto number = rising_triangle(surface, region, local, rotate(conjugate(pose.rotation), outward), noise);

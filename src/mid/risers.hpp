@@ -16,6 +16,7 @@ template <class T, class F>
 bool any_around(const PieceOf<T>& self, const Vec3<T>& point, const F& f) {
   if (!self.whole.convex() && f(self.whole, self.whole_pose)) return true;
   return std::any_of(self.beside.begin(), self.beside.end(), [&](const PlacedRef<T>& other) {
+    if (other.shape->template as<Compound<T>>()) return f(*other.shape, *other.pose);  // its tree tells as well
     // In its own frame, where bounds cost nothing.
     const Vec3<T> local = inverse_transform(*other.pose, point);
     const Aabb<T> box = bounds(*other.shape, Pose<T>{});
