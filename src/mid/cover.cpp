@@ -81,10 +81,6 @@ std::optional<OnSurface<T>> crossing(const Triangle<T>& triangle, const Pose<T>&
 /// Where the sight, seen from its end, enters a solid that it goes through or that it begins on.
 template <class T>
 std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, const Sight<T>& sight) {
-  // The plane through a place further along lies no lower.
-  const T ahead = dot(sight.to - sight.from, sight.outward);
-  const T highest = dot(furthest(solid, pose, sight.outward) - sight.from, sight.outward);
-  if (ahead >= T(0) && highest <= place_noise(sight.from)) return std::nullopt;
   // A little further in, so that what begins on the solid up to rounding meets it.
   const Vec3<T> inward = normalized(bounds(solid, pose).center() - sight.from, Vec3<T>{}) * sight.slack;
   const Quatd back = conjugate(cast<double>(pose.rotation));
@@ -93,12 +89,24 @@ std::optional<OnSurface<T>> entry(const Shape<T>& solid, const Pose<T>& pose, co
   if (way == Vec3d{}) return std::nullopt;
   const rays::MaybeHit hit = convex_raycast(solid, {eye, normalized(way), 0, length(way), 0}, BackFaces::hit);
   if (!hit || !(hit->t > 0)) return std::nullopt;  // not met, or its middle is inside too
-  const Vec3<T> at = transform(pose, cast<T>(hit->point)), normal = rotate(pose.rotation, cast<T>(hit->normal));
-  const T above = dot(normal, sight.from - at);
-  if (above > sight.slack || !piece_rises_above(solid, pose, at, sight.outward) ||
-      goes_on_above(sight, normal, above, sight.slack))
+  return OnSurface<T>{transform(pose, cast<T>(hit->point)), rotate(pose.rotation, cast<T>(hit->normal))};
+}
+
+/// The same where the solid covers the beginning of the sight.
+template <class T>
+std::optional<OnSurface<T>> covering_entry(const Shape<T>& solid, const Pose<T>& pose, const Sight<T>& sight) {
+  // The plane through a place further along lies no lower.
+  const T ahead = dot(sight.to - sight.from, sight.outward);
+  const T highest = dot(furthest(solid, pose, sight.outward) - sight.from, sight.outward);
+  if (ahead >= T(0) && highest <= place_noise(sight.from)) return std::nullopt;
+  std::optional<OnSurface<T>> seen = entry(solid, pose, sight);
+  if (!seen) return std::nullopt;
+  const T above = dot(seen->normal, sight.from - seen->point);
+  if (above > sight.slack || !piece_rises_above(solid, pose, seen->point, sight.outward) ||
+      goes_on_above(sight, seen->normal, above, sight.slack))
     return std::nullopt;
-  return OnSurface<T>{length(at - sight.from) > T(4) * sight.slack ? at : sight.from, normal};
+  if (length(seen->point - sight.from) <= T(4) * sight.slack) seen->point = sight.from;
+  return seen;
 }
 
 /// Of what is seen to cover the beginning of a sight: what nothing rises above, then what is nearest to the sight's end,
@@ -139,7 +147,7 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
     } else if (const auto* triangle = piece.template as<Triangle<T>>()) {
       if (const auto seen = crossing(*triangle, at, one_sided(whole), sight)) best.offer(*seen, sight);
     } else if (&piece != &sight.self.piece && is_solid(piece)) {
-      if (const auto seen = entry(piece, at, sight)) best.offer(*seen, sight);
+      if (const auto seen = covering_entry(piece, at, sight)) best.offer(*seen, sight);
     }
   };
   visit_pieces(
@@ -158,9 +166,20 @@ std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& 
   return best.surface;
 }
 
-template std::optional<OnSurface<float>> surface_over(const PieceOf<float>&, const Vec3f&, const Vec3f&,
-                                                      const PieceOf<float>&);
-template std::optional<OnSurface<double>> surface_over(const PieceOf<double>&, const Vec3d&, const Vec3d&,
-                                                       const PieceOf<double>&);
+template <class T>
+std::optional<OnSurface<T>> own_surface(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
+                                        const PieceOf<T>& other) {
+  const auto seen = entry(self.piece, self.pose, sight_of(self, point, outward, other));
+  return seen && !riser_around(self, point, seen->normal, Among::all) ? seen : std::nullopt;
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template std::optional<OnSurface<T>> surface_over(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&,                 \
+                                                    const PieceOf<T>&);                                                \
+  template std::optional<OnSurface<T>> own_surface(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&,                  \
+                                                   const PieceOf<T>&);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

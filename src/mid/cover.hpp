@@ -27,4 +27,10 @@ template <class T>
 std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                          const PieceOf<T>& other);
 
+/// The surface of the solid `self` itself that is seen from the middle of `other` where it looks at the contact, if nothing
+/// rises above that.
+template <class T>
+std::optional<OnSurface<T>> own_surface(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
+                                        const PieceOf<T>& other);
+
 }  // namespace graze

@@ -99,8 +99,9 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
     if (!riser_around(self, place, beside.normal, Among::all) && !surface_over(next, place, beside.normal, other))
       return beside.normal;
   }
-  const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
-  return over ? std::optional(over->normal) : std::nullopt;
+  std::optional<OnSurface<T>> seen = surface_over(self, point, outward, other);
+  if (!seen) seen = own_surface(self, point, outward, other);
+  return seen ? std::optional(seen->normal) : std::nullopt;
 }
 
 /// A manifold without points between the pieces that another is between.
