@@ -176,19 +176,23 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
   for (const bool of_a : {true, false}) {
     const PieceOf<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || !is_solid(other.piece)) continue;
-    const Vec3<T> face = face_along(self, of_a ? now.normal : -now.normal);
-    if (face != Vec3<T>{} && face != (of_a ? now.normal : -now.normal)) {
-      const Manifold<T> tilted = now;
-      now = laid_along(a, b, of_a, face, margin, tilted);
-      if (now.points.empty()) settled.instead = tilted;  // rounding may leave a sliver without points
+    const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
+    const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
+    Manifold<T> found;
+    if (tilted) {
+      found = now;
+      now = laid_along(a, b, of_a, face, margin, found);
     }
-    if (now.points.empty()) continue;
+    const bool sliver = now.points.empty();  // rounding may leave one without points
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
-    const auto normal = corrected(self, other, now, side, of_a ? now.normal : -now.normal, face != Vec3<T>{}, margin);
-    if (!normal) continue;
-    const Manifold<T> before = now;
-    now = laid_along(a, b, of_a, *normal, margin, before);
-    if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, before);
+    const auto normal = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
+    if (normal) {
+      if (!sliver) found = now;
+      now = laid_along(a, b, of_a, *normal, margin, found);
+      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, found);
+    } else if (sliver) {
+      settled.instead = found;
+    }
   }
   return settled;
 }
