@@ -1,4 +1,5 @@
-// What slides from a solid to a sheet of triangles and back, over the seam where the one continues the other.
+// What slides from solids to sheets of triangles and back, over the seam where the one continues the other, meets the floor;
+// a step is no seam.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,6 +17,7 @@ using testing::Random;
 using testing::sliders;
 using testing::uniform;
 
+/// On each floor; all floors together see more than ten thousand.
 std::size_t slides() {
   const char* asked = std::getenv("GRAZE_TEST_SLIDES");
   return asked ? std::strtoull(asked, nullptr, 10) : 300;
