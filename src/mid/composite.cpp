@@ -96,8 +96,9 @@ template <class T>
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
-    const Settled<T> settled = settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a},
-                                                {b, pose_b, pb.shape, pb.pose, beside.of_b}, margin, manifold);
+    const Settled<T> settled =
+        settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a, pa.number},
+                         {b, pose_b, pb.shape, pb.pose, beside.of_b, pb.number}, margin, manifold);
     if (nearest) instead = settled.instead;
     if (!settled.manifold.points.empty()) groups.add(settled.manifold);
   };

@@ -4,93 +4,19 @@
 #include <optional>
 
 #include "graze/geometry.hpp"
-#include "mid/pieces.hpp"
+#include "mid/cover.hpp"
+#include "mid/risers.hpp"
 #include "narrow/convex_pair.hpp"
-#include "shape/rounding.hpp"
+#include "shape/mesh_data.hpp"
 
 namespace graze {
 
 namespace {
 
-/// Sines below this are none: far above the error of a normal in float (curved depths have half the digits), far below
-/// what a slope is made of.
-template <class T>
-constexpr T same_direction = T(2e-4);
-/// A normal is inside a Voronoi region that it leaves by less than this sine: half the above, so that what is left of it
-/// on a flat surface is laid along the face.
-template <class T>
-constexpr T region_slack = same_direction<T> / T(2);
-/// A point lies on a piece that is nearer than this, relative to the piece: ten times the tolerance of points in float.
-template <class T>
-constexpr T on_piece = T(1e-4);
-
-/// What the coordinates of a place in the world may have lost: a pose seen from another takes some thirty roundings.
-template <class T>
-T place_noise(const Vec3<T>& place) {
-  return T(64) * std::numeric_limits<T>::epsilon() * max_abs(place);
-}
-
 /// The face normal of a triangle in its own frame; zero without area.
 template <class T>
 Vec3<T> face_normal(const Triangle<T>& t) {
   return normalized(cross(t.point(1) - t.point(0), t.point(2) - t.point(0)), Vec3<T>{});
-}
-
-/// Whether a convex piece touches `point` and rises above the plane through it. World space; `outward` unit.
-template <class T>
-bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward) {
-  const Vec3<T> p = inverse_transform(pose, point), n = rotate(conjugate(pose.rotation), outward);
-  const T noise = place_noise(point);
-  return piece.visit([&](const auto& c) {
-    using C = std::decay_t<decltype(c)>;
-    if constexpr (std::is_same_v<C, Triangle<T>>) {
-      const T size = greatest(length(c.point(0) - p), greatest(length(c.point(1) - p), length(c.point(2) - p)));
-      const Vec3<T> nearest = closest_point_on_triangle(c.point(0), c.point(1), c.point(2), p).point;
-      if (length(nearest - p) > on_piece<T> * size + noise) return false;
-      bool rises = false;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3<T> to = c.point(i) - p;
-        rises = rises || dot(to, n) > region_slack<T> * length(to) + noise;
-      }
-      return rises;
-    } else if constexpr (BoundedConvex<C>) {
-      const T radius = rounding_radius(c, piece.margin()), size = c.core_extent() + radius;
-      const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, nullptr);
-      if (std::abs(d.distance) > on_piece<T> * size + noise) return false;
-      return dot(c.core_support(n) - p, n) + radius > region_slack<T> * size + noise;
-    } else {
-      return false;
-    }
-  });
-}
-
-/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
-/// there is one.
-template <class T>
-std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& point,
-                               const Vec3<T>& outward) {
-  std::optional<Placed<T>> found;
-  const Vec3<T> local = inverse_transform(pose, point);
-  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
-    if (found || &piece == self) return;
-    if (!piece.convex())
-      found = riser(piece, at, self, point, outward);
-    else if (piece_rises_above(piece, at, point, outward))
-      found.emplace(Placed<T>{piece, at});
-  };
-  const T reach = on_piece<T> * max_abs(bounds(whole, Pose<T>{}).extent()) + place_noise(point);
-  visit_pieces(
-      whole, pose, inflated(Aabb<T>{local, local}, reach), [] { return T(0); }, look);
-  return found;
-}
-
-/// The middle of the points of a manifold on one of its sides, taken about the first, which is exact far from the origin.
-template <class T>
-Vec3<T> middle(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*side) {
-  const Vec3<T> first = manifold.points[0].*side;
-  Vec3<T> sum{};
-  for (const ContactPoint<T>& p : manifold.points) sum += p.*side - first;
-  return first + sum / static_cast<T>(manifold.points.size());
 }
 
 /// Where a manifold stands on one of its sides: the middle of its deepest points, which of an edge's contact is inside
@@ -109,64 +35,6 @@ Vec3<T> standing_point(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*si
     count += T(1);
   }
   return (*deepest).*side + sum / count;
-}
-
-/// Whether a place lies inside a solid piece of `whole` other than `self`, by more than rounding.
-template <class T>
-bool is_buried(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& place) {
-  bool buried = false;
-  const Vec3<T> local = inverse_transform(pose, place);
-  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
-    if (buried || &piece == self) return;
-    if (!piece.convex()) {
-      buried = is_buried(piece, at, self, place);
-      return;
-    }
-    const Distance<T> d = convex_distance<T>(piece, at, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr);
-    const T size = max_abs(bounds(piece, Pose<T>{}).extent());
-    buried = d.distance < -T(4) * tolerance<T> * size - place_noise(place);
-  };
-  visit_pieces(
-      whole, pose, Aabb<T>{local, local}, [] { return T(0); }, look);
-  return buried;
-}
-
-/// Calls `f(shape, pose)` for the whole and all that is beside it and holds the point, until it returns true.
-template <class T, class F>
-bool any_around(const PieceOf<T>& self, const Vec3<T>& point, const F& f) {
-  if (!self.whole.convex() && f(self.whole, self.whole_pose)) return true;
-  return std::any_of(self.beside.begin(), self.beside.end(), [&](const PlacedRef<T>& other) {
-    const Aabb<T> box = bounds(*other.shape, *other.pose);
-    const T reach = on_piece<T> * max_abs(box.extent()) + place_noise(point);
-    return overlap(inflated(box, reach), Aabb<T>{point, point}) && f(*other.shape, *other.pose);
-  });
-}
-
-/// Which pieces may be a neighbour that rises: all but the piece itself, or all.
-enum class Among { others, all };
-
-/// A neighbour of the piece that rises above the plane through the point.
-template <class T>
-std::optional<Placed<T>> riser_around(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
-                                      Among among = Among::others) {
-  std::optional<Placed<T>> found;
-  any_around(self, point, [&](const Shape<T>& shape, const Pose<T>& at) {
-    found = riser(shape, at, among == Among::others ? &self.piece : nullptr, point, outward);
-    return found.has_value();
-  });
-  return found;
-}
-
-/// Whether the face of a solid lies against a neighbour at the point: a step outward leads into that. First a step
-/// towards the middle of the face, since its rim is where the next piece begins.
-template <class T>
-bool is_covered(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
-  const Aabb<T> box = bounds(self.piece, self.pose);
-  const T step = on_piece<T> * max_abs(box.extent());
-  const Vec3<T> to_center = box.center() - point, inward = to_center - outward * dot(to_center, outward);
-  const Vec3<T> place = point + normalized(inward, Vec3<T>{}) * (T(4) * step) + outward * step;
-  return any_around(self, point,
-                    [&](const Shape<T>& shape, const Pose<T>& at) { return is_buried(shape, at, &self.piece, place); });
 }
 
 /// The normal of the triangle's or box's face that `outward` is the normal of, but for rounding; zero if of none.
@@ -188,33 +56,52 @@ Vec3<T> face_along(const PieceOf<T>& self, const Vec3<T>& outward) {
   return rotate(self.pose.rotation, face);
 }
 
+/// The face normal of a triangle on the side where the other shape is, in the world; zero without area.
+template <class T>
+Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const PieceOf<T>& other,
+                       const Vec3<T>& point) {
+  const Vec3<T> face = rotate(pose.rotation, face_normal(triangle));
+  return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
+}
+
+/// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh. To
+/// its back pushes the wall of a closed mesh that is met from inside, below the top.
+template <class T>
+bool lies_open(const PieceOf<T>& self, const Vec3<T>& outward) {
+  const auto* triangle = self.piece.template as<Triangle<T>>();
+  if (!triangle || !self.beside.empty() || self.whole.template as<Compound<T>>()) return false;
+  const Vec3<T> front = cross(triangle->point(1) - triangle->point(0), triangle->point(2) - triangle->point(0));
+  return dot(front, rotate(conjugate(self.pose.rotation), outward)) >= T(0);
+}
+
 /// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle its
-/// own face's, on the side where the other shape is; of a solid piece that of the neighbour which rises above it, as far
-/// as the other shape touches that, or of a face of its own, if nothing rises above those.
+/// own face's, on the side where the other shape is, unless a sheet covers that; of a solid piece that of the neighbour
+/// which rises above it, as far as the other shape touches that, or of a face of its own, if nothing rises above those.
 template <class T>
 std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>& neighbour, const PieceOf<T>& other,
-                                         const Vec3<T>& point, T margin) {
+                                         const Vec3<T>& point, const Vec3<T>& outward, T margin) {
   if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
-    const Vec3<T> face = rotate(self.pose.rotation, face_normal(*triangle));
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (face == Vec3<T>{}) return std::nullopt;
-    return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
+    if (lies_open(self, face)) return face;
+    const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
+    return over ? over->normal : face;
+  }
+  if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
+    const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
+    if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
   }
   Manifold<T> beside;
   convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
-  if (!beside.points.empty() &&
-      !riser_around(self, standing_point(beside, &ContactPoint<T>::a), beside.normal, Among::all))
-    return beside.normal;
-  if (self.piece.template as<Box<T>>())
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const T sign : {T(1), T(-1)}) {
-        Vec3<T> face{};
-        face[axis] = sign;
-        face = rotate(self.pose.rotation, face);
-        // At the place on the face that is over the point or under it.
-        const Vec3<T> corner = transform(self.pose, support(self.piece, rotate(conjugate(self.pose.rotation), face)));
-        if (!riser_around(self, point + face * dot(corner - point, face), face)) return face;
-      }
-  return std::nullopt;
+  if (!beside.points.empty()) {
+    const PieceOf<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
+    const Vec3<T> place = standing_point(beside, &ContactPoint<T>::a);
+    if (!riser_around(self, place, beside.normal, Among::all) && !surface_over(next, place, beside.normal, other))
+      return beside.normal;
+  }
+  std::optional<OnSurface<T>> seen = surface_over(self, point, outward, other);
+  if (!seen) seen = own_surface(self, point, outward, other);
+  return seen ? std::optional(seen->normal) : std::nullopt;
 }
 
 /// A manifold without points between the pieces that another is between.
@@ -240,16 +127,44 @@ Manifold<T> laid_along(const PieceOf<T>& a, const PieceOf<T>& b, bool of_a, cons
 template <class T>
 Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool of_a, const Vec3<T>& outward,
                            const Manifold<T>& like) {
-  const auto reach = [&](const PieceOf<T>& of, const Vec3<T>& along) {
-    return transform(of.pose, support(of.piece, rotate(conjugate(of.pose.rotation), along)));
-  };
-  const Vec3<T> lowest = reach(other, -outward);
-  const T distance = dot(lowest - reach(self, outward), outward);
+  const Vec3<T> lowest = furthest(other.piece, other.pose, -outward);
+  const T distance = dot(lowest - furthest(self.piece, self.pose, outward), outward);
   const Vec3<T> above = lowest - outward * distance;
   Manifold<T> manifold = between_same_pieces(like);
   manifold.normal = of_a ? outward : -outward;
   manifold.points.push_back({of_a ? above : lowest, of_a ? lowest : above, distance, like.points[0].feature});
   return manifold;
+}
+
+/// Whether a triangle of a mesh is known to lie level with all around it.
+template <class T>
+bool lies_level(const PieceOf<T>& self) {
+  const auto* mesh = self.whole.template as<Mesh<T>>();
+  return mesh && mesh->data().level[self.number];
+}
+
+/// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it is
+/// that of a face of the piece.
+template <class T>
+std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
+                                 Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward, bool on_face, T margin) {
+  const auto* triangle = self.piece.template as<Triangle<T>>();
+  const bool open = lies_open(self, outward);
+  if (on_face && open) return std::nullopt;
+  // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
+  const Vec3<T> point = on_face || triangle
+                            ? standing_point(manifold, side)
+                            : convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
+  if (open && lies_level(self)) {
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
+    if (lies_open(self, face)) return face;
+  }
+  if (!on_face)
+    if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward))
+      return normal_of_surface(self, *neighbour, other, point, outward, margin);
+  if (open) return std::nullopt;
+  const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
+  return over ? std::optional(over->normal) : std::nullopt;
 }
 
 }  // namespace
@@ -261,29 +176,23 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
   for (const bool of_a : {true, false}) {
     const PieceOf<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || !is_solid(other.piece)) continue;
-    const Vec3<T> face = face_along(self, of_a ? now.normal : -now.normal);
-    if (face != Vec3<T>{} && face != (of_a ? now.normal : -now.normal)) {
-      const Manifold<T> tilted = now;
-      now = laid_along(a, b, of_a, face, margin, tilted);
-      if (now.points.empty()) settled.instead = tilted;  // rounding may leave a sliver without points
+    const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
+    const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
+    Manifold<T> found;
+    if (tilted) {
+      found = now;
+      now = laid_along(a, b, of_a, face, margin, found);
     }
-    if (now.points.empty()) continue;
-    // A triangle's face is part of the surface; a solid's may lie against its neighbour's.
-    if (face != Vec3<T>{} && self.piece.template as<Triangle<T>>()) continue;
-    const Vec3<T> outward = of_a ? now.normal : -now.normal;
+    const bool sliver = now.points.empty();  // rounding may leave one without points
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
-    if (face != Vec3<T>{} && !is_covered(self, middle(now, side), outward)) continue;
-    // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
-    const bool beside_edge = face == Vec3<T>{} && !self.piece.template as<Triangle<T>>();
-    const Vec3<T> point = beside_edge ? convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a
-                                      : standing_point(now, side);
-    const std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
-    if (!neighbour) continue;
-    const auto normal = normal_of_surface(self, *neighbour, other, point, margin);
-    if (!normal) continue;
-    const Manifold<T> before = now;
-    now = laid_along(a, b, of_a, *normal, margin, before);
-    if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, before);
+    const auto normal = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
+    if (normal) {
+      if (!sliver) found = now;
+      now = laid_along(a, b, of_a, *normal, margin, found);
+      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, found);
+    } else if (sliver) {
+      settled.instead = found;
+    }
   }
   return settled;
 }

@@ -5,34 +5,18 @@
 // the Voronoi region of the feature that it stands on (Mirtich 1998, "V-Clip", section 2), which is to say that nothing
 // of the surface around its point rises above the plane through the point that it is the normal of.
 //
-// Guarantee: a contact of a solid whose normal is not the surface's is laid along the normal of the piece's own face, or left out
-// where that face is not met. It is decided by where the pieces lie and not by which vertices they share, so that
-// duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies are all alike.
+// Where a normal is none, what rises (`risers.hpp`) or what lies over the contact (`cover.hpp`) tells the surface's.
+//
+// Guarantee: a contact of a solid whose normal is not the surface's is laid along the normal of the piece's own face, or of
+// what covers it, or left out where the piece is not met along that. It is decided by where the pieces lie and not by which
+// vertices they share, so that duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies, solids
+// beside sheets among them, are all alike. What a mesh knows of its level triangles only saves the search.
 #pragma once
 
-#include <span>
-
 #include "graze/contact.hpp"
-#include "graze/shape.hpp"
+#include "mid/piece_of.hpp"
 
 namespace graze {
-
-/// A convex piece of a shape, the shape, and what stands still beside it and may continue its surface.
-template <class T>
-struct PieceOf {
-  const Shape<T>& whole;
-  const Pose<T>& whole_pose;
-  const Shape<T>& piece;
-  const Pose<T>& pose;
-  std::span<const PlacedRef<T>> beside = {};
-};
-
-/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
-/// is right wherever it is met.
-template <class T>
-bool is_solid(const Shape<T>& shape) {
-  return !shape.template as<Triangle<T>>() && !shape.template as<HalfSpace<T>>();
-}
 
 /// What becomes of the manifold of two pieces.
 template <class T>

@@ -94,7 +94,35 @@ struct HeightFieldData {
     return go_on(f, number) && go_on(f, number + 1);
   }
 
+  /// Calls `f(number)` for the triangles of the cells that a region reaches into, and perhaps of some beside it, holes left
+  /// out; `f` may return false to end that. Where few cells are, the grid tells them without a search.
+  template <class F>
+  bool each_at(const Aabb<T>& region, F& f) const {
+    const auto [first_column, end_column] = cells_between(region.lower.x, region.upper.x, spacing_x, columns - 1);
+    const auto [first_row, end_row] = cells_between(region.lower.z, region.upper.z, spacing_z, rows - 1);
+    constexpr std::uint32_t few = 4;
+    if (end_column - first_column > few || end_row - first_row > few)
+      return visit(
+          *this, region, [] { return T(0); }, f);
+    for (std::uint32_t r = first_row; r < end_row; ++r)
+      for (std::uint32_t c = first_column; c < end_column; ++c) {
+        const Span s = cell(c, r);
+        if (s.low <= s.high && !each_piece({c, r, 0}, f)) return false;
+      }
+    return true;
+  }
+
  private:
+  /// The cells, of a row or a column of `count`, that an interval reaches into, and one more on either side where rounding
+  /// may hide that; all, if they have no width.
+  static std::pair<std::uint32_t, std::uint32_t> cells_between(T low, T high, T spacing, std::uint32_t count) {
+    if (!(spacing > T(0))) return {0, count};
+    const T middle = T(count) / T(2), rounding = T(8) * std::numeric_limits<T>::epsilon() * T(count);
+    const T first = clamp(std::floor(low / spacing + middle - rounding), T(0), T(count));
+    const T end = clamp(std::floor(high / spacing + middle + rounding) + T(1), T(0), T(count));
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
+  }
+
   std::pair<std::uint32_t, std::uint32_t> size_of(std::uint32_t level) const {
     if (level == 0) return {columns - 1, rows - 1};
     return {levels[level - 1].columns, levels[level - 1].rows};

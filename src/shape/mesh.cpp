@@ -63,7 +63,11 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
   auto data = std::make_shared<MeshData<T>>();
   for (const Vec3<T>& p : points) data->extent = greatest(data->extent, length(p));
   data->sides = sides;
-  data->closed = bounds_solid(triangles, points.size());
+  {
+    const EdgeUses edges(triangles, points.size());
+    data->closed = edges.bound_solid();
+    data->level = level_triangles<T>(points, triangles, edges);
+  }
   data->points = std::move(points);
   data->triangles = std::move(triangles);
   std::vector<TreePiece<T>> pieces;

@@ -19,6 +19,7 @@ struct MeshData {
   T extent = T(0);                 ///< the greatest distance of a point from the frame's origin
   double radius = 0;               ///< of a ball about the centre of the bounds, as rounded, that holds all of them
   bool closed = false;             ///< bounds a solid
+  std::vector<bool> level;         ///< of each triangle: lies level with all around it
   Sides sides = Sides::both;
 
   const WideTree<T>& hierarchy() const { return tree; }

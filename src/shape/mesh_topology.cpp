@@ -44,9 +44,8 @@ std::uint64_t hash_of(const Vec3<T>& p) {
 
 }  // namespace
 
-bool bounds_solid(std::span<const Index> triangles, std::size_t points) {
+EdgeUses::EdgeUses(std::span<const Index> triangles, std::size_t points) : begin_(points + 1, 0) {
   // The directed edges in the order of their lesser end: the other end times two, and in which direction.
-  std::vector<std::uint32_t> begin(points + 1, 0);
   const auto each_edge = [&](const auto& f) {
     for (const Index& t : triangles) {
       if (repeats_corner(t)) continue;
@@ -56,18 +55,44 @@ bool bounds_solid(std::span<const Index> triangles, std::size_t points) {
       }
     }
   };
-  each_edge([&](std::uint32_t low, std::uint64_t) { ++begin[low + 1]; });
-  for (std::size_t i = 0; i < points; ++i) begin[i + 1] += begin[i];
-  std::vector<std::uint64_t> ends(begin[points]);
-  std::vector<std::uint32_t> filled(begin.begin(), begin.end() - 1);
-  each_edge([&](std::uint32_t low, std::uint64_t end) { ends[filled[low]++] = end; });
-  for (std::size_t i = 0; i < points; ++i) {
-    const auto first = ends.begin() + begin[i], last = ends.begin() + begin[i + 1];
-    std::sort(first, last);
-    for (auto at = first; at != last; at += 2)
-      if (at + 1 == last || at[0] % 2 != 0 || at[1] != at[0] + 1 || (at + 2 != last && at[2] == at[1])) return false;
+  each_edge([&](std::uint32_t low, std::uint64_t) { ++begin_[low + 1]; });
+  for (std::size_t i = 0; i < points; ++i) begin_[i + 1] += begin_[i];
+  ends_.resize(begin_[points]);
+  std::vector<std::uint32_t> filled(begin_.begin(), begin_.end() - 1);
+  each_edge([&](std::uint32_t low, std::uint64_t end) { ends_[filled[low]++] = end; });
+  for (std::size_t i = 0; i < points; ++i) std::sort(ends_.begin() + begin_[i], ends_.begin() + begin_[i + 1]);
+}
+
+bool EdgeUses::bound_solid() const {
+  return !ends_.empty() && each([](std::uint32_t, std::uint32_t, bool paired) { return paired; });
+}
+
+template <class T>
+std::vector<bool> level_triangles(std::span<const Vec3<T>> points, std::span<const Index> triangles,
+                                  const EdgeUses& edges) {
+  std::vector<char> level(points.size(), 1);
+  edges.each([&](std::uint32_t i, std::uint32_t j, bool paired) {
+    if (!paired) level[i] = level[j] = 0;
+    return true;
+  });
+  // Half of it from the first normal seen at a corner, so that no two there differ by more than the whole.
+  std::vector<Vec3<T>> normals(points.size());
+  for (const Index& t : triangles) {
+    if (repeats_corner(t)) continue;
+    const Vec3<T>& a = points[t[0]];
+    const Vec3<T> normal = normalized(cross(points[t[1]] - a, points[t[2]] - a), Vec3<T>{});
+    for (const std::uint32_t i : t) {
+      Vec3<T>& first = normals[i];
+      if (first == Vec3<T>{}) first = normal;
+      if (normal == Vec3<T>{} || length_squared(normal - first) > level_sine<T> * level_sine<T> / T(4)) level[i] = 0;
+    }
   }
-  return !ends.empty();
+  std::vector<bool> out(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Index& t = triangles[i];
+    out[i] = !repeats_corner(t) && level[t[0]] != 0 && level[t[1]] != 0 && level[t[2]] != 0;
+  }
+  return out;
 }
 
 template <class T>
@@ -100,6 +125,8 @@ std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points, 
   return out;
 }
 
+template std::vector<bool> level_triangles(std::span<const Vec3f>, std::span<const Index>, const EdgeUses&);
+template std::vector<bool> level_triangles(std::span<const Vec3d>, std::span<const Index>, const EdgeUses&);
 template std::vector<std::uint32_t> different_triangles(std::span<const Vec3f>, std::span<const Index>);
 template std::vector<std::uint32_t> different_triangles(std::span<const Vec3d>, std::span<const Index>);
 

@@ -2,14 +2,49 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "graze/shape/mesh.hpp"
 
 namespace graze {
 
-/// Whether the triangles bound a solid: every edge is run through once in each direction, by place in the list of points.
-/// Triangles that have a corner twice are passed over. Cost n log n.
-bool bounds_solid(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points);
+/// The edges of a mesh, sorted: by which triangles, and in which direction, each is run through. Edges are told from each
+/// other by place in the list of points. Triangles that have a corner twice are passed over. Cost n log n.
+class EdgeUses {
+ public:
+  EdgeUses(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points);
+
+  /// Whether the triangles bound a solid: every edge is run through once in each direction.
+  bool bound_solid() const;
+
+  /// Calls `f(i, j, paired)` for the edges between points i < j, until it returns false; `paired`: run through once in each
+  /// direction, and not more. Returns whether it went to the end.
+  template <class F>
+  bool each(F&& f) const {
+    for (std::uint32_t i = 0; i + 1 < begin_.size(); ++i)
+      for (std::size_t at = begin_[i], next = at; at < begin_[i + 1]; at = next) {
+        while (next < begin_[i + 1] && ends_[next] / 2 == ends_[at] / 2) ++next;
+        const bool paired = next - at == 2 && ends_[at] % 2 == 0 && ends_[at + 1] % 2 == 1;
+        if (!f(i, static_cast<std::uint32_t>(ends_[at] / 2), paired)) return false;
+      }
+    return true;
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;  ///< of each point: where the edges of which it is the lesser end begin
+  std::vector<std::uint64_t> ends_;
+};
+
+/// Triangles lie level whose normals differ by less than this: an eighth of the sine below which a contact's normal counts
+/// as that of a face, so that any other is none of the surface's.
+template <class T>
+inline constexpr T level_sine = T(2.5e-5);
+
+/// Which triangles lie level with all that share a corner with them, the surface going on all around: no contact on their
+/// edges and corners has a normal but the face's. Cost n.
+template <class T>
+std::vector<bool> level_triangles(std::span<const Vec3<T>> points,
+                                  std::span<const std::array<std::uint32_t, 3>> triangles, const EdgeUses& edges);
 
 /// The triangles, by number, that do not repeat an earlier one: the same corners in the same turn, or, without area for
 /// two corners at one place, the same points. What repeats changes no answer, and piled up in thousands costs the square

@@ -5,14 +5,15 @@
 
 #include <cstdlib>
 
-#include "common/specimen.hpp"
 #include "graze/query.hpp"
+#include "mid/sliding.hpp"
 
 namespace graze {
 namespace {
 
-using testing::Kind;
+using testing::lowest;
 using testing::Random;
+using testing::sliders;
 
 std::size_t positions() {
   const char* asked = std::getenv("GRAZE_TEST_SLIDES");
@@ -79,12 +80,6 @@ Shape<T> floor_of_boxes() {
   return Compound<T>(std::move(children));
 }
 
-/// The lowest point of a shape as it is turned.
-template <class T>
-T lowest(const Shape<T>& shape, const Quat<T>& turn) {
-  return rotate(turn, support(shape, rotate(conjugate(turn), Vec3<T>{0, -1, 0}))).y;
-}
-
 /// A body somewhere on the floor, a little deep, lying on a face or anyhow.
 template <class T>
 void expect_the_floors_normal(const Shape<T>& floor, const Shape<T>& body, Random& random, bool level) {
@@ -120,17 +115,6 @@ template <class T>
 class InternalEdges : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(InternalEdges, Scalars);
-
-template <class T>
-std::vector<Shape<T>> sliders(Random& random) {
-  std::vector<Shape<T>> all{Shape<T>(Sphere<T>(T(0.5))), Shape<T>(Box<T>({1, T(0.5), T(1.5)})),
-                            Shape<T>(Capsule<T>(1, T(0.3), T(0.3))), Shape<T>(Cylinder<T>(T(0.8), T(0.5), T(0.5))),
-                            Shape<T>(Box<T>({1, 1, 1}), T(0.1))};
-  std::vector<Vec3<T>> points;
-  for (int i = 0; i < 20; ++i) points.push_back(cast<T>(testing::random_vector(random, 0.6f)));
-  all.push_back(ConvexHull<T>(points));
-  return all;
-}
 
 TYPED_TEST(InternalEdges, NothingCatchesOnFloorsOfTriangles) {
   using T = TypeParam;

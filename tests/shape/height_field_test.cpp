@@ -111,6 +111,18 @@ TYPED_TEST(HeightFields, ThePyramidMissesNothing) {
     }
     EXPECT_LE(found.size(), whole);
 
+    // What the grid tells without a search: of a small region, at a corner of the grid in one case of two.
+    const std::array<Vec3<T>, 3> some =
+        field.triangle(2 * (static_cast<std::uint32_t>(random() % ((columns - 1) * (rows - 1)))));
+    const Vec3<T> q = random() % 2 == 0 ? some[random() % 3] : cast<T>(random_vector(random, 12));
+    const Aabb<T> near = inflated(Aabb<T>{{q.x, -1, q.z}, {q.x, 1, q.z}}, T(uniform(random, 0, 1e-3f)));
+    std::set<std::uint32_t> told;
+    auto tell = [&](std::uint32_t t) { EXPECT_TRUE(field.has_triangle(t) && told.insert(t).second); };
+    data.each_at(near, tell);
+    for (std::uint32_t t = 0; t < field.triangle_numbers(); ++t)
+      EXPECT_TRUE(!field.has_triangle(t) || !overlap(bounds_of(field.triangle(t)), near) || told.count(t));
+    EXPECT_LE(told.size(), 2 * 5 * 5u);
+
     // The bounds under a pose contain every corner, and are not wider than that but for rounding and what `loose_bounds` allows.
     const Pose<T> pose{cast<T>(random_vector(random, 5)), normalized(cast<T>(random_rotation(random)))};
     const Aabb<T> bounds = graze::bounds(Shape<T>(field), pose);

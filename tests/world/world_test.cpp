@@ -266,7 +266,7 @@ TEST(World, AMarginOfItsOwn) {
   EXPECT_TRUE(world.events().empty());
 }
 
-/// The seam of two floors side by side is not felt: of boxes, and of triangles.
+/// The seam of two floors side by side is not felt: of boxes, of triangles, and of a box beside triangles.
 TEST(World, NothingCatchesOnTheSeamOfFixedBodies) {
   const auto sheet = [](double from, double to) -> Shaped {
     const std::vector<Vec3d> points{{from, 0, -3}, {to, 0, -3}, {to, 0, 3}, {from, 0, 3}};
@@ -274,7 +274,8 @@ TEST(World, NothingCatchesOnTheSeamOfFixedBodies) {
   };
   const Shaped slab(Box<double>({3, 1, 6}));
   const Placed<double> floors[][2] = {{{slab, {{-1.5, -0.5, 0}, {}}}, {slab, {{1.5, -0.5, 0}, {}}}},
-                                      {{sheet(-3, 0), {}}, {sheet(0, 3), {}}}};
+                                      {{sheet(-3, 0), {}}, {sheet(0, 3), {}}},
+                                      {{slab, {{-1.5, -0.5, 0}, {}}}, {sheet(0, 3), {}}}};
   Random random(5);
   for (const auto& floor : floors) {
     Worldd world;

@@ -1,0 +1,114 @@
+#include "mid/risers.hpp"
+
+#include "graze/geometry.hpp"
+#include "mid/pieces.hpp"
+#include "narrow/convex_pair.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Whether a triangle touches `p` and rises above the plane through it. `noise`: what the coordinates of `p` may be off by.
+template <class T>
+bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p, const Vec3<T>& n, T noise) {
+  const T to_a = length(a - p), to_b = length(b - p), to_c = length(c - p);
+  const auto rises = [&](const Vec3<T>& corner, T away) { return dot(corner - p, n) > region_slack<T> * away + noise; };
+  if (!rises(a, to_a) && !rises(b, to_b) && !rises(c, to_c)) return false;
+  const T size = greatest(to_a, greatest(to_b, to_c));
+  return length(closest_point_on_triangle(a, b, c, p).point - p) <= on_piece<T> * size + noise;
+}
+
+/// A triangle of a mesh or height field that comes near `region`, a small one about `p`, and rises there.
+template <class T, class Surface>
+std::optional<std::uint32_t> rising_triangle(const Surface& surface, const Aabb<T>& region, const Vec3<T>& p,
+                                             const Vec3<T>& n, T noise) {
+  std::optional<std::uint32_t> found;
+  const auto look = [&](std::uint32_t number) {
+    const std::array<Vec3<T>, 3> t = surface.triangle(number);
+    if (overlap(bounds_of(t), region) && rises_above(t[0], t[1], t[2], p, n, noise)) found = number;
+    return !found;
+  };
+  if constexpr (requires { surface.each_at(region, look); })
+    surface.each_at(region, look);
+  else
+    visit(
+        surface.hierarchy(), region, [] { return T(0); }, look);
+  return found;
+}
+
+/// No piece is larger than this: the longest side of the bounds, or of a compound, for which those cost a look at every
+/// child, about as much.
+template <class T>
+T size_of(const Shape<T>& shape) {
+  const auto* compound = shape.template as<Compound<T>>();
+  return compound ? T(2) * compound->core_extent() : max_abs(bounds(shape, Pose<T>{}).extent());
+}
+
+/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
+/// there is one.
+template <class T>
+std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& point,
+                               const Vec3<T>& outward) {
+  std::optional<Placed<T>> found;
+  const Vec3<T> local = inverse_transform(pose, point);
+  const T noise = place_noise(point), reach = on_piece<T> * size_of(whole) + noise;
+  const Aabb<T> region = inflated(Aabb<T>{local, local}, reach);
+  const auto of_surface = [&](const auto& surface) {
+    const auto number = rising_triangle(surface, region, local, rotate(conjugate(pose.rotation), outward), noise);
+    if (number) found.emplace(Placed<T>{triangle_shape(surface.triangle(*number)), pose});
+  };
+  if (with_surface(whole, of_surface)) return found;
+  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
+    if (&piece == self) return true;
+    if (!piece.convex())
+      found = riser(piece, at, self, point, outward);
+    else if (piece_rises_above(piece, at, point, outward))
+      found.emplace(Placed<T>{piece, at});
+    return !found;
+  };
+  visit_pieces(
+      whole, pose, region, [] { return T(0); }, look);
+  return found;
+}
+
+}  // namespace
+
+template <class T>
+bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward) {
+  const Vec3<T> p = inverse_transform(pose, point), n = rotate(conjugate(pose.rotation), outward);
+  const T noise = place_noise(point);
+  return piece.visit([&](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (std::is_same_v<C, Triangle<T>>) {
+      return rises_above(c.point(0), c.point(1), c.point(2), p, n, noise);
+    } else if constexpr (BoundedConvex<C>) {
+      const T radius = rounding_radius(c, piece.margin()), size = c.core_extent() + radius;
+      const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, nullptr);
+      if (std::abs(d.distance) > on_piece<T> * size + noise) return false;
+      return dot(c.core_support(n) - p, n) + radius > region_slack<T> * size + noise;
+    } else {
+      return false;
+    }
+  });
+}
+
+template <class T>
+std::optional<Placed<T>> riser_around(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
+                                      Among among) {
+  std::optional<Placed<T>> found;
+  any_around(self, point, [&](const Shape<T>& shape, const Pose<T>& at) {
+    found = riser(shape, at, among == Among::others ? &self.piece : nullptr, point, outward);
+    return found.has_value();
+  });
+  return found;
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template bool piece_rises_above(const Shape<T>&, const Pose<T>&, const Vec3<T>&, const Vec3<T>&);                    \
+  template std::optional<Placed<T>> riser_around(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&, Among);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze
