@@ -1,6 +1,6 @@
 #include "graze/batch_raycast.hpp"
 
-#include "narrow/rays/ray_block.hpp"
+#include "narrow/rays/mesh_block.hpp"
 #include "query/shape_rays.hpp"
 
 namespace graze {
@@ -89,12 +89,33 @@ void each_block(std::span<const Ray<T>> rays, T length, const BlockFrame& frame,
   }
 }
 
+template <class T>
+rays::BlockMesh<T> block_mesh(const MeshData<T>& mesh, BackFaces back, bool any) {
+  const Vec3d center = cast<double>(mesh.tree.bounds().center());
+  return {mesh.tree.nodes().data(),
+          mesh.leaves.data(),
+          &mesh.points.data()->x,
+          mesh.tree.order().data(),
+          static_cast<double>(mesh.extent),
+          {center.x, center.y, center.z},
+          mesh.radius,
+          back == BackFaces::hit,
+          any};
+}
+
 void find_hits(RayBlock& block, std::size_t filled, const BlockShape& shape) {
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), block_hits);
   kernel(block, filled, shape);
 }
 
-/// One ray after the other, where there is no closed form for several.
+template <class T>
+void find_hits(RayBlock& block, std::size_t filled, const rays::BlockMesh<T>& mesh,
+               std::uint32_t (&pieces)[RayBlock::size]) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), block_at_mesh<T>);
+  kernel(block, filled, mesh, pieces);
+}
+
+/// One ray after the other, where there is no way for several.
 template <class T>
 [[gnu::flatten]] void find_hits(RayBlock& block, std::size_t filled, const Shape<T>& shape, BackFaces back,
                                 std::uint32_t (&pieces)[RayBlock::size]) {
@@ -122,6 +143,8 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
              std::span<std::optional<RayHit<T>>> hits, T length, BackFaces back) {
   const BlockFrame frame = block_frame(precise(pose));
   const BlockShape closed = block_shape(shape, back);
+  const auto* mesh = shape.template as<Mesh<T>>();
+  const rays::BlockMesh<T> triangles = mesh ? block_mesh(mesh->data(), back, false) : rays::BlockMesh<T>{};
   static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
   std::uint32_t pieces[RayBlock::size] = {};
   BlockHits<T> found;
@@ -129,6 +152,8 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
                if (closed.kind != BlockShape::none)
                  find_hits(block, filled, closed);
+               else if (mesh)
+                 find_hits(block, filled, triangles, pieces);
                else
                  find_hits(block, filled, shape, back, pieces);
                to_world(block, filled, frame, length, found);
@@ -148,11 +173,18 @@ void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray
                  T length, BackFaces back) {
   const BlockFrame frame = block_frame(precise(pose));
   const BlockShape closed = block_shape(shape, back);
+  const auto* mesh = shape.template as<Mesh<T>>();
+  const rays::BlockMesh<T> triangles = mesh ? block_mesh(mesh->data(), back, true) : rays::BlockMesh<T>{};
+  std::uint32_t pieces[RayBlock::size] = {};
+  const bool together = mesh || closed.kind != BlockShape::none;
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (closed.kind != BlockShape::none) find_hits(block, filled, closed);
+               if (mesh)
+                 find_hits(block, filled, triangles, pieces);
+               else if (together)
+                 find_hits(block, filled, closed);
                for (std::size_t i = 0; i < some.size(); ++i) {
-                 if (closed.kind != BlockShape::none && block.state[i] != rays::ray_again) {
+                 if (together && block.state[i] != rays::ray_again) {
                    hits[first + i] = block.state[i] == rays::ray_hit;
                  } else {
                    LocalRay ray = local_ray(block, i);

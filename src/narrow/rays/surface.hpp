@@ -41,32 +41,37 @@ template <class Found>
 class TriangleCast {
  public:
   TriangleCast(const LocalRay& far, const Vec3d& center, bool both_sides, Found& found)
-      : near_(recentered(far, center)), both_sides_(both_sides), found_(found) {}
+      : near_(recentered(far, center)), end_(near_.ray.end), both_sides_(both_sides), found_(found) {}
 
-  /// Whose origin is near the centre, and whose end is the nearest hit or what `found` made of it.
+  /// Whose origin is near the centre.
   const LocalRay& ray() const { return near_.ray; }
+  /// How far it has still to be followed.
+  double end() const { return end_; }
 
   /// `number()` tells the triangle's, where it is hit.
   template <class Corners, class Number>
   [[gnu::flatten]] double at(const Corners& corners, const Number& number) {
-    LocalRay& ray = near_.ray;
+    const LocalRay& ray = near_.ray;
     const auto vertex = [&](std::size_t i) { return cast<double>(corners[i]); };
     const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
     if (!sheared_) sheared_.emplace(ray);
     const Crossing at = crossing((*sheared_)(a), (*sheared_)(b), (*sheared_)(c));
     MaybeHit hit;
     switch (at.kind) {
-    case Crossing::none: return ray.end;
+    case Crossing::none: return end_;
     case Crossing::edge_on: hit = hit_edge_on(ray, a, b, c); break;
     case Crossing::back:
-      if (!both_sides_) return ray.end;
+      if (!both_sides_) return end_;
       [[fallthrough]];
     case Crossing::front:
       if (at.t >= ray.begin && at.t <= ray.end)
         hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
     }
-    if (hit) ray.end = found_(*near_.restored(hit), number()) - near_.shift;
-    return ray.end;
+    if (hit) {
+      const double along = found_(*near_.restored(hit), number());
+      end_ = along > -infinity ? least(end_, end_after(along, near_.shift)) : along;
+    }
+    return end_;
   }
 
  private:
@@ -75,6 +80,7 @@ class TriangleCast {
   }
 
   Recentered near_;
+  double end_;
   std::optional<Sheared> sheared_;  // many a ray comes near nothing
   bool both_sides_;
   Found& found_;
@@ -108,7 +114,7 @@ template <class T, class Found>
   const double slack = 16 * epsilon * (static_cast<double>(field.extent) + max_abs(ray.origin));
   const auto try_piece = [&](std::uint32_t number) { triangle.at(field.triangle(number), [&] { return number; }); };
   visit_ray(
-      field, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_piece, ray.begin, slack);
+      field, ray.origin, inverse_of(ray.direction), [&] { return triangle.end(); }, try_piece, ray.begin, slack);
 }
 
 }  // namespace graze::rays
