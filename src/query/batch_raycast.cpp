@@ -28,6 +28,17 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
     const int flat = (half.x <= T(0)) + (half.y <= T(0)) + (half.z <= T(0));
     if (margin == 0 && flat < 2) out.kind = BlockShape::box;
   };
+  // As `hit_balls`.
+  const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
+    const Vec3d between = cast<double>(b) - cast<double>(a);
+    const double radius_a = static_cast<double>(core_a) + margin, radius_b = static_cast<double>(core_b) + margin;
+    const bool one = length(between) <= std::abs(radius_a - radius_b) || a == b, first = radius_a >= radius_b;
+    put(0, one && !first ? b : a);
+    put(1, b);
+    out.radius = one && !first ? radius_b : radius_a;
+    out.other_radius = radius_b;
+    if (radius_a > 0 || radius_b > 0) out.kind = one ? BlockShape::ball : BlockShape::ball_cone;
+  };
   shape.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (std::is_same_v<C, Sphere<T>>) {
@@ -36,6 +47,19 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
       if (out.radius > 0) out.kind = BlockShape::ball;
     } else if constexpr (std::is_same_v<C, Box<T>>) {
       put_box(c);
+    } else if constexpr (std::is_same_v<C, Capsule<T>>) {
+      put_balls({T(0), -c.half_height(), T(0)}, c.radius_bottom(), {T(0), c.half_height(), T(0)}, c.radius_top());
+    } else if constexpr (std::is_same_v<C, LineSegment<T>>) {
+      put_balls(c.point(0), T(0), c.point(1), T(0));
+    } else if constexpr (std::is_same_v<C, Cylinder<T>>) {
+      put(0, {T(0), c.half_height(), T(0)});
+      out.radius = static_cast<double>(c.radius_bottom());
+      out.other_radius = static_cast<double>(c.radius_top());
+      if (margin == 0 && (out.radius > 0 || out.other_radius > 0)) out.kind = BlockShape::frustum;
+    } else if constexpr (std::is_same_v<C, Ellipsoid<T>>) {
+      const Vec3<T>& radii = c.radii();
+      put(0, radii);
+      if (margin == 0 && least(radii.x, least(radii.y, radii.z)) > T(0)) out.kind = BlockShape::ellipsoid;
     } else if constexpr (std::is_same_v<C, Rectangle<T>>) {
       put_box(c.as_box());
     } else if constexpr (std::is_same_v<C, HalfSpace<T>>) {
