@@ -1,5 +1,6 @@
 #include "graze/batch_raycast.hpp"
 
+#include "narrow/rays/field_walk.hpp"
 #include "narrow/rays/mesh_block.hpp"
 #include "query/shape_rays.hpp"
 
@@ -127,17 +128,47 @@ rays::BlockMesh<T> block_mesh(const MeshData<T>& mesh, BackFaces back, bool any)
           any};
 }
 
-void find_hits(RayBlock& block, std::size_t filled, const BlockShape& shape) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), block_hits);
-  kernel(block, filled, shape);
+template <class T>
+rays::BlockField<T> block_field(const HeightFieldData<T>& field, BackFaces back, bool any) {
+  const Vec3d center = cast<double>(field.bounds().center());
+  return {&field.pyramid,
+          static_cast<double>(field.extent),
+          {center.x, center.y, center.z},
+          field.radius,
+          back == BackFaces::hit,
+          any};
 }
 
+/// What several rays at a time can be cast at.
 template <class T>
-void find_hits(RayBlock& block, std::size_t filled, const rays::BlockMesh<T>& mesh,
-               std::uint32_t (&pieces)[RayBlock::size]) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), block_at_mesh<T>);
-  kernel(block, filled, mesh, pieces);
-}
+class BlockTarget {
+ public:
+  BlockTarget(const Shape<T>& shape, BackFaces back, bool any) : closed_(block_shape(shape, back)) {
+    if (const auto* mesh = shape.template as<Mesh<T>>())
+      mesh_ = block_mesh(mesh->data(), back, any);
+    else if (const auto* field = shape.template as<HeightField<T>>())
+      field_ = block_field(field->data(), back, any);
+  }
+
+  explicit operator bool() const { return closed_.kind != BlockShape::none || mesh_ || field_; }
+
+  void find_hits(RayBlock& block, std::size_t filled, std::uint32_t (&pieces)[RayBlock::size]) const {
+    static const auto at_shape = GRAZE_KERNEL(chosen_isa(), block_hits);
+    static const auto at_mesh = GRAZE_KERNEL(chosen_isa(), block_at_mesh<T>);
+    static const auto at_field = GRAZE_KERNEL(chosen_isa(), block_at_field<T>);
+    if (mesh_)
+      at_mesh(block, filled, *mesh_, pieces);
+    else if (field_)
+      at_field(block, filled, *field_, pieces);
+    else
+      at_shape(block, filled, closed_);
+  }
+
+ private:
+  BlockShape closed_;
+  std::optional<rays::BlockMesh<T>> mesh_;
+  std::optional<rays::BlockField<T>> field_;
+};
 
 /// One ray after the other, where there is no way for several.
 template <class T>
@@ -166,18 +197,14 @@ template <class T>
 void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays,
              std::span<std::optional<RayHit<T>>> hits, T length, BackFaces back) {
   const BlockFrame frame = block_frame(precise(pose));
-  const BlockShape closed = block_shape(shape, back);
-  const auto* mesh = shape.template as<Mesh<T>>();
-  const rays::BlockMesh<T> triangles = mesh ? block_mesh(mesh->data(), back, false) : rays::BlockMesh<T>{};
+  const BlockTarget<T> target(shape, back, false);
   static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
   std::uint32_t pieces[RayBlock::size] = {};
   BlockHits<T> found;
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (closed.kind != BlockShape::none)
-                 find_hits(block, filled, closed);
-               else if (mesh)
-                 find_hits(block, filled, triangles, pieces);
+               if (target)
+                 target.find_hits(block, filled, pieces);
                else
                  find_hits(block, filled, shape, back, pieces);
                to_world(block, filled, frame, length, found);
@@ -196,19 +223,13 @@ template <class T>
 void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays, std::span<bool> hits,
                  T length, BackFaces back) {
   const BlockFrame frame = block_frame(precise(pose));
-  const BlockShape closed = block_shape(shape, back);
-  const auto* mesh = shape.template as<Mesh<T>>();
-  const rays::BlockMesh<T> triangles = mesh ? block_mesh(mesh->data(), back, true) : rays::BlockMesh<T>{};
+  const BlockTarget<T> target(shape, back, true);
   std::uint32_t pieces[RayBlock::size] = {};
-  const bool together = mesh || closed.kind != BlockShape::none;
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (mesh)
-                 find_hits(block, filled, triangles, pieces);
-               else if (together)
-                 find_hits(block, filled, closed);
+               if (target) target.find_hits(block, filled, pieces);
                for (std::size_t i = 0; i < some.size(); ++i) {
-                 if (together && block.state[i] != rays::ray_again) {
+                 if (target && block.state[i] != rays::ray_again) {
                    hits[first + i] = block.state[i] == rays::ray_hit;
                  } else {
                    LocalRay ray = local_ray(block, i);

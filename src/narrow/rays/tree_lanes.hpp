@@ -10,10 +10,10 @@
 
 namespace graze::GRAZE_ISA::tree {
 
-inline constexpr std::size_t width = TreeNode<float>::width;
+inline constexpr int width = TreeNode<float>::width;
 
 /// The children of a node in one register or two.
-inline constexpr int part_lanes = register_bytes >= 32 ? 8 : 4, parts = 8 / part_lanes;
+inline constexpr int part_lanes = register_bytes >= 32 ? 8 : 4, parts = width / part_lanes;
 using Part = Wide<float, part_lanes>;
 using Quad = Wide<float, 4>;
 
@@ -96,9 +96,9 @@ template <class Mask>
 #endif
 }
 
-/// A key is made of the bits of a positive number, the last three of which give way to the child's place: all keys of a
-/// node then differ, and order as integers as they do as numbers.
-inline constexpr std::int32_t place_bits = 7, absent = 0x7f7fffff;
+/// A key is made of the bits of a positive number, the last of which give way to the child's place: all keys of a node
+/// then differ, and order as integers as they do as numbers.
+inline constexpr std::int32_t absent = 0x7f7fffff;
 
 [[gnu::always_inline]] inline std::int32_t number_bits(float number) {
   std::int32_t bits;
@@ -106,16 +106,32 @@ inline constexpr std::int32_t place_bits = 7, absent = 0x7f7fffff;
   return bits;
 }
 
-struct Keys {
+/// Those of `count` children.
+template <int count>
+struct KeysOf {
+  static constexpr int parts = count / part_lanes;
+  static constexpr std::int32_t place_bits = count - 1;
   Part part[parts];
 
+  /// The children's places, from the part's first on.
+  [[gnu::always_inline]] static Part::BitVector places(int k) {
+    Part::BitVector place;
+    for (int i = 0; i < part_lanes; ++i) place[i] = k * part_lanes + i;
+    return place;
+  }
+  [[gnu::always_inline]] void set(int k, const Part& enter, const Part::BitVector& met) {
+    const auto key = (cast_bits<Part::BitVector>(enter.v) & ~place_bits) | places(k);
+    part[k].v = cast_bits<Part::Vector>((key & met) | (absent & ~met));
+  }
   [[gnu::always_inline]] std::int32_t least() const {
+    Part all = part[0];
+    for (int k = 1; k < parts; ++k) all = lesser(all, part[k]);
     Quad q;
 #if defined(__AVX2__)
-    const __m256 all = cast_bits<__m256>(part[0].v);
-    q.v = cast_bits<Quad::Vector>(_mm_min_ps(_mm256_castps256_ps128(all), _mm256_extractf128_ps(all, 1)));
+    const __m256 eight = cast_bits<__m256>(all.v);
+    q.v = cast_bits<Quad::Vector>(_mm_min_ps(_mm256_castps256_ps128(eight), _mm256_extractf128_ps(eight, 1)));
 #else
-    q = lesser(part[0], part[parts - 1]);
+    q = all;
 #endif
     q = lesser(q, Quad::of(__builtin_shufflevector(q.v, q.v, 2, 3, 0, 1)));
     q = lesser(q, Quad::of(__builtin_shufflevector(q.v, q.v, 1, 0, 3, 2)));
@@ -134,13 +150,14 @@ struct Keys {
       p.v = cast_bits<Part::Vector>((bits & ~gone) | (absent & gone));
     }
   }
-  [[gnu::always_inline]] void store(float (&to)[width]) const {
+  [[gnu::always_inline]] void store(float (&to)[count]) const {
     for (int k = 0; k < parts; ++k) part[k].store(to + k * part_lanes);
   }
-  [[gnu::always_inline]] void load(const float (&from)[width]) {
+  [[gnu::always_inline]] void load(const float (&from)[count]) {
     for (int k = 0; k < parts; ++k) part[k] = Part::load(from + k * part_lanes);
   }
 };
+using Keys = KeysOf<width>;
 
 template <class T>
 inline constexpr double rounding_of = sizeof(T) == 4 ? 0x1p-23 : 0x1p-52;
@@ -182,7 +199,8 @@ struct Walk {
   }
 
   [[gnu::always_inline]] Walk() {}
-  [[gnu::always_inline]] explicit Walk(const TreeWalk<T>& q) {
+  template <class Question>
+  [[gnu::always_inline]] explicit Walk(const Question& q) {
     // Any multiple of the radius of which the inverse, times 2^33, is a number in T.
     constexpr double greatest_unit = sizeof(T) == 4 ? 0x1p80 : 0x1p900;
     double unit = 8 * q.radius;
@@ -214,7 +232,8 @@ struct Walk {
     first = narrowed<T>(at + widening);
     last = narrowed<T>(at - widening);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      constexpr std::uint32_t lower = offsetof(TreeNode<T>, lower), upper = offsetof(TreeNode<T>, upper), side = width;
+      constexpr std::uint32_t lower = offsetof(TreeNode<T>, lower), upper = offsetof(TreeNode<T>, upper),
+                              side = static_cast<std::uint32_t>(width);
       const std::uint32_t back = (upper - lower) * static_cast<std::uint32_t>(q.direction[i] < 0);
       enter[i] = lower + side * i + back;
       leave[i] = upper + side * i - back;
@@ -273,13 +292,9 @@ template <class T>
   }
   Keys keys;
   for (int k = 0; k < parts; ++k) {
-    Part::BitVector place;
-    for (int i = 0; i < part_lanes; ++i) place[i] = k * part_lanes + i;
     const Part enter = larger(larger(in[0][k], in[1][k]), larger(in[2][k], Part(walk.begin)));
     const Part leave = lesser(lesser(out[0][k], out[1][k]), lesser(out[2][k], Part(limit)));
-    const auto met = (enter <= leave).bits & (place < static_cast<std::int32_t>(node.count));
-    const auto key = (cast_bits<Part::BitVector>(enter.v) & ~place_bits) | place;
-    keys.part[k].v = cast_bits<Part::Vector>((key & met) | (absent & ~met));
+    keys.set(k, enter, (enter <= leave).bits & (Keys::places(k) < static_cast<std::int32_t>(node.count)));
   }
   return keys;
 }

@@ -19,7 +19,7 @@ void walk_tree(const TreeWalk<T>& question) {
   Keys keys = crossed(walk, *node, limit);
   for (;;) {
     const std::int32_t key = keys.least();
-    if (key > (number_bits(limit) | place_bits)) {
+    if (key > (number_bits(limit) | Keys::place_bits)) {
       if (waiting == 0) return;
       const Entry& entry = stack[--waiting];
       node = entry.node;
@@ -27,14 +27,14 @@ void walk_tree(const TreeWalk<T>& question) {
       continue;
     }
     keys.remove(key);
-    const auto place = static_cast<std::uint32_t>(key & place_bits);
+    const auto place = static_cast<std::uint32_t>(key & Keys::place_bits);
     if (place < node->inner) {
       // Written in any case and kept if there is more to come: which is hard to foresee.
       stack[waiting].node = node;
       keys.store(stack[waiting].keys);
       const std::int32_t next = keys.least();
       waiting += next != absent;
-      fetch(question.nodes, question.leaves, *node, static_cast<std::uint32_t>(next & place_bits));
+      fetch(question.nodes, question.leaves, *node, static_cast<std::uint32_t>(next & Keys::place_bits));
       node = question.nodes + node->first_child + place;
       keys = crossed(walk, *node, limit);
       continue;
