@@ -94,6 +94,9 @@ LocalRay local_ray(const RayBlock& block, std::size_t i) {
   return {at(block.origin, i), at(block.direction, i), 0, block.end[i], block.blur[i]};
 }
 
+/// As many as fill the widest registers.
+std::size_t lanes_for(std::size_t rays) { return (rays + 7) / 8 * 8; }
+
 /// Up to `RayBlock::size` rays into the shape's frame; returns how many lanes are filled.
 template <class T>
 std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const BlockFrame& frame) {
@@ -101,7 +104,7 @@ std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const 
   const double end = length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
   static const auto to_local = GRAZE_KERNEL(chosen_isa(), block_to_local<T>);
   to_local(block, &rays.front().origin.x, rays.size(), end, frame);
-  return (rays.size() + 7) / 8 * 8;
+  return lanes_for(rays.size());
 }
 
 /// Calls `f(block, filled, first, some)` for some rays after the other, `first` being the place of the first.
@@ -152,16 +155,17 @@ class BlockTarget {
 
   explicit operator bool() const { return closed_.kind != BlockShape::none || mesh_ || field_; }
 
-  void find_hits(RayBlock& block, std::size_t filled, std::uint32_t (&pieces)[RayBlock::size]) const {
+  /// Of the first `count` rays; the block is filled up with others.
+  void find_hits(RayBlock& block, std::size_t count, std::uint32_t (&pieces)[RayBlock::size]) const {
     static const auto at_shape = GRAZE_KERNEL(chosen_isa(), block_hits);
     static const auto at_mesh = GRAZE_KERNEL(chosen_isa(), block_at_mesh<T>);
     static const auto at_field = GRAZE_KERNEL(chosen_isa(), block_at_field<T>);
     if (mesh_)
-      at_mesh(block, filled, *mesh_, pieces);
+      at_mesh(block, count, *mesh_, pieces);
     else if (field_)
-      at_field(block, filled, *field_, pieces);
+      at_field(block, count, *field_, pieces);
     else
-      at_shape(block, filled, closed_);
+      at_shape(block, lanes_for(count), closed_);
   }
 
  private:
@@ -204,7 +208,7 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
                if (target)
-                 target.find_hits(block, filled, pieces);
+                 target.find_hits(block, some.size(), pieces);
                else
                  find_hits(block, filled, shape, back, pieces);
                to_world(block, filled, frame, length, found);
@@ -226,8 +230,8 @@ void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray
   const BlockTarget<T> target(shape, back, true);
   std::uint32_t pieces[RayBlock::size] = {};
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
-             [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (target) target.find_hits(block, filled, pieces);
+             [&](RayBlock& block, std::size_t, std::size_t first, std::span<const Ray<T>> some) {
+               if (target) target.find_hits(block, some.size(), pieces);
                for (std::size_t i = 0; i < some.size(); ++i) {
                  if (target && block.state[i] != rays::ray_again) {
                    hits[first + i] = block.state[i] == rays::ray_hit;

@@ -129,10 +129,11 @@ class Crowd {
   }
 
   [[gnu::always_inline]] void begin() {
-    for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t i = 0; i < (count_ + step - 1) / step * step; ++i) {
       double& state = block_.state[first_ + i];
-      if (state == rays::ray_missed) continue;
+      const bool aimed = i < count_ && state != rays::ray_missed;
       state = rays::ray_missed;
+      if (!aimed) continue;
       best_[i] = infinity;
       const std::size_t at = first_ + i;
       const Line line{surface_.question.extent,

@@ -42,7 +42,7 @@ struct BlockField {
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     template <class T> void walk_field(const FieldWalk<T>& question);
-    /// Sets `state`, the hits and the `pieces` that are hit.
+    /// Sets `state`, the hits and the `pieces` that are hit, of `count` rays and of what fills up their lanes.
     template <class T> void block_at_field(rays::RayBlock& block, std::size_t count, const rays::BlockField<T>& field,
                                            std::uint32_t* pieces);)
 // clang-format on

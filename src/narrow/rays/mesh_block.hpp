@@ -30,7 +30,7 @@ namespace graze {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// Sets `state`, the hits and the `pieces` that are hit.
+    /// Sets `state`, the hits and the `pieces` that are hit, of `count` rays and of what fills up their lanes.
     template <class T> void block_at_mesh(rays::RayBlock& block, std::size_t count, const rays::BlockMesh<T>& mesh,
                                           std::uint32_t* pieces);)
 // clang-format on

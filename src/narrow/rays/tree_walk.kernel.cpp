@@ -6,10 +6,11 @@ using namespace tree;
 
 template <class T>
 void walk_tree(const TreeWalk<T>& question) {
-  /// A node with those of its children that the ray has still to visit.
+  /// A node with those of its children that the ray has still to visit, the first of them by itself.
   struct alignas(64) Entry {
     float keys[width];
     const TreeNode<T>* node;
+    std::int32_t key;
   };
   Entry stack[TreeNode<T>::deepest + 1];
   std::size_t waiting = 0;
@@ -17,26 +18,30 @@ void walk_tree(const TreeWalk<T>& question) {
   const TreeNode<T>* node = question.nodes;
   float limit = walk.key(question.end);
   Keys keys = crossed(walk, *node, limit);
+  std::int32_t key = keys.least();
   for (;;) {
-    const std::int32_t key = keys.least();
     if (key > (number_bits(limit) | Keys::place_bits)) {
       if (waiting == 0) return;
       const Entry& entry = stack[--waiting];
       node = entry.node;
       keys.load(entry.keys);
+      key = entry.key;
       continue;
     }
     keys.remove(key);
     const auto place = static_cast<std::uint32_t>(key & Keys::place_bits);
+    // What comes after this child is fetched while that is worked on.
+    key = keys.least();
+    fetch(question.nodes, question.leaves, *node, static_cast<std::uint32_t>(key & Keys::place_bits));
     if (place < node->inner) {
       // Written in any case and kept if there is more to come: which is hard to foresee.
       stack[waiting].node = node;
+      stack[waiting].key = key;
       keys.store(stack[waiting].keys);
-      const std::int32_t next = keys.least();
-      waiting += next != absent;
-      fetch(question.nodes, question.leaves, *node, static_cast<std::uint32_t>(next & Keys::place_bits));
+      waiting += key != absent;
       node = question.nodes + node->first_child + place;
       keys = crossed(walk, *node, limit);
+      key = keys.least();
       continue;
     }
     const PackedLeaf& leaf = question.leaves[node->first_leaf + place - node->inner];
