@@ -153,7 +153,10 @@ class BlockTarget {
       field_ = block_field(field->data(), back, any);
   }
 
-  explicit operator bool() const { return closed_.kind != BlockShape::none || mesh_ || field_; }
+  bool takes(std::size_t rays) const {
+    constexpr std::size_t few = 4;  // at a surface fewer are done sooner one after the other
+    return closed_.kind != BlockShape::none || ((mesh_ || field_) && rays >= few);
+  }
 
   /// Of the first `count` rays; the block is filled up with others.
   void find_hits(RayBlock& block, std::size_t count, std::uint32_t (&pieces)[RayBlock::size]) const {
@@ -176,14 +179,14 @@ class BlockTarget {
 
 /// One ray after the other, where there is no way for several.
 template <class T>
-[[gnu::flatten]] void find_hits(RayBlock& block, std::size_t filled, const Shape<T>& shape, BackFaces back,
+[[gnu::flatten]] void find_hits(RayBlock& block, std::size_t count, const Shape<T>& shape, BackFaces back,
                                 std::uint32_t (&pieces)[RayBlock::size]) {
-  for (std::size_t i = 0; i < filled; ++i) {
+  for (std::size_t i = 0; i < lanes_for(count); ++i) {
     block.state[i] = rays::ray_missed;
     block.t[i] = 0;
     put(block.point, i, {});
     put(block.normal, i, {0, 1, 0});
-    if (block.end[i] < 0) continue;
+    if (i >= count || block.end[i] < 0) continue;
     LocalRay ray = local_ray(block, i);
     const Candidate first = first_hit(shape, ray, back);
     if (!(first.hit.t < rays::infinity)) continue;
@@ -207,10 +210,10 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
   BlockHits<T> found;
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (target)
+               if (target.takes(some.size()))
                  target.find_hits(block, some.size(), pieces);
                else
-                 find_hits(block, filled, shape, back, pieces);
+                 find_hits(block, some.size(), shape, back, pieces);
                to_world(block, filled, frame, length, found);
                for (std::size_t i = 0; i < some.size(); ++i) {
                  // Written in any case: whether a ray hits is hard to foresee.
@@ -231,9 +234,10 @@ void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray
   std::uint32_t pieces[RayBlock::size] = {};
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t, std::size_t first, std::span<const Ray<T>> some) {
-               if (target) target.find_hits(block, some.size(), pieces);
+               const bool together = target.takes(some.size());
+               if (together) target.find_hits(block, some.size(), pieces);
                for (std::size_t i = 0; i < some.size(); ++i) {
-                 if (target && block.state[i] != rays::ray_again) {
+                 if (together && block.state[i] != rays::ray_again) {
                    hits[first + i] = block.state[i] == rays::ray_hit;
                  } else {
                    LocalRay ray = local_ray(block, i);
