@@ -26,7 +26,7 @@ template <class V>
 /// `least` and `greatest`, which select by a mask, in one instruction; the second of equals, and for no number.
 template <int N>
 [[gnu::always_inline]] inline Wide<float, N> lesser(const Wide<float, N>& a, const Wide<float, N>& b) {
-  using W = Wide<float, N>;
+  using W [[maybe_unused]] = Wide<float, N>;
 #if defined(__AVX2__)
   if constexpr (N == 8)
     return W::of(cast_bits<typename W::Vector>(_mm256_min_ps(cast_bits<__m256>(a.v), cast_bits<__m256>(b.v))));
@@ -39,7 +39,7 @@ template <int N>
 }
 template <int N>
 [[gnu::always_inline]] inline Wide<float, N> larger(const Wide<float, N>& a, const Wide<float, N>& b) {
-  using W = Wide<float, N>;
+  using W [[maybe_unused]] = Wide<float, N>;
 #if defined(__AVX2__)
   if constexpr (N == 8)
     return W::of(cast_bits<typename W::Vector>(_mm256_max_ps(cast_bits<__m256>(a.v), cast_bits<__m256>(b.v))));
@@ -115,7 +115,7 @@ struct KeysOf {
 
   /// The children's places, from the part's first on.
   [[gnu::always_inline]] static Part::BitVector places(int k) {
-    Part::BitVector place;
+    Part::BitVector place{};
     for (int i = 0; i < part_lanes; ++i) place[i] = k * part_lanes + i;
     return place;
   }
