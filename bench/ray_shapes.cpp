@@ -5,6 +5,7 @@
 // The shapes are of unit size and turned; the rays come from 2 to 3 sizes away and go to points in the shape's cube, so
 // that most hit. Told are nanoseconds of the processor's time for a ray, by the median round.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -31,6 +32,18 @@ double nanoseconds(std::size_t rays, std::size_t rounds, const F& f) {
   return times[times.size() / 2];
 }
 
+/// Hills all over a square of unit size.
+template <class T>
+HeightField<T> hills() {
+  constexpr std::size_t side = 513;
+  std::vector<T> heights;
+  for (std::size_t i = 0; i < side * side; ++i) {
+    const double u = static_cast<double>(i % side) / side, v = static_cast<double>(i / side) / side;
+    heights.push_back(static_cast<T>(0.1 * std::sin(16 * u) * std::cos(10 * v) + 0.02 * std::sin(100 * u + 65 * v)));
+  }
+  return {side, side, heights, T(1) / T(side - 1), T(1) / T(side - 1)};
+}
+
 template <class T>
 void measure(const char* scalar, std::size_t count, std::size_t rounds, const std::regex& only) {
   Random random(1);
@@ -44,7 +57,8 @@ void measure(const char* scalar, std::size_t count, std::size_t rounds, const st
       HalfSpace<T>(),
       Cylinder<T>(T(0.4), T(0.4)),
       Ellipsoid<T>(Vec3<T>{T(0.6), T(0.5), T(0.3)}),
-      ConvexHull<T>(points)};
+      ConvexHull<T>(points),
+      hills<T>()};
   const Pose<T> pose{{T(1), T(2), T(3)}, cast<T>(random.rotation())};
   std::vector<Ray<T>> rays;
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,7 +73,7 @@ void measure(const char* scalar, std::size_t count, std::size_t rounds, const st
     });
     const double batch = nanoseconds(count, rounds, [&] { raycast<T>(shape, pose, rays, hits); });
     const auto met = static_cast<double>(std::count_if(hits.begin(), hits.end(), [](const auto& h) { return !!h; }));
-    std::printf("| %-9s | %-6s | %6.1f | %6.1f | %4.0f %% |\n", shape.name(), scalar, single, batch,
+    std::printf("| %-12s | %-6s | %6.1f | %6.1f | %4.0f %% |\n", shape.name(), scalar, single, batch,
                 100 * met / static_cast<double>(count));
   }
 }
@@ -73,8 +87,8 @@ int run(int argc, char** argv) {
     if (option == "--rounds") rounds = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
     if (option == "--only") only = argv[i + 1];
   }
-  std::printf("| shape     | scalar | alone  | batch  | hit    |\n");
-  std::printf("|-----------|--------|-------:|-------:|-------:|\n");
+  std::printf("| shape        | scalar | alone  | batch  | hit    |\n");
+  std::printf("|--------------|--------|-------:|-------:|-------:|\n");
   measure<float>("float", count, rounds, std::regex(only));
   measure<double>("double", count, rounds, std::regex(only));
   return 0;

@@ -3,11 +3,11 @@
 //   bench_rays [--mesh FILE.obj] [--rays N] [--rounds N] [--only REGEX]
 //
 // Without a file the mesh is a torus of 70,528 triangles with bumps all over it. `camera` are the rays of a picture that
-// the mesh fills, row by row; `random` go from a sphere around it to points in its bounds. All libraries get the same
-// rays in single precision, in turns round by round; told are rays in a second of the processor's time by the median
-// round, how often the first hit is not where Embree's robust mode has it, and what that rate is in parts of Embree's.
-// Embree's own `fast` mode is what its robust one would cost without watertightness; Graze's answers are watertight and
-// in double.
+// the mesh fills, row by row; `shadow` are parallel ones at what a picture from above shows, row by row too; `random` go
+// from a sphere around it to points in its bounds. All libraries get the same rays in single precision, in turns round by
+// round; told are rays in a second of the processor's time by the median round, how often the first hit is not where
+// Embree's robust mode has it, and what that rate is in parts of Embree's. Embree's own `fast` mode is what its robust one
+// would cost without watertightness; Graze's answers are watertight and in double.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -102,6 +102,20 @@ Rays camera_rays(const Soup& soup, std::size_t count) {
     for (std::size_t x = 0; x < side; ++x) {
       const auto across = [&](std::size_t i) { return 0.7 * size * ((double(i) + 0.5) / double(side) - 0.5); };
       rays.push_back(aimed(eye, center + right * across(x) + up * across(y)));
+    }
+  return rays;
+}
+
+Rays shadow_rays(const Soup& soup, std::size_t count) {
+  const Vec3d center = cast<double>(soup.bounds.center()), half = cast<double>(soup.bounds.extent()) * 0.5;
+  const Vec3d toward = normalized(Vec3d{0.4, 0.7, -0.2}, Vec3d{});
+  const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(count)));
+  Rays rays;
+  for (std::size_t z = 0; z < side; ++z)
+    for (std::size_t x = 0; x < side; ++x) {
+      const auto across = [&](std::size_t i) { return 2 * (double(i) + 0.5) / double(side) - 1; };
+      const Vec3d to = center + scaled(Vec3d{across(x), 0, across(z)}, half);
+      rays.push_back(aimed(to + toward * (2 * length(half)), to));
     }
   return rays;
 }
@@ -306,6 +320,7 @@ int run(int argc, char** argv) {
   std::printf("|---------|---------------|--------:|-------:|------:|--------:|-------:|\n");
   const float size = length(soup.bounds.extent());
   measure("camera", camera_rays(soup, count), size, rounds, columns);
+  measure("shadow", shadow_rays(soup, count), size, rounds, columns);
   measure("random", random_rays(soup, count), size, rounds, columns);
   return 0;
 }

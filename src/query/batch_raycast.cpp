@@ -1,6 +1,7 @@
 #include "graze/batch_raycast.hpp"
 
-#include "narrow/rays/ray_block.hpp"
+#include "narrow/rays/field_walk.hpp"
+#include "narrow/rays/mesh_block.hpp"
 #include "query/shape_rays.hpp"
 
 namespace graze {
@@ -28,6 +29,17 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
     const int flat = (half.x <= T(0)) + (half.y <= T(0)) + (half.z <= T(0));
     if (margin == 0 && flat < 2) out.kind = BlockShape::box;
   };
+  // As `hit_balls`.
+  const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
+    const Vec3d between = cast<double>(b) - cast<double>(a);
+    const double radius_a = static_cast<double>(core_a) + margin, radius_b = static_cast<double>(core_b) + margin;
+    const bool one = length(between) <= std::abs(radius_a - radius_b) || a == b, first = radius_a >= radius_b;
+    put(0, one && !first ? b : a);
+    put(1, b);
+    out.radius = one && !first ? radius_b : radius_a;
+    out.other_radius = radius_b;
+    if (radius_a > 0 || radius_b > 0) out.kind = one ? BlockShape::ball : BlockShape::ball_cone;
+  };
   shape.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (std::is_same_v<C, Sphere<T>>) {
@@ -36,6 +48,19 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
       if (out.radius > 0) out.kind = BlockShape::ball;
     } else if constexpr (std::is_same_v<C, Box<T>>) {
       put_box(c);
+    } else if constexpr (std::is_same_v<C, Capsule<T>>) {
+      put_balls({T(0), -c.half_height(), T(0)}, c.radius_bottom(), {T(0), c.half_height(), T(0)}, c.radius_top());
+    } else if constexpr (std::is_same_v<C, LineSegment<T>>) {
+      put_balls(c.point(0), T(0), c.point(1), T(0));
+    } else if constexpr (std::is_same_v<C, Cylinder<T>>) {
+      put(0, {T(0), c.half_height(), T(0)});
+      out.radius = static_cast<double>(c.radius_bottom());
+      out.other_radius = static_cast<double>(c.radius_top());
+      if (margin == 0 && (out.radius > 0 || out.other_radius > 0)) out.kind = BlockShape::frustum;
+    } else if constexpr (std::is_same_v<C, Ellipsoid<T>>) {
+      const Vec3<T>& radii = c.radii();
+      put(0, radii);
+      if (margin == 0 && least(radii.x, least(radii.y, radii.z)) > T(0)) out.kind = BlockShape::ellipsoid;
     } else if constexpr (std::is_same_v<C, Rectangle<T>>) {
       put_box(c.as_box());
     } else if constexpr (std::is_same_v<C, HalfSpace<T>>) {
@@ -69,6 +94,9 @@ LocalRay local_ray(const RayBlock& block, std::size_t i) {
   return {at(block.origin, i), at(block.direction, i), 0, block.end[i], block.blur[i]};
 }
 
+/// As many as fill the widest registers.
+std::size_t lanes_for(std::size_t rays) { return (rays + 7) / 8 * 8; }
+
 /// Up to `RayBlock::size` rays into the shape's frame; returns how many lanes are filled.
 template <class T>
 std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const BlockFrame& frame) {
@@ -76,7 +104,7 @@ std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const 
   const double end = length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
   static const auto to_local = GRAZE_KERNEL(chosen_isa(), block_to_local<T>);
   to_local(block, &rays.front().origin.x, rays.size(), end, frame);
-  return (rays.size() + 7) / 8 * 8;
+  return lanes_for(rays.size());
 }
 
 /// Calls `f(block, filled, first, some)` for some rays after the other, `first` being the place of the first.
@@ -89,21 +117,76 @@ void each_block(std::span<const Ray<T>> rays, T length, const BlockFrame& frame,
   }
 }
 
-void find_hits(RayBlock& block, std::size_t filled, const BlockShape& shape) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), block_hits);
-  kernel(block, filled, shape);
+template <class T>
+rays::BlockMesh<T> block_mesh(const MeshData<T>& mesh, BackFaces back, bool any) {
+  const Vec3d center = cast<double>(mesh.tree.bounds().center());
+  return {mesh.tree.nodes().data(),
+          mesh.leaves.data(),
+          &mesh.points.data()->x,
+          mesh.tree.order().data(),
+          static_cast<double>(mesh.extent),
+          {center.x, center.y, center.z},
+          mesh.radius,
+          back == BackFaces::hit,
+          any};
 }
 
-/// One ray after the other, where there is no closed form for several.
 template <class T>
-[[gnu::flatten]] void find_hits(RayBlock& block, std::size_t filled, const Shape<T>& shape, BackFaces back,
+rays::BlockField<T> block_field(const HeightFieldData<T>& field, BackFaces back, bool any) {
+  const Vec3d center = cast<double>(field.bounds().center());
+  return {&field.pyramid,
+          static_cast<double>(field.extent),
+          {center.x, center.y, center.z},
+          field.radius,
+          back == BackFaces::hit,
+          any};
+}
+
+/// What several rays at a time can be cast at.
+template <class T>
+class BlockTarget {
+ public:
+  BlockTarget(const Shape<T>& shape, BackFaces back, bool any) : closed_(block_shape(shape, back)) {
+    if (const auto* mesh = shape.template as<Mesh<T>>())
+      mesh_ = block_mesh(mesh->data(), back, any);
+    else if (const auto* field = shape.template as<HeightField<T>>())
+      field_ = block_field(field->data(), back, any);
+  }
+
+  bool takes(std::size_t rays) const {
+    constexpr std::size_t few = 4;  // at a surface fewer are done sooner one after the other
+    return closed_.kind != BlockShape::none || ((mesh_ || field_) && rays >= few);
+  }
+
+  /// Of the first `count` rays; the block is filled up with others.
+  void find_hits(RayBlock& block, std::size_t count, std::uint32_t (&pieces)[RayBlock::size]) const {
+    static const auto at_shape = GRAZE_KERNEL(chosen_isa(), block_hits);
+    static const auto at_mesh = GRAZE_KERNEL(chosen_isa(), block_at_mesh<T>);
+    static const auto at_field = GRAZE_KERNEL(chosen_isa(), block_at_field<T>);
+    if (mesh_)
+      at_mesh(block, count, *mesh_, pieces);
+    else if (field_)
+      at_field(block, count, *field_, pieces);
+    else
+      at_shape(block, lanes_for(count), closed_);
+  }
+
+ private:
+  BlockShape closed_;
+  std::optional<rays::BlockMesh<T>> mesh_;
+  std::optional<rays::BlockField<T>> field_;
+};
+
+/// One ray after the other, where there is no way for several.
+template <class T>
+[[gnu::flatten]] void find_hits(RayBlock& block, std::size_t count, const Shape<T>& shape, BackFaces back,
                                 std::uint32_t (&pieces)[RayBlock::size]) {
-  for (std::size_t i = 0; i < filled; ++i) {
+  for (std::size_t i = 0; i < lanes_for(count); ++i) {
     block.state[i] = rays::ray_missed;
     block.t[i] = 0;
     put(block.point, i, {});
     put(block.normal, i, {0, 1, 0});
-    if (block.end[i] < 0) continue;
+    if (i >= count || block.end[i] < 0) continue;
     LocalRay ray = local_ray(block, i);
     const Candidate first = first_hit(shape, ray, back);
     if (!(first.hit.t < rays::infinity)) continue;
@@ -121,16 +204,16 @@ template <class T>
 void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays,
              std::span<std::optional<RayHit<T>>> hits, T length, BackFaces back) {
   const BlockFrame frame = block_frame(precise(pose));
-  const BlockShape closed = block_shape(shape, back);
+  const BlockTarget<T> target(shape, back, false);
   static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
   std::uint32_t pieces[RayBlock::size] = {};
   BlockHits<T> found;
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
              [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (closed.kind != BlockShape::none)
-                 find_hits(block, filled, closed);
+               if (target.takes(some.size()))
+                 target.find_hits(block, some.size(), pieces);
                else
-                 find_hits(block, filled, shape, back, pieces);
+                 find_hits(block, some.size(), shape, back, pieces);
                to_world(block, filled, frame, length, found);
                for (std::size_t i = 0; i < some.size(); ++i) {
                  // Written in any case: whether a ray hits is hard to foresee.
@@ -147,12 +230,14 @@ template <class T>
 void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays, std::span<bool> hits,
                  T length, BackFaces back) {
   const BlockFrame frame = block_frame(precise(pose));
-  const BlockShape closed = block_shape(shape, back);
+  const BlockTarget<T> target(shape, back, true);
+  std::uint32_t pieces[RayBlock::size] = {};
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,
-             [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (closed.kind != BlockShape::none) find_hits(block, filled, closed);
+             [&](RayBlock& block, std::size_t, std::size_t first, std::span<const Ray<T>> some) {
+               const bool together = target.takes(some.size());
+               if (together) target.find_hits(block, some.size(), pieces);
                for (std::size_t i = 0; i < some.size(); ++i) {
-                 if (closed.kind != BlockShape::none && block.state[i] != rays::ray_again) {
+                 if (together && block.state[i] != rays::ray_again) {
                    hits[first + i] = block.state[i] == rays::ray_hit;
                  } else {
                    LocalRay ray = local_ray(block, i);

@@ -121,9 +121,9 @@ inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
 
 template <class T>
 [[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
-  const Vec3d normal = opposing(rotate(pose.rotation, c.hit.normal), cast<double>(ray.direction));
-  return {least(static_cast<T>(c.hit.t), length), cast<T>(transform(pose, c.hit.point)), normalized(cast<T>(normal)),
-          c.piece};
+  const Vec3d normal = opposing(rays::turned(pose.rotation, c.hit.normal), cast<double>(ray.direction));
+  const Vec3d point = pose.translation + rays::turned(pose.rotation, c.hit.point);
+  return {least(static_cast<T>(c.hit.t), length), cast<T>(point), normalized(cast<T>(normal)), c.piece};
 }
 
 inline bool before(const Candidate& a, const Candidate& b) {

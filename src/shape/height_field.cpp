@@ -31,7 +31,7 @@ template <class T, class SpanOf>
 typename HeightFieldData<T>::Level level_above(std::uint32_t columns, std::uint32_t rows, const SpanOf& span_of) {
   constexpr std::uint32_t side = HeightFieldData<T>::side;
   typename HeightFieldData<T>::Level level{(columns + side - 1) / side, (rows + side - 1) / side, {}};
-  level.spans.resize(std::size_t{level.columns} * level.rows);
+  level.spans.resize(std::size_t{level.columns} * level.rows + 3);
   for (std::uint32_t r = 0; r < rows; ++r)
     for (std::uint32_t c = 0; c < columns; ++c) {
       const auto span = span_of(c, r);
@@ -46,13 +46,24 @@ template <class T>
 void build_pyramid(HeightFieldData<T>& data) {
   data.levels.push_back(level_above<T>(data.columns - 1, data.rows - 1,
                                        [&](std::uint32_t c, std::uint32_t r) { return data.cell(c, r); }));
-  while (data.levels.back().spans.size() > 1) {
+  while (data.levels.back().columns > 1 || data.levels.back().rows > 1) {
     const auto& below = data.levels.back();
     auto above = level_above<T>(below.columns, below.rows, [&](std::uint32_t c, std::uint32_t r) {
       return below.spans[std::size_t{r} * below.columns + c];
     });
     data.levels.push_back(std::move(above));
   }
+}
+
+/// Nothing of the data may move any more.
+template <class T>
+FieldPyramid<T> pyramid_of(const HeightFieldData<T>& data) {
+  FieldPyramid<T> pyramid{
+      data.heights.data(), data.heights.size(), data.columns, data.rows, data.spacing_x, data.spacing_z, 0, {}};
+  static_assert(sizeof data.levels[0].spans[0] == 2 * sizeof(T));
+  for (const auto& level : data.levels)
+    pyramid.level[pyramid.levels++] = {&level.spans[0].low, level.columns, level.rows};
+  return pyramid;
 }
 
 template <class T>
@@ -90,6 +101,8 @@ HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T
   data->all = data->box(data->root());
   // The furthest corner of the bounds, which a corner of the field need not reach.
   data->extent = length(greatest(abs(data->all.lower), abs(data->all.upper)));
+  data->radius = ball_radius(data->all);
+  data->pyramid = pyramid_of(*data);
   data_ = std::move(data);
 }
 

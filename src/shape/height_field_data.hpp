@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "graze/shape/height_field.hpp"
+#include "shape/field_pyramid.hpp"
 #include "shape/hierarchy.hpp"
 
 namespace graze {
@@ -21,7 +22,7 @@ struct HeightFieldData {
     std::uint32_t column, row, level;
   };
   static constexpr std::size_t width = 16;
-  static constexpr std::uint32_t side = 4;
+  static constexpr std::uint32_t side = FieldPyramid<T>::side;
   using Children = ChildBoxes<T, Ref, width>;
 
   /// Low and high of a block; low > high when all its cells are holes.
@@ -31,7 +32,7 @@ struct HeightFieldData {
   /// The blocks of one level above the cells.
   struct Level {
     std::uint32_t columns, rows;
-    std::vector<Span> spans;
+    std::vector<Span> spans;  ///< and three more, for `FieldPyramid`
   };
 
   std::uint32_t columns, rows;
@@ -40,6 +41,8 @@ struct HeightFieldData {
   std::vector<Level> levels;  ///< the last is one block
   T extent = T(0);            ///< the greatest distance of a corner from the frame's origin
   Aabb<T> all;
+  double radius = 0;          ///< of a ball about the centre of the bounds, as rounded, that holds all of them
+  FieldPyramid<T> pyramid{};  ///< all that in the eyes of kernels
   Sides sides = Sides::both;
 
   const HeightFieldData& hierarchy() const { return *this; }

@@ -29,14 +29,6 @@ PackedLeaf packed_leaf(const MeshData<T>& mesh, const TreeNode<T>& node, std::si
   return leaf;
 }
 
-/// Of the ball about the box's centre, which is off by a rounding; and a little more.
-template <class T>
-double ball_radius(const Aabb<T>& box) {
-  constexpr double epsilon = std::numeric_limits<T>::epsilon();
-  const Vec3d lower = cast<double>(box.lower), upper = cast<double>(box.upper);
-  return length(upper - lower) * 0.5005 + 2 * epsilon * greatest(max_abs(lower), max_abs(upper));
-}
-
 template <class T>
 std::vector<PackedLeaf> packed_leaves(const MeshData<T>& mesh) {
   static_assert(PackedLeaf::lanes == TreeNode<T>::leaf_size);

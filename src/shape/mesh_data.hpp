@@ -29,6 +29,14 @@ struct MeshData {
   }
 };
 
+/// Of the ball about a box's centre, which is off by a rounding; and a little more.
+template <class T>
+double ball_radius(const Aabb<T>& box) {
+  constexpr double epsilon = std::numeric_limits<T>::epsilon();
+  const Vec3d lower = cast<double>(box.lower), upper = cast<double>(box.upper);
+  return length(upper - lower) * 0.5005 + 2 * epsilon * greatest(max_abs(lower), max_abs(upper));
+}
+
 template <class T>
 Aabb<T> bounds_of(const std::array<Vec3<T>, 3>& corners) {
   return {least(corners[0], least(corners[1], corners[2])), greatest(corners[0], greatest(corners[1], corners[2]))};

@@ -65,6 +65,10 @@ std::vector<Shape<T>> shapes(Random& random, float scale) {
   all.push_back(Box<T>(Vec3<T>{s, T(0), s}));
   all.push_back(Box<T>(Vec3<T>{s, T(0), T(0)}));
   all.push_back(Sphere<T>(T(0)));
+  all.insert(all.end(),
+             {Capsule<T>(s, s / T(4)), Capsule<T>(s, s / T(2), T(0)), Capsule<T>(s / T(4), T(0), s),
+              Capsule<T>(T(0), s), Cylinder<T>(s / T(2), s / T(2)), Cylinder<T>(s / T(2), T(0), s),
+              Cylinder<T>(T(0), s), Ellipsoid<T>(Vec3<T>{s, s / T(2), s / T(64)}), Ellipsoid<T>(Vec3<T>{s, T(0), s})});
   return all;
 }
 
@@ -139,11 +143,13 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
     GRAZE_KERNEL(level, block_to_world<T>)(a.block, RayBlock::size, frame, T(1e9), a.hits);
     return a;
   };
-  for (const auto kind : {BlockShape::ball, BlockShape::box, BlockShape::half_space, BlockShape::triangle})
+  for (const auto kind : {BlockShape::ball, BlockShape::box, BlockShape::half_space, BlockShape::triangle,
+                          BlockShape::ball_cone, BlockShape::frustum, BlockShape::ellipsoid})
     for (int round = 0; round < 20; ++round) {
       BlockShape shape;
       shape.kind = kind;
       shape.radius = static_cast<double>(uniform(random, 0.1f, 2));
+      shape.other_radius = shape.radius * (round % 2 == 0 ? 1 : 0.95);
       shape.around = 1e100;
       for (auto& p : shape.points)
         for (double& v : p) v = static_cast<double>(uniform(random, 0.1f, 2));

@@ -48,10 +48,15 @@ inline Recentered recentered(const LocalRay& ray, const Vec3d& center) {
   return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
 }
 
+/// Rotated, where that turns anything: what stands still mostly does not, and a ray and its hit are rotated four times.
+inline Vec3d turned(const Quat<double>& rotation, const Vec3d& v) {
+  return rotation == Quat<double>{} ? v : rotate(rotation, v);
+}
+
 /// The same ray seen from a frame that stands at `pose` in the present one.
 inline LocalRay seen_from(const Posed& pose, const LocalRay& ray) {
   const Quat<double> back = conjugate(pose.rotation);
-  return {rotate(back, ray.origin - pose.translation), normalized(rotate(back, ray.direction)), ray.begin, ray.end,
+  return {turned(back, ray.origin - pose.translation), normalized(turned(back, ray.direction)), ray.begin, ray.end,
           ray.blur};
 }
 

@@ -15,8 +15,13 @@ static_assert(rays::RayBlock::size % step == 0);
 struct Rotation {
   V vector;
   S w;
+  bool none;  ///< turns nothing: see `turned`
   [[gnu::always_inline]] explicit Rotation(const rays::BlockFrame& frame)
-      : vector{S(frame.rotation[0]), S(frame.rotation[1]), S(frame.rotation[2])}, w(frame.rotation[3]) {}
+      : vector{S(frame.rotation[0]), S(frame.rotation[1]), S(frame.rotation[2])},
+        w(frame.rotation[3]),
+        none(frame.rotation[0] == 0 && frame.rotation[1] == 0 && frame.rotation[2] == 0 && frame.rotation[3] == 1) {}
+  [[gnu::always_inline]] V operator()(const V& v) const { return none ? v : rotate(vector, w, v); }
+  [[gnu::always_inline]] V back(const V& v) const { return none ? v : rotate(-vector, w, v); }
 };
 
 }  // namespace
@@ -30,7 +35,7 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
   constexpr double longest = single ? 1e37 : 1e150, most = 1.7976931348623157e308;
   const Rotation forward(frame);
   const S zero(0), one(1);
-  const V back = -forward.vector, translation = V::all(frame.translation);
+  const V translation = V::all(frame.translation);
   for (std::size_t i = 0; i < (count + 7) / 8 * 8; i += step) {
     const auto read = [&](std::size_t first) __attribute__((always_inline)) {
       const auto number = [&](std::size_t k) __attribute__((always_inline)) {
@@ -47,11 +52,11 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
     const auto usable = within(from, longest) & within(to, most) & ((to.x != zero) | (to.y != zero) | (to.z != zero));
     const V along = select(usable, to, V{zero, one, zero});
     const V safe = single ? along : along / max_abs(along);
-    const V origin = rotate(back, forward.w, select(usable, from, V{zero, zero, zero}) - translation);
+    const V origin = forward.back(select(usable, from, V{zero, zero, zero}) - translation);
     select(usable, S(end), S(-1)).store(block.end + i);
     along.store(block.along, i);
     origin.store(block.origin, i);
-    normalized(rotate(back, forward.w, safe), V{zero, one, zero}).store(block.direction, i);
+    normalized(forward.back(safe), V{zero, one, zero}).store(block.direction, i);
     (S(4 * epsilon) * length(origin)).store(block.blur + i);
   }
 }
@@ -69,12 +74,12 @@ void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockF
   const Rotation rotation(frame);
   const V translation = V::all(frame.translation);
   for (std::size_t i = 0; i < count; i += step) {
-    const V normal = rotate(rotation.vector, rotation.w, V::load(block.normal, i));
+    const V normal = rotation(V::load(block.normal, i));
     const auto turned = dot(normal, V::load(block.along, i)) > S(0);
     const S state = S::load(block.state + i);
     select(turned & (state == S(rays::ray_hit)), S(rays::ray_again), state).store(block.state + i);
     normalized(all_narrowed(normal), Lane3<Narrow>{Narrow(T(0)), Narrow(T(1)), Narrow(T(0))}).store(hits.normal, i);
-    all_narrowed(translation + rotate(rotation.vector, rotation.w, V::load(block.point, i))).store(hits.point, i);
+    all_narrowed(translation + rotation(V::load(block.point, i))).store(hits.point, i);
     least(narrowed(S::load(block.t + i)), Narrow(length)).store(hits.t + i);
   }
 }

@@ -1,55 +1,12 @@
-// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space` and `hit_polygon` of one
-// ray, with choices in place of branches. What those do for few rays only is left to them.
-#include "narrow/rays/lane_vec3.hpp"
-#include "narrow/rays/ray_block.hpp"
+// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space`, `hit_polygon` and what
+// `quadric_lanes.hpp` names of one ray, with choices in place of branches. What those do for few rays only is left to them.
+#include "narrow/rays/quadric_lanes.hpp"
 
 namespace graze::GRAZE_ISA {
 
 namespace {
 
-using S = Lanes<double>;
-using V = Lane3<S>;
-using M = S::Mask;
-constexpr auto step = static_cast<std::size_t>(S::lanes);
-constexpr double infinity = __builtin_inf();
-
-/// `LocalRay`, and what became of it.
-struct Rays {
-  V origin, direction;
-  S begin, end, blur;
-
-  [[gnu::always_inline]] Rays(const rays::RayBlock& block, std::size_t i)
-      : origin(V::load(block.origin, i)),
-        direction(V::load(block.direction, i)),
-        begin(0),
-        end(S::load(block.end + i)),
-        blur(S::load(block.blur + i)) {}
-  [[gnu::always_inline]] V at(const S& t) const { return origin + direction * t; }
-
-  /// Moves the origin to the point nearest to `center`; returns how far.
-  [[gnu::always_inline]] S recenter(const V& center) {
-    const S shift = greatest(dot(center - origin, direction), begin);
-    origin = at(shift);
-    begin = begin - shift;
-    end = end - shift;
-    return shift;
-  }
-};
-
-struct Hits {
-  M hit, again;
-  S t;
-  V point, normal;
-};
-
-[[gnu::always_inline]] inline M none() { return S(1) < S(0); }
-
-[[gnu::always_inline]] inline Hits entered(const Rays& ray, const S& shift, const M& met, const S& enter,
-                                           const S& leave, const V& normal) {
-  const M hit = met & (enter <= leave) & (leave >= ray.begin) & (enter <= ray.end), inside = enter <= ray.begin;
-  const S t = select(inside, ray.begin, enter);
-  return {hit, none(), t + shift, ray.at(t), select(inside, -ray.direction, normal)};
-}
+using namespace ray_lanes;
 
 [[gnu::always_inline]] inline Hits hit_ball(Rays ray, const rays::BlockShape& shape) {
   const V center = V::all(shape.points[0]);
@@ -170,6 +127,9 @@ void block_hits(rays::RayBlock& block, std::size_t count, const rays::BlockShape
   case rays::BlockShape::box: return each(hit_box);
   case rays::BlockShape::half_space: return each(hit_half_space);
   case rays::BlockShape::triangle: return each(hit_triangle);
+  case rays::BlockShape::ball_cone: return each(hit_ball_cone);
+  case rays::BlockShape::frustum: return each(hit_frustum);
+  case rays::BlockShape::ellipsoid: return each(hit_ellipsoid);
   }
 }
 

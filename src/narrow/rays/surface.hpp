@@ -4,6 +4,7 @@
 // can move a crossing by. Nearer subtrees first, so that a ray that shrinks prunes the rest.
 #pragma once
 
+#include "narrow/rays/field_walk.hpp"
 #include "narrow/rays/sheared.hpp"
 #include "narrow/rays/tree_walk.hpp"
 #include "shape/height_field_data.hpp"
@@ -41,32 +42,37 @@ template <class Found>
 class TriangleCast {
  public:
   TriangleCast(const LocalRay& far, const Vec3d& center, bool both_sides, Found& found)
-      : near_(recentered(far, center)), both_sides_(both_sides), found_(found) {}
+      : near_(recentered(far, center)), end_(near_.ray.end), both_sides_(both_sides), found_(found) {}
 
-  /// Whose origin is near the centre, and whose end is the nearest hit or what `found` made of it.
+  /// Whose origin is near the centre.
   const LocalRay& ray() const { return near_.ray; }
+  /// How far it has still to be followed.
+  double end() const { return end_; }
 
   /// `number()` tells the triangle's, where it is hit.
   template <class Corners, class Number>
   [[gnu::flatten]] double at(const Corners& corners, const Number& number) {
-    LocalRay& ray = near_.ray;
+    const LocalRay& ray = near_.ray;
     const auto vertex = [&](std::size_t i) { return cast<double>(corners[i]); };
     const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
     if (!sheared_) sheared_.emplace(ray);
     const Crossing at = crossing((*sheared_)(a), (*sheared_)(b), (*sheared_)(c));
     MaybeHit hit;
     switch (at.kind) {
-    case Crossing::none: return ray.end;
+    case Crossing::none: return end_;
     case Crossing::edge_on: hit = hit_edge_on(ray, a, b, c); break;
     case Crossing::back:
-      if (!both_sides_) return ray.end;
+      if (!both_sides_) return end_;
       [[fallthrough]];
     case Crossing::front:
       if (at.t >= ray.begin && at.t <= ray.end)
         hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
     }
-    if (hit) ray.end = found_(*near_.restored(hit), number()) - near_.shift;
-    return ray.end;
+    if (hit) {
+      const double along = found_(*near_.restored(hit), number());
+      end_ = along > -infinity ? least(end_, end_after(along, near_.shift)) : along;
+    }
+    return end_;
   }
 
  private:
@@ -75,10 +81,20 @@ class TriangleCast {
   }
 
   Recentered near_;
+  double end_;
   std::optional<Sheared> sheared_;  // many a ray comes near nothing
   bool both_sides_;
   Found& found_;
 };
+
+/// Whatever the ray, from near the ball, meets in it is within that distance of its origin; less than zero when it passes
+/// the ball.
+inline double reach_to(const Vec3d& center, double radius, const LocalRay& ray) {
+  // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
+  const Vec3d to = center - ray.origin;
+  const double reach = radius + greatest(dot(to, ray.direction), 0.0);
+  return length_squared(to) <= reach * reach ? reach : -1;
+}
 
 /// Calls `found(hit, triangle)` for the triangles that the ray crosses; `found` returns the ray's new end.
 template <class T, class Found>
@@ -87,10 +103,8 @@ void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sid
   const Vec3d center = cast<double>(mesh.tree.bounds().center());
   TriangleCast<Found> triangle(far, center, both_sides, found);
   const LocalRay& ray = triangle.ray();
-  // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
-  const Vec3d to = center - ray.origin;
-  const double reach = mesh.radius + greatest(dot(to, ray.direction), 0.0);
-  if (!(length_squared(to) <= reach * reach)) return;
+  const double reach = reach_to(center, mesh.radius, ray);
+  if (reach < 0) return;
   auto try_lane = [&](const PackedLeaf& leaf, std::size_t i) {
     const auto point = [&](std::size_t k) { return mesh.points[leaf.corners[i][k]]; };
     return triangle.at(std::array<Vec3<T>, 3>{point(0), point(1), point(2)},
@@ -102,13 +116,29 @@ void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sid
 template <class T, class Found>
 [[gnu::noinline]] void cast_at_surface(const HeightFieldData<T>& field, const LocalRay& far, bool both_sides,
                                        Found& found) {
-  TriangleCast<Found> triangle(far, cast<double>(field.bounds().center()), both_sides, found);
+  const Vec3d center = cast<double>(field.bounds().center());
+  TriangleCast<Found> triangle(far, center, both_sides, found);
   const LocalRay& ray = triangle.ray();
-  // Some ten operations on coordinates up to these.
-  const double slack = 16 * epsilon * (static_cast<double>(field.extent) + max_abs(ray.origin));
-  const auto try_piece = [&](std::uint32_t number) { triangle.at(field.triangle(number), [&] { return number; }); };
-  visit_ray(
-      field, ray.origin, inverse_of(ray.direction), [&] { return ray.end; }, try_piece, ray.begin, slack);
+  const double reach = reach_to(center, field.radius, ray);
+  if (reach < 0) return;
+  auto try_cell = [&](std::uint32_t column, std::uint32_t row) {
+    const std::uint32_t first = 2 * (row * (field.columns - 1) + column);
+    for (std::uint32_t i = first; i < first + 2; ++i) triangle.at(field.triangle(i), [&] { return i; });
+    return triangle.end();
+  };
+  using Cell = decltype(try_cell);
+  const FieldWalk<T> walk{
+      &field.pyramid,
+      static_cast<double>(field.extent),
+      reach,
+      {ray.origin.x, ray.origin.y, ray.origin.z},
+      {ray.direction.x, ray.direction.y, ray.direction.z},
+      ray.begin,
+      ray.end,
+      [](void* owner, std::uint32_t column, std::uint32_t row) { return (*static_cast<Cell*>(owner))(column, row); },
+      &try_cell};
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), walk_field<T>);
+  kernel(walk);
 }
 
 }  // namespace graze::rays

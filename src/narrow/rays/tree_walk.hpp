@@ -38,4 +38,15 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void walk_tree(const TreeWalk<T>& question);)
 // clang-format on
 
+namespace rays {
+
+/// How far a ray is to be followed that hit something at `along`, as told from an origin `shift` further on: so far that
+/// whatever rounding tells to lie as near is found too, and the first of equals does not depend on the order.
+[[gnu::always_inline]] inline double end_after(double along, double shift) {
+  const double size = (along < 0 ? -along : along) + (shift < 0 ? -shift : shift);
+  return along - shift + 4 * 0x1p-52 * size;
+}
+
+}  // namespace rays
+
 }  // namespace graze
