@@ -68,6 +68,21 @@ clang: ## the tests again, built by clang
 	$(call build,clang)
 	$(call check,clang)
 
+# The same bits everywhere: a long run's are compared with those of this processor.
+.PHONY: arm
+arm: ## build for 64-bit ARM and compare its answers, in an emulator
+	@scripts/setup.sh arm
+	$(call configure,arm)
+	$(call build,arm)
+	$(call check,arm)
+
+.PHONY: wasm
+wasm: ## build for WebAssembly and compare its answers, in Node
+	@scripts/setup.sh wasm
+	$(call configure,wasm)
+	$(call build,wasm)
+	$(call check,wasm)
+
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while
 	@scripts/setup.sh fuzz

@@ -10,6 +10,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64" AND CMAKE_SIZEOF_VOID_P E
   list(APPEND graze_levels avx2 avx512)
 endif()
 set(graze_flags_baseline "")
+if(EMSCRIPTEN)
+  set(graze_flags_baseline -msimd128)
+endif()
 set(graze_flags_avx2 -march=x86-64-v3)
 set(graze_flags_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 

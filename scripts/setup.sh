@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -28,8 +28,12 @@ fuzz=(clang libclang-rt-14-dev)
 
 lint=(clang clang-format clang-tidy)
 
+# Other processors: a compiler for them and what runs their programs here.
+arm=(g++-aarch64-linux-gnu qemu-user)
+wasm=(emscripten)
+
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm ..." >&2
   exit 2
 }
 
@@ -45,6 +49,8 @@ for arg in "$@"; do
     fuzz) wanted+=("${base[@]}" "${demo[@]}" "${fuzz[@]}") ;;
     # clang-tidy has to find every header.
     lint) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${lint[@]}") ;;
+    arm) wanted+=("${base[@]}" "${arm[@]}") ;;
+    wasm) wanted+=("${base[@]}" "${wasm[@]}") ;;
     *) usage ;;
   esac
 done

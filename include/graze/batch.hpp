@@ -44,26 +44,33 @@ class Bodies {
   std::size_t size() const { return size_; }
   const Pose<T>& pose(std::size_t i) const { return poses_.size() == 1 ? poses_[0] : poses_[i]; }
   /// The place of a shape in `ShapeList`.
-  std::size_t kind(std::size_t i) const { return kind_ < Shape<T>::count ? kind_ : any(i).index(); }
+  std::size_t kind(std::size_t i) const { return one_kind() ? kind_ : any(i).index(); }
+  /// Whether all are of one kind, known to the compiler.
+  bool one_kind() const { return kind_ < Shape<T>::count; }
   /// The concrete shape, which is of that kind.
-  const void* concrete(std::size_t i) const { return concrete_(*this, i); }
+  const void* concrete(std::size_t i) const {
+    if (one_kind()) return static_cast<const char*>(shapes_) + place(i) * stride_;
+    return any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
+  }
   /// The rounding radius, which only a `Shape<T>` has.
-  T margin(std::size_t i) const { return kind_ < Shape<T>::count ? T(0) : any(i).margin(); }
+  T margin(std::size_t i) const { return one_kind() ? T(0) : any(i).margin(); }
   /// The shape as a value.
-  Shape<T> shape(std::size_t i) const { return shape_(*this, i); }
+  Shape<T> shape(std::size_t i) const { return one_kind() ? made_(concrete(i)) : any(i); }
+  /// Calls `f` with the shape, which is only copied where all are of one kind.
+  template <class F>
+  decltype(auto) visit(std::size_t i, F&& f) const {
+    return one_kind() ? f(made_(concrete(i))) : f(any(i));
+  }
 
  private:
-  template <class C>
-  const C& as(std::size_t i) const {
-    return static_cast<const C*>(shapes_)[shape_count_ == 1 ? 0 : i];
-  }
-  const Shape<T>& any(std::size_t i) const { return as<Shape<T>>(i); }
+  std::size_t place(std::size_t i) const { return shape_count_ == 1 ? 0 : i; }
+  const Shape<T>& any(std::size_t i) const { return static_cast<const Shape<T>*>(shapes_)[place(i)]; }
 
   const void* shapes_;
-  std::size_t shape_count_, size_, kind_;
+  std::size_t shape_count_, stride_, size_;
+  std::size_t kind_ = Shape<T>::count;  ///< that of all, or none
   std::span<const Pose<T>> poses_;
-  const void* (*concrete_)(const Bodies&, std::size_t);
-  Shape<T> (*shape_)(const Bodies&, std::size_t);
+  Shape<T> (*made_)(const void* concrete);
 };
 
 /// The pairs that a question is about.
@@ -120,11 +127,12 @@ struct BatchContacts {
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 
-/// `distance` of each pair. Kernels: sphere with sphere, with capsule and with box, capsule with capsule.
+/// `distance` of each pair. Kernels: sphere with sphere, with capsule and with box; capsule with capsule.
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
-/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box, sphere with sphere.
+/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box; sphere with sphere, with capsule and with box;
+/// capsule with capsule.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 
@@ -133,18 +141,11 @@ template <class C>
 Bodies<T>::Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses)
     : shapes_(shapes.data()),
       shape_count_(shapes.size()),
+      stride_(sizeof(C)),
       size_(shapes.size() == 1 ? poses.size() : shapes.size()),
-      kind_(Shape<T>::count),
       poses_(poses),
-      shape_([](const Bodies& b, std::size_t i) { return Shape<T>(b.template as<C>(i)); }) {
-  if constexpr (std::is_same_v<C, Shape<T>>) {
-    concrete_ = [](const Bodies& b, std::size_t i) {
-      return b.any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
-    };
-  } else {
-    kind_ = detail::kind_of<C, T>();
-    concrete_ = [](const Bodies& b, std::size_t i) { return static_cast<const void*>(&b.template as<C>(i)); };
-  }
+      made_([](const void* concrete) { return Shape<T>(*static_cast<const C*>(concrete)); }) {
+  if constexpr (!std::is_same_v<C, Shape<T>>) kind_ = detail::kind_of<C, T>();
   if (poses.size() != size_ && poses.size() != 1)
     validate::fail("poses", "as many as shapes, or one", static_cast<double>(poses.size()));
   if (shapes.empty() && !poses.empty()) validate::fail("shapes", "one for the poses", 0);

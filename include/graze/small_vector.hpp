@@ -56,6 +56,13 @@ class SmallVector {
       push_outside(value);
     ++size_;
   }
+  /// One more element of no certain value, to be written.
+  T& emplace_back() {
+    if (size_ < N) [[likely]]
+      return inside_[size_++];
+    push_outside(T());
+    return outside_[size_++];
+  }
   /// Drops all elements from position `count` on.
   void truncate(std::size_t count) {
     if (size_ > N && count <= N) std::copy_n(outside_.begin(), count, inside_);

@@ -98,11 +98,12 @@ struct Wide {
   }
 };
 
-/// Whether any lane is set, or all are; and for a single scalar's `bool`, so that kernels can ask either.
+/// Whether any lane is set, or all are; and for a single scalar's `bool`, or the `int` that joining two of them gives, so
+/// that kernels can ask either.
 template <class M>
 [[gnu::always_inline]] inline bool any(const M& mask) {
-  if constexpr (std::is_same_v<M, bool>) {
-    return mask;
+  if constexpr (std::is_integral_v<M>) {
+    return mask != 0;
   } else {
     bool result = false;
     for (int i = 0; i < M::lanes; ++i) result |= mask.bits[i] != 0;
@@ -111,8 +112,8 @@ template <class M>
 }
 template <class M>
 [[gnu::always_inline]] inline bool all(const M& mask) {
-  if constexpr (std::is_same_v<M, bool>) {
-    return mask;
+  if constexpr (std::is_integral_v<M>) {
+    return mask != 0;
   } else {
     bool result = true;
     for (int i = 0; i < M::lanes; ++i) result &= mask.bits[i] != 0;

@@ -45,5 +45,6 @@ Isa isa_by_name(const char* name);
   namespace baseline {                                                                                                 \
   __VA_ARGS__                                                                                                          \
   }
-#define GRAZE_KERNEL(level, ...) (static_cast<void>(level), baseline::__VA_ARGS__)
+#define GRAZE_KERNEL(level, ...)                                                                                       \
+  ((level) == ::graze::Isa::baseline ? baseline::__VA_ARGS__ : baseline::__VA_ARGS__)
 #endif

@@ -1,7 +1,7 @@
 // Loading what stands scattered in memory into lanes: rows of a few numbers, each from a place of its own, transposed in
-// registers. Only for `*.kernel.cpp`.
+// registers; and the way back. Only for `*.kernel.cpp`.
 //
-// Guarantee: reads the numbers asked for and nothing behind them.
+// Guarantee: reads and writes the numbers asked for and nothing behind them.
 #pragma once
 
 #include <cstring>
@@ -45,6 +45,18 @@ template <std::size_t Half, class V, std::size_t... I>
   return __builtin_shufflevector(a, b, (I / 4 * 4 + Half * 2 + I % 2 + (I % 4 / 2) * n)...);
 }
 
+/// Of four rows of four numbers each, standing side by side in the vectors' fours, the columns.
+template <class V, std::size_t... I>
+[[gnu::always_inline]] inline void transpose(const V& r0, const V& r1, const V& r2, const V& r3, V (&out)[4],
+                                             std::index_sequence<I...> all) {
+  const V low01 = interleaved<0>(r0, r1, all), low23 = interleaved<0>(r2, r3, all),
+          high01 = interleaved<1>(r0, r1, all), high23 = interleaved<1>(r2, r3, all);
+  out[0] = paired<0>(low01, low23, all);
+  out[1] = paired<1>(low01, low23, all);
+  out[2] = paired<0>(high01, high23, all);
+  out[3] = paired<1>(high01, high23, all);
+}
+
 }  // namespace gathering
 
 /// `count` <= 4 numbers of type T at byte `offset` of each lane's row, each number in a `Lanes` of its own.
@@ -59,17 +71,10 @@ template <class T, std::size_t count>
       loaded[i] = Four{};
       std::memcpy(&loaded[i], at(i), count * sizeof(T));
     }
-    constexpr auto all = std::make_index_sequence<lanes>();
-    const auto r0 = every_fourth<lanes>(loaded), r1 = every_fourth<lanes>(loaded + 1),
-               r2 = every_fourth<lanes>(loaded + 2), r3 = every_fourth<lanes>(loaded + 3);
-    const auto low01 = interleaved<0>(r0, r1, all), low23 = interleaved<0>(r2, r3, all);
-    out[0] = Lanes<T>::of(paired<0>(low01, low23, all));
-    if constexpr (count > 1) out[1] = Lanes<T>::of(paired<1>(low01, low23, all));
-    if constexpr (count > 2) {
-      const auto high01 = interleaved<1>(r0, r1, all), high23 = interleaved<1>(r2, r3, all);
-      out[2] = Lanes<T>::of(paired<0>(high01, high23, all));
-      if constexpr (count > 3) out[3] = Lanes<T>::of(paired<1>(high01, high23, all));
-    }
+    typename FloatVector<lanes>::type columns[4];
+    transpose(every_fourth<lanes>(loaded), every_fourth<lanes>(loaded + 1), every_fourth<lanes>(loaded + 2),
+              every_fourth<lanes>(loaded + 3), columns, std::make_index_sequence<lanes>());
+    for (std::size_t k = 0; k < count; ++k) out[k] = Lanes<T>::of(columns[k]);
   } else {
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t i = 0; i < lanes; ++i) {
@@ -78,6 +83,18 @@ template <class T, std::size_t count>
         out[k].set(static_cast<int>(i), value);
       }
   }
+}
+
+/// Writes the first `count` lanes of four numbers, a row of four for each lane, the rows `stride` bytes apart.
+[[gnu::always_inline]] inline void scatter(const Lanes<float>& x, const Lanes<float>& y, const Lanes<float>& z,
+                                           const Lanes<float>& w, std::size_t count, void* to, std::size_t stride) {
+  using namespace gathering;
+  constexpr std::size_t lanes = lanes_of<float>;
+  typename FloatVector<lanes>::type rows[4];
+  transpose(x.v, y.v, z.v, w.v, rows, std::make_index_sequence<lanes>());
+  // Of rows[k] the i-th four belongs to lane 4 i + k.
+  for (std::size_t i = 0; i < count; ++i)
+    std::memcpy(static_cast<char*>(to) + i * stride, reinterpret_cast<const float*>(&rows[i % 4]) + i / 4 * 4, 16);
 }
 
 }  // namespace graze::GRAZE_ISA

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "narrow/box_batch.hpp"
-#include "narrow/pairs/round_contacts.hpp"
 
 namespace graze {
 
@@ -18,15 +17,12 @@ const Sphere<T>* plain_ball(const Shape<T>& shape) {
 /// margins, for the others `touching(i, normal, point)`.
 template <class T, class Apart, class Touching>
 void visit_ball_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching) {
-  Distance<T> contacts[box_chunk];
-  GRAZE_KERNEL(chosen_isa(), closed_distances<Sphere<T>, Sphere<T>, T>)(pairs, count, contacts);
-  const auto radius = [](const void* ball) { return static_cast<const Sphere<T>*>(ball)->radius(); };
+  PointContact<T> contacts[box_chunk];
+  Meeting meetings[box_chunk];
+  GRAZE_KERNEL(chosen_isa(), round_contacts<Sphere<T>, Sphere<T>, T>)(pairs, count, contacts, meetings);
   for (std::size_t i = 0; i < count; ++i) {
-    const Distance<T>& d = contacts[i];
-    if (d.distance <= pairs[i].margin)
-      touching(
-          i, d.normal,
-          ContactPoint<T>{d.a, d.b, d.distance, ball_feature, ball_weight(radius(pairs[i].a), radius(pairs[i].b))});
+    if (meetings[i] == Meeting::touching)
+      touching(i, contacts[i].normal, contacts[i].point);
     else
       apart(i);
   }

@@ -4,6 +4,7 @@
 #include "graze/query.hpp"
 #include "narrow/core.hpp"
 #include "narrow/general.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
 
@@ -16,19 +17,37 @@ SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
   return {{transform(pose, core.segment.a), transform(pose, core.segment.b)}};
 }
 
-/// Two balls' centres in a frame at A's origin along the world's axes: nothing has to turn but centres off the origin.
+/// A core where a pose puts it, in a frame at `offset` from the pose's origin along the world's axes.
 template <class S>
-struct BallCores {
-  PointCore<S> a, b;
+PointCore<S> turned(const PointCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
+  // The same bits without the question, which pays for a scalar alone: most balls are about their origins.
+  if constexpr (std::is_floating_point_v<S>)
+    if (core.point == Vec3<S>{}) return {offset};
+  return {offset + rotate(rotation, core.point)};
+}
+template <class S>
+SegmentCore<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
+  const Vec3<S> half = rotation_matrix(rotation).column(1) * core.half_height;
+  return {{offset - half, offset + half}};
+}
+
+/// Two round shapes in a frame at A's origin along the world's axes: their cores turn, and the answer has only to move.
+template <class A, class B, class S>
+struct RoundPair {
   Vec3<S> origin;  ///< of that frame, in the world
+  decltype(turned(A(), Quat<S>(), Vec3<S>())) a;
+  decltype(turned(B(), Quat<S>(), Vec3<S>())) b;
+  S radius_a, radius_b;
 
-  BallCores(const Vec3<S>& center_a, const Pose<S>& pose_a, const Vec3<S>& center_b, const Pose<S>& pose_b)
-      : a{turned(center_a, pose_a)},
-        b{pose_b.translation - pose_a.translation + turned(center_b, pose_b)},
-        origin(pose_a.translation) {}
+  RoundPair(const Rounded<A, S>& of_a, const Pose<S>& pose_a, const Rounded<B, S>& of_b, const Pose<S>& pose_b)
+      : origin(pose_a.translation),
+        a(turned(of_a.core, pose_a.rotation, Vec3<S>{S(0), S(0), S(0)})),
+        b(turned(of_b.core, pose_b.rotation, pose_b.translation - pose_a.translation)),
+        radius_a(of_a.radius),
+        radius_b(of_b.radius) {}
 
-  /// Adds the radii and moves the answer to the world.
-  Distance<S> distance(const CoreDistance<S>& core, const S& radius_a, const S& radius_b) const {
+  CoreDistance<S> core() const { return core_distance(a, b); }
+  Distance<S> distance(const CoreDistance<S>& core) const {
     Distance<S> d;
     d.distance = core.distance - (radius_a + radius_b);
     d.normal = core.normal;
@@ -36,15 +55,78 @@ struct BallCores {
     d.b = origin + (core.b - core.normal * radius_b);
     return d;
   }
-
- private:
-  /// The same bits without the question, which pays for a scalar alone.
-  static Vec3<S> turned(const Vec3<S>& center, const Pose<S>& pose) {
-    if constexpr (std::is_floating_point_v<S>)
-      if (center == Vec3<S>{}) return {};
-    return rotate(pose.rotation, center);
-  }
 };
+
+/// A ball and a box, whose core is about its own origin: the ball's centre as the box sees it.
+template <class S>
+struct BallAndBox {
+  Vec3<S> center;  ///< from the box's origin along the world's axes
+  Mat3<S> rotation;
+  Vec3<S> origin;  ///< of the box, in the world
+  PointCore<S> ball;
+  BoxCore<S> box;
+  S radius_ball, radius_box;
+
+  BallAndBox(const Rounded<PointCore<S>, S>& of_ball, const Pose<S>& pose_ball, const Rounded<BoxCore<S>, S>& of_box,
+             const Pose<S>& pose_box)
+      : center(turned(of_ball.core, pose_ball.rotation, pose_ball.translation - pose_box.translation).point),
+        rotation(rotation_matrix(pose_box.rotation)),
+        origin(pose_box.translation),
+        ball{transposed_times(rotation, center)},
+        box(of_box.core),
+        radius_ball(of_ball.radius),
+        radius_box(of_box.radius) {}
+
+  /// From the ball to the box; `core` is of the box and the ball.
+  Distance<S> distance(const CoreDistance<S>& core) const {
+    const Vec3<S> outward = rotation * core.normal;
+    Distance<S> d;
+    d.distance = core.distance - (radius_ball + radius_box);
+    d.normal = -outward;
+    d.a = origin + (center - outward * radius_ball);
+    d.b = origin + (rotation * core.a + outward * radius_box);
+    return d;
+  }
+  /// From the box to the ball, in the box's frame.
+  CoreDistance<S> core() const { return core_distance(box, ball); }
+};
+
+template <class A, class B, class S>
+RoundPair<A, B, S> round_pair(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
+                              const Pose<S>& pose_b) {
+  return {a, pose_a, b, pose_b};
+}
+template <class S>
+BallAndBox<S> round_pair(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose_ball,
+                         const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose_box) {
+  return {ball, pose_ball, box, pose_box};
+}
+
+template <class T>
+Rounded<PointCore<T>, T> rounded_core(const Sphere<T>& sphere, T margin) {
+  return {core_of(sphere), rounding_radius(sphere, margin)};
+}
+/// Of an even capsule.
+template <class T>
+Rounded<AxisCore<T>, T> rounded_core(const Capsule<T>& capsule, T margin) {
+  return {{capsule.half_height()}, rounding_radius(capsule, margin)};
+}
+template <class T>
+Rounded<BoxCore<T>, T> rounded_core(const Box<T>& box, T margin) {
+  return {core_of(box), margin};
+}
+
+/// Spheres and even capsules with each other, and spheres with boxes: what `round_pair` answers for.
+template <class A, class B>
+inline constexpr bool is_round_pair = false;
+template <class T>
+inline constexpr bool is_round_pair<Sphere<T>, Sphere<T>> = true;
+template <class T>
+inline constexpr bool is_round_pair<Sphere<T>, Capsule<T>> = true;
+template <class T>
+inline constexpr bool is_round_pair<Capsule<T>, Capsule<T>> = true;
+template <class T>
+inline constexpr bool is_round_pair<Sphere<T>, Box<T>> = true;
 
 /// Adds the rounding radii and takes the answer from A's frame to the world.
 template <class T>

@@ -258,7 +258,7 @@ void mirror(Manifold<T>& manifold) {
   manifold.normal = -manifold.normal;
   for (ContactPoint<T>& p : manifold.points) {
     std::swap(p.a, p.b);
-    p.feature = (p.feature << 16) | (p.feature >> 16);
+    p.feature = swapped_feature_id(p.feature);
   }
 }
 

@@ -72,6 +72,11 @@ Distance<T> half_spaces(const Body<T>& a, T radius_a, const Body<T>& b, T radius
   return d;
 }
 
+template <class A, class B, class T>
+auto round_pair_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b) {
+  return round_pair(rounded_core(ca, a.shape.margin()), a.pose, rounded_core(cb, b.shape.margin()), b.pose);
+}
+
 /// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
 template <class A, class B, class T>
 Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* trace) {
@@ -85,9 +90,11 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   } else if constexpr (half_b) {
     return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
-    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
-      const BallCores<T> balls(ca.center(), a.pose, cb.center(), b.pose);
-      return balls.distance(core_distance(balls.a, balls.b), ra, rb);
+    if constexpr (is_round_pair<A, B>) {
+      if (has_core(ca) && has_core(cb)) {
+        const auto pair = round_pair_of(ca, a, cb, b);
+        return pair.distance(pair.core());
+      }
     } else if constexpr (ClosedForm<A, B, T>) {
       if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
     } else if constexpr (ClosedForm<B, A, T>) {
@@ -132,8 +139,8 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
     if (trace) trace->method = "closed form";
-    const BallCores<T> balls(ca.center(), a.pose, cb.center(), b.pose);
-    return spheres_overlap(balls.a.point, ra, balls.b.point, rb);
+    const auto pair = round_pair_of(ca, a, cb, b);
+    return spheres_overlap(pair.a.point, ra, pair.b.point, rb);
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
     return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
   } else {

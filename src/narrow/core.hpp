@@ -6,6 +6,7 @@
 
 #include "graze/lines.hpp"
 #include "graze/shape.hpp"
+#include "graze/wide.hpp"
 
 namespace graze {
 
@@ -16,6 +17,11 @@ struct PointCore {
 template <class S>
 struct SegmentCore {
   Segment<S> segment;
+};
+/// A segment along Y about the origin.
+template <class S>
+struct AxisCore {
+  S half_height;
 };
 template <class S>
 struct BoxCore {
@@ -85,6 +91,13 @@ struct LaneOf<S> {
 template <class S>
 inline constexpr typename LaneOf<S>::type epsilon = std::numeric_limits<typename LaneOf<S>::type>::epsilon();
 
+/// A core and what rounds it.
+template <class Core, class S>
+struct Rounded {
+  Core core;
+  S radius;
+};
+
 /// The signed distance of two cores, in the frame of A: b - a = distance * normal, the normal unit, from A to B.
 template <class S>
 struct CoreDistance {
@@ -101,14 +114,32 @@ CoreDistance<S> mirrored(const CoreDistance<S>& d) {
 template <class A, class B>
 inline constexpr bool evaluated_in_double = false;
 
+/// `v` scaled to unit length by one division; zero stays zero. Where its square would under- or overflow it is first
+/// multiplied by a power of two, which changes none of its digits.
+template <class S>
+Vec3<S> direction_of(const Vec3<S>& v, const S& length_of_v) {
+  using T = typename LaneOf<S>::type;
+  constexpr bool single = sizeof(T) == 4;
+  // Between these lengths the square is a normal number, and the square of the last digit of the length too.
+  constexpr T least_safe = single ? T(1e-12) : T(1e-138), most_safe = single ? T(1e19) : T(1e154);
+  constexpr T up = single ? T(0x1p100) : T(0x1p800), down = single ? T(0x1p-100) : T(0x1p-800);
+  const auto small = length_of_v<S(least_safe), large = length_of_v> S(most_safe);
+  if (!any(small | large)) return v * (S(1) / length_of_v);
+  const Vec3<S> w = v * select(small, S(up), select(large, S(down), S(1)));
+  const S l = length(w);
+  return w * (S(1) / select(l > S(0), l, S(1)));
+}
+
 /// The answer for two points of cores that do not overlap: along the line between them, or along the unit vector
 /// `known` where that is the same line up to `noise`, the error of `b - a`: `known` has all its digits.
 template <class S>
 CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& known, const S& noise) {
   const Vec3<S> v = b - a;
   const S along = dot(v, known), d = length(v);
-  const auto is_known = length(v - known * along) <= noise;
-  return {d, select(is_known, select(along < S(0), -known, known), normalized(v, known)), a, b};
+  const auto is_known = length_squared(v - known * along) <= noise * noise;
+  const Vec3<S> toward = select(along < S(0), -known, known);
+  if (all(is_known)) return {d, toward, a, b};
+  return {d, select(is_known, toward, direction_of(v, d)), a, b};
 }
 
 }  // namespace graze

@@ -9,13 +9,6 @@
 
 namespace graze::GRAZE_ISA {
 
-/// A core and what rounds it.
-template <class Core, class S>
-struct Rounded {
-  Core core;
-  S radius;
-};
-
 // The numbers of a shape, as its class holds them.
 template <class T>
 [[gnu::always_inline]] inline auto load(const void* const* rows, const Sphere<T>*) {
@@ -30,7 +23,7 @@ template <class T>
   using S = Lanes<T>;
   S n[2];
   gather<T>(rows, 0, n);
-  return Rounded<SegmentCore<S>, S>{{{{S(0), -n[0], S(0)}, {S(0), n[0], S(0)}}}, n[1]};
+  return Rounded<AxisCore<S>, S>{{n[0]}, n[1]};
 }
 template <class T>
 [[gnu::always_inline]] inline auto load(const void* const* rows, const Box<T>*) {
@@ -47,7 +40,8 @@ template <class T>
 }
 template <class T>
 [[gnu::always_inline]] inline Pose<Lanes<T>> load(const void* const* rows, const Pose<T>*) {
-  Lanes<T> t[3], q[4];
+  static_assert(sizeof(Pose<T>) == 7 * sizeof(T));
+  Lanes<T> t[4], q[4];  // a row of four is loaded at once, a row of three is not
   gather<T>(rows, 0, t);
   gather<T>(rows, 3 * sizeof(T), q);
   return {{t[0], t[1], t[2]}, {q[0], q[1], q[2], q[3]}};

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "graze/contact.hpp"
 #include "graze/query.hpp"
 #include "lanes/dispatch.hpp"
 
@@ -48,6 +49,15 @@ struct BoxRestBlock {
   } slots[4];
 };
 
+/// The contact of two shapes that touch in one point at most.
+template <class T>
+struct PointContact {
+  ContactPoint<T> point;
+  Vec3<T> normal;
+};
+/// What is to be known of two shapes before their contact is read; `unknown`: their faces may give two points.
+enum class Meeting : std::uint8_t { apart, touching, unknown };
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
@@ -57,10 +67,12 @@ GRAZE_DECLARE_KERNEL(
                                        BoxPointBlock<T>& points);
     /// The points of up to `block_pairs` boxes on half-spaces without a margin.
     template <class T> void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& points);
-    /// The distances of pairs of round shapes, or of a round shape and a box, by their closed forms: without rounding
-    /// radii beside their own, capsules even.
-    template <class A, class B, class T> void closed_distances(const PairRef<T>* pairs, std::size_t count,
-                                                               Distance<T>* distances);
+    /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
+    template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
+                                                              Distance<T>* distances);
+    /// The contacts of the same pairs; capsules with a length.
+    template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
+                                                             PointContact<T>* contacts, Meeting* meetings);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

@@ -65,7 +65,7 @@ struct RestPoints {
           return typename BoxRest<T>::Slot{at(slot.of_box), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
         },
         [&](const ContactPoint<T>& p) {
-          points.push_back({turned ? ContactPoint<T>{p.b, p.a, p.distance, std::rotl(p.feature, 16)} : p});
+          points.push_back({turned ? ContactPoint<T>{p.b, p.a, p.distance, swapped_feature_id(p.feature)} : p});
         });
     return points.size() - first;
   }

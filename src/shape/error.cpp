@@ -1,6 +1,8 @@
 #include "graze/error.hpp"
 
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 
 #include "graze/validate.hpp"
 
@@ -21,8 +23,17 @@ namespace validate {
 
 std::string number(double value) {
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
+#if defined(__cpp_lib_to_chars)
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+#else
+  // A standard library without it: the fewest digits that give the same number again.
+  for (int digits = 1; digits < 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) return text;
+  }
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+#endif
 }
 
 void fail(const std::string& path, const std::string& expectation, double found) {

@@ -1,171 +1,209 @@
-// Contacts of balls and capsules by their closed forms: one point, without laying faces over each other.
+// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point, without
+// laying faces over each other; across lanes.
 //
-// Guarantee: the point of `distance`, bit for bit, under the names that the faces give it. Nothing is answered where the
-// faces may give two points (capsules that are about parallel) or where a side has no length: the faces answer then.
+// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
+// Where the faces may give two points, as of capsules that are about parallel, `known` says so: the faces answer then.
 #pragma once
 
+#include <iterator>
 #include <optional>
 
 #include "narrow/closed_form.hpp"
-#include "narrow/features.hpp"
-#include "narrow/outline.hpp"
+#include "narrow/pairs/box_manifold.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
-#include "shape/rounding.hpp"
 
 namespace graze {
 
+/// The one point of contact of two shapes.
+template <class S>
+struct RoundContact {
+  Distance<S> at;
+  S part_a, part_b;  ///< of A and of B: numbers of `round_features`, of a box of `box_features`
+  S known;           ///< not 0: that is all there is
+};
+
+/// What of a ball or a capsule a part is: a centre, or the side between the two.
+inline constexpr std::uint16_t round_features[] = {static_cast<std::uint16_t>(vertex_feature(0)),
+                                                   static_cast<std::uint16_t>(vertex_feature(1)),
+                                                   static_cast<std::uint16_t>(edge_feature(0, 1))};
+inline constexpr int side_part = 2;
+
 namespace round {
 
-/// B's core in A's frame. The centre of a ball about its own origin does not turn.
-template <class T>
-PointCore<T> seen_from(const Pose<T>& pose_a, const Sphere<T>& b, const Pose<T>& pose_b) {
-  if (b.center() == Vec3<T>{}) return {inverse_transform(pose_a, pose_b.translation)};
-  return moved(core_of(b), relative(pose_a, pose_b));
-}
-template <class T>
-SegmentCore<T> seen_from(const Pose<T>& pose_a, const Capsule<T>& b, const Pose<T>& pose_b) {
-  return moved(core_of(b), relative(pose_a, pose_b));
-}
-
-/// Fills the manifold with the one point there is when that is near enough; `feature` names it. Returns the distance.
-template <class T, class Feature>
-T filled(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a, T margin, Manifold<T>& manifold,
-         bool swapped, const Feature& feature) {
-  const T distance = core.distance - (radius_a + radius_b);
-  const Vec3<T> normal = rotate(pose_a.rotation, core.normal);
-  manifold.normal = swapped ? -normal : normal;
-  if (!(distance <= margin)) return distance;
-  const Distance<T> d = finished(core, radius_a, radius_b, pose_a);
-  manifold.points.push_back({swapped ? d.b : d.a, swapped ? d.a : d.b, distance, feature(), T(0.5)});
-  return distance;
-}
+/// How near the end of a side counts as that, squared, relative to the square of its length.
+template <class S>
+inline constexpr typename LaneOf<S>::type near_end = static_cast<typename LaneOf<S>::type>(same_place* same_place);
 
 /// A capsule's segment as a face seen along a unit vector: its side where that leans little from the normal plane of the
 /// axis, else an end.
-template <class T>
+template <class S>
 struct SegmentFace {
-  bool side;
-  bool top;          ///< the end, where it is no side
-  T length_squared;  ///< of the side as seen
-  T beside_squared;  ///< the distance of the point in question from the nearer end, as seen
-  bool nearer_top;
+  using Mask = decltype(S() < S());
 
-  SegmentFace(const Segment<T>& segment, const Vec3<T>& outward, const Vec3<T>& point) {
-    const Vec3<T> axis = segment.b - segment.a;
-    const T whole = graze::length_squared(axis), up = dot(axis, outward), limit = face_lean<T> * face_lean<T> * whole;
-    side = up * up <= limit;
-    top = up > T(0);
-    const T seen = T(1) - up * up / whole, from_a = dot(point - segment.a, axis), from_b = whole - from_a;
+  Mask side;
+  Mask top;          ///< the end, where it is no side
+  S length_squared;  ///< of the side as seen
+  S beside_squared;  ///< the distance of the point in question from the nearer end, as seen
+  Mask nearer_top;
+
+  SegmentFace(const Segment<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
+    const Vec3<S> axis = segment.b - segment.a;
+    const S lean(face_lean<typename LaneOf<S>::type>), whole = graze::length_squared(axis), up = dot(axis, outward);
+    side = up * up <= lean * lean * whole;
+    top = up > S(0);
+    const S per_length = S(1) / whole, seen = S(1) - up * up * per_length, from_a = dot(point - segment.a, axis),
+            from_b = whole - from_a, beside = least(from_a, from_b);
     nearer_top = from_b < from_a;
-    const T beside = nearer_top ? from_b : from_a;
     length_squared = whole * seen;
-    beside_squared = beside * beside / whole * seen;
+    beside_squared = beside * beside * per_length * seen;
   }
 
   /// `near_squared`: how near an end counts as that.
-  std::uint32_t feature(T near_squared) const {
-    if (!side) return vertex_feature(top ? 1 : 0);
-    return beside_squared <= near_squared ? vertex_feature(nearer_top ? 1 : 0) : edge_feature(0, 1);
+  S part(const S& near_squared) const {
+    const auto end = [](const Mask& upper) { return select(upper, S(1), S(0)); };
+    return select(side, select(beside_squared <= near_squared, end(nearer_top), S(side_part)), end(top));
   }
 };
 
-template <class T>
-inline constexpr T near_end = static_cast<T>(same_place* same_place);
-
-template <class T>
-bool has_length(const Capsule<T>& capsule) {
-  return !capsule.tapered() && capsule.half_height() > T(0);
+/// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
+template <class S>
+S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
+  const auto face = detail::longest_axis(outward);
+  const Vec3<S> n = face.turned(outward), h = face.turned(half), p = face.turned(point);
+  const S one(1), zero(0), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y, facing = n.z * n.z;
+  const S near = S(4) * S(near_end<S>) * least(h.x * h.x * seen_u, h.y * h.y * seen_v);  // squared, as all of these
+  const auto at = [&](const S& reach, const S& from, const S& seen_across) {
+    using std::abs;
+    const S beside = reach - abs(from);
+    const auto on_rim = (beside <= zero) | (beside * beside * facing <= near * seen_across);
+    return select(on_rim, select(from > zero, S(2), one), zero);
+  };
+  // The rim across u runs along v.
+  return face.pick(zero, S(18), S(36)) + select(n.z >= zero, S(9), zero) + S(3) * at(h.y, p.y, seen_u) +
+         at(h.x, p.x, seen_v);
 }
 
-/// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
-template <class T>
-std::uint32_t box_feature(const Vec3<T>& half, const Vec3<T>& outward, const Vec3<T>& point) {
-  const Vec3<T> n = abs(outward);
-  const std::size_t major = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
-  const std::size_t u = major == 2 ? 0 : major + 1, v = major == 0 ? 2 : major - 1;
-  const T seen_u = T(1) - n[u] * n[u], seen_v = T(1) - n[v] * n[v], facing = n[major] * n[major];
-  const T near =
-      T(4) * near_end<T> * least(half[u] * half[u] * seen_u, half[v] * half[v] * seen_v);  // squared, as all of these
-  const T beside_u = half[u] - std::abs(point[u]), beside_v = half[v] - std::abs(point[v]);
-  // The rim across u runs along v.
-  const bool on_u = !(beside_u > T(0)) || beside_u * beside_u * facing <= near * seen_v;
-  const bool on_v = !(beside_v > T(0)) || beside_v * beside_v * facing <= near * seen_u;
-  const auto bit = [](bool positive, std::size_t axis) { return std::uint32_t{positive} << axis; };
-  const std::uint32_t front = bit(outward[major] >= T(0), major);
-  const std::uint32_t at_u = bit(point[u] > T(0), u), at_v = bit(point[v] > T(0), v);
-  if (on_u && on_v) return vertex_feature(front | at_u | at_v);
-  if (on_u) return edge_feature(front | at_u, front | at_u | bit(true, v));
-  if (on_v) return edge_feature(front | at_v, front | at_v | bit(true, u));
-  return face_feature(static_cast<std::uint32_t>(2 * major) + (outward[major] >= T(0) ? 1 : 0));
+template <class S>
+void find_parts(const RoundPair<PointCore<S>, PointCore<S>, S>&, const CoreDistance<S>&, RoundContact<S>& c) {
+  c.part_a = c.part_b = S(0);
+}
+template <class S>
+void find_parts(const RoundPair<PointCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
+  const SegmentFace<S> face(p.b.segment, -core.normal, core.b);
+  c.part_a = S(0);
+  c.part_b = face.part(S(near_end<S>) * face.length_squared);
+}
+template <class S>
+void find_parts(const RoundPair<AxisCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
+  using T = typename LaneOf<S>::type;
+  const SegmentFace<S> a(p.a.segment, core.normal, core.a), b(p.b.segment, -core.normal, core.b);
+  const S across = dot(cross(p.a.segment.b - p.a.segment.a, p.b.segment.b - p.b.segment.a), core.normal);
+  // Twice what makes two sides a face.
+  const auto parallel = across * across <= S(T(4) * face_lean<T> * face_lean<T>) * a.length_squared * b.length_squared;
+  c.known = select(a.side & b.side & parallel, S(0), S(1));
+  const S infinite(std::numeric_limits<T>::infinity());
+  const S near =
+      S(near_end<S>) * least(select(a.side, a.length_squared, infinite), select(b.side, b.length_squared, infinite));
+  c.part_a = a.part(near);
+  c.part_b = b.part(near);
+}
+template <class S>
+void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
+  c.part_a = S(0);
+  c.part_b = box_part(p.box.half, core.normal, core.a);
 }
 
 }  // namespace round
 
-/// What touches of two balls, and where between their points the radius-weighted one lies.
-inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
-template <class T>
-T ball_weight(T radius_a, T radius_b) {
-  return radius_a + radius_b > T(0) ? radius_a / (radius_a + radius_b) : T(0.5);
+/// Up to where contacts are wanted, `margin`, is asked of first: further apart there is but a distance and its normal.
+/// Only for capsules with a length and boxes with one along every side.
+template <class A, class B, class S>
+RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
+                              const Pose<S>& pose_b, const S& margin) {
+  const auto pair = round_pair(a, pose_a, b, pose_b);
+  const CoreDistance<S> core = pair.core();
+  RoundContact<S> contact{};
+  contact.at = pair.distance(core);
+  contact.known = S(1);
+  if (any(contact.at.distance <= margin)) round::find_parts(pair, core, contact);
+  return contact;
 }
 
-/// Of two shapes in the order of the list; see above.
+/// What touches of two balls, and where between their points the radius-weighted one lies; of other pairs it is halfway.
+inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
+template <class S>
+S ball_weight(const S& radius_a, const S& radius_b) {
+  const S sum = radius_a + radius_b;
+  return select(sum > S(0), radius_a / select(sum > S(0), sum, S(1)), S(0.5f));
+}
+
+/// The names of what touches of a round shape and of another: that of the parts i and j at the place 54 i + j. Not inline:
+/// kernels of different levels share nothing.
+struct RoundFeatureIds {
+  std::uint32_t of[std::size(round_features) * box_part_count];
+  constexpr explicit RoundFeatureIds(bool with_box) : of{} {
+    for (std::size_t i = 0; i < std::size(round_features); ++i)
+      for (std::size_t j = 0; j < box_part_count; ++j)
+        of[i * box_part_count + j] = feature_id(
+            round_features[i], with_box ? box_features.of[j] : round_features[j % std::size(round_features)]);
+  }
+};
+static constexpr RoundFeatureIds ids_with_round(false), ids_with_box(true);
+template <class B, class T>
+constexpr const RoundFeatureIds& round_feature_ids() {
+  return std::is_same_v<B, Box<T>> ? ids_with_box : ids_with_round;
+}
+/// The place of that of two shapes, exact in any number.
+template <class S>
+S feature_place(const RoundContact<S>& c) {
+  return c.part_a * S(typename LaneOf<S>::type(box_part_count)) + c.part_b;
+}
+
+/// Of concrete shapes with their margins. One function, so that numbers stay in registers on their way to the manifold.
+template <class A, class B, class T>
+[[gnu::flatten]] std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
+                                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const auto of_a = rounded_core(a, margin_a);
+  const auto of_b = rounded_core(b, margin_b);
+  const RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
+  if (found.known == T(0)) return std::nullopt;
+  manifold.normal = found.at.normal;
+  if (!(found.at.distance <= margin)) return found.at.distance;
+  ContactPoint<T>& point = manifold.points.emplace_back();
+  point.a = found.at.a;
+  point.b = found.at.b;
+  point.distance = found.at.distance;
+  point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found))];
+  point.weight = T(0.5);
+  if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
+    point.weight = ball_weight(of_a.radius, of_b.radius);
+  return found.at.distance;
+}
+
+/// Of two shapes in the order of the list; see above. Nothing of other shapes.
 template <class T>
 std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                                 T margin, Manifold<T>& manifold) {
-  const auto* capsule_b = b.template as<Capsule<T>>();
-  if (capsule_b && !round::has_length(*capsule_b)) return std::nullopt;
+  const auto of = [&](const auto& ca, const auto& cb) {
+    return round_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
+  };
+  const auto has_length = [](const Capsule<T>& c) { return !c.tapered() && c.half_height() > T(0); };
+  const auto* capsule = b.template as<Capsule<T>>();
+  if (capsule && !has_length(*capsule)) return std::nullopt;
   if (const auto* ball = a.template as<Sphere<T>>()) {
-    const T ra = rounding_radius(*ball, a.margin());
-    const std::uint32_t center = vertex_feature(0);
-    if (const auto* other = b.template as<Sphere<T>>()) {
-      const T rb = rounding_radius(*other, b.margin());
-      const BallCores<T> balls(ball->center(), pose_a, other->center(), pose_b);
-      const Distance<T> d = balls.distance(core_distance(balls.a, balls.b), ra, rb);
-      manifold.normal = d.normal;
-      if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, ball_feature, ball_weight(ra, rb)});
-      return d.distance;
-    }
-    if (capsule_b) {
-      const SegmentCore<T> segment = round::seen_from(pose_a, *capsule_b, pose_b);
-      const auto core = core_distance(core_of(*ball), segment);
-      return round::filled(core, ra, rounding_radius(*capsule_b, b.margin()), pose_a, margin, manifold, false, [&] {
-        const round::SegmentFace<T> face(segment.segment, -core.normal, core.b);
-        return feature_id(center, face.feature(round::near_end<T> * face.length_squared));
-      });
-    }
-    if (const auto* box = b.template as<Box<T>>()) {
-      const Vec3<T>& half_extents = box->half_extents();
-      if (!(least(half_extents.x, least(half_extents.y, half_extents.z)) > T(0))) return std::nullopt;
-      const auto core = core_distance(core_of(*box), round::seen_from(pose_b, *ball, pose_a));
-      return round::filled(core, b.margin(), ra, pose_b, margin, manifold, true,
-                           [&] { return feature_id(center, round::box_feature(half_extents, core.normal, core.a)); });
-    }
-    return std::nullopt;
+    if (const auto* other = b.template as<Sphere<T>>()) return of(*ball, *other);
+    if (capsule) return of(*ball, *capsule);
+    const auto* box = b.template as<Box<T>>();
+    const auto thin = [](const Vec3<T>& half) { return !(least(half.x, least(half.y, half.z)) > T(0)); };
+    if (!box || thin(box->half_extents())) return std::nullopt;
+    return of(*ball, *box);
   }
-  const auto* capsule_a = a.template as<Capsule<T>>();
-  if (!capsule_a || !capsule_b || !round::has_length(*capsule_a)) return std::nullopt;
-  const SegmentCore<T> segment_a = core_of(*capsule_a), segment_b = round::seen_from(pose_a, *capsule_b, pose_b);
-  const auto core = core_distance(segment_a, segment_b);
-  const T ra = rounding_radius(*capsule_a, a.margin()), rb = rounding_radius(*capsule_b, b.margin());
-  const round::SegmentFace<T> face_a(segment_a.segment, core.normal, core.a),
-      face_b(segment_b.segment, -core.normal, core.b);
-  if (face_a.side && face_b.side) {
-    const Vec3<T> along_a = segment_a.segment.b - segment_a.segment.a,
-                  along_b = segment_b.segment.b - segment_b.segment.a;
-    const T across = dot(cross(along_a, along_b), core.normal);
-    // Twice what makes two sides a face.
-    if (across * across <= T(4) * face_lean<T> * face_lean<T> * face_a.length_squared * face_b.length_squared)
-      return std::nullopt;
-  }
-  const T infinite = std::numeric_limits<T>::infinity();
-  const T shorter =
-      least(face_a.side ? face_a.length_squared : infinite, face_b.side ? face_b.length_squared : infinite);
-  const T near = round::near_end<T> * shorter;
-  return round::filled(core, ra, rb, pose_a, margin, manifold, false,
-                       [&] { return feature_id(face_a.feature(near), face_b.feature(near)); });
+  const auto* other = a.template as<Capsule<T>>();
+  if (!other || !capsule || !has_length(*other)) return std::nullopt;
+  return of(*other, *capsule);
 }
 
 }  // namespace graze

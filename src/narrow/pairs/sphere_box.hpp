@@ -23,7 +23,8 @@ CoreDistance<S> core_distance(const BoxCore<S>& a, const PointCore<S>& b) {
   const Vec3<S> nx{sign.x, zero, zero}, ny{zero, sign.y, zero}, nz{zero, zero, sign.z};
   const Vec3<S> face = select(z_less, nz, select(y_less, ny, nx));
 
-  return {select(outside, length(v), -least_depth), select(outside, normalized(v), face),
+  const S distance = length(v);
+  return {select(outside, distance, -least_depth), select(outside, direction_of(v, distance), face),
           select(outside, inside, p + face * least_depth), p};
 }
 

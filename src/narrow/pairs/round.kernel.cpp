@@ -1,0 +1,110 @@
+// Pairs of round shapes, and of balls with boxes, a bundle at a time.
+#include "narrow/pair_bundle.hpp"
+#include "narrow/pairs/round_contacts.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+template <class T>
+[[gnu::always_inline]] inline Vec3<T> lane(const Vec3<Lanes<T>>& v, int i) {
+  return {v.x[i], v.y[i], v.z[i]};
+}
+
+/// Whole numbers of lanes, as such.
+template <class T>
+using Whole = typename Lanes<T>::BitVector;
+template <class S>
+[[gnu::always_inline]] inline auto whole(const S& numbers) {
+  return __builtin_convertvector(numbers.v, typename S::BitVector);
+}
+
+/// Writes the lanes that hold a pair.
+template <class T>
+[[gnu::always_inline]] inline void put(const Distance<Lanes<T>>& d, std::size_t count, Distance<T>* to) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const int i = static_cast<int>(k);
+    to[k] = {d.distance[i], lane<T>(d.normal, i), lane<T>(d.a, i), lane<T>(d.b, i)};
+  }
+}
+template <class T>
+[[gnu::always_inline]] inline void put(const Distance<Lanes<T>>& d, const std::uint32_t* features,
+                                       const Lanes<T>& weight, std::size_t count, PointContact<T>* to) {
+  if constexpr (sizeof(T) == 4) {
+    using Point = ContactPoint<T>;
+    static_assert(sizeof(PointContact<T>) == 48 && offsetof(Point, b) == 12 && offsetof(Point, distance) == 24 &&
+                  offsetof(Point, feature) == 28 && offsetof(Point, weight) == 32 && sizeof(Point) == 36);
+    char* const rows = reinterpret_cast<char*>(to);
+    Lanes<T> names;
+    std::memcpy(&names.v, features, sizeof names.v);
+    scatter(d.a.x, d.a.y, d.a.z, d.b.x, count, rows, sizeof *to);
+    scatter(d.b.y, d.b.z, d.distance, names, count, rows + 16, sizeof *to);
+    scatter(weight, d.normal.x, d.normal.y, d.normal.z, count, rows + 32, sizeof *to);
+  } else {
+    for (std::size_t k = 0; k < count; ++k) {
+      const int i = static_cast<int>(k);
+      to[k] = {{lane<T>(d.a, i), lane<T>(d.b, i), d.distance[i], features[k], weight[i]}, lane<T>(d.normal, i)};
+    }
+  }
+}
+
+}  // namespace
+
+template <class A, class B, class T>
+[[gnu::flatten]] void round_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances) {
+  using Pairs = PairBundle<A, B, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
+    put<T>(pair.distance(pair.core()), p.count, distances + first);
+  }
+}
+
+template <class A, class B, class T>
+[[gnu::flatten]] void round_contacts(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts,
+                                     Meeting* meetings) {
+  using S = Lanes<T>;
+  using Pairs = PairBundle<A, B, T>;
+  constexpr bool balls = std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const RoundContact<S> c = round_contact(p.a, p.pose_a, p.b, p.pose_b, p.margin);
+    const S meeting = select(c.at.distance <= p.margin, select(c.known == S(0), S(2), S(1)), S(0));
+    const Whole<T> met = whole(meeting), place = whole(feature_place(c));
+    std::uint32_t features[Pairs::lanes];
+    for (std::size_t k = 0; k < Pairs::lanes; ++k)
+      features[k] = balls ? ball_feature : round_feature_ids<B, T>().of[static_cast<std::size_t>(place[k])];
+    for (std::size_t k = 0; k < p.count; ++k) meetings[first + k] = static_cast<Meeting>(met[k]);
+    S weight(T(0.5));
+    if constexpr (balls) weight = ball_weight(p.a.radius, p.b.radius);
+    put<T>(c.at, features, weight, p.count, contacts + first);
+  }
+}
+
+template <class T>
+[[gnu::flatten]] void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
+  using Pairs = PairBundle<Sphere<T>, Sphere<T>, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
+    const auto touching = spheres_overlap(pair.a.point, p.a.radius, pair.b.point, p.b.radius);
+    for (std::size_t i = 0; i < p.count; ++i) touch[first + i] = touching[static_cast<int>(i)];
+  }
+}
+
+template void sphere_overlaps(const PairRef<float>*, std::size_t, std::uint8_t*);
+template void sphere_overlaps(const PairRef<double>*, std::size_t, std::uint8_t*);
+#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
+  template void round_distances<A<T>, B<T>>(const PairRef<T>*, std::size_t, Distance<T>*);                             \
+  template void round_contacts<A<T>, B<T>>(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*);
+#define GRAZE_INSTANTIATE(A, B)                                                                                        \
+  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
+  GRAZE_INSTANTIATE_FOR(A, B, double)
+GRAZE_INSTANTIATE(Sphere, Sphere)
+GRAZE_INSTANTIATE(Sphere, Capsule)
+GRAZE_INSTANTIATE(Sphere, Box)
+GRAZE_INSTANTIATE(Capsule, Capsule)
+#undef GRAZE_INSTANTIATE
+#undef GRAZE_INSTANTIATE_FOR
+
+}  // namespace graze::GRAZE_ISA

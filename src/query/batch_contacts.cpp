@@ -1,0 +1,183 @@
+#include <algorithm>
+
+#include "graze/batch.hpp"
+#include "narrow/box_batch.hpp"
+#include "narrow/rest_batch.hpp"
+#include "query/batch_routes.hpp"
+
+namespace graze {
+
+namespace {
+
+template <class T>
+using RoundKernel = void (*)(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*);
+
+template <class T>
+RoundKernel<T> round_kernel(Route route) {
+  const Isa level = chosen_isa();
+  const RoundKernel<T> kernels[round_route_count] = {GRAZE_KERNEL(level, round_contacts<Sphere<T>, Sphere<T>, T>),
+                                                     GRAZE_KERNEL(level, round_contacts<Sphere<T>, Capsule<T>, T>),
+                                                     GRAZE_KERNEL(level, round_contacts<Sphere<T>, Box<T>, T>),
+                                                     GRAZE_KERNEL(level, round_contacts<Capsule<T>, Capsule<T>, T>)};
+  return kernels[static_cast<std::size_t>(route)];
+}
+
+template <class T>
+PointContact<T> mirrored(const PointContact<T>& c) {
+  return {{c.point.b, c.point.a, c.point.distance, swapped_feature_id(c.point.feature), c.point.weight}, -c.normal};
+}
+
+/// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can be
+/// written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be guessed
+/// wrong, which costs more than the writing.
+template <class T>
+class Writer {
+ public:
+  explicit Writer(BatchContacts<T>& found, std::size_t pairs) : found_(found) { found_.pairs.resize(pairs); }
+  ~Writer() {
+    found_.manifolds.resize(manifolds_);
+    found_.points.resize(points_);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  /// Makes room for so many more; what is pointed to may move.
+  void reserve(std::size_t manifolds, std::size_t points) {
+    make_room(found_.manifolds, manifolds_ + manifolds);
+    make_room(found_.points, points_ + points);
+  }
+  /// A pair and, if it counts, the one point that it touches in. There is room.
+  void write(std::size_t pair, const PointContact<T>& contact, bool counts) {
+    found_.pairs[pair] = {counts && contact.point.distance <= T(0), static_cast<std::uint32_t>(manifolds_), counts};
+    found_.manifolds[manifolds_] = {contact.normal, 0, 0, static_cast<std::uint32_t>(points_), 1};
+    found_.points[points_] = contact.point;
+    manifolds_ += counts;
+    points_ += counts;
+  }
+  /// A pair that does not touch, until manifolds follow.
+  void begin(std::size_t pair, bool overlap) {
+    found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
+  }
+  /// One more manifold of the pair that was begun last.
+  void add(std::size_t pair, const Vec3<T>& normal, std::uint32_t piece_a, std::uint32_t piece_b,
+           const ContactPoint<T>* points, std::size_t count) {
+    reserve(1, count);
+    found_.manifolds[manifolds_++] = {normal, piece_a, piece_b, static_cast<std::uint32_t>(points_),
+                                      static_cast<std::uint32_t>(count)};
+    std::copy_n(points, count, found_.points.begin() + static_cast<std::ptrdiff_t>(points_));
+    points_ += count;
+    ++found_.pairs[pair].manifold_count;
+  }
+
+ private:
+  template <class Array>
+  static void make_room(Array& array, std::size_t size) {
+    if (array.size() < size) array.resize(std::max(size, 2 * array.size()));
+  }
+
+  BatchContacts<T>& found_;
+  std::size_t manifolds_ = 0, points_ = 0;
+};
+
+/// Asks about one pair after the other.
+template <class T>
+class OneByOne {
+ public:
+  OneByOne(const Batch<T>& batch, T margin, Writer<T>& writer) : batch_(batch), margin_(margin), writer_(writer) {}
+
+  void operator()(std::size_t i) {
+    const IdPair p = batch_[i];
+    manifolds_.clear();
+    const bool overlap = batch_.a().visit(p.a, [&](const Shape<T>& a) {
+      return batch_.b().visit(p.b, [&](const Shape<T>& b) {
+        return contacts(a, batch_.a().pose(p.a), b, batch_.b().pose(p.b), margin_, manifolds_);
+      });
+    });
+    writer_.begin(i, overlap);
+    for (const Manifold<T>& m : manifolds_)
+      writer_.add(i, m.normal, m.piece_a, m.piece_b, m.points.data(), m.points.size());
+  }
+
+ private:
+  const Batch<T>& batch_;
+  T margin_;
+  Writer<T>& writer_;
+  Manifolds<T> manifolds_;
+};
+
+/// Asks the kernels about pairs put together for them.
+template <class T>
+class Together {
+ public:
+  Together(Writer<T>& writer, OneByOne<T>& single) : writer_(writer), single_(single) {}
+
+  void operator()(Route route, bool turned, const Queue<T>& queue) {
+    if (route == Route::box_box)
+      boxes(queue);
+    else if (route == Route::box_plane)
+      rests(turned, queue);
+    else
+      round(route, turned, queue);
+  }
+
+ private:
+  void boxes(const Queue<T>& queue) {
+    visit_box_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
+        [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
+          write(queue.places[k], distance, normal, points);
+        },
+        [&](std::size_t k) { single_(queue.places[k]); });
+  }
+  void rests(bool turned, const Queue<T>& queue) {
+    visit_rest_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t) { return turned; },
+        [&](std::size_t k) { writer_.begin(queue.places[k], false); },
+        [&](std::size_t k, T distance, const RestPoints<T>& points) {
+          write(queue.places[k], distance, points.normal(), points);
+        });
+  }
+  template <class Points>
+  void write(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
+    SmallVector<ContactPoint<T>, most_box_points> taken;
+    points.append(taken);
+    writer_.begin(pair, distance <= T(0));
+    writer_.add(pair, normal, 0, 0, taken.data(), taken.size());
+  }
+  void round(Route route, bool turned, const Queue<T>& queue) {
+    round_kernel<T>(route)(queue.pairs.data(), queue.count, contacts_, meetings_);
+    writer_.reserve(queue.count, queue.count);
+    std::size_t unknown = 0;
+    for (std::size_t k = 0; k < queue.count; ++k) {
+      const PointContact<T> contact = turned ? mirrored(contacts_[k]) : contacts_[k];
+      writer_.write(queue.places[k], contact, meetings_[k] == Meeting::touching);
+      unknown += meetings_[k] == Meeting::unknown;
+    }
+    for (std::size_t k = 0; unknown > 0; ++k) {
+      if (meetings_[k] != Meeting::unknown) continue;
+      single_(queue.places[k]);
+      --unknown;
+    }
+  }
+
+  Writer<T>& writer_;
+  OneByOne<T>& single_;
+  PointContact<T> contacts_[box_chunk];
+  Meeting meetings_[box_chunk];
+};
+
+}  // namespace
+
+template <class T>
+void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
+  Writer<T> writer(found, batch.size());
+  OneByOne<T> single(batch, margin, writer);
+  Together<T> together(writer, single);
+  visit_batch(
+      batch, margin, [](Route) { return true; }, together, single);
+}
+
+template void contacts(const Batch<float>&, float, BatchContacts<float>&);
+template void contacts(const Batch<double>&, double, BatchContacts<double>&);
+
+}  // namespace graze
