@@ -23,7 +23,9 @@ struct Crowd {
     Random random(seed);
     constexpr Kind often[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::box};
     for (std::size_t i = 0; i < count; ++i) {
-      const Kind kind = i % 4 == 3 ? static_cast<Kind>(random() % kind_count) : often[random() % 4];
+      const Kind kind = i % 12 == 11 ? Kind::half_space
+                        : i % 4 == 3 ? static_cast<Kind>(random() % kind_count)
+                                     : often[random() % 4];
       const Specimen specimen = random_specimen(kind, 1, random);
       const PlacedSpecimen placed{specimen, random_vector(random, 0.7f),
                                   i % 3 == 0 ? Quatf{} : random_rotation(random)};

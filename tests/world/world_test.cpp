@@ -196,6 +196,36 @@ TEST(World, PointsCarryTheirImpulsesWhileTheirFeaturesTouch) {
   for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, Vec3d{});
 }
 
+TEST(World, LeavesItsArraysAsTheyAreWhereNothingChanged) {
+  Worldd world;
+  world.add({.shape = HalfSpace<double>(), .fixed = true});
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < 5; ++i) {
+    boxes.push_back(world.add(unit_box(0)));
+    world.move(boxes.back(), {{0, 0.5 + 0.999 * i, 0}, {}});
+  }
+  world.update();
+  auto& contacts = world.contacts();
+  ASSERT_EQ(contacts.pairs.size(), 5u);
+  ASSERT_EQ(contacts.points.size(), 20u);
+  for (auto& p : contacts.points) p.impulse = p.a;
+  const auto* const where = contacts.points.data();
+  for (int frame = 0; frame < 2; ++frame) {
+    world.update();
+    EXPECT_EQ(contacts.points.data(), where);
+    for (const auto& p : contacts.points) EXPECT_EQ(p.impulse, p.a);
+    ASSERT_EQ(world.events().size(), 5u);
+    for (const ContactEvent& e : world.events()) EXPECT_EQ(e.kind, EventKind::stay);
+  }
+  // Two boxes that may not collide any more are another list of pairs, though nobody moved.
+  world.set_filter(boxes[4], {.mask = 0});
+  world.update();
+  EXPECT_EQ(contacts.pairs.size(), 4u);
+  EXPECT_EQ(contacts.points.size(), 16u);
+  for (const auto& p : contacts.points) EXPECT_EQ(p.impulse, p.a);
+  EXPECT_EQ(world.events().back().kind, EventKind::end);
+}
+
 TEST(World, HandlesAreRefusedAfterRemoval) {
   Worldd world;
   const BodyId first = world.add(unit_box(0));
