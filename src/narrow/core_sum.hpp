@@ -1,0 +1,94 @@
+// The support function of the Minkowski difference of two cores that are sums of a box and an ellipsoid.
+//
+// Along a unit vector n from A to B such cores overlap by
+//   h(n) = -c.n + sum of half |e.n| + sum of |R n|,
+// c the way between their centres, the first sum over the axes e of both boxes, the second over both ellipsoids. h is
+// smooth but for a crease along each great circle e.n = 0 and a point over the face of a disc, and its gradient and its
+// curvature are closed forms.
+//
+// Guarantee: all in double, in the frame of A; a few tens of operations and a root for each ellipsoid.
+#pragma once
+
+#include "narrow/minkowski.hpp"
+
+namespace graze {
+
+/// A symmetric form on a tangent plane, by its values for the two vectors of the basis and for both.
+struct TangentForm {
+  double uu = 0, uv = 0, vv = 0;
+
+  double determinant() const { return uu * vv - uv * uv; }
+  double least_eigenvalue() const {
+    const double mean = (uu + vv) * 0.5, half = (uu - vv) * 0.5;
+    return mean - std::sqrt(half * half + uv * uv);
+  }
+};
+
+/// One of the two cores.
+class SumSide {
+ public:
+  explicit SumSide(const SummedCore& core)
+      : center(core.center), half(core.half), radii(core.radii), squared_(scaled(core.radii, core.radii)) {
+    round = max_abs(radii) > 0;
+    const bool flat[] = {radii.x == 0, radii.y == 0, radii.z == 0};
+    disc = round && flat[0] + flat[1] + flat[2] == 1;
+  }
+
+  Vec3d center, half, radii;
+  bool round;  ///< there is an ellipsoid
+  bool disc;   ///< it is a cylinder's, about its Y
+
+  /// How far the core reaches along a vector.
+  double extent(const Vec3d& n) const {
+    double sum = dot(half, abs(n));
+    if (round) sum += length(scaled(radii, n));
+    return sum;
+  }
+  /// The ellipsoid's support point.
+  Vec3d round_point(const Vec3d& n) const {
+    if (!round) return {};
+    const double extent = length(scaled(radii, n));
+    return extent > 0 ? scaled(squared_, n) / extent : Vec3d{};
+  }
+  /// The second derivatives of the ellipsoid's extent |R n|, given its support point at n.
+  void add_curvature(const Vec3d& n, const Vec3d& point, const Vec3d& u, const Vec3d& v, TangentForm& form) const {
+    const double extent = dot(point, n);
+    if (!(extent > 0)) return;
+    const Vec3d ru = scaled(radii, u), rv = scaled(radii, v);
+    const double pu = dot(point, u), pv = dot(point, v), inverse = 1 / extent;
+    form.uu += (dot(ru, ru) - pu * pu) * inverse;
+    form.uv += (dot(ru, rv) - pu * pv) * inverse;
+    form.vv += (dot(rv, rv) - pv * pv) * inverse;
+  }
+  /// The same along u alone.
+  double curvature(const Vec3d& n, const Vec3d& point, const Vec3d& u) const {
+    const double extent = dot(point, n);
+    if (!(extent > 0)) return 0;
+    const Vec3d ru = scaled(radii, u);
+    const double pu = dot(point, u);
+    return (dot(ru, ru) - pu * pu) / extent;
+  }
+  /// What the radius of curvature nowhere falls below, along the great circle in the plane across m: a quadratic form
+  /// in m. It is |cof(R) m|^2 / |R n|^3, the ellipse's that the ellipsoid casts on that plane.
+  void add_least_radius(const Vec3d& u, const Vec3d& v, TangentForm& form) const {
+    if (!round) return;
+    const double widest = max_abs(radii), scale = 1 / (widest * widest * widest);
+    const Vec3d minors{radii.y * radii.z, radii.x * radii.z, radii.x * radii.y};
+    const Vec3d mu = scaled(minors, u), mv = scaled(minors, v);
+    form.uu += dot(mu, mu) * scale;
+    form.uv += dot(mu, mv) * scale;
+    form.vv += dot(mv, mv) * scale;
+  }
+  /// How deep a point lies inside at least.
+  double inside(const Vec3d& point) const {
+    const Vec3d beside = half - abs(point);
+    if (disc) return least(beside.y, radii.x - std::sqrt(point.x * point.x + point.z * point.z));
+    if (round) return 0;
+    return least(beside.x, least(beside.y, beside.z));
+  }
+
+ private:
+  Vec3d squared_;
+};
+
+}  // namespace graze

@@ -1,0 +1,320 @@
+#include "narrow/direct_depth.hpp"
+
+#include <array>
+
+namespace graze {
+
+namespace {
+
+/// Newton's method doubles its digits; what needs more steps is left to the general path.
+constexpr int descent_steps = 16;
+/// Steps along the sphere, as tangents of their angles: the longest, and one whose square no longer counts.
+constexpr double longest_step = 0.7, last_step = 1e-8;
+/// Nearer than this to the face of a disc the curvature says nothing about what lies beyond it.
+constexpr double beside_disc = 1e-3;
+/// Creases at a smaller angle count as one, which the general path tells apart.
+constexpr double least_angle = 1e-3;
+
+Vec3d direction_of(const Vec3d& v) {
+  Vec3d n = unit(v);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::abs(n[i]) < negligible) n[i] = 0;
+  return n;
+}
+
+class Descent {
+ public:
+  Descent(const SummedCore& a, const SummedCore& b, const Posed& b_in_a)
+      : side_{SumSide(a), SumSide(b)}, turn_(rotation_matrix(b_in_a.rotation)) {
+    way_ = b_in_a.translation + turn_ * b.center - a.center;
+    for (std::size_t i = 0; i < 3; ++i) {
+      axis_[i] = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+      axis_[3 + i] = turn_.column(i);
+      half_[i] = a.half[i];
+      half_[3 + i] = b.half[i];
+    }
+    size_ = greatest(max_abs(a.half) + max_abs(a.radii), max_abs(b.half) + max_abs(b.radii));
+  }
+
+  std::optional<DirectDepth> run(double limit) {
+    const double least_seen = start(limit);
+    if (least_seen < -limit) return DirectDepth{n_, least_seen, {}, {}, least_seen};
+    take_signs();
+    evaluate();
+    for (int i = 0; i < descent_steps; ++i) {
+      const double before = depth_;
+      switch (step()) {
+      case Step::failed: return std::nullopt;
+      case Step::arrived:
+        if (depth_ > least_seen + 1e-14 * size_) return std::nullopt;
+        return finished();
+      case Step::moved: break;
+      }
+      evaluate();
+      if (depth_ < -limit) {
+        const double measured = overlap_along(n_);
+        if (measured < -limit) return DirectDepth{n_, measured, {}, {}, measured};
+      }
+      if (depth_ > before + 1e-3 * size_) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  enum class Step { moved, arrived, failed };
+  static constexpr int none = -1;
+
+  Vec3d local(std::size_t side, const Vec3d& v) const { return side == 0 ? v : transposed_times(turn_, v); }
+  Vec3d turned(std::size_t side, const Vec3d& v) const { return side == 0 ? v : turn_ * v; }
+
+  void take_signs() {
+    for (std::size_t k = 0; k < 6; ++k) sign_[k] = dot(axis_[k], n_) < 0 ? -1.0 : 1.0;
+  }
+  bool active(std::size_t k) const { return static_cast<int>(k) == active_[0] || static_cast<int>(k) == active_[1]; }
+
+  /// The gradient and the depth at n, without what the active creases add.
+  void evaluate() {
+    Vec3d sum = -way_;
+    for (std::size_t s = 0; s < 2; ++s) {
+      at_[s] = local(s, n_);
+      point_[s] = cap_ == static_cast<int>(s) ? Vec3d{} : side_[s].round_point(at_[s]);
+      Vec3d part = point_[s];
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!active(3 * s + i)) part[i] += sign_[3 * s + i] * half_[3 * s + i];
+      part_[s] = part;
+      sum += turned(s, part);
+    }
+    gradient_ = sum;
+    depth_ = dot(sum, n_);
+  }
+
+  void basis() {
+    // Duff et al. 2017, "Building an orthonormal basis, revisited".
+    const double s = n_.z < 0 ? -1 : 1, a = -1 / (s + n_.z), b = n_.x * n_.y * a;
+    u_ = {1 + s * n_.x * n_.x * a, s * b, -s * n_.x};
+    v_ = {b, s + n_.y * n_.y * a, -n_.y};
+  }
+
+  /// How far the cores overlap along a unit vector, whatever is active.
+  double overlap_along(const Vec3d& n) const {
+    double sum = -dot(way_, n);
+    for (std::size_t s = 0; s < 2; ++s) sum += side_[s].extent(local(s, n));
+    return sum;
+  }
+
+  /// Takes the best of a few directions to begin with: the way between the centres and the axes of the boxes. Returns
+  /// the overlap there, as soon as one separates by more than `limit`.
+  double start(double limit) {
+    n_ = direction_of(way_);
+    double best = overlap_along(n_);
+    std::size_t best_axis = 6;
+    for (std::size_t k = 0; k < 6 && best >= -limit; ++k) {
+      if (!(half_[k] > 0)) continue;
+      const Vec3d n = dot(axis_[k], way_) < 0 ? -axis_[k] : axis_[k];
+      const double found = overlap_along(n);
+      if (!(found < best)) continue;
+      best = found;
+      best_axis = k;
+      n_ = n;
+    }
+    if (best_axis < 6) {
+      const std::size_t s = best_axis / 3, i = best_axis % 3;
+      if (side_[s].disc) {
+        cap_ = static_cast<int>(s);
+      } else {
+        std::size_t count = 0;
+        for (const std::size_t k : {3 * s + (i + 1) % 3, 3 * s + (i + 2) % 3})
+          if (half_[k] > 0) active_[count++] = static_cast<int>(k);
+      }
+    }
+    return best;
+  }
+
+  Step step() {
+    const Vec3d g = gradient_ - n_ * depth_;
+    if (cap_ != none) {
+      const double slope = length(g), radius = side_[static_cast<std::size_t>(cap_)].radii.x;
+      if (slope <= radius) return Step::arrived;
+      cap_ = none;
+      n_ = direction_of(n_ - g * (longest_step / slope));
+      take_signs();
+      return Step::moved;
+    }
+    if (active_[1] != none) return corner_step(g);
+    if (active_[0] != none) return crease_step(g);
+    return smooth_step(g);
+  }
+
+  /// How far one can go from n to n + way before a crease; its number in `crease`.
+  double until_crease(const Vec3d& way, int& crease) const {
+    double first = 1;
+    crease = none;
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (!(half_[k] > 0) || active(k)) continue;
+      const double from = dot(axis_[k], n_) * sign_[k], change = dot(axis_[k], way) * sign_[k];
+      if (!(from + change * first < 0)) continue;
+      first = from > 0 ? -from / change : 0;
+      crease = static_cast<int>(k);
+    }
+    return first;
+  }
+
+  Step smooth_step(const Vec3d& g) {
+    basis();
+    TangentForm form;
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (!side_[s].round) continue;
+      if (side_[s].disc && !(dot(point_[s], at_[s]) > beside_disc * side_[s].radii.x)) return Step::failed;
+      side_[s].add_curvature(at_[s], point_[s], local(s, u_), local(s, v_), form);
+    }
+    form.uu -= depth_;
+    form.vv -= depth_;
+    const double gu = dot(g, u_), gv = dot(g, v_), det = form.determinant();
+    Vec3d way;
+    if (form.uu + form.vv > 0 && det > 1e-6 * (form.uu + form.vv) * (form.uu + form.vv)) {
+      way = u_ * ((form.uv * gv - form.vv * gu) / det) + v_ * ((form.uv * gu - form.uu * gv) / det);
+      const double longest = length(way);
+      if (longest > longest_step) way *= longest_step / longest;
+    } else {
+      const double slope = length(g);
+      if (!(slope > 0)) return Step::failed;
+      way = g * (-longest_step / slope);
+    }
+    int crease;
+    const double t = until_crease(way, crease);
+    const double length_squared = dot(way, way);
+    if (crease == none) {
+      n_ = direction_of(n_ + way);
+      if (length_squared > last_step * last_step) return Step::moved;
+      evaluate();
+      return Step::arrived;
+    }
+    n_ = n_ + way * t;
+    const Vec3d& e = axis_[static_cast<std::size_t>(crease)];
+    n_ = direction_of(n_ - e * dot(n_, e));
+    active_[0] = crease;
+    return Step::moved;
+  }
+
+  void leave(std::size_t which, double push) {
+    sign_[static_cast<std::size_t>(active_[which])] = push > 0 ? -1 : 1;
+    if (which == 0) active_[0] = active_[1];
+    active_[1] = none;
+  }
+
+  Step crease_step(const Vec3d& g) {
+    const auto k = static_cast<std::size_t>(active_[0]);
+    const double push = dot(g, axis_[k]);
+    if (std::abs(push) > half_[k]) {
+      leave(0, push);
+      return Step::moved;
+    }
+    const Vec3d along = cross(axis_[k], n_);
+    double bend = -depth_;
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (!side_[s].round) continue;
+      if (side_[s].disc && !(dot(point_[s], at_[s]) > beside_disc * side_[s].radii.x)) return Step::failed;
+      bend += side_[s].curvature(at_[s], point_[s], local(s, along));
+    }
+    const double slope = dot(g, along);
+    double far = bend > 0 ? -slope / bend : slope > 0 ? -longest_step : longest_step;
+    far = least(longest_step, greatest(-longest_step, far));
+    int crease;
+    until_crease(along * far, crease);
+    if (crease == none) {
+      n_ = direction_of(n_ + along * far);
+      if (std::abs(far) > last_step) return Step::moved;
+      evaluate();
+      return Step::arrived;
+    }
+    const Vec3d between = cross(axis_[k], axis_[static_cast<std::size_t>(crease)]);
+    if (!(dot(between, between) > least_angle * least_angle)) return Step::failed;
+    const Vec3d corner = unit(between);
+    n_ = dot(corner, n_) < 0 ? -corner : corner;
+    active_[1] = crease;
+    return Step::moved;
+  }
+
+  bool corner_pushes(const Vec3d& g, double (&push)[2]) const {
+    const Vec3d &e = axis_[static_cast<std::size_t>(active_[0])], &f = axis_[static_cast<std::size_t>(active_[1])];
+    const double ef = dot(e, f), det = 1 - ef * ef;
+    if (!(det > least_angle * least_angle)) return false;
+    const double ge = dot(g, e), gf = dot(g, f);
+    push[0] = (ge - ef * gf) / det;
+    push[1] = (gf - ef * ge) / det;
+    return true;
+  }
+
+  Step corner_step(const Vec3d& g) {
+    double push[2] = {};
+    if (!corner_pushes(g, push)) return Step::failed;
+    double most = 0;
+    int which = none;
+    for (int i = 0; i < 2; ++i) {
+      const double over = std::abs(push[i]) - half_[static_cast<std::size_t>(active_[i])];
+      if (over > most) {
+        most = over;
+        which = i;
+      }
+    }
+    if (which == none) return Step::arrived;
+    leave(static_cast<std::size_t>(which), push[which]);
+    return Step::moved;
+  }
+
+  DirectDepth finished() {
+    // What balances the gradient: a place on the face that n is normal to.
+    Vec3d g = gradient_ - n_ * depth_;
+    const auto move = [&](std::size_t k, double by) {
+      part_[k / 3][k % 3] += by;
+      g += axis_[k] * by;
+    };
+    if (cap_ != none) {
+      part_[static_cast<std::size_t>(cap_)] -= local(static_cast<std::size_t>(cap_), g);
+      g = {};
+    } else if (active_[1] != none) {
+      double push[2] = {};
+      corner_pushes(g, push);
+      move(static_cast<std::size_t>(active_[0]), -push[0]);
+      move(static_cast<std::size_t>(active_[1]), -push[1]);
+    } else if (active_[0] != none) {
+      move(static_cast<std::size_t>(active_[0]), -dot(g, axis_[static_cast<std::size_t>(active_[0])]));
+    }
+    const Vec3d from_a = part_[0], from_b = way_ - turned(1, part_[1]);
+    DirectDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
+    r.lower = depth_ < 0 ? -length(from_b - from_a) : proven(from_a, from_b, length(g));
+    return r;
+  }
+
+  /// What the depth does not fall below, given the deepest points and what is left of the gradient.
+  double proven(const Vec3d& from_a, const Vec3d& from_b, double slope) {
+    const double inside = greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_)));
+    if (inside >= depth_ - 1e-13 * size_) return inside;
+    basis();
+    TangentForm least_radius;
+    for (std::size_t s = 0; s < 2; ++s) side_[s].add_least_radius(local(s, u_), local(s, v_), least_radius);
+    if (least_radius.least_eigenvalue() >= depth_) return depth_ - slope;
+    return inside;
+  }
+
+  std::array<SumSide, 2> side_;
+  Mat3d turn_;
+  Vec3d way_;
+  std::array<Vec3d, 6> axis_;
+  std::array<double, 6> half_, sign_{};
+  double size_;
+
+  Vec3d n_, gradient_, u_, v_;
+  double depth_ = 0;
+  std::array<Vec3d, 2> at_, point_, part_;
+  std::array<int, 2> active_{none, none};
+  int cap_ = none;
+};
+
+}  // namespace
+
+std::optional<DirectDepth> direct_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a, double limit) {
+  return Descent(a, b, b_in_a).run(limit);
+}
+
+}  // namespace graze
