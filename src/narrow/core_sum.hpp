@@ -17,6 +17,11 @@ namespace graze {
 struct TangentForm {
   double uu = 0, uv = 0, vv = 0;
 
+  void add(const TangentForm& other) {
+    uu += other.uu;
+    uv += other.uv;
+    vv += other.vv;
+  }
   double determinant() const { return uu * vv - uv * uv; }
   double least_eigenvalue() const {
     const double mean = (uu + vv) * 0.5, half = (uu - vv) * 0.5;
@@ -68,16 +73,20 @@ class SumSide {
     const double pu = dot(point, u);
     return (dot(ru, ru) - pu * pu) / extent;
   }
-  /// What the radius of curvature nowhere falls below, along the great circle in the plane across m: a quadratic form
-  /// in m. It is |cof(R) m|^2 / |R n|^3, the ellipse's that the ellipsoid casts on that plane.
-  void add_least_radius(const Vec3d& u, const Vec3d& v, TangentForm& form) const {
-    if (!round) return;
+  /// |R t|^2 - (p.t)^2 for tangents t, given what the support point p has along u and v.
+  TangentForm across(const Vec3d& u, const Vec3d& v, double pu, double pv) const {
+    const Vec3d ru = scaled(radii, u), rv = scaled(radii, v);
+    return {dot(ru, ru) - pu * pu, dot(ru, rv) - pu * pv, dot(rv, rv) - pv * pv};
+  }
+  /// What the radius of curvature nowhere falls below, along the great circle through n and a tangent t: a quadratic form
+  /// in t. With m = n x t across the circle's plane it is |cof(R) m|^2 / |R n|^3, that of the ellipse that the ellipsoid
+  /// casts on the plane.
+  TangentForm least_radius(const Vec3d& u, const Vec3d& v) const {
     const double widest = max_abs(radii), scale = 1 / (widest * widest * widest);
     const Vec3d minors{radii.y * radii.z, radii.x * radii.z, radii.x * radii.y};
     const Vec3d mu = scaled(minors, u), mv = scaled(minors, v);
-    form.uu += dot(mu, mu) * scale;
-    form.uv += dot(mu, mv) * scale;
-    form.vv += dot(mv, mv) * scale;
+    // n x u = v and n x v = -u.
+    return {dot(mv, mv) * scale, -dot(mu, mv) * scale, dot(mu, mu) * scale};
   }
   /// How deep a point lies inside at least.
   double inside(const Vec3d& point) const {

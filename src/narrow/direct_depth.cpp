@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "narrow/polar_proof.hpp"
+
 namespace graze {
 
 namespace {
@@ -14,6 +16,8 @@ constexpr double longest_step = 0.7, last_step = 1e-8;
 constexpr double beside_disc = 1e-3;
 /// Creases at a smaller angle count as one, which the general path tells apart.
 constexpr double least_angle = 1e-3;
+/// A step that does not lower the overlap, but for rounding, is halved.
+constexpr double rise = 1e-12;
 
 Vec3d direction_of(const Vec3d& v) {
   Vec3d n = unit(v);
@@ -43,6 +47,8 @@ class Descent {
     evaluate();
     for (int i = 0; i < descent_steps; ++i) {
       const double before = depth_;
+      const Vec3d from = n_;
+      const std::array<int, 2> kept = active_;
       switch (step()) {
       case Step::failed: return std::nullopt;
       case Step::arrived:
@@ -55,7 +61,12 @@ class Descent {
         const double measured = overlap_along(n_);
         if (measured < -limit) return DirectDepth{n_, measured, {}, {}, measured};
       }
-      if (depth_ > before + 1e-3 * size_) return std::nullopt;
+      for (int k = 0; k < 4 && depth_ > before + rise * size_; ++k) {
+        n_ = direction_of(n_ + from);
+        if (kept[1] == none && (kept[0] == none || active_[1] != none)) active_ = kept;
+        take_signs();
+        evaluate();
+      }
     }
     return std::nullopt;
   }
@@ -265,20 +276,20 @@ class Descent {
   DirectDepth finished() {
     // What balances the gradient: a place on the face that n is normal to.
     Vec3d g = gradient_ - n_ * depth_;
-    const auto move = [&](std::size_t k, double by) {
-      part_[k / 3][k % 3] += by;
-      g += axis_[k] * by;
-    };
+    slope_ = g;
+    push_[0] = push_[1] = 0;
     if (cap_ != none) {
       part_[static_cast<std::size_t>(cap_)] -= local(static_cast<std::size_t>(cap_), g);
       g = {};
     } else if (active_[1] != none) {
-      double push[2] = {};
-      corner_pushes(g, push);
-      move(static_cast<std::size_t>(active_[0]), -push[0]);
-      move(static_cast<std::size_t>(active_[1]), -push[1]);
+      corner_pushes(g, push_);
     } else if (active_[0] != none) {
-      move(static_cast<std::size_t>(active_[0]), -dot(g, axis_[static_cast<std::size_t>(active_[0])]));
+      push_[0] = dot(g, axis_[static_cast<std::size_t>(active_[0])]);
+    }
+    for (std::size_t i = 0; i < 2 && active_[i] != none; ++i) {
+      const auto k = static_cast<std::size_t>(active_[i]);
+      part_[k / 3][k % 3] -= push_[i];
+      g -= axis_[k] * push_[i];
     }
     const Vec3d from_a = part_[0], from_b = way_ - turned(1, part_[1]);
     DirectDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
@@ -287,14 +298,33 @@ class Descent {
   }
 
   /// What the depth does not fall below, given the deepest points and what is left of the gradient.
-  double proven(const Vec3d& from_a, const Vec3d& from_b, double slope) {
+  double proven(const Vec3d& from_a, const Vec3d& from_b, double rest) {
     const double inside = greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_)));
     if (inside >= depth_ - 1e-13 * size_) return inside;
     basis();
-    TangentForm least_radius;
-    for (std::size_t s = 0; s < 2; ++s) side_[s].add_least_radius(local(s, u_), local(s, v_), least_radius);
-    if (least_radius.least_eigenvalue() >= depth_) return depth_ - slope;
-    return inside;
+    PolarProof proof(depth_);
+    const auto tangent = [&](const Vec3d& v) { return PolarProof::Tangent{dot(v, u_), dot(v, v_)}; };
+    TangentForm whole;
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (!side_[s].round || cap_ == static_cast<int>(s)) continue;
+      const Vec3d u = local(s, u_), v = local(s, v_), &p = point_[s];
+      const PolarProof::Tangent at{dot(p, u), dot(p, v)};
+      const TangentForm least_radius = side_[s].least_radius(u, v);
+      whole.add(least_radius);
+      proof.add_round(dot(p, at_[s]), at, side_[s].across(u, v, at.u, at.v), least_radius);
+    }
+    if (whole.least_eigenvalue() >= depth_) return depth_ - rest;
+    if (cap_ != none) proof.add_cap(side_[static_cast<std::size_t>(cap_)].radii.x, tangent(slope_));
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (!(half_[k] > 0)) continue;
+      if (active(k)) {
+        const std::size_t i = static_cast<int>(k) == active_[0] ? 0 : 1;
+        proof.add_crease(tangent(axis_[k]), half_[k] + push_[i], half_[k] - push_[i]);
+      } else {
+        proof.add_segment(tangent(axis_[k] * sign_[k]), dot(axis_[k], n_) * sign_[k], half_[k]);
+      }
+    }
+    return proof.holds() ? depth_ - rest : inside;
   }
 
   std::array<SumSide, 2> side_;
@@ -304,7 +334,8 @@ class Descent {
   std::array<double, 6> half_, sign_{};
   double size_;
 
-  Vec3d n_, gradient_, u_, v_;
+  Vec3d n_, gradient_, u_, v_, slope_;
+  double push_[2] = {};
   double depth_ = 0;
   std::array<Vec3d, 2> at_, point_, part_;
   std::array<int, 2> active_{none, none};

@@ -1,0 +1,68 @@
+#include "narrow/polar_proof.hpp"
+
+namespace graze {
+
+PolarProof::Bounds PolarProof::bounds(const Tangent& a, const Tangent& b) const {
+  const Sector single = sector(a, b), twice = sector(doubled(a), doubled(b));
+  Bounds r;
+  if (cap_ > 0) r.slope = greatest(0.0, cap_ + single.least(cap_slope_));
+  for (const Crease& c : creases_) r.slope += single.slope_over(c);
+  for (const Segment& s : segments_) r.turns.push_back({s.along, single.most(s.axis), s.half});
+  for (const Round& round : rounds_) {
+    // A form is its mean and a linear term in the doubled angle.
+    const auto least_of = [&](const TangentForm& f) {
+      return (f.uu + f.vv) * 0.5 + twice.least(Tangent{(f.uu - f.vv) * 0.5, f.uv});
+    };
+    const TangentForm& f = round.across;
+    const double most = (f.uu + f.vv) * 0.5 + twice.most({(f.uu - f.vv) * 0.5, f.uv});
+    const double point = single.most(round.point), radius = greatest(0.0, least_of(round.least_radius));
+    r.bends.push_back({round.extent, point, point / round.extent, greatest(0.0, least_of(f)), most, radius});
+    r.least_radius += radius;
+  }
+  return r;
+}
+
+bool PolarProof::holds_between(const Bounds& bounds, double from, double to, int left) const {
+  double slope = bounds.slope;
+  if (from > 0)
+    for (const Bounds::Turn& t : bounds.turns)
+      slope += t.half * greatest(0.0, t.along * (from - 1 / from) - 2 * t.axis);
+  if (slope >= to * (depth_ - bounds.least_radius)) return true;
+  double bend = 0;
+  for (const Bounds::Bend& b : bounds.bends) {
+    // The most of X, which is concave in s.
+    const double top = least(to, greatest(from, b.turns_at));
+    const double x = b.extent * (1 - top * top) + 2 * top * b.point, y = 4 * to * to * b.most_across;
+    const double root = std::sqrt(x * x + y), below = x > 0 ? root + x : y / (root - x);
+    bend += greatest(b.least_radius, below > 0 ? 2 * b.least_across / below : 0);
+  }
+  if (slope >= to * (depth_ - bend)) return true;
+  if (left == 0) return false;
+  const double middle = (from + to) * 0.5;
+  return holds_between(bounds, from, middle, left - 1) && holds_between(bounds, middle, to, left - 1);
+}
+
+bool PolarProof::holds_beyond(const Bounds& bounds, double from) const {
+  double bend = 0;
+  const double turned = 1 - 1 / (from * from);
+  for (const Bounds::Bend& b : bounds.bends)
+    bend += greatest(b.least_radius, b.extent * turned - 2 * greatest(0.0, b.point) / from);
+  for (const Bounds::Turn& t : bounds.turns)
+    bend += t.half * greatest(0.0, t.along * turned - 2 * greatest(0.0, t.axis) / from);
+  return bend >= depth_;
+}
+
+bool PolarProof::holds_in(const Tangent& a, const Tangent& b, int left) const {
+  constexpr double steps[] = {0, 0.5, 2, 8};
+  const Bounds in = bounds(a, b);
+  if (in.least_radius >= depth_) return true;
+  bool all = holds_beyond(in, steps[3]);
+  for (std::size_t i = 0; i < 3 && all; ++i) all = holds_between(in, steps[i], steps[i + 1], halvings);
+  if (all) return true;
+  if (left == 0) return false;
+  const double meet = a.u * b.u + a.v * b.v, scale = 1 / std::sqrt(2 + 2 * meet);
+  const Tangent middle{(a.u + b.u) * scale, (a.v + b.v) * scale};
+  return holds_in(a, middle, left - 1) && holds_in(middle, b, left - 1);
+}
+
+}  // namespace graze
