@@ -9,9 +9,14 @@
 // Guarantee: all in double, in the frame of A; a few tens of operations and a root for each ellipsoid.
 #pragma once
 
+#include <utility>
+
 #include "narrow/minkowski.hpp"
 
 namespace graze {
+
+/// An eigenvalue that is smaller than this beside the other counts as so much.
+inline constexpr double flattest = 1e-6;
 
 /// A symmetric form on a tangent plane, by its values for the two vectors of the basis and for both.
 struct TangentForm {
@@ -22,7 +27,23 @@ struct TangentForm {
     uv += other.uv;
     vv += other.vv;
   }
-  double determinant() const { return uu * vv - uv * uv; }
+  /// Newton's step for a gradient, with the magnitudes of the eigenvalues in the place of these: it leads down also where
+  /// the form is not positive (Dauphin et al. 2014, "Identifying and attacking the saddle point problem").
+  std::pair<double, double> downhill(double gu, double gv) const {
+    double a = uu, b = uv, c = vv, det = a * c - b * b;
+    if (!(a + c > 0 && det > flattest * (a + c) * (a + c))) {
+      const double mean = (a + c) * 0.5, half = (a - c) * 0.5, r = std::sqrt(half * half + b * b);
+      if (!(std::abs(mean) + r > 0)) return {-gu, -gv};
+      const double floor = flattest * (std::abs(mean) + r);
+      const double high = greatest(std::abs(mean + r), floor), low = greatest(std::abs(mean - r), floor);
+      const double whole = (high + low) * 0.5, part = r > 0 ? (high - low) * 0.5 / r : 0;
+      a = whole + part * half;
+      b = part * b;
+      c = whole - part * half;
+      det = a * c - b * b;
+    }
+    return {(b * gv - c * gu) / det, (b * gu - a * gv) / det};
+  }
   double least_eigenvalue() const {
     const double mean = (uu + vv) * 0.5, half = (uu - vv) * 0.5;
     return mean - std::sqrt(half * half + uv * uv);

@@ -10,6 +10,8 @@ namespace {
 
 /// Newton's method doubles its digits; what needs more steps is left to the general path.
 constexpr int descent_steps = 16;
+/// A descent that ends in what is not proven the least begins again where less may lie.
+constexpr int descents = 3;
 /// Steps along the sphere, as tangents of their angles: the longest, and one whose square no longer counts.
 constexpr double longest_step = 0.7, last_step = 1e-8;
 /// Nearer than this to the face of a disc the curvature says nothing about what lies beyond it.
@@ -41,8 +43,26 @@ class Descent {
   }
 
   std::optional<DirectDepth> run(double limit) {
-    const double least_seen = start(limit);
-    if (least_seen < -limit) return DirectDepth{n_, least_seen, {}, {}, least_seen};
+    least_seen_ = start(limit);
+    if (least_seen_ < -limit) return DirectDepth{n_, least_seen_, {}, {}, least_seen_};
+    std::optional<DirectDepth> found;
+    for (int i = 0; i < descents; ++i) {
+      doubtful_ = {};
+      found = descend(limit);
+      if (doubtful_ == Vec3d{}) break;
+      n_ = doubtful_;
+      active_ = {none, none};
+      cap_ = none;
+    }
+    return found;
+  }
+
+ private:
+  enum class Step { moved, arrived, failed };
+  static constexpr int none = -1;
+
+  /// Down to a least overlap, or to one that separates by more than `limit`.
+  std::optional<DirectDepth> descend(double limit) {
     take_signs();
     evaluate();
     for (int i = 0; i < descent_steps; ++i) {
@@ -52,7 +72,7 @@ class Descent {
       switch (step()) {
       case Step::failed: return std::nullopt;
       case Step::arrived:
-        if (depth_ > least_seen + 1e-14 * size_) return std::nullopt;
+        if (depth_ > least_seen_ + rise * size_) return std::nullopt;
         return finished();
       case Step::moved: break;
       }
@@ -70,10 +90,6 @@ class Descent {
     }
     return std::nullopt;
   }
-
- private:
-  enum class Step { moved, arrived, failed };
-  static constexpr int none = -1;
 
   Vec3d local(std::size_t side, const Vec3d& v) const { return side == 0 ? v : transposed_times(turn_, v); }
   Vec3d turned(std::size_t side, const Vec3d& v) const { return side == 0 ? v : turn_ * v; }
@@ -180,19 +196,18 @@ class Descent {
     }
     form.uu -= depth_;
     form.vv -= depth_;
-    const double gu = dot(g, u_), gv = dot(g, v_), det = form.determinant();
-    Vec3d way;
-    if (form.uu + form.vv > 0 && det > 1e-6 * (form.uu + form.vv) * (form.uu + form.vv)) {
-      way = u_ * ((form.uv * gv - form.vv * gu) / det) + v_ * ((form.uv * gu - form.uu * gv) / det);
-      const double longest = length(way);
-      if (longest > longest_step) way *= longest_step / longest;
-    } else {
-      const double slope = length(g);
-      if (!(slope > 0)) return Step::failed;
-      way = g * (-longest_step / slope);
-    }
+    const double gu = dot(g, u_), gv = dot(g, v_);
+    const auto [x, y] = form.downhill(gu, gv);
+    Vec3d way = u_ * x + v_ * y;
+    const double longest = length(way);
+    if (longest > longest_step) way *= longest_step / longest;
     int crease;
-    const double t = until_crease(way, crease);
+    double t = until_crease(way, crease);
+    if (crease != none && !(t > 0)) {
+      // Straight down from a crease that has just been left leads away from it, and Newton's way may not.
+      way = g * (-least(longest_step, longest) / length(g));
+      t = until_crease(way, crease);
+    }
     const double length_squared = dot(way, way);
     if (crease == none) {
       n_ = direction_of(n_ + way);
@@ -324,7 +339,12 @@ class Descent {
         proof.add_segment(tangent(axis_[k] * sign_[k]), dot(axis_[k], n_) * sign_[k], half_[k]);
       }
     }
-    return proof.holds() ? depth_ - rest : inside;
+    const auto doubt = [&](const PolarProof::Tangent& t, double s) {
+      const Vec3d n = direction_of(n_ * (1 - s * s) + (u_ * t.u + v_ * t.v) * (2 * s));
+      least_seen_ = least(overlap_along(n), depth_ - 2 * rise * size_);
+      doubtful_ = n;
+    };
+    return proof.holds(doubt) ? depth_ - rest : inside;
   }
 
   std::array<SumSide, 2> side_;
@@ -336,6 +356,8 @@ class Descent {
 
   Vec3d n_, gradient_, u_, v_, slope_;
   double push_[2] = {};
+  double least_seen_ = 0;
+  Vec3d doubtful_;  ///< where less overlap than was found may lie, or zero
   double depth_ = 0;
   std::array<Vec3d, 2> at_, point_, part_;
   std::array<int, 2> active_{none, none};

@@ -22,7 +22,7 @@ PolarProof::Bounds PolarProof::bounds(const Tangent& a, const Tangent& b) const 
   return r;
 }
 
-bool PolarProof::holds_between(const Bounds& bounds, double from, double to, int left) const {
+bool PolarProof::holds_between(const Bounds& bounds, double from, double to, int left, double& doubtful) const {
   double slope = bounds.slope;
   if (from > 0)
     for (const Bounds::Turn& t : bounds.turns)
@@ -34,12 +34,21 @@ bool PolarProof::holds_between(const Bounds& bounds, double from, double to, int
     const double top = least(to, greatest(from, b.turns_at));
     const double x = b.extent * (1 - top * top) + 2 * top * b.point, y = 4 * to * to * b.most_across;
     const double root = std::sqrt(x * x + y), below = x > 0 ? root + x : y / (root - x);
-    bend += greatest(b.least_radius, below > 0 ? 2 * b.least_across / below : 0);
+    const double bends = greatest(b.least_radius, below > 0 ? 2 * b.least_across / below : 0);
+    // Beyond the face of a disc, sqrt(X^2 + Y^2) - X is no less than -2 X.
+    if (-x > bends * to * to)
+      slope -= x / to;
+    else
+      bend += bends;
   }
   if (slope >= to * (depth_ - bend)) return true;
-  if (left == 0) return false;
+  if (left == 0) {
+    doubtful = (from + to) * 0.5;
+    return false;
+  }
   const double middle = (from + to) * 0.5;
-  return holds_between(bounds, from, middle, left - 1) && holds_between(bounds, middle, to, left - 1);
+  return holds_between(bounds, from, middle, left - 1, doubtful) &&
+         holds_between(bounds, middle, to, left - 1, doubtful);
 }
 
 bool PolarProof::holds_beyond(const Bounds& bounds, double from) const {
@@ -52,17 +61,14 @@ bool PolarProof::holds_beyond(const Bounds& bounds, double from) const {
   return bend >= depth_;
 }
 
-bool PolarProof::holds_in(const Tangent& a, const Tangent& b, int left) const {
+bool PolarProof::holds_between(const Tangent& a, const Tangent& b, double& doubtful) const {
   constexpr double steps[] = {0, 0.5, 2, 8};
   const Bounds in = bounds(a, b);
   if (in.least_radius >= depth_) return true;
+  doubtful = 2 * steps[3];
   bool all = holds_beyond(in, steps[3]);
-  for (std::size_t i = 0; i < 3 && all; ++i) all = holds_between(in, steps[i], steps[i + 1], halvings);
-  if (all) return true;
-  if (left == 0) return false;
-  const double meet = a.u * b.u + a.v * b.v, scale = 1 / std::sqrt(2 + 2 * meet);
-  const Tangent middle{(a.u + b.u) * scale, (a.v + b.v) * scale};
-  return holds_in(a, middle, left - 1) && holds_in(middle, b, left - 1);
+  for (std::size_t i = 0; i < 3 && all; ++i) all = holds_between(in, steps[i], steps[i + 1], halvings, doubtful);
+  return all;
 }
 
 }  // namespace graze

@@ -46,16 +46,18 @@ class PolarProof {
     rounds_.push_back({extent, point, across, least_radius});
   }
 
-  bool holds() const {
+  /// Whether no direction has less. If not, tells `doubt` of one that may have, by t and s.
+  template <class Doubt>
+  bool holds(const Doubt& doubt) const {
     constexpr double h = 0.70710678118654752440;
     constexpr Tangent around[] = {{1, 0}, {h, h}, {0, 1}, {-h, h}, {-1, 0}, {-h, -h}, {0, -1}, {h, -h}, {1, 0}};
     for (int i = 0; i < 8; ++i)
-      if (!holds_in(around[i], around[i + 1], halvings)) return false;
+      if (!holds_in(around[i], around[i + 1], halvings, doubt)) return false;
     return true;
   }
 
  private:
-  static constexpr int halvings = 3;
+  static constexpr int halvings = 4;
 
   struct Crease {
     Tangent axis;
@@ -105,9 +107,22 @@ class PolarProof {
     FixedVector<Bend, 2> bends;
   };
 
-  bool holds_in(const Tangent& a, const Tangent& b, int left) const;
+  template <class Doubt>
+  bool holds_in(const Tangent& a, const Tangent& b, int left, const Doubt& doubt) const {
+    double doubtful = 0;
+    if (holds_between(a, b, doubtful)) return true;
+    const double scale = 1 / std::sqrt(2 + 2 * (a.u * b.u + a.v * b.v));
+    const Tangent middle{(a.u + b.u) * scale, (a.v + b.v) * scale};
+    if (left == 0) {
+      doubt(middle, doubtful);
+      return false;
+    }
+    return holds_in(a, middle, left - 1, doubt) && holds_in(middle, b, left - 1, doubt);
+  }
+  /// Between two tangents; if not, for which s that is in doubt.
+  bool holds_between(const Tangent& a, const Tangent& b, double& doubtful) const;
   Bounds bounds(const Tangent& a, const Tangent& b) const;
-  bool holds_between(const Bounds& bounds, double from, double to, int left) const;
+  bool holds_between(const Bounds& bounds, double from, double to, int left, double& doubtful) const;
   bool holds_beyond(const Bounds& bounds, double from) const;
 
   double depth_, cap_ = 0;
