@@ -56,8 +56,7 @@ class SumSide {
   explicit SumSide(const SummedCore& core)
       : center(core.center), half(core.half), radii(core.radii), squared_(scaled(core.radii, core.radii)) {
     round = max_abs(radii) > 0;
-    const bool flat[] = {radii.x == 0, radii.y == 0, radii.z == 0};
-    disc = round && flat[0] + flat[1] + flat[2] == 1;
+    disc = round && radii.y == 0 && radii.x == radii.z;
   }
 
   Vec3d center, half, radii;
@@ -66,13 +65,17 @@ class SumSide {
 
   /// How far the core reaches along a vector.
   double extent(const Vec3d& n) const {
-    double sum = dot(half, abs(n));
-    if (round) sum += length(scaled(radii, n));
-    return sum;
+    if (disc) return half.y * std::abs(n.y) + radii.x * std::sqrt(n.x * n.x + n.z * n.z);
+    const double sum = dot(half, abs(n));
+    return round ? sum + length(scaled(radii, n)) : sum;
   }
   /// The ellipsoid's support point.
   Vec3d round_point(const Vec3d& n) const {
     if (!round) return {};
+    if (disc) {
+      const double across = std::sqrt(n.x * n.x + n.z * n.z), scale = across > 0 ? radii.x / across : 0;
+      return {n.x * scale, 0, n.z * scale};
+    }
     const double extent = length(scaled(radii, n));
     return extent > 0 ? scaled(squared_, n) / extent : Vec3d{};
   }

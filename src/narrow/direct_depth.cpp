@@ -39,6 +39,8 @@ class Descent {
       half_[i] = a.half[i];
       half_[3 + i] = b.half[i];
     }
+    for (std::size_t k = 0; k < 6; ++k)
+      if (half_[k] > 0) segments_.push_back(static_cast<std::uint8_t>(k));
     size_ = greatest(max_abs(a.half) + max_abs(a.radii), max_abs(b.half) + max_abs(b.radii));
   }
 
@@ -63,7 +65,7 @@ class Descent {
 
   /// Down to a least overlap, or to one that separates by more than `limit`.
   std::optional<DirectDepth> descend(double limit) {
-    take_signs();
+    take_ends();
     evaluate();
     for (int i = 0; i < descent_steps; ++i) {
       const double before = depth_;
@@ -84,7 +86,7 @@ class Descent {
       for (int k = 0; k < 4 && depth_ > before + rise * size_; ++k) {
         n_ = direction_of(n_ + from);
         if (kept[1] == none && (kept[0] == none || active_[1] != none)) active_ = kept;
-        take_signs();
+        take_ends();
         evaluate();
       }
     }
@@ -94,25 +96,26 @@ class Descent {
   Vec3d local(std::size_t side, const Vec3d& v) const { return side == 0 ? v : transposed_times(turn_, v); }
   Vec3d turned(std::size_t side, const Vec3d& v) const { return side == 0 ? v : turn_ * v; }
 
-  void take_signs() {
-    for (std::size_t k = 0; k < 6; ++k) sign_[k] = dot(axis_[k], n_) < 0 ? -1.0 : 1.0;
-  }
   bool active(std::size_t k) const { return static_cast<int>(k) == active_[0] || static_cast<int>(k) == active_[1]; }
+
+  /// Takes the ends of the segments that n points to, but of those across it.
+  void take_ends() {
+    for (const std::size_t k : segments_) sign_[k] = dot(axis_[k], n_) < 0 ? -1.0 : 1.0;
+    keep_ends();
+  }
+  void keep_ends() {
+    for (const std::size_t k : segments_) ends_[k / 3][k % 3] = active(k) ? 0 : sign_[k] * half_[k];
+  }
 
   /// The gradient and the depth at n, without what the active creases add.
   void evaluate() {
-    Vec3d sum = -way_;
+    at_ = {n_, transposed_times(turn_, n_)};
     for (std::size_t s = 0; s < 2; ++s) {
-      at_[s] = local(s, n_);
       point_[s] = cap_ == static_cast<int>(s) ? Vec3d{} : side_[s].round_point(at_[s]);
-      Vec3d part = point_[s];
-      for (std::size_t i = 0; i < 3; ++i)
-        if (!active(3 * s + i)) part[i] += sign_[3 * s + i] * half_[3 * s + i];
-      part_[s] = part;
-      sum += turned(s, part);
+      part_[s] = point_[s] + ends_[s];
     }
-    gradient_ = sum;
-    depth_ = dot(sum, n_);
+    gradient_ = part_[0] + turn_ * part_[1] - way_;
+    depth_ = dot(gradient_, n_);
   }
 
   void basis() {
@@ -124,9 +127,7 @@ class Descent {
 
   /// How far the cores overlap along a unit vector, whatever is active.
   double overlap_along(const Vec3d& n) const {
-    double sum = -dot(way_, n);
-    for (std::size_t s = 0; s < 2; ++s) sum += side_[s].extent(local(s, n));
-    return sum;
+    return side_[0].extent(n) + side_[1].extent(transposed_times(turn_, n)) - dot(way_, n);
   }
 
   /// Takes the best of a few directions to begin with: the way between the centres and the axes of the boxes. Returns
@@ -135,8 +136,8 @@ class Descent {
     n_ = direction_of(way_);
     double best = overlap_along(n_);
     std::size_t best_axis = 6;
-    for (std::size_t k = 0; k < 6 && best >= -limit; ++k) {
-      if (!(half_[k] > 0)) continue;
+    for (const std::size_t k : segments_) {
+      if (best < -limit) return best;
       const Vec3d n = dot(axis_[k], way_) < 0 ? -axis_[k] : axis_[k];
       const double found = overlap_along(n);
       if (!(found < best)) continue;
@@ -164,7 +165,7 @@ class Descent {
       if (slope <= radius) return Step::arrived;
       cap_ = none;
       n_ = direction_of(n_ - g * (longest_step / slope));
-      take_signs();
+      take_ends();
       return Step::moved;
     }
     if (active_[1] != none) return corner_step(g);
@@ -176,9 +177,10 @@ class Descent {
   double until_crease(const Vec3d& way, int& crease) const {
     double first = 1;
     crease = none;
-    for (std::size_t k = 0; k < 6; ++k) {
-      if (!(half_[k] > 0) || active(k)) continue;
-      const double from = dot(axis_[k], n_) * sign_[k], change = dot(axis_[k], way) * sign_[k];
+    const std::array<Vec3d, 2> ways{way, transposed_times(turn_, way)};
+    for (const std::size_t k : segments_) {
+      if (active(k)) continue;
+      const double from = at_[k / 3][k % 3] * sign_[k], change = ways[k / 3][k % 3] * sign_[k];
       if (!(from + change * first < 0)) continue;
       first = from > 0 ? -from / change : 0;
       crease = static_cast<int>(k);
@@ -219,6 +221,7 @@ class Descent {
     const Vec3d& e = axis_[static_cast<std::size_t>(crease)];
     n_ = direction_of(n_ - e * dot(n_, e));
     active_[0] = crease;
+    keep_ends();
     return Step::moved;
   }
 
@@ -226,6 +229,7 @@ class Descent {
     sign_[static_cast<std::size_t>(active_[which])] = push > 0 ? -1 : 1;
     if (which == 0) active_[0] = active_[1];
     active_[1] = none;
+    keep_ends();
   }
 
   Step crease_step(const Vec3d& g) {
@@ -258,6 +262,7 @@ class Descent {
     const Vec3d corner = unit(between);
     n_ = dot(corner, n_) < 0 ? -corner : corner;
     active_[1] = crease;
+    keep_ends();
     return Step::moved;
   }
 
@@ -288,7 +293,7 @@ class Descent {
     return Step::moved;
   }
 
-  DirectDepth finished() {
+  std::optional<DirectDepth> finished() {
     // What balances the gradient: a place on the face that n is normal to.
     Vec3d g = gradient_ - n_ * depth_;
     slope_ = g;
@@ -306,6 +311,7 @@ class Descent {
       part_[k / 3][k % 3] -= push_[i];
       g -= axis_[k] * push_[i];
     }
+    if (!(overlap_along(n_) <= depth_ + rise * size_)) return std::nullopt;
     const Vec3d from_a = part_[0], from_b = way_ - turned(1, part_[1]);
     DirectDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
     r.lower = depth_ < 0 ? -length(from_b - from_a) : proven(from_a, from_b, length(g));
@@ -330,8 +336,7 @@ class Descent {
     }
     if (whole.least_eigenvalue() >= depth_) return depth_ - rest;
     if (cap_ != none) proof.add_cap(side_[static_cast<std::size_t>(cap_)].radii.x, tangent(slope_));
-    for (std::size_t k = 0; k < 6; ++k) {
-      if (!(half_[k] > 0)) continue;
+    for (const std::size_t k : segments_) {
       if (active(k)) {
         const std::size_t i = static_cast<int>(k) == active_[0] ? 0 : 1;
         proof.add_crease(tangent(axis_[k]), half_[k] + push_[i], half_[k] - push_[i]);
@@ -352,6 +357,8 @@ class Descent {
   Vec3d way_;
   std::array<Vec3d, 6> axis_;
   std::array<double, 6> half_, sign_{};
+  FixedVector<std::uint8_t, 6> segments_;  ///< the axes with a length
+  std::array<Vec3d, 2> ends_{};
   double size_;
 
   Vec3d n_, gradient_, u_, v_, slope_;
