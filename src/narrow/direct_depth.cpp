@@ -130,32 +130,47 @@ class Descent {
     return side_[0].extent(n) + side_[1].extent(transposed_times(turn_, n)) - dot(way_, n);
   }
 
-  /// Takes the best of a few directions to begin with: the way between the centres and the axes of the boxes. Returns
-  /// the overlap there, as soon as one separates by more than `limit`.
+  /// Takes the best of a few directions to begin with: the way between the centres, the axes of the boxes, and the way
+  /// with an axis of a cylinder taken off, where its side is met. Returns the overlap there, as soon as one separates by
+  /// more than `limit`.
   double start(double limit) {
     n_ = direction_of(way_);
     double best = overlap_along(n_);
-    std::size_t best_axis = 6;
-    for (const std::size_t k : segments_) {
-      if (best < -limit) return best;
-      const Vec3d n = dot(axis_[k], way_) < 0 ? -axis_[k] : axis_[k];
+    const Vec3d way = n_;
+    int face = none;
+    const auto better = [&](const Vec3d& n) {
       const double found = overlap_along(n);
-      if (!(found < best)) continue;
+      if (!(found < best)) return false;
       best = found;
-      best_axis = k;
       n_ = n;
-    }
-    if (best_axis < 6) {
-      const std::size_t s = best_axis / 3, i = best_axis % 3;
-      if (side_[s].disc) {
-        cap_ = static_cast<int>(s);
-      } else {
-        std::size_t count = 0;
-        for (const std::size_t k : {3 * s + (i + 1) % 3, 3 * s + (i + 2) % 3})
-          if (half_[k] > 0) active_[count++] = static_cast<int>(k);
+      return true;
+    };
+    for (const std::size_t k : segments_) {
+      const double along = dot(axis_[k], way);
+      if (best < -limit) return best;
+      if (better(along < 0 ? -axis_[k] : axis_[k])) {
+        face = static_cast<int>(k);
+        active_[0] = none;
+      }
+      if (best < -limit) return best;
+      if (side_[k / 3].disc && along * along < 1 - least_angle && better(direction_of(way - axis_[k] * along))) {
+        face = none;
+        active_[0] = static_cast<int>(k);
       }
     }
+    if (face != none) look_along(static_cast<std::size_t>(face));
     return best;
+  }
+  /// An axis is normal to a disc, or to the face that the other two span.
+  void look_along(std::size_t axis) {
+    const std::size_t s = axis / 3, i = axis % 3;
+    if (side_[s].disc) {
+      cap_ = static_cast<int>(s);
+      return;
+    }
+    std::size_t count = 0;
+    for (const std::size_t k : {3 * s + (i + 1) % 3, 3 * s + (i + 2) % 3})
+      if (half_[k] > 0) active_[count++] = static_cast<int>(k);
   }
 
   Step step() {
@@ -323,18 +338,21 @@ class Descent {
     const double inside = greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_)));
     if (inside >= depth_ - 1e-13 * size_) return inside;
     basis();
-    PolarProof proof(depth_);
+    std::array<Vec3d, 2> us{u_, local(1, u_)}, vs{v_, local(1, v_)};
+    TangentForm radius;
+    for (std::size_t s = 0; s < 2; ++s)
+      if (side_[s].round && cap_ != static_cast<int>(s)) radius.add(side_[s].least_radius(us[s], vs[s]));
+    const double least_radius = radius.least_eigenvalue();
+    if (least_radius >= depth_) return depth_ - rest;
+
+    PolarProof proof(depth_, least_radius);
     const auto tangent = [&](const Vec3d& v) { return PolarProof::Tangent{dot(v, u_), dot(v, v_)}; };
-    TangentForm whole;
     for (std::size_t s = 0; s < 2; ++s) {
       if (!side_[s].round || cap_ == static_cast<int>(s)) continue;
-      const Vec3d u = local(s, u_), v = local(s, v_), &p = point_[s];
-      const PolarProof::Tangent at{dot(p, u), dot(p, v)};
-      const TangentForm least_radius = side_[s].least_radius(u, v);
-      whole.add(least_radius);
-      proof.add_round(dot(p, at_[s]), at, side_[s].across(u, v, at.u, at.v), least_radius);
+      const Vec3d& p = point_[s];
+      const PolarProof::Tangent at{dot(p, us[s]), dot(p, vs[s])};
+      proof.add_round(dot(p, at_[s]), at, side_[s].across(us[s], vs[s], at.u, at.v));
     }
-    if (whole.least_eigenvalue() >= depth_) return depth_ - rest;
     if (cap_ != none) proof.add_cap(side_[static_cast<std::size_t>(cap_)].radii.x, tangent(slope_));
     for (const std::size_t k : segments_) {
       if (active(k)) {

@@ -23,7 +23,8 @@ namespace graze {
 
 class PolarProof {
  public:
-  explicit PolarProof(double depth) : depth_(depth) {}
+  /// `least_bend`: what the ellipsoids exceed their support points by is no less than this times s^2.
+  explicit PolarProof(double depth, double least_bend = 0) : depth_(depth), least_bend_(least_bend) {}
 
   /// A vector of the tangent plane by its products with the two vectors of a basis.
   struct Tangent {
@@ -40,10 +41,9 @@ class PolarProof {
   }
   /// A segment: its axis on the tangent plane and along n, both times the sign of the latter.
   void add_segment(const Tangent& axis, double along, double half) { segments_.push_back({axis, along, half}); }
-  /// An ellipsoid: its extent along n and its support point there; |R t|^2 - (p.t)^2 as a form, and the least radius of
-  /// curvature along t.
-  void add_round(double extent, const Tangent& point, const TangentForm& across, const TangentForm& least_radius) {
-    rounds_.push_back({extent, point, across, least_radius});
+  /// An ellipsoid: its extent along n, its support point there and |R t|^2 - (p.t)^2 as a form in t.
+  void add_round(double extent, const Tangent& point, const TangentForm& across) {
+    rounds_.push_back({extent, point, across});
   }
 
   /// Whether no direction has less. If not, tells `doubt` of one that may have, by t and s.
@@ -70,7 +70,7 @@ class PolarProof {
   struct Round {
     double extent;
     Tangent point;
-    TangentForm across, least_radius;
+    TangentForm across;
   };
 
   /// The tangents between two; they lie in the triangle of both and of the point where their own tangents meet, which
@@ -96,13 +96,13 @@ class PolarProof {
 
   /// What a sector leaves of the terms.
   struct Bounds {
-    double slope = 0, least_radius = 0;
+    double slope = 0;
     struct Turn {
       double along, axis, half;
     };
     FixedVector<Turn, 6> turns;
     struct Bend {
-      double extent, point, turns_at, least_across, most_across, least_radius;
+      double extent, point, turns_at, least_across, most_across;
     };
     FixedVector<Bend, 2> bends;
   };
@@ -125,7 +125,7 @@ class PolarProof {
   bool holds_between(const Bounds& bounds, double from, double to, int left, double& doubtful) const;
   bool holds_beyond(const Bounds& bounds, double from) const;
 
-  double depth_, cap_ = 0;
+  double depth_, least_bend_, cap_ = 0;
   Tangent cap_slope_{};
   FixedVector<Crease, 2> creases_;
   FixedVector<Segment, 6> segments_;

@@ -96,10 +96,10 @@ TEST(PolarProof, TellsTheLeastFromTheStationary) {
   constexpr double low = 0.2;
   const auto ignore = [](const PolarProof::Tangent&, double) {};
   PolarProof up(0.9 * low);
-  up.add_round(low, {0, 0}, {1, 0, 1}, {});
+  up.add_round(low, {0, 0}, {1, 0, 1});
   EXPECT_TRUE(up.holds(ignore));
   PolarProof sideways(0.9);
-  sideways.add_round(1, {0, 0}, {1, 0, low * low}, {});
+  sideways.add_round(1, {0, 0}, {1, 0, low * low});
   EXPECT_FALSE(sideways.holds(ignore));
 }
 
