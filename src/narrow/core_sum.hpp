@@ -9,6 +9,7 @@
 // Guarantee: all in double, in the frame of A; a few tens of operations and a root for each ellipsoid.
 #pragma once
 
+#include <limits>
 #include <utility>
 
 #include "narrow/minkowski.hpp"
@@ -112,11 +113,11 @@ class SumSide {
     // n x u = v and n x v = -u.
     return {dot(mv, mv) * scale, -dot(mu, mv) * scale, dot(mu, mu) * scale};
   }
-  /// How deep a point lies inside at least.
+  /// How deep a point lies inside at least; negative outside.
   double inside(const Vec3d& point) const {
     const Vec3d beside = half - abs(point);
     if (disc) return least(beside.y, radii.x - std::sqrt(point.x * point.x + point.z * point.z));
-    if (round) return 0;
+    if (round) return -std::numeric_limits<double>::infinity();  // not known without iteration
     return least(beside.x, least(beside.y, beside.z));
   }
 

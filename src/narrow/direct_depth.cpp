@@ -20,6 +20,8 @@ constexpr double beside_disc = 1e-3;
 constexpr double least_angle = 1e-3;
 /// A step that does not lower the overlap, but for rounding, is halved.
 constexpr double rise = 1e-12;
+/// What may be left of the gradient in the end: by so much the deepest points lie beside each other.
+constexpr double unbalanced = 1e-11;
 
 Vec3d direction_of(const Vec3d& v) {
   Vec3d n = unit(v);
@@ -323,10 +325,11 @@ class Descent {
     }
     for (std::size_t i = 0; i < 2 && active_[i] != none; ++i) {
       const auto k = static_cast<std::size_t>(active_[i]);
+      if (!(std::abs(push_[i]) <= half_[k])) return std::nullopt;  // the last step met another crease
       part_[k / 3][k % 3] -= push_[i];
       g -= axis_[k] * push_[i];
     }
-    if (!(overlap_along(n_) <= depth_ + rise * size_)) return std::nullopt;
+    if (!(length(g) <= unbalanced * size_) || !(overlap_along(n_) <= depth_ + rise * size_)) return std::nullopt;
     const Vec3d from_a = part_[0], from_b = way_ - turned(1, part_[1]);
     DirectDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
     r.lower = depth_ < 0 ? -length(from_b - from_a) : proven(from_a, from_b, length(g));
