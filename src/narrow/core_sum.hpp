@@ -16,6 +16,14 @@
 
 namespace graze {
 
+/// Two unit vectors across the unit vector n and each other; u x v = n (Duff et al. 2017, "Building an orthonormal basis,
+/// revisited").
+inline void tangents_at(const Vec3d& n, Vec3d& u, Vec3d& v) {
+  const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
+  u = {1 + s * n.x * n.x * a, s * b, -s * n.x};
+  v = {b, s + n.y * n.y * a, -n.y};
+}
+
 /// An eigenvalue that is smaller than this beside the other counts as so much.
 inline constexpr double flattest = 1e-6;
 
@@ -84,11 +92,9 @@ class SumSide {
   void add_curvature(const Vec3d& n, const Vec3d& point, const Vec3d& u, const Vec3d& v, TangentForm& form) const {
     const double extent = dot(point, n);
     if (!(extent > 0)) return;
-    const Vec3d ru = scaled(radii, u), rv = scaled(radii, v);
-    const double pu = dot(point, u), pv = dot(point, v), inverse = 1 / extent;
-    form.uu += (dot(ru, ru) - pu * pu) * inverse;
-    form.uv += (dot(ru, rv) - pu * pv) * inverse;
-    form.vv += (dot(rv, rv) - pv * pv) * inverse;
+    const TangentForm beside = across(u, v, dot(point, u), dot(point, v));
+    const double inverse = 1 / extent;
+    form.add({beside.uu * inverse, beside.uv * inverse, beside.vv * inverse});
   }
   /// The same along u alone.
   double curvature(const Vec3d& n, const Vec3d& point, const Vec3d& u) const {

@@ -23,6 +23,7 @@ constexpr double rise = 1e-12;
 /// What may be left of the gradient in the end: by so much the deepest points lie beside each other.
 constexpr double unbalanced = 1e-11;
 
+/// Of unit length, without what is far below its rounding.
 Vec3d direction_of(const Vec3d& v) {
   Vec3d n = unit(v);
   for (std::size_t i = 0; i < 3; ++i)
@@ -36,7 +37,7 @@ class Descent {
       : side_{SumSide(a), SumSide(b)}, turn_(rotation_matrix(b_in_a.rotation)) {
     way_ = b_in_a.translation + turn_ * b.center - a.center;
     for (std::size_t i = 0; i < 3; ++i) {
-      axis_[i] = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+      axis_[i] = Mat3d::identity().row[i];
       axis_[3 + i] = turn_.column(i);
       half_[i] = a.half[i];
       half_[3 + i] = b.half[i];
@@ -96,7 +97,6 @@ class Descent {
   }
 
   Vec3d local(std::size_t side, const Vec3d& v) const { return side == 0 ? v : transposed_times(turn_, v); }
-  Vec3d turned(std::size_t side, const Vec3d& v) const { return side == 0 ? v : turn_ * v; }
 
   bool active(std::size_t k) const { return static_cast<int>(k) == active_[0] || static_cast<int>(k) == active_[1]; }
 
@@ -118,13 +118,6 @@ class Descent {
     }
     gradient_ = part_[0] + turn_ * part_[1] - way_;
     depth_ = dot(gradient_, n_);
-  }
-
-  void basis() {
-    // Duff et al. 2017, "Building an orthonormal basis, revisited".
-    const double s = n_.z < 0 ? -1 : 1, a = -1 / (s + n_.z), b = n_.x * n_.y * a;
-    u_ = {1 + s * n_.x * n_.x * a, s * b, -s * n_.x};
-    v_ = {b, s + n_.y * n_.y * a, -n_.y};
   }
 
   /// How far the cores overlap along a unit vector, whatever is active.
@@ -206,7 +199,7 @@ class Descent {
   }
 
   Step smooth_step(const Vec3d& g) {
-    basis();
+    tangents_at(n_, u_, v_);
     TangentForm form;
     for (std::size_t s = 0; s < 2; ++s) {
       if (!side_[s].round) continue;
@@ -330,7 +323,7 @@ class Descent {
       g -= axis_[k] * push_[i];
     }
     if (!(length(g) <= unbalanced * size_) || !(overlap_along(n_) <= depth_ + rise * size_)) return std::nullopt;
-    const Vec3d from_a = part_[0], from_b = way_ - turned(1, part_[1]);
+    const Vec3d from_a = part_[0], from_b = way_ - turn_ * part_[1];
     DirectDepth r{n_, depth_, from_a + side_[0].center, from_b + side_[0].center, 0};
     r.lower = depth_ < 0 ? -length(from_b - from_a) : proven(from_a, from_b, length(g));
     return r;
@@ -340,8 +333,8 @@ class Descent {
   double proven(const Vec3d& from_a, const Vec3d& from_b, double rest) {
     const double inside = greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_)));
     if (inside >= depth_ - 1e-13 * size_) return inside;
-    basis();
-    std::array<Vec3d, 2> us{u_, local(1, u_)}, vs{v_, local(1, v_)};
+    tangents_at(n_, u_, v_);
+    const std::array<Vec3d, 2> us{u_, local(1, u_)}, vs{v_, local(1, v_)};
     TangentForm radius;
     for (std::size_t s = 0; s < 2; ++s)
       if (side_[s].round && cap_ != static_cast<int>(s)) radius.add(side_[s].least_radius(us[s], vs[s]));
