@@ -40,6 +40,12 @@ Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, 
   const double beyond = static_cast<double>(limit) * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
   GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace, beyond + radii);
   if (trace) to_world(*trace, frame);
+  if (g.core.distance > beyond + radii + g.noise) {  // only proven, without points
+    Distance<T> d;
+    d.distance = static_cast<T>(g.core.distance - radii);
+    d.normal = cast<T>(rotate(frame.rotation, g.core.normal));
+    return d;
+  }
   // A distance that rounding cannot tell from none is none: the shapes touch.
   if (std::abs(g.core.distance - radii) <= g.noise) g.core.distance = radii;
   Distance<T> d = finished_in_double(g.core, radius_a, radius_b, frame);

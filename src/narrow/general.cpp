@@ -1,5 +1,6 @@
 #include "narrow/general.hpp"
 
+#include "narrow/direct_depth.hpp"
 #include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
 #include "narrow/pairs/box_distance.hpp"
@@ -30,6 +31,43 @@ GeneralDistance judged(const Difference<T>& difference, const CoreDistance<doubl
   return {core, gap <= allowed ? Status::converged : Status::bounded, greatest(gap, 0.0), noise};
 }
 
+/// Of cores of which one at least has an ellipsoid or a disc in it, where the descent answers within the tolerance. The
+/// depths of boxes and points are known without.
+template <class T>
+std::optional<GeneralDistance> directly(const Difference<T>& difference, const ShapeCore<T>& a, const ShapeCore<T>& b,
+                                        const Posed& b_in_a, double limit, double noise) {
+  const auto sum_a = a.summed(), sum_b = b.summed();
+  if (!sum_a || !sum_b || !(max_abs(sum_a->radii) > 0 || max_abs(sum_b->radii) > 0)) return std::nullopt;
+  const auto found = direct_depth(*sum_a, *sum_b, b_in_a, limit + noise);
+  if (!found) return std::nullopt;
+  const double distance = -found->depth;
+  if (distance > limit + noise) return GeneralDistance{{distance, found->normal, {}, {}}, Status::converged, 0, noise};
+  const auto answer =
+      judged<T>(difference, centered(distance, found->normal, found->a, found->b), found->depth - found->lower, noise);
+  if (answer.status != Status::converged) return std::nullopt;
+  return answer;
+}
+
+template <class T>
+GeneralDistance iteratively(const Difference<T>& difference, const GjkGoal& goal, const Vec3d& first, double noise,
+                            double limit, Trace* trace) {
+  if (trace) trace->method = "gjk";
+  const GjkResult g = gjk(difference, goal, first, trace);
+  if (g.end == GjkEnd::apart && g.lower > limit + noise)
+    return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
+  if (g.end != GjkEnd::touching && g.lower > 0) {
+    if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
+    return judged<T>(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()),
+                     g.upper - g.lower, noise);
+  }
+  if (trace) {
+    trace->method = "gjk + epa";
+    trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
+  }
+  const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
+  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
+}
+
 }  // namespace
 
 template <class T>
@@ -54,21 +92,10 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
     }
     first = best.normal;
   }
-  if (trace) trace->method = "gjk";
-  const GjkResult g = gjk(difference, goal, first, trace);
-  if (g.end == GjkEnd::apart && g.lower > limit + noise)
-    return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
-  if (g.end != GjkEnd::touching && g.lower > 0) {
-    if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
-    return judged<T>(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()),
-                     g.upper - g.lower, noise);
-  }
-  if (trace) {
-    trace->method = "gjk + epa";
-    trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
-  }
-  const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
-  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
+  const auto direct = directly(difference, core_a, core_b, b_in_a, limit, noise);
+  if (direct && !trace) return *direct;
+  const GeneralDistance iterated = iteratively(difference, goal, first, noise, limit, trace);
+  return direct ? *direct : iterated;
 }
 
 template <class T>

@@ -1,4 +1,5 @@
-// The general path: any two bounded convex shapes by GJK on their cores, and EPA where the cores overlap.
+// The general path: any two bounded convex shapes by GJK on their cores, and EPA where the cores overlap; sums of boxes
+// and ellipsoids by descent on their closed forms where that is proven.
 #pragma once
 
 #include "graze/query.hpp"

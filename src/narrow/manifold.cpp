@@ -170,8 +170,15 @@ Vec3d polygon_normal(const PlacedFace& face) {
 
 std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFace& b, const Vec3d& on_b,
                          const Vec3d& normal) {
+  const bool vertex_a = a.vertices.size() == 1, vertex_b = b.vertices.size() == 1;
+  if (vertex_a && vertex_b) return feature_id(vertex_feature(a.ids[0]), vertex_feature(b.ids[0]));
   const Vec3d u = any_perpendicular(normal);
   const Basis basis{u, cross(normal, u), normal};
+  if (vertex_a || vertex_b) {
+    const FlatFace face(vertex_a ? b : a, basis, vertex_a);
+    const std::uint32_t feature = face.feature(basis.flat(vertex_a ? on_b : on_a), nearness(face, face));
+    return vertex_a ? feature_id(vertex_feature(a.ids[0]), feature) : feature_id(feature, vertex_feature(b.ids[0]));
+  }
   const FlatFace fa(a, basis, false), fb(b, basis, true);
   const double near = nearness(fa, fb);
   return feature_id(fa.feature(basis.flat(on_a), near), fb.feature(basis.flat(on_b), near));

@@ -5,6 +5,8 @@
 // order of the pair and not of the scene.
 #pragma once
 
+#include <optional>
+
 #include "graze/shape.hpp"
 #include "graze/trace.hpp"
 
@@ -49,6 +51,16 @@ class MinkowskiDifference {
   double size_, reach_;
 };
 
+/// What rounding leaves where a component of a unit vector should be zero, many times over: taken for zero, it does not
+/// reappear when a small question is asked at a large scale.
+inline constexpr double negligible = 1e-30;
+
+/// A core that is a box and an ellipsoid added up, both about `center` along the core's own axes. A cylinder is a segment,
+/// a box of no width, and a disc, an ellipsoid of no height.
+struct SummedCore {
+  Vec3d center, half, radii;
+};
+
 /// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes. What a support query
 /// of the simplest shapes needs is taken out of the shape once, in double.
 template <class T>
@@ -68,6 +80,17 @@ class ShapeCore {
               d.z < 0 ? -vertex_[0].z : vertex_[0].z};
     case Kind::triangle: return vertex_[detail::furthest(vertex_, 3, d)];
     case Kind::hull: return hull_support(shape_.template as<ConvexHull<T>>()->data(), d);
+    case Kind::round: {
+      const double squared = d.x * d.x + d.z * d.z;
+      if (!(squared > 1e-200 && squared < 1e200)) break;
+      return round_support(d, std::sqrt(squared));
+    }
+    case Kind::ellipsoid: {
+      const Vec3d v = scaled(vertex_[0], d);
+      const double squared = dot(v, v);
+      if (!(squared > 1e-200 && squared < 1e200)) break;
+      return scaled(vertex_[0], v) * (1 / std::sqrt(squared));
+    }
     case Kind::other: break;
     }
     return shape_.visit([&](const auto& c) -> Vec3d {
@@ -79,8 +102,31 @@ class ShapeCore {
   }
   double core_extent() const { return extent_; }
 
+  /// What the core is the sum of, where it is one.
+  std::optional<SummedCore> summed() const {
+    const Vec3d& v = vertex_[0];
+    switch (kind_) {
+    case Kind::point: return SummedCore{v, {}, {}};
+    case Kind::box: return SummedCore{{}, v, {}};
+    case Kind::ellipsoid: return SummedCore{{}, {}, v};
+    case Kind::round:
+      if (v.x == v.z) return SummedCore{{}, {0, v.y, 0}, {v.x, 0, v.x}};
+      break;
+    default: break;
+    }
+    return std::nullopt;
+  }
+
  private:
-  enum class Kind : unsigned char { point, box, triangle, hull, other };
+  enum class Kind : unsigned char { point, box, triangle, hull, round, ellipsoid, other };
+
+  /// Of a cylinder, `across` being the length of the direction across its axis.
+  Vec3d round_support(const Vec3d& d, double across) const {
+    const double bottom = vertex_[0].x, height = vertex_[0].y, top = vertex_[0].z;
+    const bool up = height * d.y + top * across >= bottom * across - height * d.y;
+    const double r = (up ? top : bottom) / across, dust = negligible * across;
+    return {std::abs(d.x) > dust ? d.x * r : 0, up ? height : -height, std::abs(d.z) > dust ? d.z * r : 0};
+  }
 
   /// A float's columns, which the scan has just read, hold the vertex itself.
   Vec3d hull_support(const HullData<T>& data, const Vec3d& d) const {
@@ -112,6 +158,15 @@ class ShapeCore {
     for (std::size_t i = 0; i < 3; ++i) vertex_[i] = cast<double>(triangle.point(i));
   }
   void take(const ConvexHull<T>& hull) { rest(hull, Kind::hull); }
+  void take(const Cylinder<T>& cylinder) {
+    rest(cylinder, Kind::round);
+    vertex_[0] = {static_cast<double>(cylinder.radius_bottom()), static_cast<double>(cylinder.half_height()),
+                  static_cast<double>(cylinder.radius_top())};
+  }
+  void take(const Ellipsoid<T>& ellipsoid) {
+    rest(ellipsoid, Kind::ellipsoid);
+    vertex_[0] = cast<double>(ellipsoid.radii());
+  }
   template <class C>
   void take(const C& concrete) {
     rest(concrete, Kind::other);
