@@ -76,7 +76,9 @@ arm: ## build for 64-bit ARM and compare its answers, in an emulator
 	$(call build,arm)
 	$(call check,arm)
 
+# Emscripten's own scripts look for Debian's modules, wherever this machine's Node comes from.
 .PHONY: wasm
+wasm: export NODE_PATH := /usr/share/nodejs
 wasm: ## build for WebAssembly and compare its answers, in Node
 	@scripts/setup.sh wasm
 	$(call configure,wasm)

@@ -106,6 +106,9 @@ void RowGrid<T>::build(std::span<const Aabb<T>> boxes, std::span<const std::uint
 template <class T>
 void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items, std::size_t count) {
   const std::uint64_t place = (std::uint64_t{1} << layout_.place_bits) - 1;
+  const auto box_of = [&](std::uint64_t item) -> const Aabb<T>& {
+    return boxes[static_cast<std::size_t>(item & place)];
+  };
   const int key_shift = layout_.place_bits + began_bits;
   for (std::size_t end = few_ties; end < count; ++end) {
     if (items[end] >> key_shift != items[end - few_ties] >> key_shift) continue;
@@ -113,7 +116,7 @@ void RowGrid<T>::sort_ties(std::span<const Aabb<T>> boxes, std::uint64_t* items,
     const std::size_t begin = end - few_ties;
     while (end < count && items[end] >> key_shift == key) ++end;
     std::sort(items + begin, items + end,
-              [&](std::uint64_t p, std::uint64_t q) { return boxes[p & place].lower.x < boxes[q & place].lower.x; });
+              [&](std::uint64_t p, std::uint64_t q) { return box_of(p).lower.x < box_of(q).lower.x; });
   }
 }
 
@@ -133,7 +136,7 @@ void RowGrid<T>::fill(std::span<const Aabb<T>> boxes, const std::uint64_t* items
   std::uint64_t last_row = ~std::uint64_t{0};
   std::size_t row_begin = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    __builtin_prefetch(&boxes[items[std::min(i + ahead, n - 1)] & place_mask]);
+    __builtin_prefetch(&boxes[static_cast<std::size_t>(items[std::min(i + ahead, n - 1)] & place_mask)]);
     const std::uint64_t item = items[i], row = item >> row_shift;
     if (row != last_row) {
       const auto at = static_cast<std::uint32_t>(i);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace graze {
 
@@ -34,11 +35,18 @@ std::uint64_t mixed(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
+/// Not every standard library has `std::bit_cast`.
+std::uint64_t bits_of(double value) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
 template <class T>
 std::uint64_t hash_of(const Vec3<T>& p) {
   std::uint64_t hash = 0;
   for (std::size_t i = 0; i < 3; ++i)  // + 0: the two zeros are one number
-    hash = mixed(hash + 0x9e3779b97f4a7c15u + std::bit_cast<std::uint64_t>(static_cast<double>(p[i]) + 0.0));
+    hash = mixed(hash + 0x9e3779b97f4a7c15u + bits_of(static_cast<double>(p[i]) + 0.0));
   return hash;
 }
 

@@ -410,7 +410,8 @@ void ManifoldFinder<T>::carry_many(const Memory& memory, std::span<SolverPoint<T
     auto candidates = last;
     if (!few) {
       const auto [begin, end] = std::equal_range(sorted.begin(), sorted.end(), point, by_feature);
-      candidates = {begin, end};
+      candidates = std::span<const SolverPoint<T>>(sorted).subspan(static_cast<std::size_t>(begin - sorted.begin()),
+                                                                   static_cast<std::size_t>(end - begin));
     }
     const SolverPoint<T>* nearest = nullptr;
     for (const SolverPoint<T>& p : candidates)
