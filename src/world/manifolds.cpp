@@ -163,15 +163,20 @@ template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t block) {
   Waiting<T> boxes, balls, rests;
+  Run kept;
   const Pose<T>* const poses = bodies.poses().data();
   for (const std::uint32_t place : places) {
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
     const int either = a.traits | b.traits, both = a.traits & b.traits;
+    if ((either & changed) == 0 && memory_[place].contact != unknown && !(ground_changed_ && (either & fixed) != 0)) {
+      keep_last(place, kept, block);
+      continue;
+    }
     const bool rest = (either & (box | plane)) == (box | plane);
     if (((both & (box | ball)) == 0 && !rest) || (either & trigger) != 0 ||
-        ((either & changed) == 0 && memory_[place].contact != unknown) ||
         ((either & fixed) != 0 && !beside(pair).empty())) {
+      copy_last(kept, block);
       find_one(bodies, place, block);
       continue;
     }
@@ -184,6 +189,7 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
                            : balls)
           .add({a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin}, place);
   }
+  copy_last(kept, block);
   find_boxes(bodies, boxes, block);
   find_balls(balls, block);
   find_rests(rests, block);
@@ -265,8 +271,11 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   const int either = seen_a.traits | seen_b.traits;
   const Surroundings<T> beside = this->beside(pair);
   const bool anew = (either & changed) != 0 || (ground_changed_ && !beside.empty());
-  if (!anew && memory.contact == apart) return keep_apart(place);
-  if (!anew && memory.contact != unknown) return keep_last(place, block);
+  if (!anew && memory.contact != unknown) {
+    Run run;
+    keep_last(place, run, block);
+    return copy_last(run, block);
+  }
 
   Found& found = found_[block];
   Result& result = begin(place, block);
@@ -304,21 +313,41 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   carry_many(memory, std::span(found.points).subspan(first_point), found.sorted);
 }
 
-/// A pair of which nothing changed: what it had, impulses included.
+/// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
 template <class T>
-void ManifoldFinder<T>::keep_last(std::uint32_t place, std::uint32_t block) {
-  Found& found = found_[block];
-  Result& result = begin(place, block);
-  const ContactPair<T>& last = last_.pairs[memory_[place].contact];
-  result.overlap = last.overlap;
-  result.manifold_count = last.manifold_count;
-  for (const ContactManifold<T>& m : last_.manifolds_of(last)) {
-    ContactManifold<T> moved = m;
-    moved.first_point = static_cast<std::uint32_t>(found.points.size());
-    found.manifolds.push_back(moved);
-    const auto points = last_.points_of(m);
-    found.points.insert(found.points.end(), points.begin(), points.end());
+void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t block) {
+  const std::uint32_t contact = memory_[place].contact;
+  if (contact == apart) {
+    results_[place] = {};
+    return;
   }
+  const ContactPair<T>& last = last_.pairs[contact];
+  if (last.manifold_count != 0) {
+    if (last.first_manifold != run.end) {
+      copy_last(run, block);
+      run.begin = run.end = last.first_manifold;
+    }
+    run.end += last.manifold_count;
+  }
+  const std::size_t first = found_[block].manifolds.size() + (run.end - run.begin) - last.manifold_count;
+  results_[place] = {block, static_cast<std::uint32_t>(first), last.manifold_count, last.overlap};
+}
+
+/// Copies the manifolds of a run with their points, impulses included, which stand in the same order.
+template <class T>
+void ManifoldFinder<T>::copy_last(Run& run, std::uint32_t block) {
+  if (run.begin == run.end) return;
+  Found& found = found_[block];
+  const ContactManifold<T>&front = last_.manifolds[run.begin], &back = last_.manifolds[run.end - 1];
+  const auto shift = static_cast<std::uint32_t>(found.points.size()) - front.first_point;  // modulo its range
+  const auto points =
+      std::span(last_.points).subspan(front.first_point, back.first_point + back.point_count - front.first_point);
+  found.points.insert(found.points.end(), points.begin(), points.end());
+  const std::size_t first = found.manifolds.size();
+  const auto manifolds = std::span(last_.manifolds).subspan(run.begin, run.end - run.begin);
+  found.manifolds.insert(found.manifolds.end(), manifolds.begin(), manifolds.end());
+  for (ContactManifold<T>& m : std::span(found.manifolds).subspan(first)) m.first_point += shift;
+  run = {};
 }
 
 /// Lays what was found one behind the other, and the pairs in their order.
