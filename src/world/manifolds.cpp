@@ -16,7 +16,7 @@ namespace {
 
 /// Pairs a task: some tens of microseconds of work, so that a thread that comes late to the last ones costs little, and
 /// as many as kernels take at a time.
-constexpr std::size_t pairs_per_task = box_chunk;
+constexpr std::size_t pairs_per_task = most_chunk;
 
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;
@@ -29,8 +29,8 @@ constexpr std::size_t few_pairs = 4096;
 /// Pairs that wait for a kernel.
 template <class T>
 struct Waiting {
-  PairRef<T> pairs[box_chunk];
-  std::uint32_t places[box_chunk];
+  PairRef<T> pairs[most_chunk];
+  std::uint32_t places[most_chunk];
   std::size_t count = 0;
 
   void add(const PairRef<T>& pair, std::uint32_t place) {
