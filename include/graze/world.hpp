@@ -97,7 +97,7 @@ class World {
   std::size_t memory() const;
 
  private:
-  void filter(std::span<const IdPair> candidates);
+  std::span<const IdPair> filter(std::span<const IdPair> candidates);
   bool is_pair(std::uint32_t a, std::uint32_t b) const;
   const DynamicTree<T>& tree() const;
   bool is_asked(const QueryFilter& filter, std::uint32_t index) const;

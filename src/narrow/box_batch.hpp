@@ -59,18 +59,21 @@ struct BoxPoints {
 /// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
 /// that touch fill several blocks.
 inline constexpr std::size_t box_chunk = 128;
+/// The most that are asked about at a time. Where most pairs wait for one kernel, as in a world, twice a chunk leaves
+/// half as many lanes of the last blocks empty.
+inline constexpr std::size_t most_chunk = 2 * box_chunk;
 
-/// Asks about up to `box_chunk` pairs of plain boxes (`plain_box`), in this order:
+/// Asks about up to `most_chunk` pairs of plain boxes (`plain_box`), in this order:
 /// `apart(i)` for those further apart than their margins; and then, in the order of the pairs,
 /// `touching(i, distance, normal, points)`, the last a `BoxPoints`, or, where their faces do not tell, `unknown(i)`.
 template <class T, class Apart, class Touching, class Unknown>
 void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                         const Unknown& unknown) {
   const Isa level = chosen_isa();
-  BoxChoice<T> axes[box_chunk];
+  BoxChoice<T> axes[most_chunk];
   GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
   // No branch that nobody foresees: places are written either way and kept or written over.
-  std::uint8_t place[box_chunk], apart_place[box_chunk];
+  std::uint8_t place[most_chunk], apart_place[most_chunk];
   std::size_t met_count = 0, apart_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool meets = !(axes[i].distance > pairs[i].margin);

@@ -16,7 +16,7 @@ namespace {
 
 /// Pairs a task: some tens of microseconds of work, so that a thread that comes late to the last ones costs little, and
 /// as many as kernels take at a time.
-constexpr std::size_t pairs_per_task = box_chunk;
+constexpr std::size_t pairs_per_task = most_chunk;
 
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;
@@ -24,16 +24,13 @@ constexpr std::size_t few_points = 16;
 /// Pairs below which no second thread is asked for what takes each a nanosecond or two.
 constexpr std::size_t few_pairs = 4096;
 
-/// What is copied takes a tenth of the time that it took to find.
-constexpr std::size_t blocks_per_task = 8;
-
 }  // namespace
 
 /// Pairs that wait for a kernel.
 template <class T>
 struct Waiting {
-  PairRef<T> pairs[box_chunk];
-  std::uint32_t places[box_chunk];
+  PairRef<T> pairs[most_chunk];
+  std::uint32_t places[most_chunk];
   std::size_t count = 0;
 
   void add(const PairRef<T>& pair, std::uint32_t place) {
@@ -59,42 +56,6 @@ void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
     ground_ += stands;
     ground_changed_ |= stands && moved;
   }
-}
-
-/// Finds what is known of each pair from the last call: both lists are sorted.
-template <class T>
-void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
-  last_pairs_.swap(pairs_);
-  last_memory_.swap(memory_);
-  pairs_.assign(pairs.begin(), pairs.end());
-  memory_.resize(pairs.size());
-  std::size_t known = 0;
-  const std::size_t count = last_pairs_.size();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    while (known < count && last_pairs_[known] < pairs[i]) ++known;
-    const bool same = known < count && last_pairs_[known] == pairs[i];
-    memory_[i] = same ? last_memory_[known] : Memory{};
-    known += same;
-  }
-}
-
-/// For each body that moves, the fixed bodies it stands in a pair with, in the order of the pairs.
-template <class T>
-void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
-  const auto each = [&](const auto& f) {
-    for (const IdPair& p : pairs_) {
-      if ((seen_[p.a].traits & fixed) != 0) f(p.b, p.a);
-      if ((seen_[p.b].traits & fixed) != 0) f(p.a, p.b);
-    }
-  };
-  first_neighbour_.assign(bodies.size() + 1, 0);
-  each([&](std::uint32_t body, std::uint32_t) { ++first_neighbour_[body + 1]; });
-  for (std::size_t i = 1; i < first_neighbour_.size(); ++i) first_neighbour_[i] += first_neighbour_[i - 1];
-  neighbours_.resize(first_neighbour_.back());
-  places_.assign(first_neighbour_.begin(), first_neighbour_.end());
-  each([&](std::uint32_t body, std::uint32_t ground) {
-    neighbours_[places_[body]++] = {&bodies.shapes()[ground], &bodies.poses()[ground]};
-  });
 }
 
 template <class T>
@@ -130,21 +91,6 @@ bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
   return true;
 }
 
-/// One thread finds all manifolds one behind the other, where they stay; what several find is joined in the same order.
-template <class T>
-void ManifoldFinder<T>::begin_blocks(std::size_t blocks, bool alone) {
-  if (found_.size() < blocks) found_.resize(blocks);
-  if (alone) {
-    found_[0].manifolds.swap(now_.manifolds);
-    found_[0].points.swap(now_.points);
-  }
-  for (std::size_t i = 0; i < blocks; ++i) {
-    found_[i].manifolds.clear();
-    found_[i].points.clear();
-    found_[i].contacts = 0;
-  }
-}
-
 /// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
 template <class T>
 Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
@@ -163,15 +109,20 @@ template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t block) {
   Waiting<T> boxes, balls, rests;
+  Run kept;
   const Pose<T>* const poses = bodies.poses().data();
   for (const std::uint32_t place : places) {
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
     const int either = a.traits | b.traits, both = a.traits & b.traits;
+    if ((either & changed) == 0 && memory_[place].contact != unknown && !(ground_changed_ && (either & fixed) != 0)) {
+      keep_last(place, kept, block);
+      continue;
+    }
     const bool rest = (either & (box | plane)) == (box | plane);
     if (((both & (box | ball)) == 0 && !rest) || (either & trigger) != 0 ||
-        ((either & changed) == 0 && memory_[place].contact != unknown) ||
         ((either & fixed) != 0 && !beside(pair).empty())) {
+      copy_last(kept, block);
       find_one(bodies, place, block);
       continue;
     }
@@ -184,6 +135,7 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
                            : balls)
           .add({a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin}, place);
   }
+  copy_last(kept, block);
   find_boxes(bodies, boxes, block);
   find_balls(balls, block);
   find_rests(rests, block);
@@ -265,8 +217,11 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   const int either = seen_a.traits | seen_b.traits;
   const Surroundings<T> beside = this->beside(pair);
   const bool anew = (either & changed) != 0 || (ground_changed_ && !beside.empty());
-  if (!anew && memory.contact == apart) return keep_apart(place);
-  if (!anew && memory.contact != unknown) return keep_last(place, block);
+  if (!anew && memory.contact != unknown) {
+    Run run;
+    keep_last(place, run, block);
+    return copy_last(run, block);
+  }
 
   Found& found = found_[block];
   Result& result = begin(place, block);
@@ -304,69 +259,24 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   carry_many(memory, std::span(found.points).subspan(first_point), found.sorted);
 }
 
-/// A pair of which nothing changed: what it had, impulses included.
+/// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
 template <class T>
-void ManifoldFinder<T>::keep_last(std::uint32_t place, std::uint32_t block) {
-  Found& found = found_[block];
-  Result& result = begin(place, block);
-  const ContactPair<T>& last = last_.pairs[memory_[place].contact];
-  result.overlap = last.overlap;
-  result.manifold_count = last.manifold_count;
-  for (const ContactManifold<T>& m : last_.manifolds_of(last)) {
-    ContactManifold<T> moved = m;
-    moved.first_point = static_cast<std::uint32_t>(found.points.size());
-    found.manifolds.push_back(moved);
-    const auto points = last_.points_of(m);
-    found.points.insert(found.points.end(), points.begin(), points.end());
-  }
-}
-
-/// Lays what was found one behind the other, and the pairs in their order.
-template <class T>
-void ManifoldFinder<T>::gather(std::size_t blocks, bool alone, Executor& executor) {
-  std::uint32_t manifolds = 0, points = 0, contacts = 0;
-  for (std::size_t i = 0; i < blocks; ++i) {
-    Found& found = found_[i];
-    found.first_manifold = std::exchange(manifolds, manifolds + static_cast<std::uint32_t>(found.manifolds.size()));
-    found.first_point = std::exchange(points, points + static_cast<std::uint32_t>(found.points.size()));
-    contacts += found.contacts;
-  }
-  now_.pairs.resize(contacts);
-  if (alone) {
-    gather_pairs();
-    now_.manifolds.swap(found_[0].manifolds);
-    now_.points.swap(found_[0].points);
+void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t block) {
+  const std::uint32_t contact = memory_[place].contact;
+  if (contact == apart) {
+    results_[place] = {};
     return;
   }
-  now_.manifolds.resize(manifolds);
-  now_.points.resize(points);
-  // The pairs, which are the longest of these tasks, beside all others.
-  executor.run((blocks + blocks_per_task - 1) / blocks_per_task + 1, [&](std::size_t task) {
-    if (task == 0) return gather_pairs();
-    for (std::size_t i = (task - 1) * blocks_per_task; i < std::min(blocks, task * blocks_per_task); ++i) {
-      const Found& found = found_[i];
-      auto to = now_.manifolds.begin() + found.first_manifold;
-      for (ContactManifold<T> m : found.manifolds) {
-        m.first_point += found.first_point;
-        *to++ = m;
-      }
-      std::copy(found.points.begin(), found.points.end(), now_.points.begin() + found.first_point);
+  const ContactPair<T>& last = last_.pairs[contact];
+  if (last.manifold_count != 0) {
+    if (last.first_manifold != run.end) {
+      copy_last(run, block);
+      run.begin = run.end = last.first_manifold;
     }
-  });
-}
-
-/// Each is written whether it touches or not, and written over by the next one: no branch would foresee which do.
-template <class T>
-void ManifoldFinder<T>::gather_pairs() {
-  const std::size_t count = now_.pairs.size();
-  std::uint32_t place = 0;
-  for (std::size_t i = 0; place < count; ++i) {
-    const Result& r = results_[i];
-    now_.pairs[place] = {pairs_[i].a, pairs_[i].b, r.overlap != 0, found_[r.block].first_manifold + r.first_manifold,
-                         r.manifold_count};
-    memory_[i].contact = r.touches() ? place : apart;
-    place += r.touches();
+    run.end += last.manifold_count;
   }
+  const std::size_t first = found_[block].manifolds.size() + (run.end - run.begin) - last.manifold_count;
+  results_[place] = {block, static_cast<std::uint32_t>(first), last.manifold_count, last.overlap};
 }
 
 /// What a pair had after the last call; its points stand one behind the other.
@@ -420,19 +330,6 @@ void ManifoldFinder<T>::carry_many(const Memory& memory, std::span<SolverPoint<T
         nearest = &p;
     if (nearest) point.impulse = nearest->impulse;
   }
-}
-
-template <class T>
-std::size_t ManifoldFinder<T>::memory() const {
-  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) +
-                    bytes(first_neighbour_) + bytes(neighbours_) + bytes(found_) + bytes(pairs_) + bytes(last_pairs_) +
-                    bytes(memory_) + bytes(last_memory_) + bytes(results_) + bytes(places_);
-  for (const Found& found : found_)
-    sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
-  for (const ContactArrays<T>* arrays : {&now_, &last_})
-    sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
-  return sum;
 }
 
 template class ManifoldFinder<float>;

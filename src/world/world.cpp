@@ -1,5 +1,7 @@
 #include "graze/world.hpp"
 
+#include <algorithm>
+
 #include "graze/validate.hpp"
 
 namespace graze {
@@ -10,8 +12,7 @@ void World<T>::update(T duration) {
   const std::span<const std::uint32_t> changes = bodies_.changes();
   boxes_.resize(bodies_.size());
   find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, *executor_);
-  filter(candidates_.find(boxes_, bodies_.alive(), changes));
-  manifolds_.find(bodies_, allowed_, *executor_);
+  manifolds_.find(bodies_, filter(candidates_.find(boxes_, bodies_.alive(), changes)), *executor_);
   tracker_.update<T>(
       manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
       [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
@@ -34,22 +35,18 @@ bool World<T>::is_pair(std::uint32_t a, std::uint32_t b) const {
   return !settings_.allow || settings_.allow(bodies_.id(a), bodies_.id(b));
 }
 
-/// The third stage.
+/// The third stage. Where no filter can drop a pair, the candidates as they are.
 template <class T>
-void World<T>::filter(std::span<const IdPair> candidates) {
-  if (bodies_.filtered() || settings_.allow) {
-    allowed_.assign(candidates.begin(), candidates.end());
-    keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
-    return;
-  }
+std::span<const IdPair> World<T>::filter(std::span<const IdPair> candidates) {
   const std::span<const std::uint8_t> fixed = bodies_.fixed();
-  allowed_.resize(candidates.size());
-  std::size_t count = 0;
-  for (const IdPair& p : candidates) {
-    allowed_[count] = p;
-    count += (fixed[p.a] & fixed[p.b]) == 0;
-  }
-  allowed_.resize(count);
+  const bool all_agree = !bodies_.filtered() && !settings_.allow;
+  if (all_agree && std::count(fixed.begin(), fixed.end(), 0) + 1 >= std::ssize(fixed)) return candidates;
+  allowed_.assign(candidates.begin(), candidates.end());
+  if (all_agree)
+    std::erase_if(allowed_, [&](const IdPair& p) { return (fixed[p.a] & fixed[p.b]) != 0; });
+  else
+    keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
+  return allowed_;
 }
 
 template <class T>

@@ -96,6 +96,10 @@ class ManifoldFinder {
 
     bool touches() const { return (manifold_count | overlap) != 0; }
   };
+  /// Manifolds of the last call, one behind the other, that are to be copied.
+  struct Run {
+    std::uint32_t begin = 0, end = 0;
+  };
   /// What a pair has to know of a body before it looks at it.
   struct Seen {
     const void* concrete;
@@ -114,7 +118,8 @@ class ManifoldFinder {
   void find_balls(const Waiting<T>& balls, std::uint32_t block);
   void find_rests(const Waiting<T>& rests, std::uint32_t block);
   void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
-  void keep_last(std::uint32_t place, std::uint32_t block);
+  void keep_last(std::uint32_t place, Run& run, std::uint32_t block);
+  void copy_last(Run& run, std::uint32_t block);
   void keep_apart(std::uint32_t place);
   Result& begin(std::uint32_t place, std::uint32_t block);
   void add(const Manifold<T>& manifold, std::uint32_t block);

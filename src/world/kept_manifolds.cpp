@@ -1,0 +1,149 @@
+// What the finding of manifolds takes over from the last call, and the lists that it leaves.
+#include <algorithm>
+#include <utility>
+
+#include "graze/world/manifolds.hpp"
+#include "mid/composite.hpp"
+
+namespace graze {
+
+namespace {
+
+/// What is copied takes a tenth of the time that it took to find.
+constexpr std::size_t blocks_per_task = 8;
+
+}  // namespace
+
+/// Finds what is known of each pair from the last call: both lists are sorted.
+template <class T>
+void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
+  last_pairs_.swap(pairs_);
+  last_memory_.swap(memory_);
+  pairs_.assign(pairs.begin(), pairs.end());
+  memory_.resize(pairs.size());
+  std::size_t known = 0;
+  const std::size_t count = last_pairs_.size();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    while (known < count && last_pairs_[known] < pairs[i]) ++known;
+    const bool same = known < count && last_pairs_[known] == pairs[i];
+    memory_[i] = same ? last_memory_[known] : Memory{};
+    known += same;
+  }
+}
+
+/// For each body that moves, the fixed bodies it stands in a pair with, in the order of the pairs.
+template <class T>
+void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
+  const auto each = [&](const auto& f) {
+    for (const IdPair& p : pairs_) {
+      if ((seen_[p.a].traits & fixed) != 0) f(p.b, p.a);
+      if ((seen_[p.b].traits & fixed) != 0) f(p.a, p.b);
+    }
+  };
+  first_neighbour_.assign(bodies.size() + 1, 0);
+  each([&](std::uint32_t body, std::uint32_t) { ++first_neighbour_[body + 1]; });
+  for (std::size_t i = 1; i < first_neighbour_.size(); ++i) first_neighbour_[i] += first_neighbour_[i - 1];
+  neighbours_.resize(first_neighbour_.back());
+  places_.assign(first_neighbour_.begin(), first_neighbour_.end());
+  each([&](std::uint32_t body, std::uint32_t ground) {
+    neighbours_[places_[body]++] = {&bodies.shapes()[ground], &bodies.poses()[ground]};
+  });
+}
+
+/// One thread finds all manifolds one behind the other, where they stay; what several find is joined in the same order.
+template <class T>
+void ManifoldFinder<T>::begin_blocks(std::size_t blocks, bool alone) {
+  if (found_.size() < blocks) found_.resize(blocks);
+  if (alone) {
+    found_[0].manifolds.swap(now_.manifolds);
+    found_[0].points.swap(now_.points);
+  }
+  for (std::size_t i = 0; i < blocks; ++i) {
+    found_[i].manifolds.clear();
+    found_[i].points.clear();
+    found_[i].contacts = 0;
+  }
+}
+
+/// Copies the manifolds of a run with their points, impulses included, which stand in the same order.
+template <class T>
+void ManifoldFinder<T>::copy_last(Run& run, std::uint32_t block) {
+  if (run.begin == run.end) return;
+  Found& found = found_[block];
+  const ContactManifold<T>&front = last_.manifolds[run.begin], &back = last_.manifolds[run.end - 1];
+  const auto shift = static_cast<std::uint32_t>(found.points.size()) - front.first_point;  // modulo its range
+  const auto points =
+      std::span(last_.points).subspan(front.first_point, back.first_point + back.point_count - front.first_point);
+  found.points.insert(found.points.end(), points.begin(), points.end());
+  const std::size_t first = found.manifolds.size();
+  const auto manifolds = std::span(last_.manifolds).subspan(run.begin, run.end - run.begin);
+  found.manifolds.insert(found.manifolds.end(), manifolds.begin(), manifolds.end());
+  for (ContactManifold<T>& m : std::span(found.manifolds).subspan(first)) m.first_point += shift;
+  run = {};
+}
+
+/// Lays what was found one behind the other, and the pairs in their order.
+template <class T>
+void ManifoldFinder<T>::gather(std::size_t blocks, bool alone, Executor& executor) {
+  std::uint32_t manifolds = 0, points = 0, contacts = 0;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    Found& found = found_[i];
+    found.first_manifold = std::exchange(manifolds, manifolds + static_cast<std::uint32_t>(found.manifolds.size()));
+    found.first_point = std::exchange(points, points + static_cast<std::uint32_t>(found.points.size()));
+    contacts += found.contacts;
+  }
+  now_.pairs.resize(contacts);
+  if (alone) {
+    gather_pairs();
+    now_.manifolds.swap(found_[0].manifolds);
+    now_.points.swap(found_[0].points);
+    return;
+  }
+  now_.manifolds.resize(manifolds);
+  now_.points.resize(points);
+  // The pairs, which are the longest of these tasks, beside all others.
+  executor.run((blocks + blocks_per_task - 1) / blocks_per_task + 1, [&](std::size_t task) {
+    if (task == 0) return gather_pairs();
+    for (std::size_t i = (task - 1) * blocks_per_task; i < std::min(blocks, task * blocks_per_task); ++i) {
+      const Found& found = found_[i];
+      auto to = now_.manifolds.begin() + found.first_manifold;
+      for (ContactManifold<T> m : found.manifolds) {
+        m.first_point += found.first_point;
+        *to++ = m;
+      }
+      std::copy(found.points.begin(), found.points.end(), now_.points.begin() + found.first_point);
+    }
+  });
+}
+
+/// Each is written whether it touches or not, and written over by the next one: no branch would foresee which do.
+template <class T>
+void ManifoldFinder<T>::gather_pairs() {
+  const std::size_t count = now_.pairs.size();
+  std::uint32_t place = 0;
+  for (std::size_t i = 0; place < count; ++i) {
+    const Result& r = results_[i];
+    now_.pairs[place] = {pairs_[i].a, pairs_[i].b, r.overlap != 0, found_[r.block].first_manifold + r.first_manifold,
+                         r.manifold_count};
+    memory_[i].contact = r.touches() ? place : apart;
+    place += r.touches();
+  }
+}
+
+template <class T>
+std::size_t ManifoldFinder<T>::memory() const {
+  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) +
+                    bytes(first_neighbour_) + bytes(neighbours_) + bytes(found_) + bytes(pairs_) + bytes(last_pairs_) +
+                    bytes(memory_) + bytes(last_memory_) + bytes(results_) + bytes(places_);
+  for (const Found& found : found_)
+    sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
+  for (const ContactArrays<T>* arrays : {&now_, &last_})
+    sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
+  return sum;
+}
+
+template class ManifoldFinder<float>;
+template class ManifoldFinder<double>;
+
+}  // namespace graze
