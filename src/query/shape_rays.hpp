@@ -17,8 +17,10 @@ using rays::LocalRay;
 /// A pose in double, its rotation of unit length in that: float's is so only in float, and lengths would change by it.
 template <class T>
 Posed precise(const Pose<T>& pose) {
-  const Quat<double> rotation = cast<double>(pose.rotation);
-  return {cast<double>(pose.translation), rotation == Quat<double>{} ? rotation : normalized(rotation)};
+  const Quat<double> q = cast<double>(pose.rotation);
+  if (q == Quat<double>{}) return {cast<double>(pose.translation), q};
+  const double s = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  return {cast<double>(pose.translation), {q.x * s, q.y * s, q.z * s, q.w * s}};
 }
 
 /// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
@@ -123,7 +125,7 @@ template <class T>
 [[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
   const Vec3d normal = opposing(rays::turned(pose.rotation, c.hit.normal), cast<double>(ray.direction));
   const Vec3d point = pose.translation + rays::turned(pose.rotation, c.hit.point);
-  return {least(static_cast<T>(c.hit.t), length), cast<T>(point), normalized(cast<T>(normal)), c.piece};
+  return {least(static_cast<T>(c.hit.t), length), cast<T>(point), cast<T>(normal), c.piece};
 }
 
 inline bool before(const Candidate& a, const Candidate& b) {

@@ -53,11 +53,12 @@ inline Vec3d turned(const Quat<double>& rotation, const Vec3d& v) {
   return rotation == Quat<double>{} ? v : rotate(rotation, v);
 }
 
-/// The same ray seen from a frame that stands at `pose` in the present one.
+/// The same ray seen from a frame that stands at `pose` in the present one. Its direction may be of any length whose
+/// square neither over- nor underflows.
 inline LocalRay seen_from(const Posed& pose, const LocalRay& ray) {
   const Quat<double> back = conjugate(pose.rotation);
-  return {turned(back, ray.origin - pose.translation), normalized(turned(back, ray.direction)), ray.begin, ray.end,
-          ray.blur};
+  const Vec3d along = turned(back, ray.direction);
+  return {turned(back, ray.origin - pose.translation), along * (1 / length(along)), ray.begin, ray.end, ray.blur};
 }
 
 inline LocalHit hit_at(const LocalRay& ray, double t, const Vec3d& normal) { return {t, ray.at(t), normal}; }

@@ -2,6 +2,7 @@
 // "Generalized two- and three-dimensional clipping"; for boxes Kay, Kajiya 1986, "Ray tracing complex scenes").
 #pragma once
 
+#include "narrow/rays/limits.hpp"
 #include "narrow/rays/plane_clip.hpp"
 #include "narrow/rays/round.hpp"
 #include "narrow/rays/sheared.hpp"
@@ -28,12 +29,12 @@ inline MaybeHit hit_box(const LocalRay& far, const Vec3d& half) {
   Vec3d normal;
   for (std::size_t i = 0; i < 3; ++i) {
     const double d = ray.direction[i], o = ray.origin[i];
-    if (d == 0) {
+    if (std::abs(d) < no_component) {
       if (std::abs(o) > half[i]) return {};
       continue;
     }
-    const double in = d > 0 ? (-half[i] - o) / d : (half[i] - o) / d;
-    const double out = d > 0 ? (half[i] - o) / d : (-half[i] - o) / d;
+    const double per_d = 1 / d, low = d > 0 ? -half[i] : half[i];
+    const double in = (low - o) * per_d, out = (-low - o) * per_d;
     leave = least(leave, out);
     if (in <= enter) continue;
     enter = in;

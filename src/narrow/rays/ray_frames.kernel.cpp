@@ -56,7 +56,8 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
     select(usable, S(end), S(-1)).store(block.end + i);
     along.store(block.along, i);
     origin.store(block.origin, i);
-    normalized(forward.back(safe), V{zero, one, zero}).store(block.direction, i);
+    const V local = forward.back(safe);
+    (local * (one / length(local))).store(block.direction, i);
     (S(4 * epsilon) * length(origin)).store(block.blur + i);
   }
 }
@@ -78,7 +79,7 @@ void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockF
     const auto turned = dot(normal, V::load(block.along, i)) > S(0);
     const S state = S::load(block.state + i);
     select(turned & (state == S(rays::ray_hit)), S(rays::ray_again), state).store(block.state + i);
-    normalized(all_narrowed(normal), Lane3<Narrow>{Narrow(T(0)), Narrow(T(1)), Narrow(T(0))}).store(hits.normal, i);
+    all_narrowed(normal).store(hits.normal, i);
     all_narrowed(translation + rotation(V::load(block.point, i))).store(hits.point, i);
     least(narrowed(S::load(block.t + i)), Narrow(length)).store(hits.t + i);
   }

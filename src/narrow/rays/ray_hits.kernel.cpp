@@ -1,5 +1,6 @@
 // Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space`, `hit_polygon` and what
 // `quadric_lanes.hpp` names of one ray, with choices in place of branches. What those do for few rays only is left to them.
+#include "narrow/rays/limits.hpp"
 #include "narrow/rays/quadric_lanes.hpp"
 
 namespace graze::GRAZE_ISA {
@@ -37,9 +38,9 @@ using namespace ray_lanes;
   V normal{S(0), S(0), S(0)};
   M met = !none();
   const auto clip = [&](const S& d, const S& o, const S& half, S V::*component) __attribute__((always_inline)) {
-    const M still = d == S(0), forward = d > S(0);
+    const M still = abs(d)<S(rays::no_component), forward = d> S(0);
     met = met & (!(still & (abs(o) > half)));
-    const S low = select(forward, -half, half), in = (low - o) / d, out = (-low - o) / d;
+    const S per_d = S(1) / d, low = select(forward, -half, half), in = (low - o) * per_d, out = (-low - o) * per_d;
     leave = select(still, leave, least(leave, out));
     const M later = (!still) & (!(in <= enter));
     enter = select(later, in, enter);
