@@ -75,14 +75,14 @@ class Advancement {
       if (boxes->t == infinity) return std::nullopt;
       t = least(interval.begin + boxes->t, interval.end);
       known = impact_of(*boxes, t);
-      if (known && known->distance <= tolerance_ && separating_ == Separating::hit) return known;
+      if (known && touches(*known) && separating_ == Separating::hit) return known;
     } else if (still() && !is_half_space(a_) && !is_half_space(b_)) {
       MovingDifference difference(*this, interval.begin);
       const FreeTranslation free = difference.free(interval.end - interval.begin);
       if (free.t == infinity) return std::nullopt;
       t = least(interval.begin + free.t, interval.end);
       known = difference.impact(free, t);
-      if (known && known->distance <= tolerance_ && separating_ == Separating::hit) return known;
+      if (known && touches(*known) && separating_ == Separating::hit) return known;
     }
     std::optional<Impact> pressing;  // where the contact that is under way began to press
     for (int i = 0;; ++i) {
@@ -93,9 +93,7 @@ class Advancement {
                                      {impact.normal, motion_.a.angular, turning_radius_a_},
                                      {impact.normal, motion_.b.angular, turning_radius_b_});
       const double left = interval.end - t;
-      const bool touch = impact.distance <= touching * tolerance_;
-      // Points of both shapes are that near, however good a bound of the depth or of the gap has been found.
-      if (touch && impact.status == Status::bounded) impact.status = Status::converged;
+      const bool touch = touches(impact);
       double step = 0;
       if (!touch) {
         pressing.reset();
@@ -120,7 +118,9 @@ class Advancement {
         step = least(left, separation.stays_above(floor - sink / 2, tolerance_ / 8, left));
       }
       if (i == most_steps || !(t + step > t)) {
-        impact.status = Status::bounded;
+        // Where a distance is not known well enough for another step, its points may still be as near as they have to be.
+        const bool near_enough = !touch && i < most_steps && impact.distance <= tolerance_;
+        impact.status = near_enough ? Status::converged : Status::bounded;
         return impact;
       }
       t = step < left ? t + step : interval.end;
@@ -128,6 +128,13 @@ class Advancement {
   }
 
  private:
+  /// Whether points of both shapes are near enough; then it is no matter how good a bound of the depth or of the gap has
+  /// been found.
+  bool touches(Impact& impact) const {
+    if (impact.distance > touching * tolerance_) return false;
+    if (impact.status == Status::bounded) impact.status = Status::converged;
+    return true;
+  }
   /// B - A of the cores of two bodies that do not turn, in world axes about A's moving origin.
   class MovingDifference {
    public:
