@@ -136,6 +136,14 @@ Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool
   return manifold;
 }
 
+/// Whether a piece goes as far as a place in the plane of one of its faces.
+template <class T>
+bool reaches_to(const PieceOf<T>& self, const Vec3<T>& place) {
+  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(place);
+  return convex_distance<T>(self.piece, self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr).distance <=
+         noise;
+}
+
 /// Whether a triangle of a mesh is known to lie level with all around it.
 template <class T>
 bool lies_level(const PieceOf<T>& self) {
@@ -183,7 +191,8 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
       found = now;
       now = laid_along(a, b, of_a, face, margin, found);
     }
-    const bool sliver = now.points.empty();  // rounding may leave one without points
+    // Rounding may leave one without points; and a corner or a ball, which stands on the face alone, has none to be laid.
+    const bool sliver = now.points.empty();
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const auto normal = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
     if (normal) {
@@ -191,7 +200,11 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
       now = laid_along(a, b, of_a, *normal, margin, found);
       if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, found);
     } else if (sliver) {
-      settled.instead = found;
+      const Manifold<T> corner = furthest_below(self, other, of_a, face, found);
+      if (reaches_to(self, corner.points[0].*side))
+        now = corner;
+      else
+        settled.instead = found;
     }
   }
   return settled;
