@@ -151,6 +151,16 @@ bool lies_level(const PieceOf<T>& self) {
   return mesh && mesh->data().level[self.number];
 }
 
+/// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face. That
+/// of a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it
+/// leans over, though that edge is a ridge and touched.
+template <class T>
+std::optional<Vec3<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
+  const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr);
+  if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
+  return d.normal;
+}
+
 /// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it is
 /// that of a face of the piece.
 template <class T>
@@ -168,8 +178,11 @@ std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other
     if (lies_open(self, face)) return face;
   }
   if (!on_face)
-    if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward))
+    if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward)) {
+      if (triangle && piece_rises_above(self.piece, self.pose, point, outward))
+        if (const std::optional<Vec3<T>> least = least_way_out(self, other)) return least;
       return normal_of_surface(self, *neighbour, other, point, outward, margin);
+    }
   if (open) return std::nullopt;
   const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
   return over ? std::optional(over->normal) : std::nullopt;
