@@ -176,5 +176,23 @@ TYPED_TEST(EdgesAndCorners, OfARidgeItsOwn) {
         ridge.expect(box, {{T(0.1), height + T(0.495), 0}, about<T>({0, 0, 1}, lean)}, {{0, 1, 0}});
     }
 }
+
+/// A ball on the seams of a level floor, or where six triangles meet, stands on one point, whatever rounding makes of the
+/// floor's normals.
+TYPED_TEST(EdgesAndCorners, OfALevelFloorNone) {
+  using T = TypeParam;
+  const Shape<T> floor = HeightField<T>(5, 5, std::vector<T>(25, T(0)));
+  const Shape<T> ball = Sphere<T>(T(0.5));
+  for (const StandingSurface<T>& at : standing(floor))
+    for (const Vec3<T>& place :
+         {Vec3<T>{0, 0, 0}, Vec3<T>{1, 0, T(0.3)}, Vec3<T>{T(0.4), 0, T(0.4)}, Vec3<T>{T(0.3), 0, 1}}) {
+      const Pose<T> pose = compose(at.frame, Pose<T>{place + Vec3<T>{0, T(0.49), 0}, {}});
+      Manifolds<T> manifolds;
+      contacts(floor, at.frame, ball, pose, contact_margin(floor, ball), manifolds);
+      ASSERT_EQ(manifolds.size(), 1u);
+      EXPECT_EQ(manifolds[0].points.size(), 1u) << place.x << ' ' << place.z;
+    }
+}
+
 }  // namespace
 }  // namespace graze
