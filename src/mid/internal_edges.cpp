@@ -140,8 +140,7 @@ Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool
 template <class T>
 bool reaches_to(const PieceOf<T>& self, const Vec3<T>& place) {
   const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(place);
-  return convex_distance<T>(self.piece, self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr).distance <=
-         noise;
+  return distance_to(self, place) <= noise;
 }
 
 /// Whether a triangle of a mesh is known to lie level with all around it.
