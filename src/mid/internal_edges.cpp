@@ -150,6 +150,15 @@ bool lies_level(const PieceOf<T>& self) {
   return mesh && mesh->data().level[self.number];
 }
 
+/// Whether a triangle reaches further along a normal than where the contact stands, which that of an own feature never
+/// does. Near a corner this is less than what coordinates may be off by, but more than what they are when both come from
+/// one pose.
+template <class T>
+bool leans_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
+  const Vec3<T> further = furthest(self.piece, self.pose, outward) - point;
+  return dot(further, outward) > region_slack<T> * length(further) + place_noise(point) / T(8);
+}
+
 /// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face. That
 /// of a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it
 /// leans over, though that edge is a ridge and touched.
@@ -176,12 +185,14 @@ std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (lies_open(self, face)) return face;
   }
-  if (!on_face)
-    if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward)) {
-      if (triangle && piece_rises_above(self.piece, self.pose, point, outward))
-        if (const std::optional<Vec3<T>> least = least_way_out(self, other)) return least;
-      return normal_of_surface(self, *neighbour, other, point, outward, margin);
-    }
+  if (!on_face) {
+    std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
+    const bool leans = triangle && leans_over(self, point, outward);
+    if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
+    if (leans && neighbour)
+      if (const std::optional<Vec3<T>> least = least_way_out(self, other)) return least;
+    if (neighbour) return normal_of_surface(self, *neighbour, other, point, outward, margin);
+  }
   if (open) return std::nullopt;
   const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
   return over ? std::optional(over->normal) : std::nullopt;
