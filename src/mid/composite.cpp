@@ -6,6 +6,7 @@
 #include "mid/piece_pairs.hpp"
 #include "mid/spanning_points.hpp"
 #include "narrow/convex_pair.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
 
@@ -76,6 +77,15 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
 
 namespace {
 
+/// The radius of a shape about its own origin; none of a half-space.
+template <class T>
+T size_about_origin(const Shape<T>& shape) {
+  return shape.visit([&](const auto& c) -> T {
+    if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) return c.core_extent() + rounding_radius(c, shape.margin());
+    return c.core_extent();
+  });
+}
+
 /// By themselves, so that two convex shapes do not pay for what only composites need.
 template <class T>
 [[gnu::noinline]] T composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
@@ -106,7 +116,8 @@ template <class T>
   groups.finish();
   // What touches is not left without a point.
   if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);
-  for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i]);
+  const T size = least(size_about_origin(a), size_about_origin(b));
+  for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
   if (trace && manifolds.size() == first) {
     any_distance(a, pose_a, b, pose_b, trace);
   } else {

@@ -39,13 +39,7 @@ bool goes_on_above(const Sight<T>& sight, const Vec3<T>& normal, T above, T slac
   const T squared = length_squared(along_wall), rise = T(4) * slack;
   if (!(squared > region_slack<T> * region_slack<T>)) return true;  // one that faces the other cannot cover it
   const Vec3<T> place = sight.from + along_wall * ((rise - above) / squared);
-  if (const auto* triangle = sight.self.piece.template as<Triangle<T>>()) {
-    const Vec3<T> p = inverse_transform(sight.self.pose, place);
-    const auto nearest = closest_point_on_triangle(triangle->point(0), triangle->point(1), triangle->point(2), p);
-    return length(nearest.point - p) < rise / T(2);
-  }
-  return convex_distance<T>(sight.self.piece, sight.self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr)
-             .distance < rise / T(2);
+  return distance_to(sight.self, place) < rise / T(2);
 }
 
 /// Where the sight crosses a triangle that covers its beginning.
@@ -157,6 +151,16 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
 }  // namespace
 
 template <class T>
+T distance_to(const PieceOf<T>& self, const Vec3<T>& place) {
+  if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
+    const Vec3<T> p = inverse_transform(self.pose, place);
+    const auto nearest = closest_point_on_triangle(triangle->point(0), triangle->point(1), triangle->point(2), p);
+    return length(nearest.point - p);
+  }
+  return convex_distance<T>(self.piece, self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr).distance;
+}
+
+template <class T>
 std::optional<OnSurface<T>> surface_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                          const PieceOf<T>& other) {
   const Sight<T> sight = sight_of(self, point, outward, other);
@@ -174,6 +178,7 @@ std::optional<OnSurface<T>> own_surface(const PieceOf<T>& self, const Vec3<T>& p
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
+  template T distance_to(const PieceOf<T>&, const Vec3<T>&);                                                           \
   template std::optional<OnSurface<T>> surface_over(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&,                 \
                                                     const PieceOf<T>&);                                                \
   template std::optional<OnSurface<T>> own_surface(const PieceOf<T>&, const Vec3<T>&, const Vec3<T>&,                  \

@@ -20,6 +20,10 @@ struct OnSurface {
   Vec3<T> point, normal;
 };
 
+/// How far a place of the world is from a convex piece; negative inside a solid one.
+template <class T>
+T distance_to(const PieceOf<T>& self, const Vec3<T>& place);
+
 /// Where a neighbour hides a contact of `self`, at `point` with the normal `outward`, from the middle of `other`, if one
 /// does that continues the surface: it rises above the plane through the contact, and `self` does not go on above it.
 /// A search along a line for each contact asked about; no allocation.

@@ -136,11 +136,37 @@ Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool
   return manifold;
 }
 
+/// Whether a piece goes as far as a place in the plane of one of its faces.
+template <class T>
+bool reaches_to(const PieceOf<T>& self, const Vec3<T>& place) {
+  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(place);
+  return distance_to(self, place) <= noise;
+}
+
 /// Whether a triangle of a mesh is known to lie level with all around it.
 template <class T>
 bool lies_level(const PieceOf<T>& self) {
   const auto* mesh = self.whole.template as<Mesh<T>>();
   return mesh && mesh->data().level[self.number];
+}
+
+/// Whether a triangle reaches further along a normal than where the contact stands, which that of an own feature never
+/// does. Near a corner this is less than what coordinates may be off by, but more than what they are when both come from
+/// one pose.
+template <class T>
+bool leans_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
+  const Vec3<T> further = furthest(self.piece, self.pose, outward) - point;
+  return dot(further, outward) > region_slack<T> * length(further) + place_noise(point) / T(8);
+}
+
+/// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face. That
+/// of a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it
+/// leans over, though that edge is a ridge and touched.
+template <class T>
+std::optional<Vec3<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
+  const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr);
+  if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
+  return d.normal;
 }
 
 /// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it is
@@ -159,9 +185,14 @@ std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (lies_open(self, face)) return face;
   }
-  if (!on_face)
-    if (const std::optional<Placed<T>> neighbour = riser_around(self, point, outward))
-      return normal_of_surface(self, *neighbour, other, point, outward, margin);
+  if (!on_face) {
+    std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
+    const bool leans = triangle && leans_over(self, point, outward);
+    if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
+    if (leans && neighbour)
+      if (const std::optional<Vec3<T>> least = least_way_out(self, other)) return least;
+    if (neighbour) return normal_of_surface(self, *neighbour, other, point, outward, margin);
+  }
   if (open) return std::nullopt;
   const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
   return over ? std::optional(over->normal) : std::nullopt;
@@ -183,7 +214,8 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
       found = now;
       now = laid_along(a, b, of_a, face, margin, found);
     }
-    const bool sliver = now.points.empty();  // rounding may leave one without points
+    // Rounding may leave one without points; and a corner or a ball, which stands on the face alone, has none to be laid.
+    const bool sliver = now.points.empty();
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const auto normal = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
     if (normal) {
@@ -191,7 +223,11 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
       now = laid_along(a, b, of_a, *normal, margin, found);
       if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, found);
     } else if (sliver) {
-      settled.instead = found;
+      const Manifold<T> corner = furthest_below(self, other, of_a, face, found);
+      if (reaches_to(self, corner.points[0].*side))
+        now = corner;
+      else
+        settled.instead = found;
     }
   }
   return settled;

@@ -1,13 +1,14 @@
 // The points of a manifold that span it.
 //
 // Guarantee: every point that is left out lies between others that are as deep there: inside their hull or on its edge,
-// across the normal. What is pushed out at those is pushed out at it.
+// across the normal, or at the same place. What is pushed out at those is pushed out at it.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "graze/query.hpp"
+#include "mid/piece_of.hpp"
 
 namespace graze {
 
@@ -45,9 +46,25 @@ std::vector<FlatPoint<T>> hull_of(std::vector<FlatPoint<T>> points, T noise) {
 
 }  // namespace detail
 
-/// Leaves out the points that others span. Costs n log n.
+/// Of points that are all at one place, as of a ball on the seam of two triangles, keeps the deepest. Answers whether they
+/// were.
 template <class T>
-void keep_spanning(Manifold<T>& manifold) {
+bool join_at_one_place(Manifold<T>& manifold, T together) {
+  ContactPoint<T> deepest = manifold.points[0];
+  for (const ContactPoint<T>& p : manifold.points) {
+    if (max_abs(p.a - manifold.points[0].a) > together || max_abs(p.b - manifold.points[0].b) > together) return false;
+    if (p.distance < deepest.distance) deepest = p;
+  }
+  manifold.points.truncate(1);
+  manifold.points[0] = deepest;
+  return true;
+}
+
+/// Leaves out the points that others span. `size`: of the smaller shape. Costs n log n.
+template <class T>
+void keep_spanning(Manifold<T>& manifold, T size) {
+  if (manifold.points.size() < 2) return;
+  if (join_at_one_place(manifold, tolerance<T> * size + place_noise(manifold.points[0].a))) return;
   if (manifold.points.size() < 3) return;
   const Vec3<T> n = manifold.normal, u = normalized(any_perpendicular(n)), v = cross(n, u);
   const Vec3<T> origin = manifold.points[0].a;
