@@ -61,7 +61,8 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
     if (goal.proximity >= 0 && r.upper <= goal.proximity) return r;
 
     const Vec3d direction = r.nearest / r.upper;
-    const SupportPoint found = difference.support(direction);
+    // Not along the direction itself, which is longer in the making: a root and a division.
+    const SupportPoint found = difference.support(r.nearest);
     const double separation = dot(found.w, direction);
     // Rounding can keep the direction from settling: an earlier one is the better normal where its separation gains
     // more than it costs in agreement with the closest points.
