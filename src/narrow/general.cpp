@@ -4,6 +4,7 @@
 #include "narrow/gjk.hpp"
 #include "narrow/pairs/box_distance.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "shape/expect_faces.hpp"
 
 namespace graze {
 
@@ -66,6 +67,10 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   if (trace) {
     trace->method = "gjk + epa";
     trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
+  }
+  if (limit < std::numeric_limits<double>::infinity()) {  // a question of contacts, whose faces come next
+    expect_faces(a);
+    expect_faces(b);
   }
   const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
   return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
