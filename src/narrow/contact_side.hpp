@@ -27,12 +27,16 @@ class Side {
       radius_ = static_cast<double>(rounding_radius(c, shape.margin()));
       size_ = static_cast<double>(c.core_extent()) + radius_;
       using C = std::decay_t<decltype(c)>;
+      flat_sided_ = std::is_same_v<C, Box<T>> || std::is_same_v<C, Rectangle<T>> || std::is_same_v<C, Triangle<T>> ||
+                    std::is_same_v<C, ConvexHull<T>>;
       whole_ = has_core(c) || std::is_same_v<C, Triangle<T>>;
     });
   }
 
   double radius() const { return radius_; }
   double size() const { return size_; }
+  /// Its faces are the same along whatever direction they are met.
+  bool flat_sided() const { return flat_sided_; }
   bool round_side() const { return shape_.template as<Cylinder<T>>() != nullptr; }
 
   Vec3d core_support(const Vec3d& direction) const {
@@ -82,12 +86,8 @@ class Side {
   const Shape<T>& shape_;
   Posed pose_;
   double radius_ = 0, size_ = 0;
+  bool flat_sided_ = false;
   bool whole_ = false;  ///< nothing of the rounded core stands out over the edges of its rounded face
 };
-
-template <class T>
-double separation(const Side<T>& a, const Side<T>& b, const Vec3d& normal) {
-  return dot(b.core_support(-normal) - a.core_support(normal), normal) - a.radius() - b.radius();
-}
 
 }  // namespace graze

@@ -97,20 +97,40 @@ double furthest_kept(const Side<T>& a, const Side<T>& b, T margin, double distan
   return greatest(static_cast<double>(margin), distance + rounding * (a.size() + b.size() + std::abs(distance)));
 }
 
-/// The normal of one of the two support faces if it is about as good as the least depth's, else that one.
+/// The normal of one of the two support faces if it is about as good as the least depth's, else that one. A face of flat
+/// sides, which no vertex stands out before, needs no support query of its own.
 template <class T>
 Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                        const Vec3d& normal, double distance) {
   Vec3d best = normal;
   double most = distance - face_preference * smaller_size(a, b);
-  for (const Vec3d& candidate : {polygon_normal(face_a), -polygon_normal(face_b)}) {
-    if (candidate == Vec3d{}) continue;
-    const double along = separation(a, b, candidate);
-    if (along < most) continue;
+  const auto highest = [](const Side<T>& side, const PlacedFace& face, const Vec3d& outward) {
+    return side.flat_sided() ? face.vertices[0] : side.core_support(outward);
+  };
+  const auto consider = [&](const Vec3d& candidate, const Vec3d& on_a, const Vec3d& on_b) {
+    const double along = dot(on_b - on_a, candidate) - a.radius() - b.radius();
+    if (along < most) return;
     most = along;
     best = candidate;
-  }
+  };
+  if (const Vec3d n = polygon_normal(face_a); n != Vec3d{}) consider(n, highest(a, face_a, n), b.core_support(-n));
+  if (const Vec3d n = polygon_normal(face_b); n != Vec3d{}) consider(-n, a.core_support(-n), highest(b, face_b, n));
   return best;
+}
+
+/// Whether a shape's face along a direction is the one found along another: they are the same in its scalar, but for
+/// some roundings, far fewer than those within which a vertex is as high as another.
+template <class T>
+bool same_direction(const Vec3d& one, const Vec3d& other) {
+  return max_abs(one - other) <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
+}
+
+/// The face of a side along `outward` when `known` is its face along a direction nearby: the same where that is the
+/// face's own normal, or the directions are the same.
+template <class T>
+PlacedFace face_again(const Side<T>& side, const PlacedFace& known, bool same, const Vec3d& outward) {
+  if (same || (side.flat_sided() && same_direction<T>(polygon_normal(known), outward))) return known;
+  return side.face(outward, true);
 }
 
 /// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
@@ -133,10 +153,10 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   const PlacedFace closest_a = side_a.face(closest_normal, true), closest_b = side_b.face(-closest_normal, true);
   if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
     const Vec3d normal = preferred_normal(side_a, closest_a, side_b, closest_b, closest_normal, distance);
-    const bool same = normal == closest_normal;
+    const bool same = same_direction<T>(normal, closest_normal);
     const double limit = furthest_kept(side_a, side_b, margin, distance);
-    double nearest = add_points(side_a, same ? closest_a : side_a.face(normal, true), side_b,
-                                same ? closest_b : side_b.face(-normal, true), normal, limit, frame, manifold);
+    double nearest = add_points(side_a, face_again(side_a, closest_a, same, normal), side_b,
+                                face_again(side_b, closest_b, same, -normal), normal, limit, frame, manifold);
     if (manifold.points.empty() && (side_a.round_side() || side_b.round_side())) {
       // A line along the edge of a side, and not over the side by as much as the normal is off, still meets that edge.
       const PlacedFace edge_a = side_a.face(normal), edge_b = side_b.face(-normal);

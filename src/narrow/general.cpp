@@ -5,6 +5,7 @@
 #include "narrow/gjk.hpp"
 #include "narrow/pairs/box_distance.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "shape/expect_faces.hpp"
 
 namespace graze {
 
@@ -49,8 +50,8 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
 }
 
 template <class T>
-GeneralDistance iteratively(const Difference<T>& difference, const GjkGoal& goal, const Vec3d& first, double noise,
-                            double limit, Trace* trace) {
+GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference<T>& difference, const GjkGoal& goal,
+                            const Vec3d& first, double noise, double limit, Trace* trace) {
   if (trace) trace->method = "gjk";
   const GjkResult g = gjk(difference, goal, first, trace);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
@@ -63,6 +64,10 @@ GeneralDistance iteratively(const Difference<T>& difference, const GjkGoal& goal
   if (trace) {
     trace->method = "gjk + epa";
     trace->reason = "the cores overlap: the facet of their difference nearest to the origin gives the depth";
+  }
+  if (limit < std::numeric_limits<double>::infinity()) {  // a question of contacts, whose faces come next
+    expect_faces(a);
+    expect_faces(b);
   }
   const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
   return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
@@ -94,7 +99,7 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   }
   const auto direct = directly(difference, core_a, core_b, b_in_a, limit, noise);
   if (direct && !trace) return *direct;
-  const GeneralDistance iterated = iteratively(difference, goal, first, noise, limit, trace);
+  const GeneralDistance iterated = iteratively(a, b, difference, goal, first, noise, limit, trace);
   return direct ? *direct : iterated;
 }
 

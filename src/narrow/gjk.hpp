@@ -24,7 +24,7 @@ enum class GjkEnd {
 };
 
 struct GjkResult {
-  GjkEnd end;
+  GjkEnd end = GjkEnd::touching;
   Simplex simplex;  ///< carries the nearest point, or the origin when touching
   Vec3d nearest;    ///< of the difference, to the origin: b - a of the closest points
   Vec3d normal;     ///< unit: the direction of `nearest`, or an earlier one along which the shapes are further apart
@@ -42,7 +42,7 @@ struct GjkGoal {
 template <class Difference>
 GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
   using std::sqrt;
-  GjkResult r{};
+  GjkResult r;  // not of zeros: most of its simplex is never looked at
   r.lower = -std::numeric_limits<double>::infinity();
   const double touching = rounding * difference.reach();
 
@@ -61,7 +61,8 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
     if (goal.proximity >= 0 && r.upper <= goal.proximity) return r;
 
     const Vec3d direction = r.nearest / r.upper;
-    const SupportPoint found = difference.support(direction);
+    // Not along the direction itself, which is longer in the making: a root and a division.
+    const SupportPoint found = difference.support(r.nearest);
     const double separation = dot(found.w, direction);
     // Rounding can keep the direction from settling: an earlier one is the better normal where its separation gains
     // more than it costs in agreement with the closest points.
@@ -109,9 +110,23 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
 /// From the point along `first`, which is not of unit length: the nearer to the normal of the answer, the fewer steps.
 template <class Difference>
 GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Vec3d& first, Trace* trace = nullptr) {
+  const Vec3d direction = unit(first);
+  const SupportPoint found = difference.support(direction);
   Simplex simplex;
-  simplex.push(difference.support(unit(first)));
-  return gjk_from(simplex, difference, goal, trace);
+  simplex.push(found);
+  // It may separate them by enough at once; whoever wants to see the steps sees some.
+  const double separation = dot(found.w, direction);
+  if (goal.separation < 0 || !(separation > goal.separation) || trace)
+    return gjk_from(simplex, difference, goal, trace);
+  GjkResult r;
+  r.end = GjkEnd::apart;
+  r.simplex = simplex;
+  r.simplex.points[0].weight = 1;
+  r.nearest = found.w;
+  r.normal = direction;
+  r.lower = separation;
+  r.upper = length(found.w);
+  return r;
 }
 template <class Difference>
 GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {

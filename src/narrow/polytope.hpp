@@ -35,7 +35,7 @@ class Polytope {
 
   /// Grows `start` (one to four points) to a tetrahedron by support queries of the difference.
   template <class Difference>
-  Flat begin(const Difference& difference, Simplex start);
+  Flat begin(const Difference& difference, const Simplex& start);
 
   /// Replaces all facets that see the new point by a fan from their silhouette. False when that cannot be done.
   bool expand(const Facet& seen_first, const SupportPoint& point);
@@ -100,13 +100,18 @@ SupportPoint furthest_support(const Difference& difference, std::span<const Vec3
 }  // namespace detail
 
 template <class Difference>
-Flat Polytope::begin(const Difference& difference, Simplex s) {
+Flat Polytope::begin(const Difference& difference, const Simplex& start) {
   using detail::furthest_support;
+  if (start.size() == 4) {
+    build_tetrahedron(start);
+    return {};
+  }
+  Simplex s = start;
   // Of all supports, the one that separates most along `n` or `-n`: a flat difference has about no extent there.
-  const Simplex nearest = s;  // what GJK found carries the witnesses: it lies at the origin within rounding
+  // What GJK found carries the witnesses: it lies at the origin within rounding.
   const auto flat = [&](const Vec3d& n) {
     const double above = dot(difference.support(n).w, n), below = -dot(difference.support(-n).w, n);
-    return Flat{true, above >= below ? n : -n, nearest.point_a(), nearest.point_b(), -greatest(above, below)};
+    return Flat{true, above >= below ? n : -n, start.point_a(), start.point_b(), -greatest(above, below)};
   };
 
   if (s.size() == 1) {

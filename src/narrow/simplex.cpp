@@ -11,12 +11,12 @@ constexpr double slender = 1e-8;
 /// What is nearest of what has been tried.
 class Search {
  public:
-  explicit Search(const Simplex& s) : s_(s) {}
+  /// Writes into `best`, which is empty: a copy would wait for what was written last.
+  Search(const Simplex& s, Nearest& best) : s_(s), best_(best) {}
 
-  Nearest best() {
+  void finish() {
     const double whole = best_.weight[0] + best_.weight[1] + best_.weight[2];
     for (double& w : best_.weight) w /= whole;
-    return best_;
   }
   bool found() const { return best_.size > 0; }
 
@@ -102,21 +102,23 @@ class Search {
   }
 
   const Simplex& s_;
-  Nearest best_;
+  Nearest& best_;
   double squared_ = 0;
 };
 
 }  // namespace
 
 Nearest nearest_to_origin(const Simplex& s) {
-  Search search(s);
+  Nearest best;
+  Search search(s, best);
   switch (s.size()) {
   case 1: search.vertex(0); break;
   case 2: search.edge(0, 1); break;
   case 3: search.triangle(0, 1, 2); break;
   default: search.tetrahedron();
   }
-  return search.best();
+  search.finish();
+  return best;
 }
 
 void reduce(Simplex& s, const Nearest& nearest) {

@@ -53,6 +53,42 @@ std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::ui
   return best;
 }
 
+/// The vertices that lie as high along a direction as the highest, within rounding.
+template <class T>
+class HighVertices {
+ public:
+  HighVertices(const HullData<T>& hull, const Vec3<T>& direction, std::uint32_t top)
+      : hull_(hull),
+        direction_(direction),
+        level_(dot(hull.vertices[top], direction) - T(64) * std::numeric_limits<T>::epsilon() * hull.extent) {
+    if constexpr (std::is_same_v<T, float>) by_bits_ = !hull.columns.empty();
+    if (by_bits_) {
+      if constexpr (std::is_same_v<T, float>) bits_ = vertices_at_least(hull, direction, level_);
+      several_ = (bits_ & (bits_ - 1)) != 0;
+    } else {
+      // There is another as high only where one beside the top is.
+      const auto beside = hull.around(top);
+      several_ = std::any_of(beside.begin(), beside.end(), [&](std::uint32_t v) { return has(v); });
+    }
+  }
+
+  bool several() const { return several_; }
+  std::ptrdiff_t among(std::span<const std::uint32_t> vertices) const {
+    return std::count_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return has(v); });
+  }
+
+ private:
+  bool has(std::uint32_t v) const {
+    return by_bits_ ? (bits_ >> v & 1) != 0 : dot(hull_.vertices[v], direction_) >= level_;
+  }
+
+  const HullData<T>& hull_;
+  Vec3<T> direction_;
+  T level_;
+  bool by_bits_ = false, several_ = false;
+  std::uint32_t bits_ = 0;
+};
+
 }  // namespace
 
 template <class T>
@@ -118,11 +154,7 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
   const auto faces = static_cast<std::uint32_t>(hull.planes.size());
 
   // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
-  const T level = dot(hull.vertices[top], n) - T(64) * std::numeric_limits<T>::epsilon() * hull.extent;
-  const auto high = [&](std::uint32_t v) { return dot(hull.vertices[v], n) >= level; };
-  // A face has another corner as high only where one beside the top is.
-  const auto beside = hull.around(top);
-  const bool ties = std::any_of(beside.begin(), beside.end(), high);
+  const HighVertices<T> high(hull, n, top);
   std::uint32_t best = HullData<T>::no_face;
   std::ptrdiff_t most_tied = 0;
   T least_squared = lean * lean;
@@ -130,8 +162,7 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
     const Vec3<T>& m = hull.planes[f].normal;
     const T squared_sine = length_squared(cross(m, n));
     if (!(dot(m, n) > T(0)) || squared_sine > lean * lean) continue;
-    const auto loop = hull.loop(f);
-    const auto tied = ties ? std::count_if(loop.begin(), loop.end(), high) : 1;
+    const auto tied = high.several() ? high.among(hull.loop(f)) : 1;
     if (tied < most_tied || (tied == most_tied && squared_sine > least_squared)) continue;
     most_tied = tied;
     least_squared = squared_sine;

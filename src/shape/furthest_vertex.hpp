@@ -114,4 +114,19 @@ std::size_t furthest_vertex(const HullData<T>& hull, const Vec3<S>& direction) {
   return furthest_among(hull, candidates, direction);
 }
 
+/// Bit i of vertex i where it lies at least `level` along `direction`. Of a hull with columns that are its vertices.
+inline std::uint32_t vertices_at_least(const HullData<float>& hull, const Vec3<float>& direction, float level) {
+  const ColumnLanes x(direction.x), y(direction.y), z(direction.z), low(level);
+  ColumnLanes::Vector along[column_block];
+  const ColumnLanes* column = hull.columns.data();
+  const std::size_t fours = hull.columns.size() / 3;
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < fours; i += column_block) {
+    for (std::size_t k = 0; k < column_block; ++k, column += 3)
+      along[k] = (column[0] * x + column[1] * y + column[2] * z).v;
+    bits |= not_less(along, low) << (i * ColumnLanes::lanes);
+  }
+  return bits & (0xffffffffu >> (32 - hull.vertices.size()));
+}
+
 }  // namespace graze

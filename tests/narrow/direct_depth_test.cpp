@@ -78,7 +78,8 @@ TEST(DirectDepth, DistancesAreThoseOfGjk) {
     const auto found = pair.direct(std::numeric_limits<double>::infinity());
     if (!found) return;
     ++answered;
-    EXPECT_NEAR(-found->depth, g.upper, 1e-11 * size);
+    // Rounding may shorten the way to a flat simplex to less than what a direction proves.
+    EXPECT_NEAR(-found->depth, greatest(g.upper, g.lower), 1e-11 * size);
     EXPECT_LT(length(found->b - found->a + found->normal * found->depth), 1e-10 * size);
     // A limit ends the descent at a direction that does separate by more.
     const auto soon = pair.direct(g.upper / 2);
