@@ -14,17 +14,24 @@ constexpr int descent_steps = 16;
 constexpr int descents = 3;
 /// Steps along the sphere, as tangents of their angles: the longest, and one whose square no longer counts.
 constexpr double longest_step = 0.7, last_step = 1e-8;
-/// Nearer than this to the face of a disc the curvature says nothing about what lies beyond it.
+/// Nearer than this to the face of a disc, as a sine, the curvature says nothing about what lies beyond it.
 constexpr double beside_disc = 1e-3;
-/// Creases at a smaller angle count as one, which the general path tells apart.
+/// A way that leans less from a disc's axis, by the square of the sine, tells no direction across it to begin with.
+constexpr double along_axis = 1e-3;
+/// Creases at an angle of a smaller sine count as one, which the general path tells apart.
 constexpr double least_angle = 1e-3;
-/// A step that does not lower the overlap, but for rounding, is halved.
+// The rest is relative to the size of the larger core. A depth is a sum of some ten terms of up to that, which rounds by
+// some 1e-15; `tolerance<double>` is 1e-9.
+/// A ball inside that is smaller than the depth by no more proves it: a hundred times that rounding.
+constexpr double inside_slack = 1e-13;
+/// A step that does not lower the overlap by more is halved: ten times as much, for a step compares two of them.
 constexpr double rise = 1e-12;
-/// What may be left of the gradient in the end: by so much the deepest points lie beside each other.
+/// What may be left of the gradient in the end: by so much the deepest points lie beside each other, a hundredth of the
+/// tolerance.
 constexpr double unbalanced = 1e-11;
 
-/// Of unit length, without what is far below its rounding.
-Vec3d direction_of(const Vec3d& v) {
+/// Of unit length, without components that are far below its rounding.
+Vec3d cleaned(const Vec3d& v) {
   Vec3d n = unit(v);
   for (std::size_t i = 0; i < 3; ++i)
     if (std::abs(n[i]) < negligible) n[i] = 0;
@@ -87,7 +94,7 @@ class Descent {
         if (measured < -limit) return DirectDepth{n_, measured, {}, {}, measured};
       }
       for (int k = 0; k < 4 && depth_ > before + rise * size_; ++k) {
-        n_ = direction_of(n_ + from);
+        n_ = cleaned(n_ + from);
         if (kept[1] == none && (kept[0] == none || active_[1] != none)) active_ = kept;
         take_ends();
         evaluate();
@@ -129,7 +136,7 @@ class Descent {
   /// with an axis of a cylinder taken off, where its side is met. Returns the overlap there, as soon as one separates by
   /// more than `limit`.
   double start(double limit) {
-    n_ = direction_of(way_);
+    n_ = cleaned(way_);
     double best = overlap_along(n_);
     const Vec3d way = n_;
     int face = none;
@@ -148,7 +155,7 @@ class Descent {
         active_[0] = none;
       }
       if (best < -limit) return best;
-      if (side_[k / 3].disc && along * along < 1 - least_angle && better(direction_of(way - axis_[k] * along))) {
+      if (side_[k / 3].disc && along * along < 1 - along_axis && better(cleaned(way - axis_[k] * along))) {
         face = none;
         active_[0] = static_cast<int>(k);
       }
@@ -174,7 +181,7 @@ class Descent {
       const double slope = length(g), radius = side_[static_cast<std::size_t>(cap_)].radii.x;
       if (slope <= radius) return Step::arrived;
       cap_ = none;
-      n_ = direction_of(n_ - g * (longest_step / slope));
+      n_ = cleaned(n_ - g * (longest_step / slope));
       take_ends();
       return Step::moved;
     }
@@ -222,14 +229,14 @@ class Descent {
     }
     const double length_squared = dot(way, way);
     if (crease == none) {
-      n_ = direction_of(n_ + way);
+      n_ = cleaned(n_ + way);
       if (length_squared > last_step * last_step) return Step::moved;
       evaluate();
       return Step::arrived;
     }
     n_ = n_ + way * t;
     const Vec3d& e = axis_[static_cast<std::size_t>(crease)];
-    n_ = direction_of(n_ - e * dot(n_, e));
+    n_ = cleaned(n_ - e * dot(n_, e));
     active_[0] = crease;
     keep_ends();
     return Step::moved;
@@ -262,7 +269,7 @@ class Descent {
     int crease;
     until_crease(along * far, crease);
     if (crease == none) {
-      n_ = direction_of(n_ + along * far);
+      n_ = cleaned(n_ + along * far);
       if (std::abs(far) > last_step) return Step::moved;
       evaluate();
       return Step::arrived;
@@ -332,7 +339,7 @@ class Descent {
   /// What the depth does not fall below, given the deepest points and what is left of the gradient.
   double proven(const Vec3d& from_a, const Vec3d& from_b, double rest) {
     const double inside = greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_)));
-    if (inside >= depth_ - 1e-13 * size_) return inside;
+    if (inside >= depth_ - inside_slack * size_) return inside;
     tangents_at(n_, u_, v_);
     const std::array<Vec3d, 2> us{u_, local(1, u_)}, vs{v_, local(1, v_)};
     TangentForm radius;
@@ -359,7 +366,7 @@ class Descent {
       }
     }
     const auto doubt = [&](const PolarProof::Tangent& t, double s) {
-      const Vec3d n = direction_of(n_ * (1 - s * s) + (u_ * t.u + v_ * t.v) * (2 * s));
+      const Vec3d n = cleaned(n_ * (1 - s * s) + (u_ * t.u + v_ * t.v) * (2 * s));
       least_seen_ = least(overlap_along(n), depth_ - 2 * rise * size_);
       doubtful_ = n;
     };

@@ -76,4 +76,11 @@ struct PairBundle {
   }
 };
 
+/// Writes the first `count` lanes, those that hold a pair, to a column of a block.
+template <class T>
+[[gnu::always_inline]] inline void put(T* column, const Lanes<T>& v, std::size_t count) {
+  if (count == static_cast<std::size_t>(lanes_of<T>)) return v.store(column);
+  for (std::size_t i = 0; i < count; ++i) column[i] = v[static_cast<int>(i)];
+}
+
 }  // namespace graze::GRAZE_ISA

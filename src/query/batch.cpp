@@ -11,19 +11,6 @@ namespace graze {
 
 namespace {
 
-template <class T>
-using RoundKernel = void (*)(const PairRef<T>*, std::size_t, Distance<T>*);
-
-template <class T>
-RoundKernel<T> round_kernel(Route route) {
-  const Isa level = chosen_isa();
-  const RoundKernel<T> kernels[round_route_count] = {GRAZE_KERNEL(level, round_distances<Sphere<T>, Sphere<T>, T>),
-                                                     GRAZE_KERNEL(level, round_distances<Sphere<T>, Capsule<T>, T>),
-                                                     GRAZE_KERNEL(level, round_distances<Sphere<T>, Box<T>, T>),
-                                                     GRAZE_KERNEL(level, round_distances<Capsule<T>, Capsule<T>, T>)};
-  return kernels[static_cast<std::size_t>(route)];
-}
-
 /// Asks `question(a, pose_a, b, pose_b)` about one pair.
 template <class T, class Question>
 auto ask(const Batch<T>& batch, std::size_t i, const Question& question) {
@@ -87,11 +74,14 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
   distances.resize(batch.size());
+  const Isa level = chosen_isa();
   visit_batch(
       batch, T(0), [](Route route) { return static_cast<std::size_t>(route) < round_route_count; },
       [&](Route route, bool turned, const Queue<T>& queue) {
         std::array<Distance<T>, box_chunk> found;
-        round_kernel<T>(route)(queue.pairs.data(), queue.count, found.data());
+        with_round_kinds<T>(route, [&]<class A, class B>() {
+          GRAZE_KERNEL(level, round_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data());
+        });
         for (std::size_t k = 0; k < queue.count; ++k)
           distances[queue.places[k]] = turned ? mirrored(found[k]) : found[k];
       },

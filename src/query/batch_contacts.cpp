@@ -10,19 +10,6 @@ namespace graze {
 namespace {
 
 template <class T>
-using RoundKernel = void (*)(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*);
-
-template <class T>
-RoundKernel<T> round_kernel(Route route) {
-  const Isa level = chosen_isa();
-  const RoundKernel<T> kernels[round_route_count] = {GRAZE_KERNEL(level, round_contacts<Sphere<T>, Sphere<T>, T>),
-                                                     GRAZE_KERNEL(level, round_contacts<Sphere<T>, Capsule<T>, T>),
-                                                     GRAZE_KERNEL(level, round_contacts<Sphere<T>, Box<T>, T>),
-                                                     GRAZE_KERNEL(level, round_contacts<Capsule<T>, Capsule<T>, T>)};
-  return kernels[static_cast<std::size_t>(route)];
-}
-
-template <class T>
 PointContact<T> mirrored(const PointContact<T>& c) {
   return {{c.point.b, c.point.a, c.point.distance, swapped_feature_id(c.point.feature), c.point.weight}, -c.normal};
 }
@@ -157,7 +144,9 @@ class Together {
     writer_.add(pair, normal, 0, 0, most_box_points, [&](auto& tail) { return points.append(tail); });
   }
   void round(Route route, bool turned, const Queue<T>& queue) {
-    round_kernel<T>(route)(queue.pairs.data(), queue.count, contacts_, meetings_);
+    with_round_kinds<T>(route, [&]<class A, class B>() {
+      GRAZE_KERNEL(chosen_isa(), round_contacts<A, B, T>)(queue.pairs.data(), queue.count, contacts_, meetings_);
+    });
     writer_.reserve(queue.count, queue.count);
     std::size_t unknown = 0;
     for (std::size_t k = 0; k < queue.count; ++k) {

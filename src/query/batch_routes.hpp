@@ -11,7 +11,7 @@
 
 namespace graze {
 
-/// The kernels for two kinds. Those for round shapes come first, in the order of `round_kernels`.
+/// The kernels for two kinds. Those for round shapes come first.
 enum class Route : std::uint8_t {
   sphere_sphere,
   sphere_capsule,
@@ -54,6 +54,20 @@ class Routes {
   }
   std::uint8_t queues_[Shape<T>::count * Shape<T>::count]{};
 };
+
+/// Calls `f` with the two kinds of a route for round shapes as its template's arguments.
+template <class T, class F>
+void with_round_kinds(Route route, const F& f) {
+  switch (route) {
+  case Route::sphere_sphere: return f.template operator()<Sphere<T>, Sphere<T>>();
+  case Route::sphere_capsule: return f.template operator()<Sphere<T>, Capsule<T>>();
+  case Route::sphere_box: return f.template operator()<Sphere<T>, Box<T>>();
+  case Route::capsule_capsule: return f.template operator()<Capsule<T>, Capsule<T>>();
+  case Route::box_box:
+  case Route::box_half_space:
+  case Route::none: break;
+  }
+}
 
 /// Pairs that wait for a kernel, with their places in the batch: what is loaded for one kernel is near when the next
 /// one wants it.

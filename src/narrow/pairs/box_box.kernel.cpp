@@ -14,13 +14,6 @@ template <class T>
   return {bundle.a.core.half, bundle.b.core.half, b_in_a.translation, b_in_a.rotation};
 }
 
-/// Writes the lanes that hold a pair.
-template <class T>
-[[gnu::always_inline]] inline void put(T* column, const Lanes<T>& v, std::size_t count) {
-  if (count == static_cast<std::size_t>(lanes_of<T>)) return v.store(column);
-  for (std::size_t i = 0; i < count; ++i) column[i] = v[static_cast<int>(i)];
-}
-
 }  // namespace
 
 template <class T>

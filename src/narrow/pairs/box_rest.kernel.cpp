@@ -3,17 +3,6 @@
 
 namespace graze::GRAZE_ISA {
 
-namespace {
-
-/// Writes the lanes that hold a pair.
-template <class T>
-[[gnu::always_inline]] inline void put(T* column, const Lanes<T>& v, std::size_t count) {
-  if (count == static_cast<std::size_t>(lanes_of<T>)) return v.store(column);
-  for (std::size_t i = 0; i < count; ++i) column[i] = v[static_cast<int>(i)];
-}
-
-}  // namespace
-
 template <class T>
 [[gnu::flatten]] void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& block) {
   using S = Lanes<T>;
