@@ -6,6 +6,7 @@
 #include "common/specimen.hpp"
 #include "graze/batch_raycast.hpp"
 #include "narrow/rays/mesh_block.hpp"
+#include "query/as_alone.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze::testing {
@@ -99,15 +100,8 @@ TYPED_TEST(BatchRaycastMesh, AnswersAsForEachRayAlone) {
             first += count;
           }
           for (std::size_t i = 0; i < rays.size(); ++i) {
-            const auto alone = raycast(shape, pose, rays[i], end, back);
-            ASSERT_EQ(hits[i].has_value(), alone.has_value()) << i;
-            ASSERT_EQ(any[i], alone.has_value()) << i;
-            if (!alone) continue;
-            met += 1;
-            ASSERT_EQ(hits[i]->t, alone->t);
-            ASSERT_EQ(hits[i]->point, alone->point);
-            ASSERT_EQ(hits[i]->normal, alone->normal);
-            ASSERT_EQ(hits[i]->piece, alone->piece);
+            expect_as_alone(hits[i], any[i], shape, pose, rays[i], end, back, met);
+            if (::testing::Test::HasFatalFailure()) FAIL() << i;
           }
         }
     }

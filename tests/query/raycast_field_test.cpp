@@ -9,6 +9,7 @@
 #include "graze/batch_raycast.hpp"
 #include "narrow/rays/field_walk.hpp"
 #include "narrow/rays/sheared.hpp"
+#include "query/as_alone.hpp"
 #include "shape/height_field_data.hpp"
 
 namespace graze::testing {
@@ -126,15 +127,8 @@ TYPED_TEST(RaycastField, AnswersManyRaysAsEachAlone) {
       raycast<T>(shape, pose, rays, hits, end, back);
       raycast_any<T>(shape, pose, rays, any, end, back);
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto alone = raycast(shape, pose, rays[i], end, back);
-        ASSERT_EQ(hits[i].has_value(), alone.has_value()) << i;
-        ASSERT_EQ(any[i], alone.has_value()) << i;
-        if (!alone) continue;
-        met += 1;
-        ASSERT_EQ(hits[i]->t, alone->t);
-        ASSERT_EQ(hits[i]->point, alone->point);
-        ASSERT_EQ(hits[i]->normal, alone->normal);
-        ASSERT_EQ(hits[i]->piece, alone->piece);
+        expect_as_alone(hits[i], any[i], shape, pose, rays[i], end, back, met);
+        if (::testing::Test::HasFatalFailure()) FAIL() << i;
       }
     }
   }
