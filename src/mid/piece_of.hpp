@@ -11,6 +11,9 @@
 
 namespace graze {
 
+template <class T>
+class MeshPatch;
+
 /// A convex piece of a shape, the shape, and what stands still beside it and may continue its surface.
 template <class T>
 struct PieceOf {
@@ -19,7 +22,8 @@ struct PieceOf {
   const Shape<T>& piece;
   const Pose<T>& pose;
   std::span<const PlacedRef<T>> beside = {};
-  std::uint32_t number = 0;  ///< of the piece, if the whole is a mesh
+  std::uint32_t number = 0;             ///< of the piece, if the whole is a mesh
+  const MeshPatch<T>* patch = nullptr;  ///< of the mesh, where the piece is one of its triangles
 };
 
 /// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
