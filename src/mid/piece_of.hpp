@@ -39,6 +39,12 @@ Vec3<T> furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& dire
   return transform(pose, support(shape, rotate(conjugate(pose.rotation), direction)));
 }
 
+/// The face normal of a triangle in its own frame; zero without area.
+template <class T>
+Vec3<T> face_normal(const Triangle<T>& t) {
+  return normalized(cross(t.point(1) - t.point(0), t.point(2) - t.point(0)), Vec3<T>{});
+}
+
 /// Sines below this are none: far above the error of a normal in float (curved depths have half the digits), far below
 /// what a slope is made of.
 template <class T>

@@ -115,15 +115,19 @@ class ManifoldFinder {
   Surroundings<T> beside(const IdPair& pair) const;
   void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t block);
   void find_boxes(const BodyArrays<T>& bodies, const Waiting<T>& boxes, std::uint32_t block);
-  void find_balls(const Waiting<T>& balls, std::uint32_t block);
-  void find_rests(const Waiting<T>& rests, std::uint32_t block);
+  void find_balls(const BodyArrays<T>& bodies, const Waiting<T>& balls, std::uint32_t block);
+  void find_rests(const BodyArrays<T>& bodies, const Waiting<T>& rests, std::uint32_t block);
   void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
+  void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
+  bool stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,
+             std::span<const SolverPoint<T>> points) const;
   void keep_last(std::uint32_t place, Run& run, std::uint32_t block);
   void copy_last(Run& run, std::uint32_t block);
   void keep_apart(std::uint32_t place);
   Result& begin(std::uint32_t place, std::uint32_t block);
-  void add(const Manifold<T>& manifold, std::uint32_t block);
-  void keep(std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal, std::size_t points);
+  T margin_of(const IdPair& pair) const;
+  void keep(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal,
+            std::size_t points);
   void begin_blocks(std::size_t blocks, bool alone);
   void gather_pairs();
   void gather(std::size_t blocks, bool alone, Executor& executor);
