@@ -41,27 +41,40 @@ struct Waiting {
 };
 
 template <class T>
+void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
+  const Shape<T>& shape = bodies.shapes()[i];
+  const Box<T>* plain = plain_box(shape);
+  const Sphere<T>* round = plain_ball(shape);
+  const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
+  ground_ += stands;
+  ground_ -= (seen_[i].traits & fixed) != 0;
+  seen_[i] = {plain ? static_cast<const void*>(plain) : round, bodies.margins()[i],
+              static_cast<std::uint8_t>((plain ? box : 0) | (round ? ball : 0) | (plain_half_space(shape) ? plane : 0) |
+                                        (moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
+                                        (stands ? fixed : 0))};
+  ground_changed_ |= stands && moved;
+}
+
+/// Looks at what changed, or at all bodies where they have come to stand elsewhere in memory.
+template <class T>
 void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
-  seen_.resize(bodies.size());
-  ground_ = 0;
   ground_changed_ = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Shape<T>& shape = bodies.shapes()[i];
-    const Box<T>* plain = plain_box(shape);
-    const Sphere<T>* round = plain_ball(shape);
-    const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
-    seen_[i] = {plain ? static_cast<const void*>(plain) : round, bodies.margins()[i],
-                static_cast<std::uint8_t>((plain ? box : 0) | (round ? ball : 0) |
-                                          (plain_half_space(shape) ? plane : 0) | (moved ? changed : 0) |
-                                          (bodies.triggers()[i] != 0 ? trigger : 0) | (stands ? fixed : 0))};
-    ground_ += stands;
-    ground_changed_ |= stands && moved;
+  const std::span<const std::uint32_t> changes = bodies.unsorted_changes();
+  if (bodies.shapes().data() == shapes_ && seen_.size() == bodies.size()) {
+    for (const std::uint32_t i : last_changes_) seen_[i].traits &= static_cast<std::uint8_t>(~changed);
+    for (const std::uint32_t i : changes) look_at(bodies, i);
+  } else {
+    shapes_ = bodies.shapes().data();
+    seen_.assign(bodies.size(), {});
+    ground_ = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) look_at(bodies, i);
   }
+  last_changes_.assign(changes.begin(), changes.end());
 }
 
 template <class T>
 std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t index) const {
-  return std::span(neighbours_).subspan(first_neighbour_[index], first_neighbour_[index + 1] - first_neighbour_[index]);
+  return std::span(neighbours_).subspan(around_[index].first, around_[index].count);
 }
 
 template <class T>

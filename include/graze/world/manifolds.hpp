@@ -106,9 +106,14 @@ class ManifoldFinder {
     T margin;
     std::uint8_t traits;  ///< bits of those below
   };
+  /// The fixed bodies that one which moves may touch: `count` of the neighbours, from `first` on.
+  struct Around {
+    std::uint32_t first = 0, count = 0, filled = 0;
+  };
   static constexpr std::uint8_t box = 1, ball = 2, plane = 4, changed = 8, trigger = 16, fixed = 32;
 
   void look(const BodyArrays<T>& bodies);
+  void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
   void remember(std::span<const IdPair> pairs);
   void find_neighbours(const BodyArrays<T>& bodies);
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
@@ -137,7 +142,9 @@ class ManifoldFinder {
 
   std::vector<Seen> seen_;  ///< of each body
   Bins bins_;
-  std::vector<std::uint32_t> first_neighbour_, places_;  ///< of each body: the fixed bodies that it may touch
+  const Shape<T>* shapes_ = nullptr;         ///< where those stood
+  std::vector<std::uint32_t> last_changes_;  ///< which of them are seen as changed
+  std::vector<Around> around_;               ///< of each body that is in a pair with a fixed one
   std::vector<PlacedRef<T>> neighbours_;
   std::size_t ground_ = 0;       ///< how many bodies are fixed
   bool ground_changed_ = false;  ///< some of them did
