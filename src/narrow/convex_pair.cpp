@@ -9,7 +9,7 @@
 #include "shape/rounding.hpp"
 
 // The special pairs, one line each. A pair without a line here takes the general path.
-#include "narrow/pairs/box_choice.hpp"
+#include "narrow/pairs/box_distance.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/half_space.hpp"
@@ -83,6 +83,16 @@ auto round_pair_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b)
   return round_pair(rounded_core(ca, a.shape.margin()), a.pose, rounded_core(cb, b.shape.margin()), b.pose);
 }
 
+/// Both are boxes, or rectangles, which are boxes of no thickness.
+template <class A, class B, class T>
+concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>> &&
+    std::is_same_v<decltype(core_of(std::declval<B>())), BoxCore<T>>;
+
+template <class A, class T>
+PlacedBox<double> placed_box(const A& box, const Body<T>& body) {
+  return {cast<double>(core_of(box).half), static_cast<double>(body.shape.margin()), cast<double>(body.pose)};
+}
+
 /// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
 template <class A, class B, class T>
 Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* trace) {
@@ -106,14 +116,14 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
     } else if constexpr (ClosedForm<B, A, T>) {
       if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
     }
+    if constexpr (Boxes<A, B, T>)
+      if (const auto found = box_distance(placed_box(ca, a), placed_box(cb, b)); found.proven) {
+        if (trace) general(a, ra, b, rb, limit, trace);  // which goes the same way, and draws it
+        return rounded<T>(found.at);
+      }
     return general(a, ra, b, rb, limit, trace);
   }
 }
-
-/// Both are boxes, or rectangles, which are boxes of no thickness.
-template <class A, class B, class T>
-concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>> &&
-    std::is_same_v<decltype(core_of(std::declval<B>())), BoxCore<T>>;
 
 template <class A, class B, class T>
 BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {

@@ -73,6 +73,9 @@ GRAZE_DECLARE_KERNEL(
                                                              PointContact<T>* contacts, Meeting* meetings);
     /// The points of up to `block_pairs` boxes on half-spaces without a margin.
     template <class T> void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& points);
+    /// The distances of pairs of boxes without a margin; whether they are proven: 1 or 0.
+    template <class T> void box_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances,
+                                          std::uint8_t* proven);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

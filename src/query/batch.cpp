@@ -75,17 +75,32 @@ template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
   distances.resize(batch.size());
   const Isa level = chosen_isa();
+  const auto single = [&](std::size_t i) {
+    distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
+  };
+  const auto boxes = [&](const Queue<T>& queue, std::array<Distance<T>, box_chunk>& found) {
+    std::array<std::uint8_t, box_chunk> proven;
+    GRAZE_KERNEL(level, box_distances<T>)(queue.pairs.data(), queue.count, found.data(), proven.data());
+    for (std::size_t k = 0; k < queue.count; ++k) {
+      if (proven[k])
+        distances[queue.places[k]] = found[k];
+      else
+        single(queue.places[k]);
+    }
+  };
   visit_batch(
-      batch, T(0), [](Route route) { return static_cast<std::size_t>(route) < round_route_count; },
+      batch, T(0),
+      [](Route route) { return static_cast<std::size_t>(route) < round_route_count || route == Route::box_box; },
       [&](Route route, bool turned, const Queue<T>& queue) {
         std::array<Distance<T>, box_chunk> found;
+        if (route == Route::box_box) return boxes(queue, found);
         with_round_kinds<T>(route, [&]<class A, class B>() {
           GRAZE_KERNEL(level, round_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data());
         });
         for (std::size_t k = 0; k < queue.count; ++k)
           distances[queue.places[k]] = turned ? mirrored(found[k]) : found[k];
       },
-      [&](std::size_t i) { distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); }); });
+      single);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
