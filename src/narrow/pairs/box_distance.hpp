@@ -4,11 +4,11 @@
 // parts them by more, and the two points, which lie on the boxes, are no further apart. In every lane the bits that the
 // pair gives alone.
 //
-// The nearest points of two boxes that are apart are a corner and what of the other box is nearest to it, or lie on two
-// edges that cross; and in that case the edges' common normal is, of all fifteen axes, the one that shows the largest
-// gap, since no axis shows more than the distance (the same features by which Ericson 2004, "Real-time collision
-// detection", section 9.3, has them). So the best axis and all sixteen corners tell. Of boxes that overlap the best axis
-// shows the depth, and it moves them apart along itself without another point becoming the nearest one.
+// The nearest points of two convex polyhedra that are apart are a vertex and what is nearest to it, or lie within two edges
+// that cross (Mirtich 1998, "V-Clip: fast and robust polyhedral collision detection", section 2). In the second case the
+// edges' common normal shows the whole distance as a gap, which no other axis exceeds. So the best of the fifteen axes
+// and the sixteen corners tell. Each answer proves itself: its points are as far apart as the boxes are along its normal.
+// Of boxes that overlap, the best axis shows the depth. Moved apart along it they have the same points nearest.
 #pragma once
 
 #include "graze/query.hpp"
@@ -49,7 +49,7 @@ auto inside_box(const Vec3<S>& half, const Vec3<S>& p, const S& slack) {
   return (a.x <= half.x + slack) & (a.y <= half.y + slack) & (a.z <= half.z + slack);
 }
 
-/// The same with one component zero.
+/// A vector without its component along an axis.
 template <class M, class S>
 Vec3<S> without(const OneOfThree<M>& axis, const Vec3<S>& v) {
   const S zero(0);
@@ -139,12 +139,13 @@ BoxNearest<S> at_corner_of_b(const BoxPair<S>& p, const S& slack) {
   S squared(std::numeric_limits<T>::infinity()), number(0);
   for (int k = 0; k < 8; ++k) {
     const Vec3<S> at_x = k & 1 ? p.translation + x : p.translation - x, at_xy = k & 2 ? at_x + y : at_x - y;
+    // Twice how far beyond, without a comparison: alone that would be a jump that nobody foresees.
     const Vec3<S> past = abs(k & 4 ? at_xy + z : at_xy - z) - p.half_a;
-    const S s = length_squared(Vec3<S>{greatest(past.x, S(0)), greatest(past.y, S(0)), greatest(past.z, S(0))});
-    const auto nearer = s < squared;
-    squared = select(nearer, s, squared);
-    number = select(nearer, S(T(k)), number);
+    const S s = length_squared(past + abs(past));
+    number = select(s < squared, S(T(k)), number);
+    squared = least(squared, s);
   }
+  squared = squared * S(T(0.25));
   const auto at_z = number >= S(4);
   const S rest = number - select(at_z, S(4), S(0));
   const auto at_y = rest >= S(2), at_x = rest - select(at_y, S(2), S(0)) >= S(1);
@@ -185,7 +186,7 @@ BoxNearest<S> at_crossing(const BoxPair<S>& p, const S& axis, const S& separatio
   // Across the face that is met nothing ends.
   const S infinity(std::numeric_limits<T>::infinity()), vanishing = slack * S(epsilon<S>);
   Vec3<S> reach;
-  for (std::size_t k = 0; k < 3; ++k) reach[k] = select(n[k] == S(0), m.half_clip[k] + slack, infinity);
+  for (std::size_t k = 0; k < 3; ++k) reach[k] = select(n[k] == S(0), m.half_clip[k], infinity);
   const S height = dot(abs(n), m.half_clip);
   S nearest = infinity;
   Vec3<S> other = middle;
@@ -241,7 +242,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   const BoxNearest<S> along = along_axis(p, axis, separation, slack);
   nearest.otherwise(along);
   if (all(nearest.proven)) return nearest;
-  // Boxes that overlap are moved apart, by so much that the gap has all its digits.
+  // Boxes that overlap with parallel features are moved apart, by so much that the gap has all its digits.
   const S moved = select(separation > noise, S(0), max_abs(p.half_a) + max_abs(p.half_b) - separation);
   const Vec3<S> away = along.core.normal * moved;
   BoxPair<S> moved_apart = p;
@@ -270,8 +271,9 @@ struct BoxDistance {
   decltype(S() < S()) proven;
 };
 
+/// One function: numbers stay in registers, which is a sixth of its time.
 template <class S>
-BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox<S>& b) {
+[[gnu::flatten]] BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox<S>& b) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   const RelativeFrame<S> b_in_a = relative_frame(a.pose, b.pose);

@@ -21,6 +21,11 @@ template <std::size_t part, class L>
            {in_double<part>(q.x), in_double<part>(q.y), in_double<part>(q.z), in_double<part>(q.w)}}};
 }
 
+/// Compiled once for both scalars.
+[[gnu::noinline, gnu::flatten]] void answer(const PlacedBox<S>& a, const PlacedBox<S>& b, BoxDistance<S>& found) {
+  found = box_distance(a, b);
+}
+
 /// Answers for as many pairs of a bundle as a register holds in double.
 template <std::size_t part, class T>
 [[gnu::always_inline]] inline void find(const PairBundle<Box<T>, Box<T>, T>& p, Distance<T>* distances,
@@ -28,8 +33,8 @@ template <std::size_t part, class T>
   constexpr std::size_t lanes = lanes_of<double>, first = part * lanes;
   if (p.count <= first) return;
   const std::size_t count = p.count - first < lanes ? p.count - first : lanes;
-  const BoxDistance<S> found =
-      box_distance(placed<part>(p.a.core.half, p.pose_a), placed<part>(p.b.core.half, p.pose_b));
+  BoxDistance<S> found;
+  answer(placed<part>(p.a.core.half, p.pose_a), placed<part>(p.b.core.half, p.pose_b), found);
   put(found.at, count, distances + first);
   for (std::size_t i = 0; i < count; ++i) proven[first + i] = found.proven[static_cast<int>(i)];
 }
