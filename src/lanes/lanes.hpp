@@ -37,16 +37,16 @@ using Lanes = Wide<T, lanes_of<T>>;
 
 /// The `part`-th of the registers that the lanes fill in double.
 template <std::size_t part, std::size_t... I>
-[[gnu::always_inline]] inline Lanes<double> in_double(const Lanes<float>& x, std::index_sequence<I...>) {
+[[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<float>& x, std::index_sequence<I...>) {
   return Lanes<double>::of(__builtin_convertvector(__builtin_shufflevector(x.v, x.v, (part * sizeof...(I) + I)...),
                                                    typename Lanes<double>::Vector));
 }
 template <std::size_t part>
-[[gnu::always_inline]] inline Lanes<double> in_double(const Lanes<float>& x) {
-  return in_double<part>(x, std::make_index_sequence<lanes_of<double>>());
+[[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<float>& x) {
+  return lanes_in_double<part>(x, std::make_index_sequence<lanes_of<double>>());
 }
 template <std::size_t part>
-[[gnu::always_inline]] inline Lanes<double> in_double(const Lanes<double>& x) {
+[[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<double>& x) {
   static_assert(part == 0);
   return x;
 }

@@ -115,6 +115,10 @@ template <class T>
 Rounded<BoxCore<T>, T> rounded_core(const Box<T>& box, T margin) {
   return {core_of(box), margin};
 }
+template <class T>
+Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T margin) {
+  return {core_of(rectangle), margin};
+}
 
 /// Spheres and even capsules with each other, and spheres with boxes: what `round_pair` answers for.
 template <class A, class B>

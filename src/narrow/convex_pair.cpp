@@ -88,9 +88,15 @@ template <class A, class B, class T>
 concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>> &&
     std::is_same_v<decltype(core_of(std::declval<B>())), BoxCore<T>>;
 
-template <class A, class T>
-PlacedBox<double> placed_box(const A& box, const Body<T>& body) {
-  return {cast<double>(core_of(box).half), static_cast<double>(body.shape.margin()), cast<double>(body.pose)};
+/// One is, and the other a box or a capsule: `box_distance` answers.
+template <class A, class B, class T>
+concept BoxAndSuch = (Boxes<A, A, T> || Boxes<B, B, T>)&&requires(const A& a, const B& b, const Pose<T>& pose) {
+  placed_box(rounded_core(a, T()), pose);
+  placed_box(rounded_core(b, T()), pose);
+};
+template <class C, class T>
+PlacedBox<double> placed(const C& concrete, const Body<T>& body) {
+  return cast<double>(placed_box(rounded_core(concrete, body.shape.margin()), body.pose));
 }
 
 /// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
@@ -106,6 +112,14 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   } else if constexpr (half_b) {
     return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
+    if constexpr (BoxAndSuch<A, B, T>) {
+      if (has_core(ca) && has_core(cb))
+        if (const auto found = box_distance(placed(ca, a), placed(cb, b)); found.proven) {
+          // Two boxes go the same way there, and it is drawn.
+          if (Boxes<A, B, T> && trace) general(a, ra, b, rb, limit, trace);
+          return rounded<T>(found.at);
+        }
+    }
     if constexpr (is_round_pair<A, B>) {
       if (has_core(ca) && has_core(cb)) {
         const auto pair = round_pair_of(ca, a, cb, b);
@@ -116,11 +130,6 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
     } else if constexpr (ClosedForm<B, A, T>) {
       if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
     }
-    if constexpr (Boxes<A, B, T>)
-      if (const auto found = box_distance(placed_box(ca, a), placed_box(cb, b)); found.proven) {
-        if (trace) general(a, ra, b, rb, limit, trace);  // which goes the same way, and draws it
-        return rounded<T>(found.at);
-      }
     return general(a, ra, b, rb, limit, trace);
   }
 }

@@ -256,13 +256,25 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   return nearest;
 }
 
-/// A box in place, rounded or not.
+/// A box in place, rounded or not. It may have no length along some of its sides: a capsule is a box that is only long.
 template <class S>
 struct PlacedBox {
   Vec3<S> half;
   S radius;
   Pose<S> pose;
 };
+template <class S>
+PlacedBox<S> placed_box(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose) {
+  return {box.core.half, box.radius, pose};
+}
+template <class S>
+PlacedBox<S> placed_box(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose) {
+  return {{S(0), capsule.core.half_height, S(0)}, capsule.radius, pose};
+}
+template <class S, class T>
+PlacedBox<S> cast(const PlacedBox<T>& box) {
+  return {cast<S>(box.half), static_cast<S>(box.radius), cast<S>(box.pose)};
+}
 
 /// The signed distance of two boxes in place, and whether it is proven.
 template <class S>
