@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "graze/wide.hpp"
 #if defined(__x86_64__)
@@ -33,6 +34,22 @@ inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(T));
 /// As many of T as a register holds.
 template <class T>
 using Lanes = Wide<T, lanes_of<T>>;
+
+/// The `part`-th of the registers that the lanes fill in double.
+template <std::size_t part, std::size_t... I>
+[[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<float>& x, std::index_sequence<I...>) {
+  return Lanes<double>::of(__builtin_convertvector(__builtin_shufflevector(x.v, x.v, (part * sizeof...(I) + I)...),
+                                                   typename Lanes<double>::Vector));
+}
+template <std::size_t part>
+[[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<float>& x) {
+  return lanes_in_double<part>(x, std::make_index_sequence<lanes_of<double>>());
+}
+template <std::size_t part>
+[[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<double>& x) {
+  static_assert(part == 0);
+  return x;
+}
 
 /// The lanes in which comparisons hold, joined by &. AVX-512 compares into registers of bits; elsewhere the join is
 /// done on whole lanes, since it is their bits that cost.

@@ -115,6 +115,10 @@ template <class T>
 Rounded<BoxCore<T>, T> rounded_core(const Box<T>& box, T margin) {
   return {core_of(box), margin};
 }
+template <class T>
+Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T margin) {
+  return {core_of(rectangle), margin};
+}
 
 /// Spheres and even capsules with each other, and spheres with boxes: what `round_pair` answers for.
 template <class A, class B>
@@ -146,11 +150,16 @@ Distance<T> mirrored(Distance<T> d) {
   return d;
 }
 
+/// An answer that was computed in double.
+template <class T>
+Distance<T> rounded(const Distance<double>& d) {
+  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
+}
+
 /// The same for what was computed in double: only the answer is rounded to T.
 template <class T>
 Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Posed& frame) {
-  const Distance<double> d = finished<double>(core, radius_a, radius_b, frame);
-  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
+  return rounded<T>(finished<double>(core, radius_a, radius_b, frame));
 }
 
 }  // namespace graze

@@ -11,6 +11,7 @@
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
 #include "narrow/pairs/box_triangle.hpp"
+#include "narrow/pairs/capsule_box_contact.hpp"
 #include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
@@ -293,6 +294,7 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   if (!trace && !boxes) {
     if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+    if (const auto distance = capsule_box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   }
   if (!boxes && has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;

@@ -9,7 +9,7 @@
 #include "shape/rounding.hpp"
 
 // The special pairs, one line each. A pair without a line here takes the general path.
-#include "narrow/pairs/box_choice.hpp"
+#include "narrow/pairs/box_distance.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/half_space.hpp"
@@ -83,6 +83,22 @@ auto round_pair_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b)
   return round_pair(rounded_core(ca, a.shape.margin()), a.pose, rounded_core(cb, b.shape.margin()), b.pose);
 }
 
+/// Both are boxes, or rectangles, which are boxes of no thickness.
+template <class A, class B, class T>
+concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>> &&
+    std::is_same_v<decltype(core_of(std::declval<B>())), BoxCore<T>>;
+
+/// One is, and the other a box or a capsule: `box_distance` answers.
+template <class A, class B, class T>
+concept BoxAndSuch = (Boxes<A, A, T> || Boxes<B, B, T>)&&requires(const A& a, const B& b, const Pose<T>& pose) {
+  placed_box(rounded_core(a, T()), pose);
+  placed_box(rounded_core(b, T()), pose);
+};
+template <class C, class T>
+PlacedBox<double> placed(const C& concrete, const Body<T>& body) {
+  return cast<double>(placed_box(rounded_core(concrete, body.shape.margin()), body.pose));
+}
+
 /// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
 template <class A, class B, class T>
 Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* trace) {
@@ -96,6 +112,14 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   } else if constexpr (half_b) {
     return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
+    if constexpr (BoxAndSuch<A, B, T>) {
+      if (has_core(ca) && has_core(cb))
+        if (const auto found = box_distance(placed(ca, a), placed(cb, b)); found.proven) {
+          // Two boxes go the same way there, and it is drawn.
+          if (Boxes<A, B, T> && trace) general(a, ra, b, rb, limit, trace);
+          return rounded<T>(found.at);
+        }
+    }
     if constexpr (is_round_pair<A, B>) {
       if (has_core(ca) && has_core(cb)) {
         const auto pair = round_pair_of(ca, a, cb, b);
@@ -109,11 +133,6 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
     return general(a, ra, b, rb, limit, trace);
   }
 }
-
-/// Both are boxes, or rectangles, which are boxes of no thickness.
-template <class A, class B, class T>
-concept Boxes = std::is_same_v<decltype(core_of(std::declval<A>())), BoxCore<T>> &&
-    std::is_same_v<decltype(core_of(std::declval<B>())), BoxCore<T>>;
 
 template <class A, class B, class T>
 BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {

@@ -110,6 +110,12 @@ CoreDistance<S> mirrored(const CoreDistance<S>& d) {
   return {d.distance, -d.normal, d.b, d.a};
 }
 
+template <class M, class S>
+CoreDistance<S> select(const M& condition, const CoreDistance<S>& yes, const CoreDistance<S>& no) {
+  return {select(condition, yes.distance, no.distance), select(condition, yes.normal, no.normal),
+          select(condition, yes.a, no.a), select(condition, yes.b, no.b)};
+}
+
 /// Whether the closed form of two cores has to be evaluated in double to meet float's tolerance.
 template <class A, class B>
 inline constexpr bool evaluated_in_double = false;

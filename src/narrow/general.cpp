@@ -51,9 +51,9 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
 
 template <class T>
 GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference<T>& difference, const GjkGoal& goal,
-                            const Vec3d& first, double noise, double limit, Trace* trace) {
+                            double noise, double limit, Trace* trace) {
   if (trace) trace->method = "gjk";
-  const GjkResult g = gjk(difference, goal, first, trace);
+  const GjkResult g = gjk(difference, goal, trace);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.lower > 0) {
@@ -82,24 +82,19 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   const Difference<T> difference(core_a, core_b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
   const GjkGoal goal{distance_goal * difference.size() + noise, greatest(limit + noise, noise)};
-  Vec3d first = difference.center_offset();
-  // Two boxes' axes cost less than GJK.
+  // Two boxes' axes and corners cost less than GJK.
   if (const auto boxes = as_boxes(a, b, b_in_a)) {
-    const BoxAxes<double> axes = box_axes(*boxes, std::numeric_limits<double>::infinity());
-    const BoxAxis<double>& best = best_of(axes, noise);
-    auto core = box_distance(*boxes, best, noise);
-    if (!core) core = PolyhedralPair(a, b, b_in_a).depth(noise);
-    if (core) {
-      const bool apart = core->distance > noise;
+    if (const BoxNearest<double> nearest = nearest_of_boxes(*boxes, noise); nearest.proven) {
+      const CoreDistance<double>& core = nearest.core;
+      const bool apart = core.distance > noise;
       if (trace) trace->method = apart ? "gjk" : "separating axes";
       if (trace && apart) gjk(difference, goal, trace);  // the picture of a distance
-      return judged<T>(difference, centered(core->distance, core->normal, core->a, core->b), 0, noise);
+      return judged<T>(difference, centered(core.distance, core.normal, core.a, core.b), 0, noise);
     }
-    first = best.normal;
   }
   const auto direct = directly(difference, core_a, core_b, b_in_a, limit, noise);
   if (direct && !trace) return *direct;
-  const GeneralDistance iterated = iteratively(a, b, difference, goal, first, noise, limit, trace);
+  const GeneralDistance iterated = iteratively(a, b, difference, goal, noise, limit, trace);
   return direct ? *direct : iterated;
 }
 

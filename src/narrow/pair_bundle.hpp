@@ -83,4 +83,17 @@ template <class T>
   for (std::size_t i = 0; i < count; ++i) column[i] = v[static_cast<int>(i)];
 }
 
+/// A lane, rounded to T.
+template <class T, class S>
+[[gnu::always_inline]] inline Vec3<T> lane(const Vec3<S>& v, int i) {
+  return {static_cast<T>(v.x[i]), static_cast<T>(v.y[i]), static_cast<T>(v.z[i])};
+}
+template <class T, class S>
+[[gnu::always_inline]] inline void put(const Distance<S>& d, std::size_t count, Distance<T>* to) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const int i = static_cast<int>(k);
+    to[k] = {static_cast<T>(d.distance[i]), lane<T>(d.normal, i), lane<T>(d.a, i), lane<T>(d.b, i)};
+  }
+}
+
 }  // namespace graze::GRAZE_ISA

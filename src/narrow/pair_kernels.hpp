@@ -71,8 +71,15 @@ GRAZE_DECLARE_KERNEL(
     /// The contacts of the same pairs; capsules with a length.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings);
+    /// The same of capsules with boxes.
+    template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
+                                                 PointContact<T>* contacts, Meeting* meetings);
     /// The points of up to `block_pairs` boxes on half-spaces without a margin.
     template <class T> void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& points);
+    /// The distances of boxes or even capsules, which come first, from boxes, all without a margin; whether they are
+    /// proven: 1 or 0.
+    template <class A, class B, class T> void box_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances,
+                                          std::uint8_t* proven);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

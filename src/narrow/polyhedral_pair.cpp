@@ -126,26 +126,6 @@ PlacedFace PolyhedralPair::face_b(const Vec3d& normal) const {
   return face;
 }
 
-std::optional<CoreDistance<double>> PolyhedralPair::depth(double noise) const {
-  const SeparatingAxes all = axes(noise);
-  const SeparatingAxis& best = all.best(noise);
-  if (best.separation > noise) return std::nullopt;
-  // The facet of the difference that lies nearest to the origin holds its foot: somewhere the two faces (or the edges
-  // between them) lie over each other at just this depth.
-  FaceContacts contacts;
-  lay_over(face_a(best.normal), face_b(best.normal), best.normal, contacts);
-  const FaceContact* deepest = nullptr;
-  double least_apart = best.separation + laid_slack * noise;
-  for (const FaceContact& c : contacts) {
-    const double apart = dot(c.b - c.a, best.normal);
-    if (apart > least_apart || length(c.b - c.a - best.normal * apart) > laid_slack * noise) continue;
-    least_apart = apart;
-    deepest = &c;
-  }
-  if (!deepest) return std::nullopt;
-  return CoreDistance<double>{best.separation, best.normal, deepest->a, deepest->b};
-}
-
 template bool has_separating_axes(const Shape<float>&, const Shape<float>&);
 template bool has_separating_axes(const Shape<double>&, const Shape<double>&);
 template std::optional<BoxPair<double>> as_boxes(const Shape<float>&, const Shape<float>&, const Posed&);

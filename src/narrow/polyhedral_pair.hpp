@@ -41,10 +41,6 @@ class PolyhedralPair {
   PlacedFace face_a(const Vec3d& normal) const;
   PlacedFace face_b(const Vec3d& normal) const;
 
-  /// The depth of cores that overlap, with the deepest points; nothing when they are more than `noise` apart, or when
-  /// rounding hides the deepest points.
-  std::optional<CoreDistance<double>> depth(double noise) const;
-
  private:
   std::optional<BoxPair<double>> boxes_;
   std::optional<Polyhedron> a_, b_;  ///< of what is not two boxes

@@ -75,17 +75,34 @@ template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
   distances.resize(batch.size());
   const Isa level = chosen_isa();
+  const auto single = [&](std::size_t i) {
+    distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
+  };
   visit_batch(
-      batch, T(0), [](Route route) { return static_cast<std::size_t>(route) < round_route_count; },
+      batch, T(0), [](Route route) { return route <= Route::box_box; },
       [&](Route route, bool turned, const Queue<T>& queue) {
         std::array<Distance<T>, box_chunk> found;
-        with_round_kinds<T>(route, [&]<class A, class B>() {
-          GRAZE_KERNEL(level, round_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data());
-        });
-        for (std::size_t k = 0; k < queue.count; ++k)
-          distances[queue.places[k]] = turned ? mirrored(found[k]) : found[k];
+        std::array<std::uint8_t, box_chunk> proven;
+        const auto ask_kernel = [&]<class A, class B>() {
+          if constexpr (is_round_pair<A, B>) {
+            GRAZE_KERNEL(level, round_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data());
+            proven.fill(1);
+          } else {
+            GRAZE_KERNEL(level, box_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data(), proven.data());
+          }
+        };
+        if (route == Route::box_box)
+          ask_kernel.template operator()<Box<T>, Box<T>>();
+        else
+          with_round_kinds<T>(route, ask_kernel);
+        for (std::size_t k = 0; k < queue.count; ++k) {
+          if (proven[k])
+            distances[queue.places[k]] = turned ? mirrored(found[k]) : found[k];
+          else
+            single(queue.places[k]);
+        }
       },
-      [&](std::size_t i) { distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); }); });
+      single);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

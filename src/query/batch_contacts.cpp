@@ -2,6 +2,7 @@
 
 #include "graze/batch.hpp"
 #include "narrow/box_batch.hpp"
+#include "narrow/closed_form.hpp"
 #include "narrow/rest_batch.hpp"
 #include "query/batch_routes.hpp"
 
@@ -145,7 +146,13 @@ class Together {
   }
   void round(Route route, bool turned, const Queue<T>& queue) {
     with_round_kinds<T>(route, [&]<class A, class B>() {
-      GRAZE_KERNEL(chosen_isa(), round_contacts<A, B, T>)(queue.pairs.data(), queue.count, contacts_, meetings_);
+      const auto kernel = [] {
+        if constexpr (is_round_pair<A, B>)
+          return GRAZE_KERNEL(chosen_isa(), round_contacts<A, B, T>);
+        else
+          return GRAZE_KERNEL(chosen_isa(), capsule_box_contacts<T>);
+      }();
+      kernel(queue.pairs.data(), queue.count, contacts_, meetings_);
     });
     writer_.reserve(queue.count, queue.count);
     std::size_t unknown = 0;

@@ -17,11 +17,12 @@ enum class Route : std::uint8_t {
   sphere_capsule,
   sphere_box,
   capsule_capsule,
+  capsule_box,
   box_box,
   box_half_space,
   none
 };
-inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none), round_route_count = 4;
+inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none), round_route_count = 5;
 
 /// A route, and whether a pair has to be turned round for it, as one number.
 constexpr std::uint8_t queue_of(Route route, bool turned) {
@@ -38,6 +39,7 @@ class Routes {
     add<Sphere<T>, Capsule<T>>(Route::sphere_capsule);
     add<Sphere<T>, Box<T>>(Route::sphere_box);
     add<Capsule<T>, Capsule<T>>(Route::capsule_capsule);
+    add<Capsule<T>, Box<T>>(Route::capsule_box);
     add<Box<T>, Box<T>>(Route::box_box);
     add<Box<T>, HalfSpace<T>>(Route::box_half_space);
   }
@@ -63,6 +65,7 @@ void with_round_kinds(Route route, const F& f) {
   case Route::sphere_capsule: return f.template operator()<Sphere<T>, Capsule<T>>();
   case Route::sphere_box: return f.template operator()<Sphere<T>, Box<T>>();
   case Route::capsule_capsule: return f.template operator()<Capsule<T>, Capsule<T>>();
+  case Route::capsule_box: return f.template operator()<Capsule<T>, Box<T>>();
   case Route::box_box:
   case Route::box_half_space:
   case Route::none: break;

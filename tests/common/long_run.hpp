@@ -21,7 +21,7 @@ inline constexpr std::uint64_t golden_bits = 0;
 template <>
 inline constexpr std::uint64_t golden_bits<float> = 181247229163547103u;
 template <>
-inline constexpr std::uint64_t golden_bits<double> = 6847570499979446382u;
+inline constexpr std::uint64_t golden_bits<double> = 11433669174171434940u;
 
 /// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of the bytes of numbers.
 class Hash {

@@ -5,6 +5,8 @@
 // the axes prove it.
 #pragma once
 
+#include <optional>
+
 #include "narrow/pairs/box_distance.hpp"
 
 namespace graze {
@@ -49,14 +51,14 @@ class SlabClip {
   int number_ = -1;
 };
 
-/// The axis of a number, as the boxes stand.
-inline BoxAxis<double> axis_numbered(const BoxPair<double>& p, int number) {
+/// How far the boxes are apart along the axis of a number, as they stand.
+inline double separation_along(const BoxPair<double>& p, int number) {
   const auto k = static_cast<std::size_t>(number);
   Vec3d n = k < 3 ? unit_axis<double>(k) : p.rotation.column(k % 3);
   if (k >= 6) n = unit(cross(unit_axis<double>((k - 6) / 3), n));
   const double middle = dot(p.translation, n);
   const double reach = dot(abs(n), p.half_a) + dot(abs(transposed_times(p.rotation, n)), p.half_b);
-  return {std::abs(middle) - reach, middle < 0 ? -n : n, static_cast<double>(number)};
+  return std::abs(middle) - reach;
 }
 
 }  // namespace detail
@@ -86,8 +88,9 @@ inline std::optional<BoxTranslation> box_translation(BoxPair<double> p, const Ve
   if (slabs.never()) return BoxTranslation{std::numeric_limits<double>::infinity(), std::nullopt};
   if (!slabs.apart()) return std::nullopt;
   p.translation += velocity * slabs.begin();
-  return BoxTranslation{slabs.begin(),
-                        box_distance(p, detail::axis_numbered(p, slabs.number()), slack / witness_slack)};
+  const BoxNearest<double> impact =
+      along_axis(p, static_cast<double>(slabs.number()), detail::separation_along(p, slabs.number()), slack);
+  return BoxTranslation{slabs.begin(), impact.proven ? std::optional(impact.core) : std::nullopt};
 }
 
 }  // namespace graze

@@ -183,6 +183,17 @@ template <class A, class B, class T>
   return found.at.distance;
 }
 
+template <class T>
+bool even_with_length(const Capsule<T>& capsule) {
+  return !capsule.tapered() && capsule.half_height() > T(0);
+}
+/// Whether a box has a length along every side.
+template <class T>
+bool thick(const Box<T>& box) {
+  const Vec3<T>& half = box.half_extents();
+  return least(half.x, least(half.y, half.z)) > T(0);
+}
+
 /// Of two shapes in the order of the list; see above. Nothing of other shapes.
 template <class T>
 std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
@@ -190,19 +201,17 @@ std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const 
   const auto of = [&](const auto& ca, const auto& cb) {
     return round_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
   };
-  const auto has_length = [](const Capsule<T>& c) { return !c.tapered() && c.half_height() > T(0); };
   const auto* capsule = b.template as<Capsule<T>>();
-  if (capsule && !has_length(*capsule)) return std::nullopt;
+  if (capsule && !even_with_length(*capsule)) return std::nullopt;
   if (const auto* ball = a.template as<Sphere<T>>()) {
     if (const auto* other = b.template as<Sphere<T>>()) return of(*ball, *other);
     if (capsule) return of(*ball, *capsule);
     const auto* box = b.template as<Box<T>>();
-    const auto thin = [](const Vec3<T>& half) { return !(least(half.x, least(half.y, half.z)) > T(0)); };
-    if (!box || thin(box->half_extents())) return std::nullopt;
+    if (!box || !thick(*box)) return std::nullopt;
     return of(*ball, *box);
   }
   const auto* other = a.template as<Capsule<T>>();
-  if (!other || !capsule || !has_length(*other)) return std::nullopt;
+  if (!other || !capsule || !even_with_length(*other)) return std::nullopt;
   return of(*other, *capsule);
 }
 
