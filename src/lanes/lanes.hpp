@@ -71,6 +71,19 @@ class Chosen {
 #endif
     return c;
   }
+  /// Where a is not less than b, also where either is no number.
+  [[gnu::always_inline]] static Chosen not_less(const Lanes<T>& a, const Lanes<T>& b) {
+    Chosen c;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+      c.mask_ = _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a.v), reinterpret_cast<__m512>(b.v), _CMP_NLT_UQ);
+    else
+      c.mask_ = _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a.v), reinterpret_cast<__m512d>(b.v), _CMP_NLT_UQ);
+#else
+    c.mask_ = !(a < b);
+#endif
+    return c;
+  }
   /// Where the numbers from `at` on have no bit in common with `bits`.
   [[gnu::always_inline]] static Chosen disjoint(const typename Lanes<T>::Bits* at, typename Lanes<T>::Bits bits) {
     Chosen c;
