@@ -10,7 +10,7 @@
 #include "narrow/general.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
-#include "narrow/pairs/box_triangle.hpp"
+#include "narrow/pairs/box_triangle_contacts.hpp"
 #include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 #include "narrow/polyhedral_pair.hpp"
@@ -179,10 +179,17 @@ const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
   return axes.edge.separation > face.separation + face_preference * smaller ? axes.edge : face;
 }
 
-/// What `polyhedral_contacts` answers, by the axes and faces of `pair`.
-template <class T, class Pair>
-std::optional<T> contacts_by_axes(const Pair& pair, const Side<T>& side_a, const Side<T>& side_b, const Posed& frame,
-                                  double noise, T margin, Manifold<T>& manifold, Trace* trace) {
+/// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
+/// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
+/// nearest that no axis belongs to, or when the faces miss what is nearest.
+template <class T>
+std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                     T margin, Manifold<T>& manifold, Trace* trace) {
+  if (trace) trace->method = "separating axes";
+  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
+  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
+  const PolyhedralPair pair(a, b, b_in_a);
   const double radii = side_a.radius() + side_b.radius();
   const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + radii + noise);
   const SeparatingAxis& best = axes.best(noise);
@@ -203,31 +210,10 @@ std::optional<T> contacts_by_axes(const Pair& pair, const Side<T>& side_a, const
     manifold.points.clear();
     return std::nullopt;
   }
-  if constexpr (requires { pair.name(axis); }) {
-    if (trace) trace->winner = pair.name(axis);
-    if (trace && &axis != &best)
-      trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
-  }
+  if (trace) trace->winner = pair.name(axis);
+  if (trace && &axis != &best)
+    trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
   return static_cast<T>(distance);
-}
-
-/// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
-/// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
-/// nearest that no axis belongs to, or when the faces miss what is nearest.
-template <class T>
-std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                     T margin, Manifold<T>& manifold, Trace* trace) {
-  if (trace) trace->method = "separating axes";
-  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
-  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
-  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
-  const auto* box = a.template as<Box<T>>();
-  const auto* triangle = b.template as<Triangle<T>>();
-  const auto by_axes = [&](const auto& pair) {
-    return contacts_by_axes(pair, side_a, side_b, frame, noise, margin, manifold, trace);
-  };
-  if (box && triangle && !trace) return by_axes(BoxTriangle(*box, *triangle, b_in_a));
-  return by_axes(PolyhedralPair(a, b, b_in_a));
 }
 
 /// The points of two boxes, as the kernels find them for many pairs; nothing where their faces do not tell. As
@@ -246,7 +232,8 @@ std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<
   const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
   if (found.known == T(0)) return std::nullopt;
   take_points<T>(
-      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, manifold.points);
+      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, box_features.of,
+      manifold.points);
   manifold.normal = found.normal;
   return choice.distance;
 }
@@ -291,6 +278,7 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   if (boxes)
     if (const auto distance = box_contacts(*box_a, pose_a, *box_b, pose_b, margin, manifold)) return *distance;
   if (!trace && !boxes) {
+    if (const auto distance = triangle_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   }

@@ -27,6 +27,11 @@ template <class S>
 struct BoxCore {
   Vec3<S> half;
 };
+/// No closed form is written for it.
+template <class S>
+struct TriangleCore {
+  Vec3<S> point[3];
+};
 /// Any other core: the general path answers for it.
 struct NoCore {};
 
