@@ -278,7 +278,11 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   if (boxes)
     if (const auto distance = box_contacts(*box_a, pose_a, *box_b, pose_b, margin, manifold)) return *distance;
   if (!trace && !boxes) {
-    if (const auto distance = triangle_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+    const auto* box = a.template as<Box<T>>();
+    const auto* triangle = b.template as<Triangle<T>>();
+    if (box && triangle)
+      if (const auto distance = own_contacts(*box, a.margin(), pose_a, *triangle, b.margin(), pose_b, margin, manifold))
+        return *distance;
     if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
     if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
   }

@@ -29,6 +29,8 @@ template <class S>
 struct BoxChoice;  // pairs/box_choice.hpp
 template <class S>
 struct TriangleChoice;  // pairs/box_triangle.hpp
+template <class S>
+struct BoxManifold;  // pairs/box_manifold.hpp
 
 /// The points of contact of up to `block_pairs` pairs of boxes, or of boxes and triangles; see `BoxManifold`. A number of a pair stands at the
 /// pair's place in each array.
@@ -72,6 +74,9 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleChoice<T>* axes);
     template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
                                             BoxPointBlock<T>& points);
+    /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only the
+    /// normal.
+    template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);
     /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
     template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
                                                               Distance<T>* distances);

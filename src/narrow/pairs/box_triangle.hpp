@@ -18,14 +18,15 @@ inline constexpr double lowest_triangle = 1.0 / 32;
 /// A box and a triangle in the frame of the box.
 template <class S>
 struct BoxAndTriangle {
+  Mat3<S> turn;  ///< of the box in the world
   Vec3<S> half;
   Vec3<S> point[3], edge[3];  ///< from each point to the next
   S size_a, size_b;           ///< about their own origins
   S noise;                    ///< what rounding may do to the separation along an axis
 
   BoxAndTriangle(const BoxCore<S>& box, const Pose<S>& pose_a, const TriangleCore<S>& triangle, const Pose<S>& pose_b)
-      : half(box.half) {
-    const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
+      : turn(rotation_of(pose_a.rotation)), half(box.half) {
+    const RelativeFrame<S> b_in_a = relative_frame(pose_a, turn, pose_b);
     const auto& corner = triangle.point;
     // Differences of corners keep their digits wherever the triangle lies in its own frame.
     for (std::size_t i = 0; i < 3; ++i) edge[i] = b_in_a.rotation * (corner[i == 2 ? 0 : i + 1] - corner[i]);
@@ -45,6 +46,7 @@ struct TriangleDirections {
   Vec3<S> along[3], normal;     ///< unit, of its edges and out of its front
   decltype(S() < S()) regular;  ///< of no sliver, and of lengths as those of `regular_box`
 
+  TriangleDirections() = default;
   explicit TriangleDirections(const BoxAndTriangle<S>& p) {
     using T = typename LaneOf<S>::type;
     using std::sqrt;
@@ -148,9 +150,10 @@ BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d
 
 }  // namespace detail
 
-/// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
+/// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better. The triangle's
+/// directions are found only where the box's own axes do not tell.
 template <class S>
-TriangleChoice<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin) {
+TriangleChoice<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin, TriangleDirections<S>& directions) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   const S infinity(std::numeric_limits<T>::infinity()), enough = margin + p.noise;
@@ -158,7 +161,7 @@ TriangleChoice<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin) {
   // Where a face tells that they are further apart than anybody asks, no further axis need be tried.
   const auto by_box = of_box.separation > enough;
   if (all(by_box)) return {of_box.separation, of_box.normal};
-  const TriangleDirections<S> directions(p);
+  directions = TriangleDirections<S>(p);
   const detail::BestAxis<S> of_both = detail::triangle_side_axes(p, directions, of_box),
                             face{select(by_box, of_box.separation, of_both.separation),
                                  select(by_box, of_box.normal, of_both.normal)};

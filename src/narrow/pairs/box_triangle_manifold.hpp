@@ -121,13 +121,12 @@ struct TriangleFace {
 /// The points along the chosen axis of a box and a triangle that are at most `margin` apart, in the world. Only for those
 /// within the margin of each other.
 template <class S>
-BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleChoice<S>& choice, const S& margin,
-                                 const Pose<S>& pose_a) {
+BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& directions,
+                                 const TriangleChoice<S>& choice, const S& margin, const Pose<S>& pose_a) {
   using std::sqrt;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S zero(0), one(1), infinity(std::numeric_limits<T>::infinity());
-  const TriangleDirections<S> directions(p);
 
   // The axes of the box turned until its face's comes last.
   const auto axes = detail::longest_axis(choice.normal);
@@ -142,19 +141,19 @@ BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleChoic
   const detail::RectangleAndTriangle<S> faces{
       {half.x, half.y}, {face.side[0], face.side[1], face.side[2]}, face.whole, face.edge, p.noise};
   const S shorter = least(half.x, half.y),
-          near = S(T(same_place)) * sqrt(least(S(4) * shorter * shorter, face.shortest_squared()));
+          near = S(T(same_place)) * sqrt(least(S(4) * shorter * shorter, face.shortest_squared())),
+          near_squared = near * near;
 
   detail::Corner<S> corners[most_box_points];
-  faces.corners(corners);
+  faces.corners(corners, S(same_point<T>) * near_squared);
   S apart[most_box_points], nearest = infinity;
   for (std::size_t i = 0; i < most_box_points; ++i) {
     apart[i] = face.apart_at(corners[i].at);
     nearest = select(corners[i].is, least(apart[i], nearest), nearest);
   }
-  detail::drop_idle_corners(corners, apart, near);
+  if (any(face.whole)) detail::drop_idle_corners(corners, apart, near);
 
-  const Mat3<S> turn = rotation_of(pose_a.rotation);
-  const Vec3<S> wx = axes.turned(turn.row[0]), wy = axes.turned(turn.row[1]), wz = axes.turned(turn.row[2]);
+  const Vec3<S> wx = axes.turned(p.turn.row[0]), wy = axes.turned(p.turn.row[1]), wz = axes.turned(p.turn.row[2]);
   BoxManifold<S> found;
   found.normal = {dot(wx, n), dot(wy, n), dot(wz, n)};
   found.filled = zero;
@@ -162,7 +161,7 @@ BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleChoic
     return select(at >= from, S(2), select(at <= -from, S(1), S(0)));
   };
   const S box_face = axes.pick(zero, S(18), S(36)) + select(positive, S(9), zero),
-          limit = greatest(margin, choice.distance + p.noise), near_squared = near * near;
+          limit = greatest(margin, choice.distance + p.noise);
   const FlatPoint<S> rim{half.x - near, half.y - near};
   for (std::size_t i = 0; i < most_box_points; ++i) {
     const Mask here = corners[i].is & (apart[i] <= limit);

@@ -91,7 +91,8 @@ struct RectangleAndTriangle {
   Mask edge;   ///< it is an edge
   S rounding;  ///< of a place
 
-  void corners(Corner<S> (&slots)[most_box_points]) const {
+  /// Ends of an edge as near to each other as `together`, squared, are one.
+  void corners(Corner<S> (&slots)[most_box_points], const S& together) const {
     const Mask none = half.x < S(0);
     const Stretch<S> on[] = {on_side(side[0]), on_side(side[1]), on_side(side[2])};
     const auto at = [&](std::size_t i, const S& t, const Mask& is) {
@@ -99,6 +100,7 @@ struct RectangleAndTriangle {
     };
     slots[0] = at(0, on[0].low, on[0].is());
     slots[1] = at(0, on[0].high, on[0].is() & edge);
+    slots[1].is = slots[1].is & (distance_squared(slots[0].at, slots[1].at) > together);
     for (std::size_t i = 2; i < most_box_points; ++i) slots[i] = {{S(0), S(0)}, none};
     if (!any(whole)) return;
 
