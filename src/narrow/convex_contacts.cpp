@@ -219,7 +219,7 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
 /// The points of two boxes, as the kernels find them for many pairs; nothing where their faces do not tell. As
 /// `polyhedral_contacts`, in T, but also where hardly more than the distance is between the faces.
 template <class T>
-std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b, const Pose<T>& pose_b, T margin,
+[[gnu::flatten]] std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b, const Pose<T>& pose_b, T margin,
                               Manifold<T>& manifold) {
   const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
   const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
