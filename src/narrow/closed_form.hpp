@@ -47,13 +47,10 @@ struct RoundPair {
         radius_b(of_b.radius) {}
 
   CoreDistance<S> core() const { return core_distance(a, b); }
-  Distance<S> distance(const CoreDistance<S>& core) const {
-    Distance<S> d;
-    d.distance = core.distance - (radius_a + radius_b);
-    d.normal = core.normal;
-    d.a = origin + (core.a + core.normal * radius_a);
-    d.b = origin + (core.b - core.normal * radius_b);
-    return d;
+  /// The same of the rounded shapes, in the world.
+  CoreDistance<S> in_world(const CoreDistance<S>& core) const {
+    return {core.distance - (radius_a + radius_b), core.normal, origin + (core.a + core.normal * radius_a),
+            origin + (core.b - core.normal * radius_b)};
   }
 };
 
@@ -77,15 +74,11 @@ struct BallAndBox {
         radius_ball(of_ball.radius),
         radius_box(of_box.radius) {}
 
-  /// From the ball to the box; `core` is of the box and the ball.
-  Distance<S> distance(const CoreDistance<S>& core) const {
+  /// From the rounded ball to the rounded box, in the world; `core` is of the box and the ball.
+  CoreDistance<S> in_world(const CoreDistance<S>& core) const {
     const Vec3<S> outward = rotation * core.normal;
-    Distance<S> d;
-    d.distance = core.distance - (radius_ball + radius_box);
-    d.normal = -outward;
-    d.a = origin + (center - outward * radius_ball);
-    d.b = origin + (rotation * core.a + outward * radius_box);
-    return d;
+    return {core.distance - (radius_ball + radius_box), -outward, origin + (center - outward * radius_ball),
+            origin + (rotation * core.a + outward * radius_box)};
   }
   /// From the box to the ball, in the box's frame.
   CoreDistance<S> core() const { return core_distance(box, ball); }

@@ -20,7 +20,7 @@ namespace graze {
 /// The one point of contact of two shapes.
 template <class S>
 struct RoundContact {
-  Distance<S> at;
+  CoreDistance<S> at;
   S part_a, part_b;  ///< of A and of B: numbers of `round_features`, of a box of `box_features`
   S known;           ///< not 0: that is all there is
 };
@@ -123,11 +123,11 @@ void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContac
 template <class A, class B, class S>
 RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
                               const Pose<S>& pose_b, const S& margin) {
-  const auto pair = round_pair(a, pose_a, b, pose_b);
-  const CoreDistance<S> core = pair.core();
-  RoundContact<S> contact{};
-  contact.at = pair.distance(core);
-  contact.known = S(1);
+  // Not `const`: g++ keeps a constant structure in memory, and what is written there number by number and read back as
+  // three of them waits for the writes.
+  auto pair = round_pair(a, pose_a, b, pose_b);
+  CoreDistance<S> core = pair.core();
+  RoundContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
   if (any(contact.at.distance <= margin)) round::find_parts(pair, core, contact);
   return contact;
 }
@@ -162,13 +162,13 @@ S feature_place(const RoundContact<S>& c) {
   return c.part_a * S(typename LaneOf<S>::type(box_part_count)) + c.part_b;
 }
 
-/// Of concrete shapes with their margins. One function, so that numbers stay in registers on their way to the manifold.
+/// Of concrete shapes with their margins.
 template <class A, class B, class T>
-[[gnu::flatten]] std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
-                                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
+                                const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   const auto of_a = rounded_core(a, margin_a);
   const auto of_b = rounded_core(b, margin_b);
-  const RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
+  RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
   if (found.known == T(0)) return std::nullopt;
   manifold.normal = found.at.normal;
   if (!(found.at.distance <= margin)) return found.at.distance;
@@ -183,27 +183,31 @@ template <class A, class B, class T>
   return found.at.distance;
 }
 
-/// Of two shapes in the order of the list; see above. Nothing of other shapes.
+namespace round {
+
+/// Whether the shape is one that `round_contact` takes.
 template <class T>
-std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                T margin, Manifold<T>& manifold) {
-  const auto of = [&](const auto& ca, const auto& cb) {
-    return round_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
-  };
-  const auto has_length = [](const Capsule<T>& c) { return !c.tapered() && c.half_height() > T(0); };
-  const auto* capsule = b.template as<Capsule<T>>();
-  if (capsule && !has_length(*capsule)) return std::nullopt;
-  if (const auto* ball = a.template as<Sphere<T>>()) {
-    if (const auto* other = b.template as<Sphere<T>>()) return of(*ball, *other);
-    if (capsule) return of(*ball, *capsule);
-    const auto* box = b.template as<Box<T>>();
-    const auto thin = [](const Vec3<T>& half) { return !(least(half.x, least(half.y, half.z)) > T(0)); };
-    if (!box || thin(box->half_extents())) return std::nullopt;
-    return of(*ball, *box);
-  }
-  const auto* other = a.template as<Capsule<T>>();
-  if (!other || !capsule || !has_length(*other)) return std::nullopt;
-  return of(*other, *capsule);
+bool regular(const Sphere<T>&) {
+  return true;
+}
+template <class T>
+bool regular(const Capsule<T>& capsule) {
+  return !capsule.tapered() && capsule.half_height() > T(0);
+}
+template <class T>
+bool regular(const Box<T>& box) {
+  const Vec3<T>& half = box.half_extents();
+  return least(half.x, least(half.y, half.z)) > T(0);
+}
+
+}  // namespace round
+
+template <class A, class B, class T>
+requires is_round_pair<A, B> std::optional<T> own_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b,
+                                                           T margin_b, const Pose<T>& pose_b, T margin,
+                                                           Manifold<T>& manifold) {
+  if (!round::regular(a) || !round::regular(b)) return std::nullopt;
+  return round_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
 }
 
 }  // namespace graze
