@@ -26,9 +26,14 @@ PointCore<S> turned(const PointCore<S>& core, const Quat<S>& rotation, const Vec
   return {offset + rotate(rotation, core.point)};
 }
 template <class S>
-SegmentCore<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
-  const Vec3<S> half = rotation_matrix(rotation).column(1) * core.half_height;
-  return {{offset - half, offset + half}};
+TurnedAxis<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
+  return {offset, rotation_matrix(rotation).column(1), core.half_height};
+}
+
+/// The signed distance of two cores from their nearest points.
+template <class A, class B>
+auto core_distance(const A& a, const B& b) -> decltype(core_distance(a, b, nearest_points(a, b))) {
+  return core_distance(a, b, nearest_points(a, b));
 }
 
 /// Two round shapes in a frame at A's origin along the world's axes: their cores turn, and the answer has only to move.
@@ -46,10 +51,12 @@ struct RoundPair {
         radius_a(of_a.radius),
         radius_b(of_b.radius) {}
 
-  CoreDistance<S> core() const { return core_distance(a, b); }
+  S radii() const { return radius_a + radius_b; }
+  CorePoints<S> nearest() const { return nearest_points(a, b); }
+  CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(a, b, nearest); }
   /// The same of the rounded shapes, in the world.
   CoreDistance<S> in_world(const CoreDistance<S>& core) const {
-    return {core.distance - (radius_a + radius_b), core.normal, origin + (core.a + core.normal * radius_a),
+    return {core.distance - radii(), core.normal, origin + (core.a + core.normal * radius_a),
             origin + (core.b - core.normal * radius_b)};
   }
 };
@@ -74,14 +81,16 @@ struct BallAndBox {
         radius_ball(of_ball.radius),
         radius_box(of_box.radius) {}
 
-  /// From the rounded ball to the rounded box, in the world; `core` is of the box and the ball.
+  S radii() const { return radius_ball + radius_box; }
+  /// Of the box and the ball, in the box's frame.
+  CorePoints<S> nearest() const { return nearest_points(box, ball); }
+  CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(box, ball, nearest); }
+  /// From the rounded ball to the rounded box, in the world.
   CoreDistance<S> in_world(const CoreDistance<S>& core) const {
     const Vec3<S> outward = rotation * core.normal;
-    return {core.distance - (radius_ball + radius_box), -outward, origin + (center - outward * radius_ball),
+    return {core.distance - radii(), -outward, origin + (center - outward * radius_ball),
             origin + (rotation * core.a + outward * radius_box)};
   }
-  /// From the box to the ball, in the box's frame.
-  CoreDistance<S> core() const { return core_distance(box, ball); }
 };
 
 template <class A, class B, class S>

@@ -56,7 +56,7 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    put<T>(pair.in_world(pair.core()), p.count, distances + first);
+    put<T>(pair.in_world(pair.core(pair.nearest())), p.count, distances + first);
   }
 }
 

@@ -45,20 +45,21 @@ struct SegmentFace {
 
   Mask side;
   Mask top;          ///< the end, where it is no side
+  S seen;            ///< the square of a unit of its length as seen
   S length_squared;  ///< of the side as seen
   S beside_squared;  ///< the distance of the point in question from the nearer end, as seen
   Mask nearer_top;
 
-  SegmentFace(const Segment<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
-    const Vec3<S> axis = segment.b - segment.a;
-    const S lean(face_lean<typename LaneOf<S>::type>), whole = graze::length_squared(axis), up = dot(axis, outward);
-    side = up * up <= lean * lean * whole;
+  SegmentFace(const TurnedAxis<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
+    using std::abs;
+    const S lean(face_lean<typename LaneOf<S>::type>), up = dot(segment.axis, outward), up_squared = up * up;
+    side = up_squared <= lean * lean;
     top = up > S(0);
-    const S per_length = S(1) / whole, seen = S(1) - up * up * per_length, from_a = dot(point - segment.a, axis),
-            from_b = whole - from_a, beside = least(from_a, from_b);
-    nearer_top = from_b < from_a;
-    length_squared = whole * seen;
-    beside_squared = beside * beside * per_length * seen;
+    seen = S(1) - up_squared;
+    length_squared = S(4) * segment.half * segment.half * seen;
+    const S along = dot(point - segment.middle, segment.axis), beside = segment.half - abs(along);
+    nearer_top = along > S(0);
+    beside_squared = beside * beside * seen;
   }
 
   /// `near_squared`: how near an end counts as that.
@@ -92,17 +93,17 @@ void find_parts(const RoundPair<PointCore<S>, PointCore<S>, S>&, const CoreDista
 }
 template <class S>
 void find_parts(const RoundPair<PointCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
-  const SegmentFace<S> face(p.b.segment, -core.normal, core.b);
+  const SegmentFace<S> face(p.b, -core.normal, core.b);
   c.part_a = S(0);
   c.part_b = face.part(S(near_end<S>) * face.length_squared);
 }
 template <class S>
 void find_parts(const RoundPair<AxisCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
   using T = typename LaneOf<S>::type;
-  const SegmentFace<S> a(p.a.segment, core.normal, core.a), b(p.b.segment, -core.normal, core.b);
-  const S across = dot(cross(p.a.segment.b - p.a.segment.a, p.b.segment.b - p.b.segment.a), core.normal);
+  const SegmentFace<S> a(p.a, core.normal, core.a), b(p.b, -core.normal, core.b);
+  const S across = dot(cross(p.a.axis, p.b.axis), core.normal);
   // Twice what makes two sides a face.
-  const auto parallel = across * across <= S(T(4) * face_lean<T> * face_lean<T>) * a.length_squared * b.length_squared;
+  const auto parallel = across * across <= S(T(4) * face_lean<T> * face_lean<T>) * a.seen * b.seen;
   c.known = select(a.side & b.side & parallel, S(0), S(1));
   const S infinite(std::numeric_limits<T>::infinity());
   const S near =
@@ -126,9 +127,14 @@ RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, con
   // Not `const`: g++ keeps a constant structure in memory, and what is written there number by number and read back as
   // three of them waits for the writes.
   auto pair = round_pair(a, pose_a, b, pose_b);
-  CoreDistance<S> core = pair.core();
+  CorePoints<S> nearest = pair.nearest();
+  const Vec3<S> between = nearest.b - nearest.a;
+  const S gap = length(between);
+  if (!any(gap - pair.radii() <= margin))
+    return {pair.in_world({gap, direction_of(between, gap), nearest.a, nearest.b}), S(0), S(0), S(1)};
+  CoreDistance<S> core = pair.core(nearest);
   RoundContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
-  if (any(contact.at.distance <= margin)) round::find_parts(pair, core, contact);
+  round::find_parts(pair, core, contact);
   return contact;
 }
 
