@@ -2,17 +2,14 @@
 #include <algorithm>
 
 #include "narrow/add_point.hpp"
-#include "narrow/box_batch.hpp"
 #include "narrow/contact_side.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/core.hpp"
-#include "narrow/explain.hpp"
 #include "narrow/general.hpp"
+#include "narrow/general_contacts.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
-#include "narrow/pairs/box_triangle_contacts.hpp"
-#include "narrow/pairs/half_space_contacts.hpp"
-#include "narrow/pairs/round_contacts.hpp"
+#include "narrow/pairs/box_choice.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -216,28 +213,6 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   return static_cast<T>(distance);
 }
 
-/// The points of two boxes, as the kernels find them for many pairs; nothing where their faces do not tell. As
-/// `polyhedral_contacts`, in T, but also where hardly more than the distance is between the faces.
-template <class T>
-[[gnu::flatten]] std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b, const Pose<T>& pose_b, T margin,
-                              Manifold<T>& manifold) {
-  const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
-  const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
-  const BoxChoice<T> choice = box_choice(boxes, margin);
-  if (choice.distance > margin) {
-    const detail::MeetingBoxes<T> seen(boxes, choice.axis);
-    manifold.normal = rotation_of(pose_a.rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
-    return choice.distance;
-  }
-  const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
-  if (found.known == T(0)) return std::nullopt;
-  take_points<T>(
-      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, box_features.of,
-      manifold.points);
-  manifold.normal = found.normal;
-  return choice.distance;
-}
-
 /// The support face of a body that lies on a half-space: each vertex with its own height.
 template <class T>
 void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const Shape<T>& body, const Pose<T>& pose,
@@ -260,33 +235,13 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
   manifold.normal = cast<T>(rotate(frame.rotation, up));
 }
 
-template <class T>
-void mirror(Manifold<T>& manifold) {
-  manifold.normal = -manifold.normal;
-  for (ContactPoint<T>& p : manifold.points) {
-    std::swap(p.a, p.b);
-    p.feature = swapped_feature_id(p.feature);
-  }
-}
+}  // namespace
 
-/// Of two shapes in the order of the list.
 template <class T>
-T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
-  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
-  const bool boxes = !trace && box_a && box_b;
-  if (boxes)
-    if (const auto distance = box_contacts(*box_a, pose_a, *box_b, pose_b, margin, manifold)) return *distance;
-  if (!trace && !boxes) {
-    const auto* box = a.template as<Box<T>>();
-    const auto* triangle = b.template as<Triangle<T>>();
-    if (box && triangle)
-      if (const auto distance = own_contacts(*box, a.margin(), pose_a, *triangle, b.margin(), pose_b, margin, manifold))
-        return *distance;
-    if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
-    if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
-  }
-  if (!boxes && has_separating_axes(a, b))
+  const bool asked_as_boxes = !trace && plain_box(a) && plain_box(b);
+  if (!asked_as_boxes && has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.
   const T limit = trace ? std::numeric_limits<T>::infinity() : margin;
@@ -304,23 +259,6 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
     bounded_contacts(a, pose_a, b, pose_b, margin, d, manifold);
   }
   return d.distance;
-}
-
-}  // namespace
-
-template <class T>
-T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                  Manifold<T>& manifold, Trace* trace) {
-  const bool swapped = against_order(a, b);
-  const T distance = swapped ? ordered_contacts(b, pose_b, a, pose_a, margin, manifold, trace)
-                             : ordered_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
-  if (swapped) mirror(manifold);
-  if (trace) {
-    if (swapped) mirror(*trace);
-    explain_axes(a, pose_a, b, pose_b, *trace);
-    if (!manifold.points.empty()) explain_normal(a, pose_a, b, pose_b, manifold.normal, *trace);
-  }
-  return distance;
 }
 
 template <class T>
@@ -343,9 +281,9 @@ template void contacts_along(const Shape<float>&, const Pose<float>&, const Shap
                              const Vec3<float>&, float, Manifold<float>&);
 template void contacts_along(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
                              const Vec3<double>&, double, Manifold<double>&);
-template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
-                               Manifold<float>&, Trace*);
-template double convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
-                                double, Manifold<double>&, Trace*);
+template float general_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
+                                Manifold<float>&, Trace*);
+template double general_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
+                                 double, Manifold<double>&, Trace*);
 
 }  // namespace graze

@@ -41,6 +41,7 @@ struct Ring {
   Mask is[most_box_points], stays[most_box_points];
   std::size_t size = most_box_points;
 
+  Ring() = default;
   /// From the corners of a rectangle, whose sides run along x and y, and of a parallelogram, whose sides' directions p and
   /// q come after x; `p_first` and `q_first` where they come before y.
   Ring(const Corners<S>& rectangle, const Corners<S>& parallelogram, const Mask& p_first, const Mask& q_first) {

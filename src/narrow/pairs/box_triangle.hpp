@@ -43,8 +43,8 @@ struct BoxAndTriangle {
 /// The directions of a triangle.
 template <class S>
 struct TriangleDirections {
-  Vec3<S> along[3], normal;     ///< unit, of its edges and out of its front
-  decltype(S() < S()) regular;  ///< of no sliver, and of lengths as those of `regular_box`
+  Vec3<S> along[3], normal;       ///< unit, of its edges and out of its front
+  decltype(S() < S()) regular{};  ///< of no sliver, and of lengths as those of `regular_box`
 
   TriangleDirections() = default;
   explicit TriangleDirections(const BoxAndTriangle<S>& p) {

@@ -13,21 +13,6 @@ template <class T>
   return {p.a.core, p.pose_a, p.b.core, p.pose_b};
 }
 
-/// The same number in all lanes.
-template <class S, class T>
-[[gnu::always_inline]] inline Vec3<S> in_lanes(const Vec3<T>& v) {
-  return {S(v.x), S(v.y), S(v.z)};
-}
-template <class S, class T>
-[[gnu::always_inline]] inline Pose<S> in_lanes(const Pose<T>& p) {
-  const Quat<T>& q = p.rotation;
-  return {in_lanes<S>(p.translation), {S(q.x), S(q.y), S(q.z), S(q.w)}};
-}
-template <class S>
-[[gnu::always_inline]] inline Vec3<typename S::Lane> first_of(const Vec3<S>& v) {
-  return {v.x[0], v.y[0], v.z[0]};
-}
-
 }  // namespace
 
 template <class T>
@@ -58,39 +43,23 @@ template <class T>
       for (std::size_t k = 0; k < 3; ++k) choice.normal[k].set(lane, of.normal[k]);
     }
     const BoxAndTriangle<S> p = box_and_triangle(bundle);
-    put(triangle_manifold(p, TriangleDirections<S>(p), choice, bundle.margin, bundle.pose_a), first, bundle.count,
-        points);
+    BoxManifold<S> found;
+    triangle_manifold(p, TriangleDirections<S>(p), choice, bundle.margin, bundle.pose_a, found);
+    put(found, first, bundle.count, points);
   }
 }
 
-// A pair alone fills a small register: as lanes its choices are masks, where as a scalar they are jumps, half of which are
-// guessed wrong.
 template <class T>
 [[gnu::flatten]] T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold) {
-  using S = Wide<T, 16 / static_cast<int>(sizeof(T))>;
-  const Pose<S> pose_a = in_lanes<S>(*pair.pose_a), pose_b = in_lanes<S>(*pair.pose_b);
-  const auto& box = *static_cast<const BoxCore<T>*>(pair.a);
-  const auto& corner = static_cast<const TriangleCore<T>*>(pair.b)->point;
-  const BoxAndTriangle<S> p({in_lanes<S>(box.half)}, pose_a,
-                            {{in_lanes<S>(corner[0]), in_lanes<S>(corner[1]), in_lanes<S>(corner[2])}}, pose_b);
-  TriangleDirections<S> directions;
-  const TriangleChoice<S> choice = triangle_choice(p, S(pair.margin), directions);
-  const T distance = choice.distance[0];
-  if (distance > pair.margin) {
-    manifold.normal = first_of(p.turn * choice.normal);
-    return distance;
-  }
-  const BoxManifold<S> found = triangle_manifold(p, directions, choice, S(pair.margin), pose_a);
-  manifold.normal = first_of(found.normal);
-  manifold.filled = found.filled[0];
-  manifold.known = found.known[0];
-  const auto filled = static_cast<unsigned>(manifold.filled);
-  for (unsigned i = 0; i < most_box_points; ++i) {
-    const auto& slot = found.slots[i];
-    if ((filled >> i & 1) != 0)
-      manifold.slots[i] = {first_of(slot.a), first_of(slot.b), slot.distance[0], slot.part_a[0], slot.part_b[0]};
-  }
-  return distance;
+  const BoxAndTriangle<T> p(*static_cast<const BoxCore<T>*>(pair.a), *pair.pose_a,
+                            *static_cast<const TriangleCore<T>*>(pair.b), *pair.pose_b);
+  TriangleDirections<T> directions;
+  const TriangleChoice<T> choice = triangle_choice(p, pair.margin, directions);
+  if (choice.distance > pair.margin)
+    manifold.normal = p.turn * choice.normal;
+  else
+    triangle_manifold(p, directions, choice, pair.margin, *pair.pose_a, manifold);
+  return choice.distance;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

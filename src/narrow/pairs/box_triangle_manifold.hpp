@@ -59,6 +59,20 @@ struct TriangleFace {
   S apart_at(const FlatPoint<S>& p) const {
     return vertex[0].apart + (p.x - vertex[0].at.x) * slope.x + (p.y - vertex[0].at.y) * slope.y;
   }
+  /// The outline of what it shares with the rectangle that it is laid over.
+  Ring<S> over(const RectangleAndTriangle<S>& faces, const S& together) const {
+    Corner<S> corners[most_box_points];
+    faces.corners(corners, together);
+    Ring<S> ring;
+    for (std::size_t i = 0; i < most_box_points; ++i) {
+      ring.x[i] = corners[i].at.x;
+      ring.y[i] = corners[i].at.y;
+      ring.is[i] = corners[i].is;
+    }
+    ring.close_up();
+    for (std::size_t i = 0; i < ring.size; ++i) ring.apart[i] = apart_at(ring.at(i));
+    return ring;
+  }
   /// The square of the shortest side; infinite of a vertex.
   S shortest_squared() const {
     const S infinity(std::numeric_limits<typename LaneOf<S>::type>::infinity()),
@@ -121,12 +135,12 @@ struct TriangleFace {
 /// The points along the chosen axis of a box and a triangle that are at most `margin` apart, in the world. Only for those
 /// within the margin of each other.
 template <class S>
-BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& directions,
-                                 const TriangleChoice<S>& choice, const S& margin, const Pose<S>& pose_a) {
+void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& directions,
+                       const TriangleChoice<S>& choice, const S& margin, const Pose<S>& pose_a, BoxManifold<S>& found) {
   using std::sqrt;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
-  const S zero(0), one(1), infinity(std::numeric_limits<T>::infinity());
+  const S zero(0), one(1);
 
   // The axes of the box turned until its face's comes last.
   const auto axes = detail::longest_axis(choice.normal);
@@ -144,17 +158,11 @@ BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirec
           near = S(T(same_place)) * sqrt(least(S(4) * shorter * shorter, face.shortest_squared())),
           near_squared = near * near;
 
-  detail::Corner<S> corners[most_box_points];
-  faces.corners(corners, S(same_point<T>) * near_squared);
-  S apart[most_box_points], nearest = infinity;
-  for (std::size_t i = 0; i < most_box_points; ++i) {
-    apart[i] = face.apart_at(corners[i].at);
-    nearest = select(corners[i].is, least(apart[i], nearest), nearest);
-  }
-  if (any(face.whole)) detail::drop_idle_corners(corners, apart, near);
+  detail::Ring<S> corners = face.over(faces, S(same_point<T>) * near_squared);
+  const S nearest = corners.find_deepest();
+  if (any(face.whole)) detail::drop_idle_corners(corners, near);
 
   const Vec3<S> wx = axes.turned(p.turn.row[0]), wy = axes.turned(p.turn.row[1]), wz = axes.turned(p.turn.row[2]);
-  BoxManifold<S> found;
   found.normal = {dot(wx, n), dot(wy, n), dot(wz, n)};
   found.filled = zero;
   const auto side = [](const S& at, const S& from) {
@@ -163,15 +171,16 @@ BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirec
   const S box_face = axes.pick(zero, S(18), S(36)) + select(positive, S(9), zero),
           limit = greatest(margin, choice.distance + p.noise);
   const FlatPoint<S> rim{half.x - near, half.y - near};
-  for (std::size_t i = 0; i < most_box_points; ++i) {
-    const Mask here = corners[i].is & (apart[i] <= limit);
+  for (std::size_t i = 0; i < corners.size; ++i) {
+    const S& apart = corners.apart[i];
+    const Mask here = corners.is[i] & (apart <= limit);
     if (!any(here)) continue;
-    const auto& at = corners[i].at;
+    const FlatPoint<S> at = corners.at(i);
     const Vec3<S> place{at.x, at.y, height};
     auto& slot = found.slots[i];
     slot.a = pose_a.translation + Vec3<S>{dot(wx, place), dot(wy, place), dot(wz, place)};
-    slot.b = slot.a + found.normal * apart[i];
-    slot.distance = apart[i];
+    slot.b = slot.a + found.normal * apart;
+    slot.distance = apart;
     slot.part_a = box_face + side(at.x, rim.x) + side(at.y, rim.y) * S(3);
     slot.part_b = face.part(at, near_squared);
     found.filled = found.filled + select(here, S(T(1 << i)), zero);
@@ -179,7 +188,6 @@ BoxManifold<S> triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirec
   const S allowed = S(T(face_preference)) * least(p.size_a, p.size_b);
   const Mask known = directions.regular & (found.filled > zero) & (nearest <= choice.distance + allowed);
   found.known = select(known, one, zero);
-  return found;
 }
 
 }  // namespace graze

@@ -21,14 +21,14 @@ template <class S>
 
 /// Writes the lanes that hold a pair.
 template <class T>
-[[gnu::always_inline]] inline void put(const Distance<Lanes<T>>& d, std::size_t count, Distance<T>* to) {
+[[gnu::always_inline]] inline void put(const CoreDistance<Lanes<T>>& d, std::size_t count, Distance<T>* to) {
   for (std::size_t k = 0; k < count; ++k) {
     const int i = static_cast<int>(k);
     to[k] = {d.distance[i], lane<T>(d.normal, i), lane<T>(d.a, i), lane<T>(d.b, i)};
   }
 }
 template <class T>
-[[gnu::always_inline]] inline void put(const Distance<Lanes<T>>& d, const std::uint32_t* features,
+[[gnu::always_inline]] inline void put(const CoreDistance<Lanes<T>>& d, const std::uint32_t* features,
                                        const Lanes<T>& weight, std::size_t count, PointContact<T>* to) {
   if constexpr (sizeof(T) == 4) {
     using Point = ContactPoint<T>;
@@ -56,7 +56,7 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    put<T>(pair.distance(pair.core()), p.count, distances + first);
+    put<T>(pair.in_world(pair.core(pair.nearest())), p.count, distances + first);
   }
 }
 

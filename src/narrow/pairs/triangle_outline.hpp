@@ -10,11 +10,26 @@
 // angle, is within the first half turn and the last within the second: few slots remain for each.
 #pragma once
 
-#include "narrow/pairs/box_outline.hpp"
+#include "narrow/pairs/box_ring.hpp"
 
 namespace graze {
 
 namespace detail {
+
+using graze::select;  // beside those for corners
+
+/// A corner where a side begins, while it is one.
+template <class S>
+struct Corner {
+  FlatPoint<S> at;
+  decltype(S() < S()) is;  ///< false: there is none
+};
+template <class M, class S>
+Corner<S> select(const M& condition, const Corner<S>& yes, const Corner<S>& no) {
+  Corner<S> corner{{select(condition, yes.at.x, no.at.x), select(condition, yes.at.y, no.at.y)}, no.is};
+  corner.is = (condition & yes.is) | ((!condition) & no.is);
+  return corner;
+}
 
 /// A vertex of the triangle as seen along the normal.
 template <class S>
