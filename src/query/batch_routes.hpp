@@ -20,6 +20,7 @@ enum class Route : std::uint8_t {
   capsule_box,
   box_box,
   box_half_space,
+  box_triangle,
   none
 };
 inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none), round_route_count = 5;
@@ -42,6 +43,7 @@ class Routes {
     add<Capsule<T>, Box<T>>(Route::capsule_box);
     add<Box<T>, Box<T>>(Route::box_box);
     add<Box<T>, HalfSpace<T>>(Route::box_half_space);
+    add<Box<T>, Triangle<T>>(Route::box_triangle);
   }
   constexpr std::size_t operator()(std::size_t kind_a, std::size_t kind_b) const {
     return queues_[kind_a * Shape<T>::count + kind_b];
@@ -68,6 +70,7 @@ void with_round_kinds(Route route, const F& f) {
   case Route::capsule_box: return f.template operator()<Capsule<T>, Box<T>>();
   case Route::box_box:
   case Route::box_half_space:
+  case Route::box_triangle:
   case Route::none: break;
   }
 }
@@ -85,7 +88,9 @@ struct Queue {
 /// along every side.
 template <class T>
 bool regular(std::size_t kind, const void* concrete) {
-  if (kind == detail::kind_of<Sphere<T>, T>() || kind == detail::kind_of<HalfSpace<T>, T>()) return true;
+  if (kind == detail::kind_of<Sphere<T>, T>() || kind == detail::kind_of<HalfSpace<T>, T>() ||
+      kind == detail::kind_of<Triangle<T>, T>())
+    return true;
   if (kind == detail::kind_of<Box<T>, T>()) return regular_box(static_cast<const Box<T>*>(concrete)->half_extents());
   const auto& capsule = *static_cast<const Capsule<T>*>(concrete);
   return !capsule.tapered() && capsule.half_height() > T(0);

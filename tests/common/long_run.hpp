@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_bits<float> = 181247229163547103u;
+inline constexpr std::uint64_t golden_bits<float> = 3187882494324168931u;
 template <>
-inline constexpr std::uint64_t golden_bits<double> = 11433669174171434940u;
+inline constexpr std::uint64_t golden_bits<double> = 533423246063345170u;
 
 /// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of the bytes of numbers.
 class Hash {

@@ -226,9 +226,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S slack = noise * S(T(witness_slack));
-  const Mat3<S> absolute = abs(p.rotation);
-  S face_number(0), edge_number(6);
-  const S face = box_faces(p, absolute, face_number);
+  const auto [face, face_number] = best_face(p);
   const Mask apart = face > noise;
   BoxNearest<S> nearest{};
   if (any(apart)) {
@@ -236,7 +234,8 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
     nearest.proven = nearest.proven & apart;
     if (all(nearest.proven)) return nearest;
   }
-  const S edge = box_edges(p, absolute, edge_number);
+  S edge_number(6);
+  const S edge = best_edges(p, face, edge_number);
   const Mask by_edge = edge > face + noise;
   const S axis = select(by_edge, edge_number, face_number), separation = select(by_edge, edge, face);
   const BoxNearest<S> along = along_axis(p, axis, separation, slack);
