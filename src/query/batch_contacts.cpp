@@ -116,8 +116,12 @@ class Together {
   void operator()(Route route, bool turned, const Queue<T>& queue) {
     if (route == Route::box_box)
       boxes(queue);
+    else if (route == Route::sphere_half_space)
+      rests<Sphere<T>>(turned, queue);
+    else if (route == Route::capsule_half_space)
+      rests<Capsule<T>>(turned, queue);
     else if (route == Route::box_half_space)
-      rests(turned, queue);
+      rests<Box<T>>(turned, queue);
     else
       round(route, turned, queue);
   }
@@ -131,8 +135,9 @@ class Together {
         },
         [&](std::size_t k) { single_(queue.places[k]); });
   }
+  template <class A>
   void rests(bool turned, const Queue<T>& queue) {
-    visit_rest_contacts(
+    visit_rest_contacts<A>(
         queue.pairs.data(), queue.count, [&](std::size_t) { return turned; },
         [&](std::size_t k) { writer_.begin(queue.places[k], false); },
         [&](std::size_t k, T distance, const RestPoints<T>& points) {

@@ -19,6 +19,8 @@ enum class Route : std::uint8_t {
   capsule_capsule,
   capsule_box,
   box_box,
+  sphere_half_space,
+  capsule_half_space,
   box_half_space,
   none
 };
@@ -41,6 +43,8 @@ class Routes {
     add<Capsule<T>, Capsule<T>>(Route::capsule_capsule);
     add<Capsule<T>, Box<T>>(Route::capsule_box);
     add<Box<T>, Box<T>>(Route::box_box);
+    add<Sphere<T>, HalfSpace<T>>(Route::sphere_half_space);
+    add<Capsule<T>, HalfSpace<T>>(Route::capsule_half_space);
     add<Box<T>, HalfSpace<T>>(Route::box_half_space);
   }
   constexpr std::size_t operator()(std::size_t kind_a, std::size_t kind_b) const {
@@ -67,6 +71,8 @@ void with_round_kinds(Route route, const F& f) {
   case Route::capsule_capsule: return f.template operator()<Capsule<T>, Capsule<T>>();
   case Route::capsule_box: return f.template operator()<Capsule<T>, Box<T>>();
   case Route::box_box:
+  case Route::sphere_half_space:
+  case Route::capsule_half_space:
   case Route::box_half_space:
   case Route::none: break;
   }

@@ -190,7 +190,7 @@ void ManifoldFinder<T>::find_balls(const Waiting<T>& balls, std::uint32_t block)
 
 template <class T>
 void ManifoldFinder<T>::find_rests(const Waiting<T>& rests, std::uint32_t block) {
-  visit_rest_contacts(
+  visit_rest_contacts<Box<T>>(
       rests.pairs, rests.count, [&](std::size_t i) { return (seen_[pairs_[rests.places[i]].a].traits & plane) != 0; },
       [&](std::size_t i) { keep_apart(rests.places[i]); },
       [&](std::size_t i, T distance, const RestPoints<T>& points) {

@@ -37,25 +37,6 @@ struct BoxChoice {
   S axis;      ///< its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th
 };
 
-/// The largest separation along the faces' normals, and the number of that axis.
-template <class S>
-S box_faces(const BoxPair<S>& p, const Mat3<S>& absolute, S& number) {
-  using std::abs;
-  using T = typename LaneOf<S>::type;
-  S most(-std::numeric_limits<T>::infinity());
-  const auto keep = [&](const S& separation, int axis) {
-    const auto better = separation > most;
-    most = select(better, separation, most);
-    number = select(better, S(T(axis)), number);
-  };
-  for (std::size_t i = 0; i < 3; ++i)
-    keep(abs(p.translation[i]) - (p.half_a[i] + dot(absolute.row[i], p.half_b)), static_cast<int>(i));
-  for (std::size_t j = 0; j < 3; ++j)
-    keep(abs(dot(p.translation, p.rotation.column(j))) - (p.half_b[j] + dot(absolute.column(j), p.half_a)),
-         static_cast<int>(3 + j));
-  return most;
-}
-
 /// The largest separation along the products of edges, and the number of that axis.
 template <class S>
 S box_edges(const BoxPair<S>& p, const Mat3<S>& absolute, S& number) {
@@ -83,7 +64,18 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const Mat3<S> absolute = abs(p.rotation);
-  S face_number(0), face = box_faces(p, absolute, face_number);
+  S face(-std::numeric_limits<T>::infinity()), face_number(0);
+  const auto keep_face = [&](const S& separation, int number) {
+    const auto better = separation > face;
+    face = select(better, separation, face);
+    face_number = select(better, S(T(number)), face_number);
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    keep_face(abs(p.translation[i]) - (p.half_a[i] + dot(absolute.row[i], p.half_b)), static_cast<int>(i));
+  for (std::size_t j = 0; j < 3; ++j)
+    keep_face(abs(dot(p.translation, p.rotation.column(j))) - (p.half_b[j] + dot(absolute.column(j), p.half_a)),
+              static_cast<int>(3 + j));
+
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
   // Where a face tells that they are further apart than anybody asks, edges need not be tried.
   const Mask decided = face > margin + noise;

@@ -227,8 +227,10 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   using Mask = decltype(S() < S());
   const S slack = noise * S(T(witness_slack));
   const Mat3<S> absolute = abs(p.rotation);
-  S face_number(0), edge_number(6);
-  const S face = box_faces(p, absolute, face_number);
+  const BoxAxis<S> of_a = box_axes_of_a(p), of_b = box_axes_of_b(p, absolute);
+  const Mask b_better = of_b.separation > of_a.separation;
+  const S face = select(b_better, of_b.separation, of_a.separation),
+          face_number = select(b_better, of_b.number, of_a.number);
   const Mask apart = face > noise;
   BoxNearest<S> nearest{};
   if (any(apart)) {
@@ -236,6 +238,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
     nearest.proven = nearest.proven & apart;
     if (all(nearest.proven)) return nearest;
   }
+  S edge_number(6);
   const S edge = box_edges(p, absolute, edge_number);
   const Mask by_edge = edge > face + noise;
   const S axis = select(by_edge, edge_number, face_number), separation = select(by_edge, edge, face);
