@@ -14,12 +14,6 @@
 
 namespace graze {
 
-/// Whether the shape is a half-space without a margin, as the kernel takes it.
-template <class T>
-bool plain_half_space(const Shape<T>& shape) {
-  return shape.margin() == T(0) && shape.template as<HalfSpace<T>>() != nullptr;
-}
-
 /// Points of a body that are nearer to each other than this are one; zero where none of its own can be.
 template <class T>
 T points_together(const Sphere<T>&, T) {
