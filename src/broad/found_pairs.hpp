@@ -10,8 +10,18 @@
 #include <vector>
 
 #include "broad/row_kernels.hpp"
+#include "graze/broad_phase.hpp"
 
 namespace graze {
+
+/// Pairs as kernels take them: two places each.
+inline std::uint32_t* numbers(std::span<IdPair> pairs) {
+  static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
+  return reinterpret_cast<std::uint32_t*>(pairs.data());
+}
+inline const std::uint32_t* numbers(std::span<const IdPair> pairs) {
+  return reinterpret_cast<const std::uint32_t*>(pairs.data());
+}
 
 class FoundPairs {
  public:

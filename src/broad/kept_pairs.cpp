@@ -29,8 +29,8 @@ constexpr std::size_t few_frames = 2, longest_pause = 63;
 constexpr std::size_t pairs_per_box = 8;
 /// So many boxes tell how far all of them move.
 constexpr std::size_t most_samples = 256;
-/// Comparing one that left with one that overlaps much (wide_boxes.hpp) costs a fiftieth of finding a box's pairs.
-constexpr std::size_t comparisons_per_box = 4;
+/// So many that overlap much may be in the list: to go through it costs less for them than to compare them anew.
+constexpr std::size_t few_wide = 4;
 
 /// The place of sample `i`: steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section
 /// 6.4).
@@ -56,9 +56,6 @@ const T* numbers(std::span<const Aabb<T>> boxes) {
   return reinterpret_cast<const T*>(boxes.data());
 }
 
-static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
-std::uint32_t* numbers(std::vector<IdPair>& pairs) { return reinterpret_cast<std::uint32_t*>(pairs.data()); }
-
 }  // namespace
 
 template <class T>
@@ -67,12 +64,29 @@ void KeptPairs<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out
     end_list();
     if (is_worth_a_list(boxes)) make_list(boxes);
     if (has_list_)
-      keep_overlapping_ones(boxes, nullptr, out);
+      keep_overlapping_ones(boxes, nullptr, not_apart(out));
     else
-      all_.find(boxes, out);
+      find_anew(boxes, out);
   }
   take_samples(boxes);
-  last_count_ = out.size();
+  last_count_ = not_apart(out).size();
+  if (!apart_.empty()) compare_apart(boxes, out);
+}
+
+template <class T>
+void KeptPairs<T>::find_anew(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
+  all_.find(boxes);
+  apart_.assign(all_.wide().begin(), all_.wide().end());
+  all_.sort_into(not_apart(out));
+}
+
+/// Puts the pairs of those apart among the others. Once they overlap far less than they did, others may take their part.
+template <class T>
+void KeptPairs<T>::compare_apart(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
+  wide_.merge(isa_, boxes, apart_, inner_, out);
+  const std::size_t pairs = out.size() - inner_.size();
+  if (frames_ == 0) apart_pairs_ = pairs;
+  if (2 * pairs < apart_pairs_) end_list();
 }
 
 /// Returns false where there is no list, or too many have left for it to be of use.
@@ -85,26 +99,29 @@ bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPa
   const std::uint32_t left = GRAZE_KERNEL(isa_, find_left<T>)(numbers(boxes), numbers(std::span<const Aabb<T>>(rooms_)),
                                                               static_cast<std::uint32_t>(boxes.size()), left_.data(),
                                                               static_cast<std::uint32_t>(most + 1));
-  if (left > most || left * all_.wide().size() > boxes.size() * comparisons_per_box) return false;
+  if (left > most) return false;
   const std::span<const std::uint32_t> places{left_.data(), left};
   if (!std::all_of(places.begin(), places.end(), [&](std::uint32_t i) { return is_bounded(boxes[i]); })) return false;
   ++frames_;
   if (left == 0) {
-    keep_overlapping_ones(boxes, nullptr, out);
+    keep_overlapping_ones(boxes, nullptr, not_apart(out));
     return true;
   }
   has_left_.assign(words_for(std::max(boxes.size(), rooms_.size())), 0);
   for (const std::uint32_t i : places) has_left_[i / 64] |= std::uint64_t{1} << (i % 64);
   find_pairs_of_left(boxes, places);
-  keep_overlapping_ones(boxes, has_left_.data(), out);
-  merge_found(boxes.size(), out);
+  keep_overlapping_ones(boxes, has_left_.data(), not_apart(out));
+  merge_found(boxes.size(), not_apart(out));
   return true;
 }
 
 /// The list is for as many boxes as there were. New places are those of boxes that have no room at all.
 template <class T>
 void KeptPairs<T>::fit_list(std::size_t boxes) {
-  if (boxes < rooms_.size()) std::erase_if(list_, [boxes](const IdPair& p) { return p.b >= boxes; });
+  if (boxes < rooms_.size()) {
+    std::erase_if(list_, [boxes](const IdPair& p) { return p.b >= boxes; });
+    std::erase_if(apart_, [boxes](std::uint32_t place) { return place >= boxes; });
+  }
   if (boxes != rooms_.size()) rooms_.resize(boxes, Aabb<T>::empty());
 }
 
@@ -119,6 +136,7 @@ void KeptPairs<T>::find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<
   found_.keep_if(
       among, [&](std::uint32_t a, std::uint32_t b) { return is_in_room(b) && overlap(boxes[a], boxes[b]); },
       [&](std::uint32_t b) { __builtin_prefetch(boxes.data() + b); });
+  if (!apart_.empty()) return;
   for (const std::uint32_t b : all_.wide())
     if (is_in_room(b))
       for (const std::uint32_t a : left)
@@ -137,7 +155,8 @@ void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const s
   while (done < list) {
     const std::size_t next = std::min(list - done, std::max(step, out.size() - kept));
     if (out.size() - kept < next) out.resize(std::max(kept + next, std::min(out.capacity(), out.size() + step)));
-    kept += keep(numbers(boxes), numbers(list_) + 2 * done, next, dropped, numbers(out) + 2 * kept);
+    kept += keep(numbers(boxes), numbers(std::span<const IdPair>(list_)) + 2 * done, next, dropped,
+                 numbers(std::span(out)) + 2 * kept);
     done += next;
   }
   out.resize(kept);
@@ -199,8 +218,21 @@ void KeptPairs<T>::make_list(std::span<const Aabb<T>> boxes) {
   rooms_.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) rooms_[i] = with_room(boxes[i], room);
   frames_ = 0;
-  has_list_ = all_.find(rooms_, list_, boxes.size() * pairs_per_box);
-  if (!has_list_) pause();
+  has_list_ = all_.find(rooms_, boxes.size() * pairs_per_box);
+  if (!has_list_) {
+    pause();
+    return;
+  }
+  all_.sort_into(list_);
+  apart_.clear();
+  const std::span<const std::uint32_t> wide = all_.wide();
+  if (wide.size() > few_wide) {
+    apart_.assign(wide.begin(), wide.end());
+    for (const std::uint32_t i : wide) rooms_[i] = Aabb<T>::everything();
+  } else if (!wide.empty()) {
+    inner_.swap(list_);
+    wide_.merge(isa_, rooms_, wide, inner_, list_);
+  }
 }
 
 template <class T>
@@ -226,10 +258,11 @@ void KeptPairs<T>::take_samples(std::span<const Aabb<T>> boxes) {
 
 template <class T>
 std::size_t KeptPairs<T>::memory() const {
-  return all_.memory() + left_sweep_.memory() + found_.memory() + order_.memory() +
+  return all_.memory() + left_sweep_.memory() + found_.memory() + order_.memory() + wide_.memory() +
          (rooms_.capacity() + samples_.capacity()) * sizeof(Aabb<T>) +
-         (list_.capacity() + of_left_.capacity()) * sizeof(IdPair) + lengths_.capacity() * sizeof(T) +
-         left_.capacity() * sizeof(std::uint32_t) + has_left_.capacity() * sizeof(std::uint64_t);
+         (list_.capacity() + of_left_.capacity() + inner_.capacity()) * sizeof(IdPair) +
+         lengths_.capacity() * sizeof(T) + (left_.capacity() + apart_.capacity()) * sizeof(std::uint32_t) +
+         has_left_.capacity() * sizeof(std::uint64_t);
 }
 
 template <class T>

@@ -5,7 +5,8 @@
 // A frame in which all boxes are in their rooms costs one look at each and one comparison for each pair of the list. The
 // pairs of boxes that have left their rooms are looked for (row_sweep.hpp) among themselves and with all others; where
 // they are many, the list is made anew; and where boxes move so far between frames that it would not last, all pairs are
-// found without one.
+// found without one. What overlaps a good part of everything stays out of the list, which would be long with it, and is
+// compared with everything in each frame (wide_boxes.hpp); but for a floor or two.
 //
 // Guarantee: exactly the overlapping pairs of closed boxes, sorted; a function of the boxes alone, since what is
 // remembered only says where to look.
@@ -17,6 +18,7 @@
 #include "broad/found_pairs.hpp"
 #include "broad/pair_order.hpp"
 #include "broad/row_sweep.hpp"
+#include "broad/wide_boxes.hpp"
 #include "graze/broad_phase.hpp"
 
 namespace graze {
@@ -44,6 +46,9 @@ class KeptPairs {
   bool is_worth_a_list(std::span<const Aabb<T>> boxes);
   T room_of_most(std::span<const Aabb<T>> boxes);
   void make_list(std::span<const Aabb<T>> boxes);
+  void find_anew(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  void compare_apart(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  std::vector<IdPair>& not_apart(std::vector<IdPair>& out) { return apart_.empty() ? out : inner_; }
   void end_list();
   void pause();
   void take_samples(std::span<const Aabb<T>> boxes);
@@ -53,9 +58,13 @@ class KeptPairs {
   std::vector<Aabb<T>> rooms_;
   std::vector<IdPair> list_;  ///< the pairs of rooms that overlap
   bool has_list_ = false;
+  std::vector<std::uint32_t> apart_;  ///< those that are compared with all others, in ascending order
+  std::size_t apart_pairs_ = 0;       ///< of those, when the list was made
+  std::vector<IdPair> inner_;         ///< the frame's other pairs
+  WideBoxes<T> wide_;
   std::size_t frames_ = 0;            ///< in which the list was of use
   std::size_t wait_ = 0, pause_ = 0;  ///< frames until the next list is tried, and how many there were the last time
-  std::size_t last_count_ = 0;        ///< of pairs, in the last frame
+  std::size_t last_count_ = 0;        ///< of pairs in the last frame, those apart left out
   std::vector<Aabb<T>> samples_;      ///< some boxes of the last frame
   std::size_t sampled_ = 0;           ///< out of so many
   std::vector<T> lengths_;

@@ -62,6 +62,14 @@ struct SweptOver {
   std::uint32_t low_y, high_y, low_z, high_z;  ///< the rows it can reach, all included
 };
 
+/// Sorted pairs of one box that are known, to be put in between others. `ranks[b]` of a place `b` is how many of the
+/// places that the others come from are less.
+struct KnownPairs {
+  const std::uint32_t* pairs;
+  std::size_t count;
+  const std::uint32_t* ranks;
+};
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The pairs of boxes that share a row.
@@ -69,9 +77,10 @@ GRAZE_DECLARE_KERNEL(
     /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
     template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,
                                        std::size_t count, PairSink& sink);
-    /// The pairs of one box with those from place `from` to `end` in the arrays, whatever their order; in that order.
-    template <class T> void test_all(const Rows<T>& boxes, std::size_t from, std::size_t end, const SweptOver<T>& box,
-                                     PairSink& sink);)
+    /// The pairs of one box with those at `from` to `end` in the arrays, in that order, and `known` ones in between, two
+    /// places each from `to` on; returns the end of what was written. Writes up to `row_padding` pairs past it.
+    template <class T> std::uint32_t* test_all(const Rows<T>& boxes, std::uint32_t from, std::uint32_t end,
+                                               const SweptOver<T>& box, const KnownPairs& known, std::uint32_t* to);)
 // clang-format on
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 
 #include "broad/boxes.hpp"
 #include "broad/radix_sort.hpp"
+#include "broad/wide_boxes.hpp"
 
 namespace graze {
 
@@ -26,8 +27,7 @@ template <class T>
 std::size_t RowSweep<T>::memory() const {
   std::size_t bytes = (members_.capacity() + larger_.capacity() + wide_.capacity()) * sizeof(std::uint32_t) +
                       found_.memory() + over_.capacity() * sizeof(SweptOver<T>) +
-                      (by_row_.capacity() + scratch_.capacity()) * sizeof(std::uint64_t) +
-                      inner_.capacity() * sizeof(IdPair) + compare_wide_.memory() + order_.memory();
+                      (by_row_.capacity() + scratch_.capacity()) * sizeof(std::uint64_t) + order_.memory();
   for (const RowGrid<T>& level : levels_) bytes += level.memory();
   return bytes;
 }
@@ -110,7 +110,8 @@ void RowSweep<T>::sweep_over_level(std::span<const Aabb<T>> boxes, std::span<con
 }
 
 template <class T>
-bool RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, std::size_t most) {
+bool RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::size_t most) {
+  box_count_ = boxes.size();
   found_.clear(most);
   PairSink sink = found_.sink();
   members_.clear();
@@ -133,16 +134,13 @@ bool RowSweep<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out,
     members_ = larger_;
   }
   found_.take(sink);
-  if (found_.is_full()) return false;
-  if (wide_.empty()) {
-    out.resize(sink.count);
-    order_.sort(found_.first(), found_.second(), boxes.size(), out.data());
-    return true;
-  }
-  inner_.resize(sink.count);
-  order_.sort(found_.first(), found_.second(), boxes.size(), inner_.data());
-  compare_wide_.merge(isa_, boxes, wide_, inner_, out);
-  return true;
+  return !found_.is_full();
+}
+
+template <class T>
+void RowSweep<T>::sort_into(std::vector<IdPair>& out) {
+  out.resize(found_.first().size());
+  order_.sort(found_.first(), found_.second(), box_count_, out.data());
 }
 
 template <class T>

@@ -2,12 +2,12 @@
 //
 // Boxes are sorted into the rows of a grid (row_grid.hpp), and each row is swept with itself and the four rows ahead of
 // it: no box reaches further. What is much longer than others goes to a level of its own with larger strips, and is
-// swept over the rows below it; or, where it overlaps a good part of everything, is compared with everything
+// swept over the rows below it; or, where it overlaps a good part of everything, is left to be compared with everything
 // (wide_boxes.hpp). Pairs are sorted at the end (pair_order.hpp).
 //
-// Guarantee: exactly the overlapping pairs of closed boxes, sorted; a function of the boxes alone. Cost N log N for any
-// sizes and places, and the number of pairs; each level has at most half the boxes of the one below. No allocation
-// where a frame needs no more room than those before.
+// Guarantee: exactly the overlapping pairs of closed boxes but those left so, sorted; a function of the boxes alone.
+// Cost N log N for any sizes and places, and the number of pairs; each level has at most half the boxes of the one
+// below. No allocation where a frame needs no more room than those before.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,6 @@
 #include "broad/found_pairs.hpp"
 #include "broad/pair_order.hpp"
 #include "broad/row_grid.hpp"
-#include "broad/wide_boxes.hpp"
 #include "graze/broad_phase.hpp"
 
 namespace graze {
@@ -35,16 +34,18 @@ class RowSweep {
   /// Runs at `level`, which must be available.
   explicit RowSweep(Isa level = chosen_isa()) : isa_(level) {}
 
-  /// The pairs of places in `boxes`, sorted, the smaller first. Gives up and returns false where there turn out to be
-  /// some times more than `most`, those at `wide` left out.
-  bool find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, std::size_t most = ~std::size_t{0});
+  /// Looks for all pairs but those of boxes at `wide`. Gives up and returns false where there turn out to be some times
+  /// more than `most`.
+  bool find(std::span<const Aabb<T>> boxes, std::size_t most = ~std::size_t{0});
+  /// What `find` found: pairs of places, sorted, the smaller first.
+  void sort_into(std::vector<IdPair>& out);
 
   /// Adds the pairs among the boxes at `places`, which must be bounded, in any order.
   void find_among(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found);
   /// Adds the pairs of the boxes at `places`, which must be bounded, with those that `find` was last given, the latter
   /// second and in any order; but not with those at `wide`.
   void find_over(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> places, FoundPairs& found);
-  /// Those that the last `find` compared with all others.
+  /// Those that the last `find` left to be compared with all others (wide_boxes.hpp), in ascending order.
   std::span<const std::uint32_t> wide() const { return wide_; }
 
   std::size_t memory() const;
@@ -60,13 +61,12 @@ class RowSweep {
   std::vector<RowGrid<T>> levels_;
   std::size_t level_count_ = 0;  ///< those in use
   std::vector<std::uint32_t> members_, larger_;
-  std::vector<std::uint32_t> wide_;  ///< that are compared with all others
+  std::vector<std::uint32_t> wide_;
+  std::size_t box_count_ = 0;  ///< of the last `find`
   std::vector<SweptOver<T>> over_;
   std::vector<std::uint64_t> by_row_, scratch_;
   FoundPairs found_;
-  std::vector<IdPair> inner_;  ///< the sorted pairs of others than the wide ones
   PairOrder order_;
-  WideBoxes<T> compare_wide_;
 };
 
 }  // namespace graze

@@ -51,15 +51,34 @@ class Output {
   bool is_full_;
 };
 
+/// Where pairs go that are written two places each, and for which there is room.
+class InOrder {
+ public:
+  [[gnu::always_inline]] explicit InOrder(std::uint32_t* to) : to_(to) {}
+
+  [[gnu::always_inline]] void add(std::uint32_t place, const std::uint32_t* others, std::uint32_t bits) {
+    store_chosen_pairs(to_, place, others, bits);
+    to_ += 2 * count_bits(bits);
+  }
+  [[gnu::always_inline]] void add(const std::uint32_t* pair) {
+    to_[0] = pair[0], to_[1] = pair[1];
+    to_ += 2;
+  }
+  [[gnu::always_inline]] std::uint32_t* end() const { return to_; }
+
+ private:
+  std::uint32_t* to_;
+};
+
 /// Which of the columns a scan looks at. In a sweep boxes ascend along X, and those that begin after the box has ended
 /// end it; what comes after a box in its own row begins after it, too.
 enum class Scan { own_row, row, unordered };
 
 /// One box against those from `k` on; in rows, only where `began` has no bit in common with them. Whether a pair overlaps
 /// is hard to foresee, so every step writes all of its lanes and only the count depends on it.
-template <Scan kind, class T>
+template <Scan kind, class T, class Out>
 [[gnu::always_inline]] inline void scan(const Rows<T>& r, const Spread<T>& box, typename Lanes<T>::Bits began,
-                                        std::uint32_t place, std::uint32_t k, std::uint32_t end, Output& output) {
+                                        std::uint32_t place, std::uint32_t k, std::uint32_t end, Out& output) {
   constexpr std::uint32_t lanes = lanes_of<T>;
   const auto at = [&](const T* column) { return Lanes<T>::load(column + k); };
   using C = Chosen<T>;
@@ -136,14 +155,24 @@ void sweep_over(const Rows<T>& r, const std::uint32_t* strips, const SweptOver<T
 }
 
 template <class T>
-void test_all(const Rows<T>& r, std::size_t from, std::size_t end, const SweptOver<T>& b, PairSink& sink) {
-  Output output(sink);
+std::uint32_t* test_all(const Rows<T>& r, std::uint32_t from, std::uint32_t end, const SweptOver<T>& b,
+                        const KnownPairs& known, std::uint32_t* to) {
+  InOrder output(to);
   const Spread<T> box{b.bounds[0], b.bounds[1], b.bounds[2], b.bounds[3], b.bounds[4], b.bounds[5]};
-  scan<Scan::unordered>(r, box, 0, b.place, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end), output);
+  for (const std::uint32_t* pair = known.pairs; pair != known.pairs + 2 * known.count; pair += 2) {
+    const std::uint32_t next = known.ranks[pair[1]];
+    scan<Scan::unordered>(r, box, 0, b.place, from, next, output);
+    output.add(pair);
+    from = next;
+  }
+  scan<Scan::unordered>(r, box, 0, b.place, from, end, output);
+  return output.end();
 }
 
-template void test_all(const Rows<float>&, std::size_t, std::size_t, const SweptOver<float>&, PairSink&);
-template void test_all(const Rows<double>&, std::size_t, std::size_t, const SweptOver<double>&, PairSink&);
+template std::uint32_t* test_all(const Rows<float>&, std::uint32_t, std::uint32_t, const SweptOver<float>&,
+                                 const KnownPairs&, std::uint32_t*);
+template std::uint32_t* test_all(const Rows<double>&, std::uint32_t, std::uint32_t, const SweptOver<double>&,
+                                 const KnownPairs&, std::uint32_t*);
 template void sweep_rows(const Rows<float>&, PairSink&);
 template void sweep_rows(const Rows<double>&, PairSink&);
 template void sweep_over(const Rows<float>&, const std::uint32_t*, const SweptOver<float>*, std::size_t, PairSink&);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "broad/found_pairs.hpp"
+
 namespace graze {
 
 namespace {
@@ -14,6 +16,16 @@ constexpr std::size_t pairs_per_hit = 32;
 constexpr std::size_t samples = 1024;
 /// More boxes than that leave the caches, and would be fetched anew for each of the wide ones.
 constexpr std::size_t most_boxes = 400000;
+
+/// For each place how many of those at `wide` are less.
+void count_below(std::span<const std::uint32_t> wide, std::size_t places, std::vector<std::uint32_t>& ranks) {
+  if (ranks.size() < places) ranks.resize(places);
+  std::uint32_t rank = 0;
+  for (std::uint32_t i = 0; i < places; ++i) {
+    ranks[i] = rank;
+    rank += rank < wide.size() && wide[rank] == i ? 1 : 0;
+  }
+}
 
 }  // namespace
 
@@ -67,22 +79,26 @@ Rows<T> WideBoxes<T>::Columns::rows() const {
 template <class T>
 void WideBoxes<T>::merge(Isa level, std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> wide,
                          std::span<const IdPair> others, std::vector<IdPair>& out) {
-  const std::size_t n = boxes.size();
+  const auto n = static_cast<std::uint32_t>(boxes.size()), wide_count = static_cast<std::uint32_t>(wide.size());
   if (places_.size() < n) {
     places_.resize(n);
     std::iota(places_.begin(), places_.end(), 0u);
   }
   all_.fill(boxes, {places_.data(), n});
   wide_.fill(boxes, wide);
-  if (second_.size() < n + row_padding) first_.resize(n + row_padding), second_.resize(n + row_padding);
+  count_below(wide, n, ranks_);
   const Rows<T> all = all_.rows(), them = wide_.rows();
   const auto test = GRAZE_KERNEL(level, test_all<T>);
 
-  out.resize(out.capacity());
-  std::size_t written = 0, other = 0, next = 0;
+  std::size_t written = 0, other = 0;
   for (std::uint32_t a = 0; a < n; ++a) {
-    // No more pairs than boxes, for which there is room.
-    PairSink sink{first_.data(), second_.data(), 0, second_.size() + row_padding, nullptr, nullptr};
+    const std::uint32_t rank = ranks_[a];
+    const bool is_wide = rank < wide_count && wide[rank] == a;
+    const std::uint32_t from = is_wide ? a + 1 : rank, end = is_wide ? n : wide_count;
+    const std::size_t first_other = other;
+    while (other < others.size() && others[other].a == a) ++other;
+    const std::size_t most = written + (end - from) + (other - first_other) + row_padding;
+    if (most > out.size()) out.resize(std::max(most, out.size() + out.size() / 4));
     const SweptOver<T> box{
         {all.lower_x[a], all.upper_x[a], all.lower_y[a], all.upper_y[a], all.lower_z[a], all.upper_z[a]},
         a,
@@ -90,27 +106,9 @@ void WideBoxes<T>::merge(Isa level, std::span<const Aabb<T>> boxes, std::span<co
         0,
         0,
         0};
-    if (next < wide.size() && wide[next] == a) {
-      test(all, a + 1, n, box, sink);
-      ++next;
-    } else {
-      test(them, next, wide.size(), box, sink);
-    }
-    std::size_t end = other;
-    while (end < others.size() && others[end].a == a) ++end;
-    const std::size_t total = sink.count + (end - other);
-    if (written + total > out.size()) out.resize(std::max(written + total, out.size() * 2));
-    IdPair* const to = out.data() + written;
-    for (std::size_t i = 0; i < sink.count; ++i) to[i] = {a, second_[i]};
-    // Both are sorted: from behind, the others take their places and those after them move on.
-    for (std::size_t left = sink.count, at = total; end > other;) {
-      if (left > 0 && to[left - 1].b > others[end - 1].b)
-        to[--at] = to[--left];
-      else
-        to[--at] = others[--end];
-    }
-    other += total - sink.count;
-    written += total;
+    const KnownPairs known{numbers(others) + 2 * first_other, other - first_other, ranks_.data()};
+    std::uint32_t* const to = numbers(std::span(out)) + 2 * written;
+    written += static_cast<std::size_t>(test(is_wide ? all : them, from, end, box, known, to) - to) / 2;
   }
   out.resize(written);
 }
@@ -122,8 +120,7 @@ std::size_t WideBoxes<T>::Columns::memory() const {
 
 template <class T>
 std::size_t WideBoxes<T>::memory() const {
-  return all_.memory() + wide_.memory() +
-         (places_.capacity() + first_.capacity() + second_.capacity()) * sizeof(std::uint32_t);
+  return all_.memory() + wide_.memory() + (places_.capacity() + ranks_.capacity()) * sizeof(std::uint32_t);
 }
 
 template class WideBoxes<float>;

@@ -1,8 +1,10 @@
 // Pairs of boxes that overlap a good part of all others, or that no grid can hold.
 //
 // They are compared with all boxes in the order of places, a register at a time, so that their pairs come about in the
-// order they are wanted in: nothing is left to sort. Guarantee: exactly the overlapping pairs in which at least one is
-// such a box. Cost: their number times that of all boxes over the lanes.
+// order they are wanted in: nothing is left to sort, and those of others are put in where their turn is.
+//
+// Guarantee: exactly the overlapping pairs in which at least one is such a box. Cost: their number times that of all
+// boxes over the lanes.
 #pragma once
 
 #include <span>
@@ -20,7 +22,7 @@ class WideBoxes {
   /// a few hundred pairs, and so is a guess; what it says depends on the boxes alone.
   static bool worthwhile(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> some);
 
-  /// The pairs of those at `wide`, in ascending order, together with `others`: sorted pairs of other boxes.
+  /// The pairs of those at `wide`, in ascending order, together with `others`: sorted pairs of other boxes, not in `out`.
   void merge(Isa level, std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> wide,
              std::span<const IdPair> others, std::vector<IdPair>& out);
 
@@ -38,7 +40,7 @@ class WideBoxes {
 
   Columns all_, wide_;
   std::vector<std::uint32_t> places_;
-  std::vector<std::uint32_t> first_, second_;
+  std::vector<std::uint32_t> ranks_;
 };
 
 }  // namespace graze

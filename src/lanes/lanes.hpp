@@ -71,6 +71,19 @@ class Chosen {
 #endif
     return c;
   }
+  /// Where a is not less than b, also where either is no number.
+  [[gnu::always_inline]] static Chosen not_less(const Lanes<T>& a, const Lanes<T>& b) {
+    Chosen c;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+      c.mask_ = _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a.v), reinterpret_cast<__m512>(b.v), _CMP_NLT_UQ);
+    else
+      c.mask_ = _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a.v), reinterpret_cast<__m512d>(b.v), _CMP_NLT_UQ);
+#else
+    c.mask_ = !(a < b);
+#endif
+    return c;
+  }
   /// Where the numbers from `at` on have no bit in common with `bits`.
   [[gnu::always_inline]] static Chosen disjoint(const typename Lanes<T>::Bits* at, typename Lanes<T>::Bits bits) {
     Chosen c;
@@ -165,6 +178,24 @@ inline constexpr int chosen_room = register_bytes / 4;
     to[at] = from[i];
     at += bits >> i & 1;
   }
+#endif
+}
+
+/// As `store_chosen`, but writes pairs: `first` and one of them.
+[[gnu::always_inline]] inline void store_chosen_pairs(std::uint32_t* to, std::uint32_t first, const std::uint32_t* from,
+                                                      std::uint32_t bits) {
+#if defined(__AVX512F__)
+  const __m512i chosen = _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_loadu_si512(from));
+  const __m512i firsts = _mm512_set1_epi32(static_cast<int>(first));
+  // Lanes from 16 on are those of `firsts`.
+  const __m512i low = _mm512_setr_epi32(16, 0, 16, 1, 16, 2, 16, 3, 16, 4, 16, 5, 16, 6, 16, 7);
+  const __m512i high = _mm512_setr_epi32(16, 8, 16, 9, 16, 10, 16, 11, 16, 12, 16, 13, 16, 14, 16, 15);
+  _mm512_storeu_si512(to, _mm512_permutex2var_epi32(chosen, low, firsts));
+  _mm512_storeu_si512(to + 16, _mm512_permutex2var_epi32(chosen, high, firsts));
+#else
+  std::uint32_t chosen[chosen_room];
+  store_chosen(chosen, from, bits);
+  for (int i = 0; i < chosen_room; ++i) to[2 * i] = first, to[2 * i + 1] = chosen[i];
 #endif
 }
 

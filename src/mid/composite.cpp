@@ -107,12 +107,12 @@ template <class T>
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
     const Settled<T> settled =
-        settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a, pa.number},
-                         {b, pose_b, pb.shape, pb.pose, beside.of_b, pb.number}, margin, manifold);
+        settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
+                         {b, pose_b, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch}, margin, manifold);
     if (nearest) instead = settled.instead;
     if (!settled.manifold.points.empty()) groups.add(settled.manifold);
   };
-  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {margin}, PairVisitor<T>(touch));
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {margin, nullptr, true}, PairVisitor<T>(touch));
   groups.finish();
   // What touches is not left without a point.
   if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);

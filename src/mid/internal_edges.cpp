@@ -6,55 +6,13 @@
 #include "graze/geometry.hpp"
 #include "mid/cover.hpp"
 #include "mid/risers.hpp"
+#include "mid/standing.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze {
 
 namespace {
-
-/// The face normal of a triangle in its own frame; zero without area.
-template <class T>
-Vec3<T> face_normal(const Triangle<T>& t) {
-  return normalized(cross(t.point(1) - t.point(0), t.point(2) - t.point(0)), Vec3<T>{});
-}
-
-/// Where a manifold stands on one of its sides: the middle of its deepest points, which of an edge's contact is inside
-/// the edge and not at an end of it.
-template <class T>
-Vec3<T> standing_point(const Manifold<T>& manifold, Vec3<T> ContactPoint<T>::*side) {
-  const auto deepest =
-      std::min_element(manifold.points.begin(), manifold.points.end(),
-                       [](const ContactPoint<T>& p, const ContactPoint<T>& q) { return p.distance < q.distance; });
-  Vec3<T> sum{};
-  T count(0);
-  for (const ContactPoint<T>& p : manifold.points) {
-    const Vec3<T> from = p.*side - (*deepest).*side;
-    if (p.distance - deepest->distance > same_direction<T> * length(from)) continue;
-    sum += from;
-    count += T(1);
-  }
-  return (*deepest).*side + sum / count;
-}
-
-/// The normal of the triangle's or box's face that `outward` is the normal of, but for rounding; zero if of none.
-template <class T>
-Vec3<T> face_along(const PieceOf<T>& self, const Vec3<T>& outward) {
-  Vec3<T> face{};
-  const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
-  if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
-    face = face_normal(*triangle);
-    if (dot(face, local) < T(0)) face = -face;
-  } else if (self.piece.template as<Box<T>>()) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (std::abs(local[axis]) >= max_abs(local)) {
-        face = {};
-        face[axis] = local[axis] < T(0) ? T(-1) : T(1);
-      }
-  }
-  if (face == Vec3<T>{} || length(cross(face, local)) > same_direction<T>) return {};
-  return rotate(self.pose.rotation, face);
-}
 
 /// The face normal of a triangle on the side where the other shape is, in the world; zero without area.
 template <class T>
@@ -95,7 +53,7 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
   convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
   if (!beside.points.empty()) {
     const PieceOf<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
-    const Vec3<T> place = standing_point(beside, &ContactPoint<T>::a);
+    const Vec3<T> place = standing_point<T>(beside.points, &ContactPoint<T>::a);
     if (!riser_around(self, place, beside.normal, Among::all) && !surface_over(next, place, beside.normal, other))
       return beside.normal;
   }
@@ -179,7 +137,7 @@ std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other
   if (on_face && open) return std::nullopt;
   // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
   const Vec3<T> point = on_face || triangle
-                            ? standing_point(manifold, side)
+                            ? standing_point<T>(manifold.points, side)
                             : convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
   if (open && lies_level(self)) {
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);

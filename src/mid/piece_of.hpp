@@ -11,6 +11,9 @@
 
 namespace graze {
 
+template <class T>
+class MeshPatch;
+
 /// A convex piece of a shape, the shape, and what stands still beside it and may continue its surface.
 template <class T>
 struct PieceOf {
@@ -19,7 +22,8 @@ struct PieceOf {
   const Shape<T>& piece;
   const Pose<T>& pose;
   std::span<const PlacedRef<T>> beside = {};
-  std::uint32_t number = 0;  ///< of the piece, if the whole is a mesh
+  std::uint32_t number = 0;             ///< of the piece, if the whole is a mesh
+  const MeshPatch<T>* patch = nullptr;  ///< of the mesh, where the piece is one of its triangles
 };
 
 /// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
@@ -33,6 +37,12 @@ bool is_solid(const Shape<T>& shape) {
 template <class T>
 Vec3<T> furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direction) {
   return transform(pose, support(shape, rotate(conjugate(pose.rotation), direction)));
+}
+
+/// The face normal of a triangle in its own frame; zero without area.
+template <class T>
+Vec3<T> face_normal(const Triangle<T>& t) {
+  return normalized(cross(t.point(1) - t.point(0), t.point(2) - t.point(0)), Vec3<T>{});
 }
 
 /// Sines below this are none: far above the error of a normal in float (curved depths have half the digits), far below

@@ -1,6 +1,8 @@
 #include "mid/piece_pairs.hpp"
 
-#include "mid/triangle_pair.hpp"
+#include <algorithm>
+
+#include "mid/near_convex.hpp"
 
 namespace graze {
 
@@ -44,15 +46,26 @@ bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Nearness<T>&
 template <class T>
 bool visit_pieces_near(const Part<T>& opened, const Part<T>& other, bool is_a, const Nearness<T>& limit,
                        const PairVisitor<T>& f) {
+  MeshPatch<T> patch;
+  bool has_patch = false;
   const auto visit_piece = [&](const Shape<T>& shape, const Pose<T>& pose, std::uint32_t number) {
-    const Part<T> piece = opened.piece(shape, pose, number);
+    Part<T> piece = opened.piece(shape, pose, number);
+    if (has_patch) piece.patch = &patch;
     return is_a ? visit_convex_pairs(piece, other, limit, f) : visit_convex_pairs(other, piece, limit, f);
   };
   const Pose<T> seen = relative(opened.pose, other.pose);
   const auto extent = [](const Shape<T>& shape) { return shape.visit([](const auto& c) { return c.core_extent(); }); };
   const T slack = corner_rounding(extent(opened.shape), extent(other.shape) + other.shape.margin(), seen.translation);
-  if (!other.shape.template as<HalfSpace<T>>())
-    return visit_pieces(opened.shape, opened.pose, inflated(bounds(other.shape, seen), slack), limit, visit_piece);
+  if (!other.shape.template as<HalfSpace<T>>()) {
+    const NearConvex<T> question(other.shape, seen, slack);
+    const auto* mesh = limit.with_patches ? opened.shape.template as<Mesh<T>>() : nullptr;
+    has_patch = mesh && patch.fill(*mesh, question, limit());
+    if (!has_patch) return visit_pieces(opened.shape, opened.pose, question, limit, visit_piece);
+    const auto triangles = patch.triangles();
+    return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t i) {
+      return visit_triangle<T>(mesh->data(), i, opened.pose, question, limit(), visit_piece);
+    });
+  }
   // A tilted half-space has no bounds, but is as easily asked about.
   const Vec3<T> up = rotate(seen.rotation, Vec3<T>{T(0), T(1), T(0)});
   const T surface = dot(up, seen.translation) + other.shape.margin();

@@ -7,6 +7,7 @@
 
 #include <concepts>
 
+#include "mid/mesh_patch.hpp"
 #include "mid/pieces.hpp"
 
 namespace graze {
@@ -18,7 +19,8 @@ struct Part {
   const Pose<T>& pose;
   std::uint32_t number = 0;
   bool outermost = true;
-  bool front_only = false;  ///< a triangle that pushes from its front alone
+  bool front_only = false;              ///< a triangle that pushes from its front alone
+  const MeshPatch<T>* patch = nullptr;  ///< of its mesh, if it is a triangle of one
 
   Part piece(const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t child_number) const {
     return {child, child_pose, outermost ? child_number : number, false, one_sided(shape)};
@@ -31,6 +33,7 @@ template <class T>
 struct Nearness {
   const T& distance;
   const Vec3<T>* direction = nullptr;
+  bool with_patches = false;  ///< pieces come with what lies around them; the distance does not shrink
 
   T operator()() const { return distance; }
 };

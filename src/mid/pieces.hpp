@@ -40,18 +40,25 @@ Shape<T> triangle_shape(const std::array<Vec3<T>, 3>& corners) {
   return Triangle<T>(corners[0], corners[1], corners[2]);
 }
 
+/// Calls `f(shape, pose, number)` for a triangle of a surface where `question` lets it pass, as `visit_pieces` does.
+template <class T, class Surface, class Question, class Limit, class F>
+bool visit_triangle(const Surface& surface, std::uint32_t number, const Pose<T>& pose, const Question& question,
+                    const Limit& limit, F& f) {
+  const std::array<Vec3<T>, 3> corners = surface.triangle(number);
+  if (question(bounds_of(corners)) > question.key(limit)) return true;
+  if constexpr (requires { question.may_reach(corners, limit); })
+    if (!question.may_reach(corners, limit)) return true;
+  return go_on(f, triangle_shape(corners), pose, number);
+}
+
 /// Calls `f(shape, pose, number)` for each child or triangle of a composite that `question` (in the composite's frame)
-/// lets pass at `limit()`; a convex shape is its own only piece. `f` may return false to end the visit; returns whether
-/// it went to the end.
+/// lets pass at `limit()`, triangles also by `question.may_reach(corners, limit)` where it has that; a convex shape is its
+/// own only piece. `f` may return false to end the visit; returns whether it went to the end.
 template <class T, class Question, class Limit, class F>
 bool visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Question& question, const Limit& limit, F&& f) {
-  const auto passes = [&](const Aabb<T>& box) { return !(question(box) > question.key(limit())); };
   bool whole = true;
   const auto of_surface = [&](const auto& surface) {
-    const auto near = [&](std::uint32_t i) {
-      const std::array<Vec3<T>, 3> corners = surface.triangle(i);
-      return !passes(bounds_of(corners)) || go_on(f, triangle_shape(corners), pose, i);
-    };
+    const auto near = [&](std::uint32_t i) { return visit_triangle<T>(surface, i, pose, question, limit(), f); };
     whole = visit(surface.hierarchy(), question, limit, near);
   };
   if (with_surface(shape, of_surface)) return whole;
@@ -59,7 +66,7 @@ bool visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Question& qu
     const CompoundData<T>& data = compound->data();
     const auto near = [&](std::uint32_t i) {
       const Placed<T>& child = data.children[i];
-      return !passes(data.boxes[i]) || go_on(f, child.shape, compose(pose, child.pose), i);
+      return question(data.boxes[i]) > question.key(limit()) || go_on(f, child.shape, compose(pose, child.pose), i);
     };
     for (const std::uint32_t i : data.unbounded)
       if (!near(i)) return false;

@@ -1,6 +1,7 @@
 #include "mid/risers.hpp"
 
 #include "graze/geometry.hpp"
+#include "mid/mesh_patch.hpp"
 #include "mid/pieces.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
@@ -19,54 +20,66 @@ bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec
   return length(closest_point_on_triangle(a, b, c, p).point - p) <= on_piece<T> * size + noise;
 }
 
-/// A triangle of a mesh or height field that comes near `region`, a small one about `p`, and rises there.
+/// Calls `look(number)` for the triangles that come near `region`, until it returns false. Those of a patch are at hand.
+template <class T, class F>
+void each_near(const MeshData<T>& mesh, const Aabb<T>& region, const MeshPatch<T>* patch, F& look) {
+  if (patch && patch->covers(mesh, region))
+    std::all_of(patch->triangles().begin(), patch->triangles().end(), look);
+  else
+    visit(
+        mesh.tree, region, [] { return T(0); }, look);
+}
+template <class T, class F>
+void each_near(const HeightFieldData<T>& field, const Aabb<T>& region, const MeshPatch<T>*, F& look) {
+  field.each_at(region, look);
+}
+
+/// How far a triangle's bounds may be from a point that lies on it.
+template <class T>
+T reach_on(const HeightFieldData<T>& field, T noise) {
+  return on_piece<T> * max_abs(field.hierarchy().bounds().extent()) + noise;
+}
+
+/// A triangle of a mesh or height field that touches `p` and rises there.
 template <class T, class Surface>
-std::optional<std::uint32_t> rising_triangle(const Surface& surface, const Aabb<T>& region, const Vec3<T>& p,
+std::optional<std::uint32_t> rising_triangle(const Surface& surface, const MeshPatch<T>* patch, const Vec3<T>& p,
                                              const Vec3<T>& n, T noise) {
   std::optional<std::uint32_t> found;
+  const Aabb<T> region = inflated(Aabb<T>{p, p}, reach_on(surface, noise));
   const auto look = [&](std::uint32_t number) {
     const std::array<Vec3<T>, 3> t = surface.triangle(number);
     if (overlap(bounds_of(t), region) && rises_above(t[0], t[1], t[2], p, n, noise)) found = number;
     return !found;
   };
-  if constexpr (requires { surface.each_at(region, look); })
-    surface.each_at(region, look);
-  else
-    visit(
-        surface.hierarchy(), region, [] { return T(0); }, look);
+  each_near(surface, region, patch, look);
   return found;
-}
-
-/// No piece is larger than this: the longest side of the bounds, or of a compound, for which those cost a look at every
-/// child, about as much.
-template <class T>
-T size_of(const Shape<T>& shape) {
-  const auto* compound = shape.template as<Compound<T>>();
-  return compound ? T(2) * compound->core_extent() : max_abs(bounds(shape, Pose<T>{}).extent());
 }
 
 /// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
 /// there is one.
 template <class T>
-std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self, const Vec3<T>& point,
-                               const Vec3<T>& outward) {
+std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self,
+                               const MeshPatch<T>* patch, const Vec3<T>& point, const Vec3<T>& outward) {
   std::optional<Placed<T>> found;
   const Vec3<T> local = inverse_transform(pose, point);
-  const T noise = place_noise(point), reach = on_piece<T> * size_of(whole) + noise;
-  const Aabb<T> region = inflated(Aabb<T>{local, local}, reach);
+  const T noise = place_noise(point);
   const auto of_surface = [&](const auto& surface) {
-    const auto number = rising_triangle(surface, region, local, rotate(conjugate(pose.rotation), outward), noise);
+    const auto number = rising_triangle(surface, patch, local, rotate(conjugate(pose.rotation), outward), noise);
     if (number) found.emplace(Placed<T>{triangle_shape(surface.triangle(*number)), pose});
   };
   if (with_surface(whole, of_surface)) return found;
   const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
     if (&piece == self) return true;
     if (!piece.convex())
-      found = riser(piece, at, self, point, outward);
+      found = riser(piece, at, self, patch, point, outward);
     else if (piece_rises_above(piece, at, point, outward))
       found.emplace(Placed<T>{piece, at});
     return !found;
   };
+  // No piece is larger than the whole: of a compound its bounds would cost a look at every child.
+  const auto* compound = whole.template as<Compound<T>>();
+  const T size = compound ? T(2) * compound->core_extent() : max_abs(bounds(whole, Pose<T>{}).extent());
+  const Aabb<T> region = inflated(Aabb<T>{local, local}, on_piece<T> * size + noise);
   visit_pieces(
       whole, pose, region, [] { return T(0); }, look);
   return found;
@@ -98,7 +111,7 @@ std::optional<Placed<T>> riser_around(const PieceOf<T>& self, const Vec3<T>& poi
                                       Among among) {
   std::optional<Placed<T>> found;
   any_around(self, point, [&](const Shape<T>& shape, const Pose<T>& at) {
-    found = riser(shape, at, among == Among::others ? &self.piece : nullptr, point, outward);
+    found = riser(shape, at, among == Among::others ? &self.piece : nullptr, self.patch, point, outward);
     return found.has_value();
   });
   return found;

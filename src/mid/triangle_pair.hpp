@@ -12,6 +12,16 @@ namespace graze {
 template <class T>
 using Corners = std::array<Vec3<T>, 3>;
 
+/// Whether something is more than `limit` from the plane of two edges u and v. `n`: their product; `along`: how far it is
+/// along that, times its length; `reach`: the largest coordinate of what was projected for it, from a corner.
+template <class T>
+bool is_off_plane(const Vec3<T>& u, const Vec3<T>& v, const Vec3<T>& n, T along, T reach, T limit) {
+  // A sliver's normal is mostly rounding: of each product of two differences half a unit in the last place, some six of
+  // them times a third difference.
+  const T noise = T(16) * std::numeric_limits<T>::epsilon() * max_abs(u) * max_abs(v) * reach;
+  return signed_square(along - noise) > signed_square(limit) * length_squared(n);
+}
+
 /// Whether all of `b` may be kept within `limit` of the plane of `a`: along its normal, a triangle without thickness is
 /// one number, and the signed distance is at least what parts that from the interval of the other.
 template <class T>
@@ -25,11 +35,7 @@ bool may_come_within_plane(const Corners<T>& a, const Corners<T>& b, T limit, T 
     high = greatest(high, along);
     reach = greatest(reach, max_abs(to));
   }
-  // A sliver's normal is mostly rounding: of each product of two differences half a unit in the last place, some six of
-  // them times a third difference.
-  const T noise = T(16) * std::numeric_limits<T>::epsilon() * max_abs(u) * max_abs(v) * reach;
-  const T apart = greatest(low, -high) - noise;
-  return !(signed_square(apart) > signed_square(limit + slack) * length_squared(n));
+  return !is_off_plane(u, v, n, greatest(low, -high), reach, limit + slack);
 }
 
 /// Whether two triangles of one frame come within `limit` of each other along a unit vector from A to B: no distance is

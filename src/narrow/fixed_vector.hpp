@@ -37,6 +37,7 @@ class FixedVector {
   const T* begin() const { return items_; }
   const T* end() const { return items_ + size_; }
   T& back() { return items_[size_ - 1]; }
+  const T& back() const { return items_[size_ - 1]; }
   void push_back(const T& value) { items_[size_++] = value; }
   /// One more element, whose value is whatever the memory holds.
   T& grow() { return items_[size_++]; }

@@ -3,6 +3,7 @@
 #include "narrow/direct_depth.hpp"
 #include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/hull_support.hpp"
 #include "narrow/pairs/box_distance.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "shape/expect_faces.hpp"
@@ -26,8 +27,16 @@ CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d&
   return {distance, normal, middle - half, middle + half};
 }
 
+/// The two as hulls that are scanned, if they are.
 template <class T>
-GeneralDistance judged(const Difference<T>& difference, const CoreDistance<double>& core, double gap, double noise) {
+std::optional<HullDifference<T>> as_hulls(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
+  const auto *hull_a = a.template as<ConvexHull<T>>(), *hull_b = b.template as<ConvexHull<T>>();
+  if (!hull_a || !hull_b || hull_a->data().blocks.empty() || hull_b->data().blocks.empty()) return std::nullopt;
+  return HullDifference<T>(hull_a->data(), hull_b->data(), b_in_a);
+}
+
+template <class Difference>
+GeneralDistance judged(const Difference& difference, const CoreDistance<double>& core, double gap, double noise) {
   const double allowed = 0.5 * tolerance<double> * difference.size() + rounding * difference.reach();
   return {core, gap <= allowed ? Status::converged : Status::bounded, greatest(gap, 0.0), noise};
 }
@@ -44,22 +53,27 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
   const double distance = -found->depth;
   if (distance > limit + noise) return GeneralDistance{{distance, found->normal, {}, {}}, Status::converged, 0, noise};
   const auto answer =
-      judged<T>(difference, centered(distance, found->normal, found->a, found->b), found->depth - found->lower, noise);
+      judged(difference, centered(distance, found->normal, found->a, found->b), found->depth - found->lower, noise);
   if (answer.status != Status::converged) return std::nullopt;
   return answer;
 }
 
-template <class T>
-GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference<T>& difference, const GjkGoal& goal,
-                            double noise, double limit, Trace* trace) {
+GjkGoal distance_goals(double size, double noise, double limit) {
+  return {distance_goal * size + noise, greatest(limit + noise, noise)};
+}
+
+template <class T, class Difference>
+GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference& difference, double noise,
+                            double limit, Trace* trace) {
+  const GjkGoal goal = distance_goals(difference.size(), noise, limit);
   if (trace) trace->method = "gjk";
   const GjkResult g = gjk(difference, goal, trace);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.lower > 0) {
     if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
-    return judged<T>(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()),
-                     g.upper - g.lower, noise);
+    return judged(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()), g.upper - g.lower,
+                  noise);
   }
   if (trace) {
     trace->method = "gjk + epa";
@@ -70,7 +84,7 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Differen
     expect_faces(b);
   }
   const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
-  return judged<T>(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
+  return judged(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
 }
 
 }  // namespace
@@ -78,36 +92,40 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Differen
 template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
                                  double limit) {
+  const double noise = noise_of(a, b, b_in_a.translation);
+  if (const auto hulls = as_hulls(a, b, b_in_a))
+    return iteratively(a, b, *hulls, noise, limit, trace);
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
-  const double noise = noise_of(a, b, b_in_a.translation);
-  const GjkGoal goal{distance_goal * difference.size() + noise, greatest(limit + noise, noise)};
   // Two boxes' axes and corners cost less than GJK.
   if (const auto boxes = as_boxes(a, b, b_in_a)) {
     if (const BoxNearest<double> nearest = nearest_of_boxes(*boxes, noise); nearest.proven) {
       const CoreDistance<double>& core = nearest.core;
       const bool apart = core.distance > noise;
       if (trace) trace->method = apart ? "gjk" : "separating axes";
-      if (trace && apart) gjk(difference, goal, trace);  // the picture of a distance
-      return judged<T>(difference, centered(core.distance, core.normal, core.a, core.b), 0, noise);
+      if (trace && apart) gjk(difference, distance_goals(difference.size(), noise, limit), trace);  // the picture
+      return judged(difference, centered(core.distance, core.normal, core.a, core.b), 0, noise);
     }
   }
   const auto direct = directly(difference, core_a, core_b, b_in_a, limit, noise);
   if (direct && !trace) return *direct;
-  const GeneralDistance iterated = iteratively(a, b, difference, goal, noise, limit, trace);
+  const GeneralDistance iterated = iteratively(a, b, difference, noise, limit, trace);
   return direct ? *direct : iterated;
 }
 
 template <class T>
 bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace) {
-  const ShapeCore<T> core_a(a), core_b(b);
-  const Difference<T> difference(core_a, core_b, b_in_a);
   const double noise = noise_of(a, b, b_in_a.translation);
   if (trace) trace->method = "gjk";
-  // What rounding cannot tell from touching touches, here as in the distance.
-  const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};
-  const GjkResult g = gjk(difference, goal, trace);
-  return g.end == GjkEnd::touching || g.upper <= reach + noise;
+  const auto comes_within = [&](const auto& difference) {
+    // What rounding cannot tell from touching touches, here as in the distance.
+    const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};
+    const GjkResult g = gjk(difference, goal, trace);
+    return g.end == GjkEnd::touching || g.upper <= reach + noise;
+  };
+  if (const auto hulls = as_hulls(a, b, b_in_a)) return comes_within(*hulls);
+  const ShapeCore<T> core_a(a), core_b(b);
+  return comes_within(Difference<T>(core_a, core_b, b_in_a));
 }
 
 void to_world(Trace& trace, const Posed& pose_a) {

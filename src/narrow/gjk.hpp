@@ -38,6 +38,13 @@ struct GjkGoal {
   double proximity = -1;   ///< ... or not to exceed this (if >= 0)
 };
 
+/// The step that has just found the last point of the simplex.
+inline void trace_step(const GjkResult& r, Trace& trace) {
+  trace.gjk.push_back({{}, r.nearest / r.upper, traced(r.simplex.points.back()), r.lower, r.upper});
+  for (std::size_t i = 0; i + 1 < r.simplex.size(); ++i)
+    trace.gjk.back().simplex.push_back(traced(r.simplex.points[i]));
+}
+
 /// From a simplex of points that are the difference's, such as one that was left nearby.
 template <class Difference>
 GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
@@ -54,6 +61,10 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
   r.nearest = first.point;
   r.upper = length(r.nearest);
 
+  const auto ended = [&](GjkEnd end) {
+    r.end = end;
+    r.simplex.points.pop_back();
+  };
   int idle = 0;
   for (int i = 0; i < gjk_iterations; ++i) {
     r.end = GjkEnd::touching;
@@ -62,48 +73,38 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
 
     const Vec3d direction = r.nearest / r.upper;
     // Not along the direction itself, which is longer in the making: a root and a division.
-    const SupportPoint found = difference.support(r.nearest);
+    const SupportPoint& found = r.simplex.add([&] { return difference.support(r.nearest); });
     const double separation = dot(found.w, direction);
     // Rounding can keep the direction from settling: an earlier one is the better normal where its separation gains
     // more than it costs in agreement with the closest points.
-    if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation) r.normal = direction;
+    if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation)
+      r.normal = by_parts(direction);
     r.lower = greatest(r.lower, separation);
-    if (trace) {
-      trace->gjk.push_back({{}, direction, traced(found), r.lower, r.upper});
-      for (const SupportPoint& p : r.simplex.points) trace->gjk.back().simplex.push_back(traced(p));
-    }
-    r.end = GjkEnd::apart;
-    if (goal.separation >= 0 && r.lower > goal.separation) return r;
-    if (r.upper - r.lower <= goal.tolerance) {
-      // Within the tolerance and known to be apart, or within rounding of it.
-      if (r.lower > 0 || r.upper - separation <= touching) return r;
-    }
-    r.end = GjkEnd::stalled;
-    if (r.simplex.contains(found)) return r;
+    if (trace) trace_step(r, *trace);
+    if (goal.separation >= 0 && r.lower > goal.separation) return ended(GjkEnd::apart), r;
+    // Within the tolerance and known to be apart, or within rounding of it.
+    if (r.upper - r.lower <= goal.tolerance && (r.lower > 0 || r.upper - separation <= touching))
+      return ended(GjkEnd::apart), r;
+    if (r.simplex.repeats()) return ended(GjkEnd::stalled), r;
 
-    r.simplex.push(found);
     const Nearest nearest = nearest_to_origin(r.simplex);
     if (nearest.enclosed) {
-      if (r.lower > touching) {  // a flat tetrahedron deceives: the shapes are known to be apart
-        r.simplex.points.pop_back();
-        return r;
-      }
+      // A flat tetrahedron deceives: the shapes are known to be apart.
+      if (r.lower > touching) return ended(GjkEnd::stalled), r;
       r.nearest = {};
       r.lower = r.upper = 0;
       r.end = GjkEnd::touching;
       return r;
     }
-    const double upper = length(nearest.point);
+    const double upper = sqrt(nearest.squared);
     // A step along a long thin simplex may turn the direction and yet shorten it by less than rounding: a few such
     // steps are taken, more of them would be going in circles.
-    if (upper >= r.upper && (upper > r.upper + touching || ++idle > idle_steps)) {
-      r.simplex.points.pop_back();
-      return r;
-    }
+    if (upper >= r.upper && (upper > r.upper + touching || ++idle > idle_steps)) return ended(GjkEnd::stalled), r;
     reduce(r.simplex, nearest);
-    r.nearest = nearest.point;
+    r.nearest = by_parts(nearest.point);
     r.upper = upper;
   }
+  r.end = GjkEnd::stalled;
   return r;
 }
 
@@ -121,7 +122,7 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Vec3d& fi
   GjkResult r;
   r.end = GjkEnd::apart;
   r.simplex = simplex;
-  r.simplex.points[0].weight = 1;
+  r.simplex.weight[0] = 1;
   r.nearest = found.w;
   r.normal = direction;
   r.lower = separation;

@@ -9,13 +9,9 @@
 
 #include "graze/shape.hpp"
 #include "graze/trace.hpp"
+#include "narrow/support_point.hpp"
 
 namespace graze {
-
-/// A point w = b - a of the difference B - A with the two points that make it, in A's frame.
-struct SupportPoint {
-  Vec3d a, b, w;
-};
 
 inline TraceSupport traced(const SupportPoint& p) { return {p.a, p.b}; }
 
@@ -79,7 +75,7 @@ class ShapeCore {
       return {d.x < 0 ? -vertex_[0].x : vertex_[0].x, d.y < 0 ? -vertex_[0].y : vertex_[0].y,
               d.z < 0 ? -vertex_[0].z : vertex_[0].z};
     case Kind::triangle: return vertex_[detail::furthest(vertex_, 3, d)];
-    case Kind::hull: return hull_support(shape_.template as<ConvexHull<T>>()->data(), d);
+    case Kind::hull: return shape_.template as<ConvexHull<T>>()->core_support(d);
     case Kind::round: {
       const double squared = d.x * d.x + d.z * d.z;
       if (!(squared > 1e-200 && squared < 1e200)) break;
@@ -128,17 +124,6 @@ class ShapeCore {
     return {std::abs(d.x) > dust ? d.x * r : 0, up ? height : -height, std::abs(d.z) > dust ? d.z * r : 0};
   }
 
-  /// A float's columns, which the scan has just read, hold the vertex itself.
-  Vec3d hull_support(const HullData<T>& data, const Vec3d& d) const {
-    const std::size_t i = shape_.template as<ConvexHull<T>>()->support_vertex(d);
-    if constexpr (std::is_same_v<T, float>)
-      if (!data.columns.empty()) {
-        const auto* const four = &data.columns[i / 4 * 3];
-        const int k = static_cast<int>(i % 4);
-        return {static_cast<double>(four[0][k]), static_cast<double>(four[1][k]), static_cast<double>(four[2][k])};
-      }
-    return cast<double>(data.vertices[i]);
-  }
   void take(const Sphere<T>& sphere) {
     rest(sphere, Kind::point);
     vertex_[0] = cast<double>(sphere.center());

@@ -14,12 +14,6 @@ class Search {
   /// Writes into `best`, which is empty: a copy would wait for what was written last.
   Search(const Simplex& s, Nearest& best) : s_(s), best_(best) {}
 
-  void finish() {
-    const double whole = best_.weight[0] + best_.weight[1] + best_.weight[2];
-    for (double& w : best_.weight) w /= whole;
-  }
-  bool found() const { return best_.size > 0; }
-
   void vertex(std::size_t i) {
     const Vec3d& p = s_.w(i);
     if (!nearer(p)) return;
@@ -45,41 +39,22 @@ class Search {
     best_.weight = {whole - along, along};
   }
 
-  /// `normal` is that of the vertices in this order, of any length.
-  void triangle(std::size_t i, std::size_t j, std::size_t k, const Vec3d& normal) {
-    const Vec3d &a = s_.w(i), &b = s_.w(j), &c = s_.w(k);
-    const double area = dot(normal, normal);
-    const double u = dot(normal, cross(b, c)), v = dot(normal, cross(c, a)), w = dot(normal, cross(a, b));
-    if (area > 0 && u > 0 && v > 0 && w > 0) {
-      if (!nearer(normal * (dot(normal, a) / area))) return;
-      best_.size = 3;
-      best_.index = {narrow(i), narrow(j), narrow(k)};
-      best_.weight = {u, v, w};
-      return;
-    }
-    // An edge or one of its ends is nearest only to what lies beyond that edge.
-    const double reach = greatest(dot(a, a), greatest(dot(b, b), dot(c, c)));
-    const bool all = !(area > slender * slender * reach * reach);
-    if (all || !(w > 0)) edge(i, j);
-    if (all || !(u > 0)) edge(j, k);
-    if (all || !(v > 0)) edge(i, k);
-  }
-
-  void triangle(std::size_t i, std::size_t j, std::size_t k) {
-    triangle(i, j, k, cross(s_.w(j) - s_.w(i), s_.w(k) - s_.w(i)));
+  void triangle() {
+    const Vec3d u = s_.w(0) - s_.w(2), v = s_.w(1) - s_.w(2);
+    if (!inside(0, 1, 2, u, v, cross(u, v))) edges();
   }
 
   void tetrahedron() {
-    const Vec3d &p = s_.w(0), &q = s_.w(1);
-    const Vec3d u = q - p, v = s_.w(2) - p, w = s_.w(3) - p;
-    const Vec3d uv = cross(u, v), vw = cross(v, w), uw = cross(u, w);
-    const double volume = dot(uv, w);
-    side(0, 1, 2, uv, -dot(uv, p), volume);
-    side(0, 2, 3, vw, -dot(vw, p), volume);
-    side(0, 1, 3, uw, -dot(uw, p), -volume);
-    const Vec3d far = cross(s_.w(2) - q, s_.w(3) - q);
-    side(1, 2, 3, far, -dot(far, q), -volume);
-    if (found()) return;
+    const Vec3d& p = s_.w(3);  // in GJK the newest, at which the nearest of the others lies
+    const Vec3d a = s_.w(0) - p, b = s_.w(1) - p, c = s_.w(2) - p;
+    const Vec3d ab = cross(a, b), bc = cross(b, c), ac = cross(a, c);
+    const double volume = dot(ab, c);
+    if (outside(-dot(ab, p), volume) && inside(0, 1, 3, a, b, ab)) return;
+    if (outside(-dot(bc, p), volume) && inside(1, 2, 3, b, c, bc)) return;
+    if (outside(dot(ac, p), volume) && inside(0, 2, 3, a, c, ac)) return;
+    const Vec3d u = s_.w(0) - s_.w(2), v = s_.w(1) - s_.w(2), far = cross(u, v);
+    if (outside(dot(far, s_.w(2)), volume) && inside(0, 1, 2, u, v, far)) return;
+    if (beyond_ != 0) return edges();
     best_.enclosed = true;
     best_.weight = {1};
   }
@@ -87,23 +62,56 @@ class Search {
  private:
   static std::uint8_t narrow(std::size_t i) { return static_cast<std::uint8_t>(i); }
 
-  /// Tries a side of the tetrahedron unless the origin lies where the fourth vertex does.
-  void side(std::size_t i, std::size_t j, std::size_t k, const Vec3d& normal, double origin, double inner) {
-    if (origin * inner > 0 || (origin == 0 && inner != 0)) return;
-    triangle(i, j, k, normal);
+  /// Whether the origin may lie on the other side of a tetrahedron's side than the fourth vertex, given its volume times
+  /// the origin's share and its own.
+  static bool outside(double origin, double inner) { return !(origin * inner > 0) && (origin != 0 || inner == 0); }
+
+  /// A bit for each pair of vertices.
+  static unsigned edge_bit(std::size_t i, std::size_t j) { return 1u << (i + j - (i == 0 || j == 0)); }
+
+  /// Takes the point of a triangle's inside that is nearest to the origin. Where there is none, notes beyond which of its
+  /// edges the origin lies: an edge or one of its ends is nearest only to that. Of the vertices i, j and k, u and v are
+  /// the ways from k to i and j, and `normal` is their product.
+  bool inside(std::size_t i, std::size_t j, std::size_t k, const Vec3d& u, const Vec3d& v, const Vec3d& normal) {
+    const Vec3d& p = s_.w(k);
+    const double area = dot(normal, normal);
+    const Vec3d turned = cross(p, normal);
+    const double x = dot(v, turned), y = -dot(u, turned), z = area - x - y;
+    if (area > 0 && x > 0 && y > 0 && z > 0) {
+      nearer(normal * (dot(normal, p) / area));
+      best_.size = 3;
+      best_.index = {narrow(i), narrow(j), narrow(k)};
+      best_.weight = {x, y, z};
+      return true;
+    }
+    const double reach = greatest(length_squared(p), greatest(length_squared(s_.w(i)), length_squared(s_.w(j))));
+    const bool all = !(area > slender * slender * reach * reach);
+    if (all || !(x > 0)) beyond_ |= edge_bit(j, k);
+    if (all || !(y > 0)) beyond_ |= edge_bit(i, k);
+    if (all || !(z > 0)) beyond_ |= edge_bit(i, j);
+    return false;
+  }
+
+  /// Tries the edges that have been noted.
+  void edges() {
+    static constexpr std::uint8_t ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+    for (; beyond_ != 0; beyond_ &= beyond_ - 1) {
+      const auto& e = ends[__builtin_ctz(beyond_)];
+      edge(e[0], e[1]);
+    }
   }
 
   bool nearer(const Vec3d& point) {
     const double squared = length_squared(point);
-    if (found() && !(squared < squared_)) return false;
-    squared_ = squared;
-    best_.point = point;
+    if (best_.size > 0 && !(squared < best_.squared)) return false;
+    best_.squared = squared;
+    best_.point = by_parts(point);
     return true;
   }
 
   const Simplex& s_;
   Nearest& best_;
-  double squared_ = 0;
+  unsigned beyond_ = 0;  ///< the edges noted
 };
 
 }  // namespace
@@ -114,20 +122,19 @@ Nearest nearest_to_origin(const Simplex& s) {
   switch (s.size()) {
   case 1: search.vertex(0); break;
   case 2: search.edge(0, 1); break;
-  case 3: search.triangle(0, 1, 2); break;
+  case 3: search.triangle(); break;
   default: search.tetrahedron();
   }
-  search.finish();
   return best;
 }
 
 void reduce(Simplex& s, const Nearest& nearest) {
   if (nearest.enclosed) return;
   for (std::size_t i = 0; i < nearest.size; ++i) {
-    if (nearest.index[i] != i) s.points[i] = s.points[nearest.index[i]];
-    s.points[i].weight = nearest.weight[i];
+    if (nearest.index[i] != i) s.points[i] = by_parts(s.points[nearest.index[i]]);
+    s.weight[i] = nearest.weight[i];
   }
-  while (s.size() > nearest.size) s.points.pop_back();
+  s.points.truncate(nearest.size);
 }
 
 }  // namespace graze

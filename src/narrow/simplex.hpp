@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <new>
 
 #include "narrow/fixed_vector.hpp"
 #include "narrow/minkowski.hpp"
@@ -15,32 +16,39 @@ namespace graze {
 
 /// Up to four points of a Minkowski difference with the weights of the point nearest to the origin.
 struct Simplex {
-  struct Vertex : SupportPoint {
-    double weight = 0;
-  };
-  FixedVector<Vertex, 4> points;
+  FixedVector<SupportPoint, 4> points;
+  std::array<double, 4> weight{};  ///< of each point, of any sum; given by `reduce`
 
   std::size_t size() const { return points.size(); }
   const Vec3d& w(std::size_t i) const { return points[i].w; }
-  void push(const SupportPoint& p) { points.push_back({p, 0}); }
-  bool contains(const SupportPoint& p) const {
-    return std::any_of(points.begin(), points.end(), [&](const Vertex& v) { return v.w == p.w; });
+  void push(const SupportPoint& p) { points.push_back(p); }
+  /// One more point, made by `query` in its place and not copied there.
+  template <class Query>
+  const SupportPoint& add(const Query& query) {
+    return *::new (&points.grow()) SupportPoint(query());
+  }
+  /// Whether the last point was there before.
+  bool repeats() const {
+    return std::any_of(points.begin(), points.end() - 1, [&](const SupportPoint& p) { return p.w == points.back().w; });
   }
   Vec3d point_a() const { return weighted(&SupportPoint::a); }
   Vec3d point_b() const { return weighted(&SupportPoint::b); }
 
  private:
   Vec3d weighted(Vec3d SupportPoint::*member) const {
+    double whole = 0;
+    for (std::size_t i = 0; i < size(); ++i) whole += weight[i];
     Vec3d sum;
-    for (const Vertex& v : points) sum += v.*member * v.weight;
+    for (std::size_t i = 0; i < size(); ++i) sum += points[i].*member * (weight[i] / whole);
     return sum;
   }
 };
 
-/// The point of a simplex nearest to the origin, and the vertices that carry it, in ascending order, with its weights.
+/// The point of a simplex nearest to the origin, and the vertices that carry it, in ascending order, with its weights, of any sum.
 /// `enclosed` when the simplex is a tetrahedron that holds the origin: all of it carries it then.
 struct Nearest {
   Vec3d point;
+  double squared = 0;  ///< its length
   bool enclosed = false;
   std::uint8_t size = 0;
   std::array<std::uint8_t, 3> index{};

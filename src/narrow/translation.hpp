@@ -39,7 +39,7 @@ FreeTranslation free_translation(const Support& support, const Vec3d& start, con
       if (!(closing > 0) || free.t + step > duration) return {std::numeric_limits<double>::infinity(), {}};
       free.t += step;
       found.w += velocity * step;
-      for (Simplex::Vertex& v : simplex.points) v.w += velocity * step;
+      for (SupportPoint& v : simplex.points) v.w += velocity * step;
     }
     const bool known = std::any_of(simplex.points.begin(), simplex.points.end(),
                                    [&](const SupportPoint& p) { return p.a == found.a && p.b == found.b; });
@@ -52,7 +52,7 @@ FreeTranslation free_translation(const Support& support, const Vec3d& start, con
     if (distance <= enough) break;
     direction = nearest.point / distance;
   }
-  for (Simplex::Vertex& v : simplex.points) v.b += velocity * free.t;
+  for (SupportPoint& v : simplex.points) v.b += velocity * free.t;
   return free;
 }
 

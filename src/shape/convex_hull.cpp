@@ -61,9 +61,10 @@ class HighVertices {
       : hull_(hull),
         direction_(direction),
         level_(dot(hull.vertices[top], direction) - T(64) * std::numeric_limits<T>::epsilon() * hull.extent) {
-    if constexpr (std::is_same_v<T, float>) by_bits_ = !hull.columns.empty();
+    if constexpr (std::is_same_v<T, float>) by_bits_ = !hull.blocks.empty();
     if (by_bits_) {
-      if constexpr (std::is_same_v<T, float>) bits_ = vertices_at_least(hull, direction, level_);
+      static const auto kernel = GRAZE_KERNEL(chosen_isa(), vertices_at_least);
+      if constexpr (std::is_same_v<T, float>) bits_ = kernel(scanned(hull), direction, level_);
       several_ = (bits_ & (bits_ - 1)) != 0;
     } else {
       // There is another as high only where one beside the top is.
@@ -121,7 +122,7 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> points) {
     fill_segment(*hull, surface.polygon, points);
   }
   for (const Vec3<T>& v : hull->vertices) hull->extent = greatest(hull->extent, length(v));
-  fill_columns(*hull);
+  fill_blocks(*hull);
   data_ = std::move(hull);
 }
 
@@ -129,7 +130,10 @@ template <class T>
 template <class S>
 std::size_t ConvexHull<T>::support_vertex(const Vec3<S>& direction) const {
   const HullData<T>& hull = *data_;
-  if (!hull.columns.empty()) return furthest_vertex(hull, direction);
+  if (!hull.blocks.empty()) {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), furthest_vertex<T, S>);
+    return kernel(scanned(hull), direction);
+  }
   if (hull.hierarchy.empty()) return detail::furthest(hull.vertices.data(), hull.vertices.size(), direction);
   std::uint32_t at = 0;
   for (const auto& level : hull.hierarchy) {

@@ -25,7 +25,7 @@ template <class Items>
 template <class T>
 [[gnu::always_inline]] inline void expect_faces(const Shape<T>& shape) {
   const auto* hull = shape.template as<ConvexHull<T>>();
-  if (!hull || hull->data().columns.empty()) return;
+  if (!hull || hull->data().blocks.empty()) return;
   const HullData<T>& data = hull->data();
   detail::read_ahead(data.incident_begin);
   detail::read_ahead(data.incident);

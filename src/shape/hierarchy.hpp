@@ -72,6 +72,21 @@ struct BoxQuestion {
     const T most = greatest(apart.x, greatest(apart.y, apart.z));
     return most > T(0) ? length_squared(gap) : -(most * most);
   }
+  /// The same of all children of a node, in loops over lanes that compilers make vectors of.
+  template <class Ref, std::size_t N>
+  void operator()(const ChildBoxes<T, Ref, N>& children, T (&keys)[N]) const {
+    T most[N], squared[N];
+    for (std::size_t i = 0; i < N; ++i) most[i] = -std::numeric_limits<T>::infinity(), squared[i] = T(0);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < N; ++i) {
+        const T apart =
+            greatest(children.lower[axis][i] - region.upper[axis], region.lower[axis] - children.upper[axis][i]);
+        const T gap = greatest(apart, T(0));
+        most[i] = greatest(most[i], apart);
+        squared[i] += gap * gap;
+      }
+    for (std::size_t i = 0; i < N; ++i) keys[i] = most[i] > T(0) ? squared[i] : -(most[i] * most[i]);
+  }
   T key(const T& limit) const { return signed_square(limit); }
 };
 
@@ -173,7 +188,10 @@ bool visit(const Hierarchy& hierarchy, const Question& question, const Limit& li
     typename Hierarchy::Children children;
     hierarchy.children(entry.ref, children);
     Key keys[width];
-    for (std::size_t i = 0; i < width; ++i) keys[i] = question(children.box(i));
+    if constexpr (requires { question(children, keys); })
+      question(children, keys);
+    else
+      for (std::size_t i = 0; i < width; ++i) keys[i] = question(children.box(i));
     detail::push_nearest_last(stack, keys, children.count, most, [&](std::size_t i) {
       return Entry{children.ref[i], keys[i]};
     });

@@ -39,6 +39,16 @@ std::vector<PackedLeaf> packed_leaves(const MeshData<T>& mesh) {
   return leaves;
 }
 
+template <class T>
+T longest_side(const MeshData<T>& data) {
+  T longest(0);
+  for (std::uint32_t i = 0; i < data.triangles.size(); ++i) {
+    const auto [a, b, c] = data.triangle(i);
+    longest = greatest(longest, greatest(length(b - a), greatest(length(c - b), length(a - c))));
+  }
+  return longest;
+}
+
 }  // namespace
 
 template <class T>
@@ -62,6 +72,7 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
   }
   data->points = std::move(points);
   data->triangles = std::move(triangles);
+  data->longest = longest_side(*data);
   std::vector<TreePiece<T>> pieces;
   pieces.reserve(data->triangles.size());
   for (const std::uint32_t i : different_triangles<T>(data->points, data->triangles))

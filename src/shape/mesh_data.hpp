@@ -17,6 +17,7 @@ struct MeshData {
   WideTree<T> tree;
   std::vector<PackedLeaf> leaves;  ///< of the tree, in the order of `TreeNode::first_leaf`
   T extent = T(0);                 ///< the greatest distance of a point from the frame's origin
+  T longest = T(0);                ///< side of all triangles
   double radius = 0;               ///< of a ball about the centre of the bounds, as rounded, that holds all of them
   bool closed = false;             ///< bounds a solid
   std::vector<bool> level;         ///< of each triangle: lies level with all around it

@@ -11,7 +11,11 @@ void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, 
   std::array<std::uint32_t, types * types> begin{};
   // A byte a shape is near whichever pair asks for it.
   out.types.resize(shapes.size());
-  for (std::size_t i = 0; i < shapes.size(); ++i) out.types[i] = static_cast<std::uint8_t>(shapes[i].index());
+  const auto look = [&](std::uint32_t i) { out.types[i] = static_cast<std::uint8_t>(shapes[i].index()); };
+  if (pairs.size() < shapes.size())
+    for (const IdPair& p : pairs) look(p.a), look(p.b);
+  else
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) look(i);
   const auto bin = [&](const IdPair& p) { return out.types[p.a] * types + out.types[p.b]; };
   // Pairs that follow each other are mostly of one bin: what is counted there stays out of memory.
   std::size_t last = 0;

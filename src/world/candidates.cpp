@@ -16,13 +16,14 @@ constexpr std::size_t few = 12;
 
 template <class T>
 std::span<const IdPair> CandidateFinder<T>::find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                                                 std::span<const std::uint8_t> fixed,
                                                  std::span<const std::uint32_t> changes) {
   if (changes.empty()) return pairs_;
   note_stale(boxes.size(), changes);
   if (changes.size() * few > boxes.size())
-    find_all(boxes, alive);
+    find_all(boxes, alive, fixed);
   else
-    find_changed(boxes, alive);
+    find_changed(boxes, alive, fixed);
   return pairs_;
 }
 
@@ -53,7 +54,8 @@ const DynamicTree<T>& CandidateFinder<T>::tree(std::span<const Aabb<T>> boxes, s
 }
 
 template <class T>
-void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive) {
+void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                                  std::span<const std::uint8_t> fixed) {
   compact_.clear();
   index_.clear();
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -61,19 +63,31 @@ void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<cons
       compact_.push_back(boxes[i]);
       index_.push_back(i);
     }
-  finder_.find(compact_, pairs_);
-  // Places and indices are in the same order, so the pairs stay sorted.
-  if (index_.size() != boxes.size())
-    for (IdPair& p : pairs_) p = {index_[p.a], index_[p.b]};
+  if (index_.size() == boxes.size() && std::count(fixed.begin(), fixed.end(), 0) + 1 >= std::ssize(fixed)) {
+    finder_.find(compact_, pairs_);
+    return;
+  }
+  finder_.find(compact_, all_);
+  pairs_.resize(all_.size());
+  // Places and indices are in the same order, so the pairs stay sorted. Each is written and kept or written over.
+  std::size_t kept = 0;
+  for (const IdPair& p : all_) {
+    const IdPair pair{index_[p.a], index_[p.b]};
+    pairs_[kept] = pair;
+    kept += (fixed[pair.a] & fixed[pair.b]) == 0;
+  }
+  pairs_.resize(kept);
 }
 
 /// The pairs of what the tree knows, and those that it finds of what it does not know yet: what moved now, and where all
 /// pairs were found anew in between, then.
 template <class T>
-void CandidateFinder<T>::find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive) {
+void CandidateFinder<T>::find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                                      std::span<const std::uint8_t> fixed) {
   std::erase_if(pairs_, [&](const IdPair& p) { return (is_stale_[p.a] | is_stale_[p.b]) != 0; });
   tree(boxes, alive, {});
   tree_.moved_pairs(moved_);
+  std::erase_if(moved_, [&](const IdPair& p) { return (fixed[p.a] & fixed[p.b]) != 0; });
   merged_.clear();
   std::set_union(pairs_.begin(), pairs_.end(), moved_.begin(), moved_.end(), std::back_inserter(merged_));
   pairs_.swap(merged_);
@@ -83,7 +97,7 @@ template <class T>
 std::size_t CandidateFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return tree_.memory() + finder_.memory() + bytes(in_tree_) + bytes(is_stale_) + bytes(stale_) + bytes(compact_) +
-         bytes(index_) + bytes(pairs_) + bytes(moved_) + bytes(merged_);
+         bytes(index_) + bytes(all_) + bytes(pairs_) + bytes(moved_) + bytes(merged_);
 }
 
 template class CandidateFinder<float>;

@@ -40,13 +40,16 @@ void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
       if ((seen_[p.b].traits & fixed) != 0) f(p.a, p.b);
     }
   };
-  first_neighbour_.assign(bodies.size() + 1, 0);
-  each([&](std::uint32_t body, std::uint32_t) { ++first_neighbour_[body + 1]; });
-  for (std::size_t i = 1; i < first_neighbour_.size(); ++i) first_neighbour_[i] += first_neighbour_[i - 1];
-  neighbours_.resize(first_neighbour_.back());
-  places_.assign(first_neighbour_.begin(), first_neighbour_.end());
+  // Only what is in a pair is touched.
+  around_.resize(bodies.size());
+  std::uint32_t count = 0, first = 0;
+  each([&](std::uint32_t body, std::uint32_t) { around_[body] = {}; });
+  each([&](std::uint32_t body, std::uint32_t) { ++around_[body].count, ++count; });
+  neighbours_.resize(count);
   each([&](std::uint32_t body, std::uint32_t ground) {
-    neighbours_[places_[body]++] = {&bodies.shapes()[ground], &bodies.poses()[ground]};
+    Around& around = around_[body];
+    if (around.filled == 0) around.first = std::exchange(first, first + around.count);
+    neighbours_[around.first + around.filled++] = {&bodies.shapes()[ground], &bodies.poses()[ground]};
   });
 }
 
@@ -133,9 +136,9 @@ void ManifoldFinder<T>::gather_pairs() {
 template <class T>
 std::size_t ManifoldFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) +
-                    bytes(first_neighbour_) + bytes(neighbours_) + bytes(found_) + bytes(pairs_) + bytes(last_pairs_) +
-                    bytes(memory_) + bytes(last_memory_) + bytes(results_) + bytes(places_);
+  std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) + bytes(around_) +
+                    bytes(neighbours_) + bytes(last_changes_) + bytes(found_) + bytes(pairs_) + bytes(last_pairs_) +
+                    bytes(memory_) + bytes(last_memory_) + bytes(results_);
   for (const Found& found : found_)
     sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
   for (const ContactArrays<T>* arrays : {&now_, &last_})

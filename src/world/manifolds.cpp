@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mid/composite.hpp"
+#include "mid/standing.hpp"
 #include "narrow/cached_axis.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/rest_batch.hpp"
@@ -37,24 +38,37 @@ struct Waiting {
 };
 
 template <class T>
+void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
+  const Shape<T>& shape = bodies.shapes()[i];
+  const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
+  ground_ += stands;
+  ground_ -= (seen_[i].traits & fixed) != 0;
+  seen_[i] = {regular_concrete(shape), bodies.margins()[i],
+              static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
+                                        (stands ? fixed : 0))};
+  ground_changed_ |= stands && moved;
+}
+
+/// Looks at what changed, or at all bodies where they have come to stand elsewhere in memory.
+template <class T>
 void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
-  seen_.resize(bodies.size());
-  ground_ = 0;
   ground_changed_ = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Shape<T>& shape = bodies.shapes()[i];
-    const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
-    seen_[i] = {regular_concrete(shape), bodies.margins()[i],
-                static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
-                                          (stands ? fixed : 0))};
-    ground_ += stands;
-    ground_changed_ |= stands && moved;
+  const std::span<const std::uint32_t> changes = bodies.unsorted_changes();
+  if (bodies.shapes().data() == shapes_ && seen_.size() == bodies.size()) {
+    for (const std::uint32_t i : last_changes_) seen_[i].traits &= static_cast<std::uint8_t>(~changed);
+    for (const std::uint32_t i : changes) look_at(bodies, i);
+  } else {
+    shapes_ = bodies.shapes().data();
+    seen_.assign(bodies.size(), {});
+    ground_ = 0;
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) look_at(bodies, i);
   }
+  last_changes_.assign(changes.begin(), changes.end());
 }
 
 template <class T>
 std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t index) const {
-  return std::span(neighbours_).subspan(first_neighbour_[index], first_neighbour_[index + 1] - first_neighbour_[index]);
+  return std::span(neighbours_).subspan(around_[index].first, around_[index].count);
 }
 
 template <class T>
@@ -97,8 +111,8 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one.
-/// Pairs of the same kinds follow each other.
+/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one; so are
+/// those whose contacts what stands beside may change. Pairs of the same kinds follow each other.
 template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t block) {
@@ -117,8 +131,7 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
     const std::uint8_t queue = routes(bins_.types[pair.a], bins_.types[pair.b]);
     const Route route = route_of(queue);
     const bool turned = is_turned(queue);
-    if (route == Route::none || !a.concrete || !b.concrete || (either & trigger) != 0 ||
-        ((either & fixed) != 0 && !beside(pair).empty())) {
+    if (route == Route::none || !a.concrete || !b.concrete || (either & trigger) != 0) {
       copy_last(kept, block);
       find_one(bodies, place, block);
       continue;
@@ -152,12 +165,32 @@ void ManifoldFinder<T>::keep_apart(std::uint32_t place) {
   memory_[place].contact = apart;
 }
 
-/// Notes the one manifold of a pair, whose points are the last ones that were found.
+/// Whether the contacts of two convex bodies are what they are of all that stands still beside either, too.
 template <class T>
-void ManifoldFinder<T>::keep(std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal,
-                             std::size_t points) {
+bool ManifoldFinder<T>::stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,
+                              std::span<const SolverPoint<T>> points) const {
+  const Surroundings<T> beside = this->beside(pair);
+  if (beside.empty()) return true;
+  const auto piece = [&](std::uint32_t i, std::span<const PlacedRef<T>> around) {
+    const Shape<T>& shape = bodies.shapes()[i];
+    const Pose<T>& pose = bodies.poses()[i];
+    return PieceOf<T>{shape, pose, shape, pose, around};
+  };
+  const PieceOf<T> a = piece(pair.a, beside.of_a), b = piece(pair.b, beside.of_b);
+  return (a.beside.empty() || stands_clear(a, b, normal, standing_point(points, &ContactPoint<T>::a))) &&
+         (b.beside.empty() || stands_clear(b, a, -normal, standing_point(points, &ContactPoint<T>::b)));
+}
+
+/// Notes the one manifold of a pair of convex bodies, whose points are the last ones that were found.
+template <class T>
+void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block, bool overlap,
+                             const Vec3<T>& normal, std::size_t points) {
   Found& found = found_[block];
   const std::size_t first = found.points.size() - points;
+  if (!stays(bodies, pairs_[place], normal, std::span(found.points).subspan(first))) {
+    found.points.resize(first);
+    return find_composite(bodies, place, block);
+  }
   Result& result = begin(place, block);
   result.manifold_count = 1;
   result.overlap = overlap;
@@ -176,7 +209,7 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
   const auto singly = [&](std::size_t i) { find_one(bodies, places[i], block); };
   const auto many = [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& points) {
     const std::size_t found = points.append(found_[block].points);
-    keep(places[i], block, distance <= T(0), normal, found);
+    keep(bodies, places[i], block, distance <= T(0), normal, found);
   };
   if (waiting.route == Route::box_box) {
     visit_box_contacts(pairs, count, none, many, singly);
@@ -190,71 +223,75 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
     const auto one = [&](std::size_t i, const PointContact<T>& found) {
       const PointContact<T> contact = waiting.turned ? mirrored(found) : found;
       found_[block].points.push_back({contact.point, {}});
-      keep(places[i], block, contact.point.distance <= T(0), contact.normal, 1);
+      keep(bodies, places[i], block, contact.point.distance <= T(0), contact.normal, 1);
     };
     with_round_kinds<T>(waiting.route,
                         [&]<class A, class B>() { visit_round_contacts<A, B>(pairs, count, none, one, singly); });
   }
 }
 
-/// Appends a manifold.
+/// Of two bodies the smaller margin; none of two that have no size.
 template <class T>
-void ManifoldFinder<T>::add(const Manifold<T>& manifold, std::uint32_t block) {
-  Found& found = found_[block];
-  found.manifolds.push_back({manifold.normal, manifold.piece_a, manifold.piece_b,
-                             static_cast<std::uint32_t>(found.points.size()),
-                             static_cast<std::uint32_t>(manifold.points.size())});
-  for (const ContactPoint<T>& p : manifold.points) found.points.push_back({p, {}});
+T ManifoldFinder<T>::margin_of(const IdPair& pair) const {
+  const T margin = least(seen_[pair.a].margin, seen_[pair.b].margin);
+  return margin < std::numeric_limits<T>::infinity() ? margin : T(0);
 }
 
 template <class T>
 void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block) {
   const IdPair pair = pairs_[place];
   Memory& memory = memory_[place];
-  const Seen &seen_a = seen_[pair.a], &seen_b = seen_[pair.b];
-  const int either = seen_a.traits | seen_b.traits;
-  const Surroundings<T> beside = this->beside(pair);
-  const bool anew = (either & changed) != 0 || (ground_changed_ && !beside.empty());
+  const int either = seen_[pair.a].traits | seen_[pair.b].traits;
+  const bool anew = (either & changed) != 0 || (ground_changed_ && !beside(pair).empty());
   if (!anew && memory.contact != unknown) {
     Run run;
     keep_last(place, run, block);
     return copy_last(run, block);
   }
 
-  Found& found = found_[block];
-  Result& result = begin(place, block);
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
   const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
   if ((either & trigger) != 0) {
-    result.overlap = any_overlap<T>(a, pose_a, b, pose_b, nullptr);
-    if (!result.overlap) keep_apart(place);
+    const bool overlap = any_overlap<T>(a, pose_a, b, pose_b, nullptr);
+    if (!overlap) return keep_apart(place);
+    begin(place, block).overlap = 1;
     return;
   }
-  const std::size_t first_point = found.points.size();
-  T margin = least(seen_a.margin, seen_b.margin);
-  if (!(margin < std::numeric_limits<T>::infinity())) margin = T(0);
-  const bool convex = a.convex() && b.convex();
-  if (convex) {
-    if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return keep_apart(place);
-    Manifold<T> manifold;
-    result.overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
-    const bool none = manifold.points.empty();
-    memory.axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
-    if (none && !result.overlap) return keep_apart(place);
-    if (none) return;
-    if (beside.empty()) {
-      add(manifold, block);
-      result.manifold_count = 1;
-      return carry_one(memory, std::span(found.points).subspan(first_point));
-    }
+  if (!a.convex() || !b.convex()) return find_composite(bodies, place, block);
+  const T margin = margin_of(pair);
+  if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return keep_apart(place);
+  Manifold<T> manifold;
+  const bool overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
+  const bool none = manifold.points.empty();
+  memory.axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
+  if (none && !overlap) return keep_apart(place);
+  if (none) {
+    begin(place, block).overlap = 1;
+    return;
   }
+  for (const ContactPoint<T>& p : manifold.points) found_[block].points.push_back({p, {}});
+  keep(bodies, place, block, overlap, manifold.normal, manifold.points.size());
+}
+
+/// What consists of pieces, or meets several bodies that stand still as if they were one.
+template <class T>
+void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block) {
+  const IdPair pair = pairs_[place];
+  Found& found = found_[block];
+  Result& result = begin(place, block);
+  const std::size_t first_point = found.points.size();
   found.composite.clear();
-  const T distance = any_contacts<T>(a, pose_a, b, pose_b, margin, found.composite, nullptr, beside);
-  if (!convex) result.overlap = distance <= T(0);
+  const T distance = any_contacts<T>(bodies.shapes()[pair.a], bodies.poses()[pair.a], bodies.shapes()[pair.b],
+                                     bodies.poses()[pair.b], margin_of(pair), found.composite, nullptr, beside(pair));
+  result.overlap = distance <= T(0);
   if (!result.overlap && found.composite.empty()) return keep_apart(place);
-  for (const Manifold<T>& m : found.composite) add(m, block);
+  for (const Manifold<T>& m : found.composite) {
+    found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
+                               static_cast<std::uint32_t>(m.points.size())});
+    for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
+  }
   result.manifold_count = static_cast<std::uint32_t>(found.composite.size());
-  carry_many(memory, std::span(found.points).subspan(first_point), found.sorted);
+  carry_many(memory_[place], std::span(found.points).subspan(first_point), found.sorted);
 }
 
 /// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.

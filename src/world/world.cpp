@@ -12,7 +12,7 @@ void World<T>::update(T duration) {
   const std::span<const std::uint32_t> changes = bodies_.changes();
   boxes_.resize(bodies_.size());
   find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, *executor_);
-  manifolds_.find(bodies_, filter(candidates_.find(boxes_, bodies_.alive(), changes)), *executor_);
+  manifolds_.find(bodies_, filter(candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes)), *executor_);
   tracker_.update<T>(
       manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
       [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
@@ -38,14 +38,9 @@ bool World<T>::is_pair(std::uint32_t a, std::uint32_t b) const {
 /// The third stage. Where no filter can drop a pair, the candidates as they are.
 template <class T>
 std::span<const IdPair> World<T>::filter(std::span<const IdPair> candidates) {
-  const std::span<const std::uint8_t> fixed = bodies_.fixed();
-  const bool all_agree = !bodies_.filtered() && !settings_.allow;
-  if (all_agree && std::count(fixed.begin(), fixed.end(), 0) + 1 >= std::ssize(fixed)) return candidates;
+  if (!bodies_.filtered() && !settings_.allow) return candidates;
   allowed_.assign(candidates.begin(), candidates.end());
-  if (all_agree)
-    std::erase_if(allowed_, [&](const IdPair& p) { return (fixed[p.a] & fixed[p.b]) != 0; });
-  else
-    keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
+  keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) { return is_pair(a, b); });
   return allowed_;
 }
 

@@ -158,6 +158,46 @@ TEST(KeptPairs, AgreeWithWideBoxes) {
   }
 }
 
+/// Many that overlap a good part of all others: they may move, shrink, come and go without an end of the list.
+TEST(KeptPairs, AgreeWithManyWideBoxes) {
+  Crowd<double> crowd(19);
+  crowd.reach = 24;
+  crowd.add(900);
+  const auto widen = [&](std::size_t i) { crowd.boxes[i].upper = crowd.boxes[i].lower + Vec3d{20, 24, 18}; };
+  for (std::size_t i = 5; i < 900; i += 40) widen(i);
+  Finders<double> finders;
+  for (int frame = 0; frame < 24; ++frame) {
+    EXPECT_TRUE(finders.agree(crowd.boxes)) << frame;
+    EXPECT_EQ(finders.have_list(), frame > 0) << frame;
+    crowd.move(0.3, 0.005, 0);
+    const Vec3d far = Vec3d{1, -2, 0.5} * (frame % 2 == 0 ? 1 : -1);
+    for (std::size_t i = 5; i < crowd.boxes.size(); i += 80)  // every other of them
+      crowd.boxes[i] = {crowd.boxes[i].lower + far, crowd.boxes[i].upper + far};
+    if (frame % 5 == 1) crowd.boxes[45 + 40 * static_cast<std::size_t>(frame / 5)] = crowd.anywhere(1);
+    if (frame % 6 == 2) crowd.boxes.resize(crowd.boxes.size() - 45);
+    if (frame % 6 == 5) crowd.add(45);
+  }
+}
+
+/// Once they are wide no more, the next list has them in it.
+TEST(KeptPairs, EndTheListOfThoseThatAreWideNoMore) {
+  Crowd<float> crowd(23);
+  crowd.reach = 24;
+  crowd.add(900);
+  const std::vector<Aabbf> all_small = crowd.boxes;
+  for (std::size_t i = 0; i < 900; i += 40) crowd.boxes[i].upper += Vec3f{20, 24, 18};
+  Finders<float> finders;
+  for (const bool has_list : {false, true, true}) {
+    EXPECT_TRUE(finders.agree(crowd.boxes));
+    EXPECT_EQ(finders.have_list(), has_list);
+  }
+  crowd.boxes = all_small;
+  for (const bool has_list : {false, true}) {
+    EXPECT_TRUE(finders.agree(crowd.boxes));
+    EXPECT_EQ(finders.have_list(), has_list);
+  }
+}
+
 /// Boxes that do not overlap, each with scores of others just out of reach: a list of them all would be of no use.
 TEST(KeptPairs, MakeNoListOfMoreThanIsWorthHaving) {
   std::vector<Aabbf> boxes;

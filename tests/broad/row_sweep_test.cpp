@@ -10,6 +10,7 @@
 #include <random>
 
 #include "broad/radix_sort.hpp"
+#include "broad/wide_boxes.hpp"
 
 #include "broad/all_pairs.hpp"
 
@@ -22,6 +23,16 @@ std::vector<Isa> available_levels() {
   return levels;
 }
 
+/// All pairs: those that are swept, and those of boxes that are left to be compared with everything.
+template <class T>
+void find_all(RowSweep<T>& sweep, Isa level, const std::vector<Aabb<T>>& boxes, std::vector<IdPair>& found) {
+  ASSERT_TRUE(sweep.find(boxes));
+  sweep.sort_into(found);
+  if (sweep.wide().empty()) return;
+  const std::vector<IdPair> swept = found;
+  WideBoxes<T>().merge(level, boxes, sweep.wide(), swept, found);
+}
+
 template <class T>
 void expect_same(const std::vector<Aabb<T>>& boxes, const char* what) {
   const std::vector<IdPair> expected = all_pairs(boxes);
@@ -29,7 +40,7 @@ void expect_same(const std::vector<Aabb<T>>& boxes, const char* what) {
     RowSweep<T> sweep(level);
     std::vector<IdPair> found;
     for (int again = 0; again < 2; ++again) {  // the second time in used memory
-      sweep.find(boxes, found);
+      find_all(sweep, level, boxes, found);
       EXPECT_EQ(found, expected) << what << ", " << boxes.size() << " boxes, level " << static_cast<int>(level);
     }
   }
@@ -115,7 +126,7 @@ RC_GTEST_PROP(RowSweep, CountsTouchingOnALattice, (const std::vector<std::array<
   for (const Isa level : available_levels()) {
     RowSweep<double> sweep(level);
     std::vector<IdPair> found;
-    sweep.find(boxes, found);
+    find_all(sweep, level, boxes, found);
     RC_ASSERT(found == all_pairs(boxes));
   }
 }
@@ -164,10 +175,13 @@ TEST(RowSweep, KeepsItsMemory) {
   const auto boxes = s.many(3000, 10, 1), other = s.many(2500, 10, 1);
   RowSweep<float> sweep;
   std::vector<IdPair> found;
-  for (const auto& scene : {boxes, other}) sweep.find(scene, found);
+  const auto find = [&](const std::vector<Aabb<float>>& scene) {
+    EXPECT_TRUE(sweep.find(scene));
+    sweep.sort_into(found);
+  };
+  find(boxes), find(other);
   const std::size_t memory = sweep.memory(), room = found.capacity();
-  sweep.find(other, found);
-  sweep.find(boxes, found);
+  find(other), find(boxes);
   EXPECT_EQ(sweep.memory(), memory);
   EXPECT_EQ(found.capacity(), room);
 }

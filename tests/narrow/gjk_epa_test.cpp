@@ -50,13 +50,13 @@ TEST(Simplex, NearestPointAgreesWithAGrid) {
     if (!nearest.enclosed) {
       double sum = 0;
       Vec3d p;
-      for (const Simplex::Vertex& v : s.points) {
-        EXPECT_GE(v.weight, 0);
-        sum += v.weight;
-        p += v.w * v.weight;
+      for (std::size_t k = 0; k < s.size(); ++k) {
+        EXPECT_GE(s.weight[k], 0);
+        sum += s.weight[k];
+        p += s.w(k) * s.weight[k];
       }
-      EXPECT_NEAR(sum, 1, 1e-14);
-      EXPECT_LT(length(p - nearest.point), 1e-12);
+      EXPECT_GT(sum, 0);
+      EXPECT_LT(length(p / sum - nearest.point), 1e-12);
     }
   }
 }

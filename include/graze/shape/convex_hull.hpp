@@ -14,7 +14,6 @@
 #include "graze/pose.hpp"
 #include "graze/shape/face.hpp"
 #include "graze/validate.hpp"
-#include "graze/wide.hpp"
 
 namespace graze {
 
@@ -22,6 +21,13 @@ namespace graze {
 struct HullEdge {
   std::uint32_t vertex[2];
   std::uint32_t face[2];  ///< left of vertex[0] -> vertex[1] seen from outside, then right; `no_face` of a segment
+};
+
+/// Sixteen vertices of a hull by their coordinates, as a scan reads them: the vertex of that number, or the first again
+/// where there are fewer. A line of the cache a coordinate.
+struct alignas(64) VertexBlock {
+  static constexpr std::size_t size = 16;
+  float x[size], y[size], z[size];
 };
 
 /// What a hull is made of. Faces are convex polygons: coplanar triangles are merged.
@@ -33,8 +39,7 @@ struct HullData {
   T tolerance = T(0);  ///< how far an input point may lie outside
   T extent = T(0);     ///< the greatest distance of a vertex from the frame's origin
   // What support queries look at comes first, in one line of the cache.
-  /// Of a hull that is scanned: the vertices four by four, their x, their y and their z; filled up with the first vertex.
-  std::vector<Wide<float, 4>> columns;
+  std::vector<VertexBlock> blocks;  ///< of a hull that is scanned: all its vertices
   std::vector<Vec3<T>> vertices;
   std::vector<Plane<T>> planes;               ///< one a face, outward; a flat polygon has two, back to back
   std::vector<std::uint32_t> face_begin;      ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])

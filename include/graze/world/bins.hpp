@@ -21,10 +21,10 @@ struct Bin {
 struct Bins {
   std::vector<std::uint32_t> order;  ///< places among the pairs
   std::vector<Bin> bins;             ///< those that are not empty, by type
-  std::vector<std::uint8_t> types;   ///< of each shape: its place in `ShapeList`
+  std::vector<std::uint8_t> types;   ///< of each shape in a pair: its place in `ShapeList`
 };
 
-/// Sorts `pairs` of places in `shapes` by counting: linear in the numbers of both.
+/// Sorts `pairs` of places in `shapes` by counting: linear in their number.
 template <class T>
 void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out);
 

@@ -1,7 +1,8 @@
 // The second stage of a world: which bodies' bounds overlap.
 //
-// Guarantee: exactly the pairs of bodies that are alive and whose boxes overlap, sorted: a function of the boxes alone,
-// whichever structure found them. Work proportional to what moved while that is little, else N log N.
+// Guarantee: exactly the pairs of bodies that are alive, not both fixed, and whose boxes overlap, sorted: a function of
+// these alone, whichever structure found them. While little moves, work proportional to that and to the pairs, of which
+// fixed bodies have none among themselves; else N log N.
 #pragma once
 
 #include <span>
@@ -15,10 +16,10 @@ namespace graze {
 template <class T>
 class CandidateFinder {
  public:
-  /// `boxes` and `alive` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere since the last
-  /// call.
+  /// `boxes`, `alive` and `fixed` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere since
+  /// the last call.
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                               std::span<const std::uint32_t> changes);
+                               std::span<const std::uint8_t> fixed, std::span<const std::uint32_t> changes);
   const DynamicTree<T>& tree() const { return tree_; }
 
   /// The boxes of all that is alive, for queries: brought up to date for what changed in `find` and for `changes`. Not
@@ -30,8 +31,10 @@ class CandidateFinder {
 
  private:
   void note_stale(std::size_t bodies, std::span<const std::uint32_t> changes);
-  void find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive);
-  void find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive);
+  void find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                std::span<const std::uint8_t> fixed);
+  void find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
+                    std::span<const std::uint8_t> fixed);
 
   DynamicTree<T> tree_;
   PairFinder<T> finder_;
@@ -39,7 +42,7 @@ class CandidateFinder {
   std::vector<std::uint32_t> stale_;  ///< what the tree does not know yet
   std::vector<Aabb<T>> compact_;
   std::vector<std::uint32_t> index_;
-  std::vector<IdPair> pairs_, moved_, merged_;
+  std::vector<IdPair> all_, pairs_, moved_, merged_;
 };
 
 }  // namespace graze

@@ -106,9 +106,14 @@ class ManifoldFinder {
     T margin;
     std::uint8_t traits;  ///< bits of those below
   };
+  /// The fixed bodies that one which moves may touch: `count` of the neighbours, from `first` on.
+  struct Around {
+    std::uint32_t first = 0, count = 0, filled = 0;
+  };
   static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4;
 
   void look(const BodyArrays<T>& bodies);
+  void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
   void remember(std::span<const IdPair> pairs);
   void find_neighbours(const BodyArrays<T>& bodies);
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
@@ -116,12 +121,16 @@ class ManifoldFinder {
   void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t block);
   void find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, std::uint32_t block);
   void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
+  void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
+  bool stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,
+             std::span<const SolverPoint<T>> points) const;
   void keep_last(std::uint32_t place, Run& run, std::uint32_t block);
   void copy_last(Run& run, std::uint32_t block);
   void keep_apart(std::uint32_t place);
   Result& begin(std::uint32_t place, std::uint32_t block);
-  void add(const Manifold<T>& manifold, std::uint32_t block);
-  void keep(std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal, std::size_t points);
+  T margin_of(const IdPair& pair) const;
+  void keep(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal,
+            std::size_t points);
   void begin_blocks(std::size_t blocks, bool alone);
   void gather_pairs();
   void gather(std::size_t blocks, bool alone, Executor& executor);
@@ -131,7 +140,9 @@ class ManifoldFinder {
 
   std::vector<Seen> seen_;  ///< of each body
   Bins bins_;
-  std::vector<std::uint32_t> first_neighbour_, places_;  ///< of each body: the fixed bodies that it may touch
+  const Shape<T>* shapes_ = nullptr;         ///< where those stood
+  std::vector<std::uint32_t> last_changes_;  ///< which of them are seen as changed
+  std::vector<Around> around_;               ///< of each body that is in a pair with a fixed one
   std::vector<PlacedRef<T>> neighbours_;
   std::size_t ground_ = 0;       ///< how many bodies are fixed
   bool ground_changed_ = false;  ///< some of them did
