@@ -53,13 +53,13 @@ struct PointContact {
 /// What is to be known of two shapes before their contact is read; `unknown`: their faces may give two points.
 enum class Meeting : std::uint8_t { apart, touching, unknown };
 
-/// The points of contact of up to `block_pairs` boxes on half-spaces; see `BoxRest`.
+/// The points of contact of up to `block_pairs` bodies on half-spaces; see `Rest`.
 template <class T>
-struct BoxRestBlock {
+struct RestBlock {
   using Column = T[block_pairs];
   Column distance, up[3], filled;
   struct Slot {
-    Column of_box[3], of_plane[3], distance, corner;
+    Column of_body[3], of_plane[3], distance, corner;
   } slots[4];
 };
 
@@ -86,8 +86,8 @@ GRAZE_DECLARE_KERNEL(
     /// The same of capsules with boxes.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
                                                  PointContact<T>* contacts, Meeting* meetings);
-    /// The points of up to `block_pairs` boxes on half-spaces without a margin.
-    template <class T> void box_rests(const PairRef<T>* pairs, std::size_t count, BoxRestBlock<T>& points);
+    /// The points of up to `block_pairs` balls, even capsules with a length, or boxes on half-spaces, all without a margin.
+    template <class A, class T> void rests(const PairRef<T>* pairs, std::size_t count, RestBlock<T>& points);
     /// The distances of boxes or even capsules, which come first, from boxes, all without a margin; whether they are
     /// proven: 1 or 0.
     template <class A, class B, class T> void box_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances,

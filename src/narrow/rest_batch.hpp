@@ -1,4 +1,4 @@
-// Contacts of boxes that rest on half-spaces: of one pair, and of many by the kernel for them.
+// Contacts of what rests on half-spaces: of one pair, and of many by the kernel for them.
 //
 // Guarantee: for each pair what `convex_contacts` answers, bit for bit.
 #pragma once
@@ -9,27 +9,38 @@
 #include "narrow/add_point.hpp"
 #include "narrow/box_batch.hpp"
 #include "narrow/pairs/box_rest.hpp"
+#include "narrow/pairs/round_rest.hpp"
+#include "shape/rounding.hpp"
 
 namespace graze {
 
-/// Whether the shape is a half-space without a margin, as the kernel takes it.
+/// Points of a body that are nearer to each other than this are one; zero where none of its own can be.
 template <class T>
-bool plain_half_space(const Shape<T>& shape) {
-  return shape.margin() == T(0) && shape.template as<HalfSpace<T>>() != nullptr;
+T points_together(const Sphere<T>&, T) {
+  return T(0);
 }
-
-/// Calls `f(point)` for the points in the slots of one pair, the box before the half-space, but the later of two at one
-/// place. `slot(i)` gives the i-th slot.
-template <class T, class Slot, class F>
-void each_rest_point(unsigned filled, const Box<T>& box, const Slot& slot, const F& f) {
-  const auto point = [&](std::size_t i) {
-    const typename BoxRest<T>::Slot from = slot(i);
-    return ContactPoint<T>{from.of_box, from.of_plane, from.distance,
-                           feature_id(vertex_feature(static_cast<std::uint32_t>(from.corner)), face_feature(0))};
-  };
+template <class T>
+T points_together(const Capsule<T>& capsule, T margin) {
+  const T together = tolerance<T> * (capsule.core_extent() + rounding_radius(capsule, margin));
+  return T(2) * capsule.half_height() > together ? T(0) : together;
+}
+template <class T>
+T points_together(const Box<T>& box, T) {
   const Vec3<T>& half = box.half_extents();
   const T together = tolerance<T> * length(half);
-  if (least(half.x, least(half.y, half.z)) > together) [[likely]] {
+  return least(half.x, least(half.y, half.z)) > together ? T(0) : together;
+}
+
+/// Calls `f(point)` for the points in the slots of one pair, the body before the half-space, but the later of two at one
+/// place. `slot(i)` gives the i-th slot; `together` as above.
+template <class T, class Slot, class F>
+void each_rest_point(unsigned filled, T together, const Slot& slot, const F& f) {
+  const auto point = [&](std::size_t i) {
+    const typename Rest<T>::Slot from = slot(i);
+    return ContactPoint<T>{from.of_body, from.of_plane, from.distance,
+                           feature_id(vertex_feature(static_cast<std::uint32_t>(from.corner)), face_feature(0))};
+  };
+  if (together == T(0)) [[likely]] {
     for (; filled != 0; filled &= filled - 1) f(point(static_cast<std::size_t>(std::countr_zero(filled))));
     return;
   }
@@ -43,9 +54,9 @@ void each_rest_point(unsigned filled, const Box<T>& box, const Slot& slot, const
 /// where they are `turned`.
 template <class T>
 struct RestPoints {
-  const BoxRestBlock<T>& block;
+  const RestBlock<T>& block;
   std::size_t pair;
-  const Box<T>& box;
+  T together;
   bool turned;
 
   /// Unit, from the first of the two to the second.
@@ -59,10 +70,10 @@ struct RestPoints {
     const std::size_t first = points.size();
     const auto at = [&](const auto& columns) { return Vec3<T>{columns[0][pair], columns[1][pair], columns[2][pair]}; };
     each_rest_point<T>(
-        static_cast<unsigned>(block.filled[pair]), box,
+        static_cast<unsigned>(block.filled[pair]), together,
         [&](std::size_t i) {
           const auto& slot = block.slots[i];
-          return typename BoxRest<T>::Slot{at(slot.of_box), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
+          return typename Rest<T>::Slot{at(slot.of_body), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
         },
         [&](const ContactPoint<T>& p) {
           points.push_back({turned ? ContactPoint<T>{p.b, p.a, p.distance, swapped_feature_id(p.feature)} : p});
@@ -71,14 +82,14 @@ struct RestPoints {
   }
 };
 
-/// Asks about pairs of a plain box (`plain_box`) and a plain half-space, in their order: `apart(i)` for those further
+/// Asks about pairs of a body A, as the kernels take it, and a plain half-space, in their order: `apart(i)` for those further
 /// apart than their margins, for the others `touching(i, distance, points)`, the last `RestPoints`. `turned(i)` tells
 /// whether the half-space is the first of the two for whoever asks.
-template <class T, class Turned, class Apart, class Touching>
+template <class A, class T, class Turned, class Apart, class Touching>
 void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, const Turned& turned, const Apart& apart,
                          const Touching& touching) {
-  const auto kernel = GRAZE_KERNEL(chosen_isa(), box_rests<T>);
-  BoxRestBlock<T> block;
+  const auto kernel = GRAZE_KERNEL(chosen_isa(), rests<A, T>);
+  RestBlock<T> block;
   for (std::size_t first = 0; first < count; first += block_pairs) {
     const std::size_t size = std::min(block_pairs, count - first);
     kernel(pairs + first, size, block);
@@ -88,7 +99,7 @@ void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, const Turne
         apart(first + k);
       else
         touching(first + k, block.distance[k],
-                 RestPoints<T>{block, k, *static_cast<const Box<T>*>(pair.a), turned(first + k)});
+                 RestPoints<T>{block, k, points_together(*static_cast<const A*>(pair.a), T(0)), turned(first + k)});
     }
   }
 }

@@ -1,19 +1,13 @@
 #include <algorithm>
 
 #include "graze/batch.hpp"
-#include "narrow/box_batch.hpp"
-#include "narrow/closed_form.hpp"
 #include "narrow/rest_batch.hpp"
+#include "narrow/round_batch.hpp"
 #include "query/batch_routes.hpp"
 
 namespace graze {
 
 namespace {
-
-template <class T>
-PointContact<T> mirrored(const PointContact<T>& c) {
-  return {{c.point.b, c.point.a, c.point.distance, swapped_feature_id(c.point.feature), c.point.weight}, -c.normal};
-}
 
 /// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can be
 /// written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be guessed
@@ -116,8 +110,8 @@ class Together {
   void operator()(Route route, bool turned, const Queue<T>& queue) {
     if (route == Route::box_box)
       boxes(queue);
-    else if (route == Route::box_half_space)
-      rests(turned, queue);
+    else if (is_rest(route))
+      with_resting_kind<T>(route, [&]<class A>() { rests<A>(turned, queue); });
     else if (route == Route::box_triangle)
       triangles(turned, queue);
     else
@@ -133,8 +127,9 @@ class Together {
         },
         [&](std::size_t k) { single_(queue.places[k]); });
   }
+  template <class A>
   void rests(bool turned, const Queue<T>& queue) {
-    visit_rest_contacts(
+    visit_rest_contacts<A>(
         queue.pairs.data(), queue.count, [&](std::size_t) { return turned; },
         [&](std::size_t k) { writer_.begin(queue.places[k], false); },
         [&](std::size_t k, T distance, const RestPoints<T>& points) {
@@ -171,13 +166,7 @@ class Together {
   }
   void round(Route route, bool turned, const Queue<T>& queue) {
     with_round_kinds<T>(route, [&]<class A, class B>() {
-      const auto kernel = [] {
-        if constexpr (is_round_pair<A, B>)
-          return GRAZE_KERNEL(chosen_isa(), round_contacts<A, B, T>);
-        else
-          return GRAZE_KERNEL(chosen_isa(), capsule_box_contacts<T>);
-      }();
-      kernel(queue.pairs.data(), queue.count, contacts_, meetings_);
+      round_kernel<A, B, T>()(queue.pairs.data(), queue.count, contacts_, meetings_);
     });
     writer_.reserve(queue.count, queue.count);
     std::size_t unknown = 0;

@@ -5,11 +5,11 @@
 
 #include "mid/composite.hpp"
 #include "mid/standing.hpp"
-#include "narrow/ball_batch.hpp"
-#include "narrow/box_batch.hpp"
 #include "narrow/cached_axis.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/rest_batch.hpp"
+#include "narrow/round_batch.hpp"
+#include "query/batch_routes.hpp"
 
 namespace graze {
 
@@ -27,30 +27,24 @@ constexpr std::size_t few_pairs = 4096;
 
 }  // namespace
 
-/// Pairs that wait for a kernel.
+/// Pairs that wait for a kernel, all for the same.
 template <class T>
 struct Waiting {
+  Route route = Route::none;
+  bool turned = false;  ///< for the route, all of them
+  std::size_t count = 0;
   PairRef<T> pairs[most_chunk];
   std::uint32_t places[most_chunk];
-  std::size_t count = 0;
-
-  void add(const PairRef<T>& pair, std::uint32_t place) {
-    pairs[count] = pair;
-    places[count++] = place;
-  }
 };
 
 template <class T>
 void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
   const Shape<T>& shape = bodies.shapes()[i];
-  const Box<T>* plain = plain_box(shape);
-  const Sphere<T>* round = plain_ball(shape);
   const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
   ground_ += stands;
   ground_ -= (seen_[i].traits & fixed) != 0;
-  seen_[i] = {plain ? static_cast<const void*>(plain) : round, bodies.margins()[i],
-              static_cast<std::uint8_t>((plain ? box : 0) | (round ? ball : 0) | (plain_half_space(shape) ? plane : 0) |
-                                        (moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
+  seen_[i] = {regular_concrete(shape), bodies.margins()[i],
+              static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
                                         (stands ? fixed : 0))};
   ground_changed_ |= stands && moved;
 }
@@ -117,41 +111,45 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// Pairs of boxes, of balls and of a box and a half-space that are to be asked about anew are put together for the
-/// kernels, all others taken one by one; so are those whose contacts what stands beside may change.
+/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one; so are
+/// those whose contacts what stands beside may change. Pairs of the same kinds follow each other.
 template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t block) {
-  Waiting<T> boxes, balls, rests;
+  static constexpr Routes<T> routes;
+  Waiting<T> waiting;
   Run kept;
   const Pose<T>* const poses = bodies.poses().data();
   for (const std::uint32_t place : places) {
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
-    const int either = a.traits | b.traits, both = a.traits & b.traits;
+    const int either = a.traits | b.traits;
     if ((either & changed) == 0 && memory_[place].contact != unknown && !(ground_changed_ && (either & fixed) != 0)) {
       keep_last(place, kept, block);
       continue;
     }
-    const bool rest = (either & (box | plane)) == (box | plane);
-    if (((both & (box | ball)) == 0 && !rest) || (either & trigger) != 0) {
+    const std::uint8_t queue = routes(bins_.types[pair.a], bins_.types[pair.b]);
+    const Route route = route_of(queue);
+    const bool turned = is_turned(queue);
+    if (route == Route::none || !a.concrete || !b.concrete || (either & trigger) != 0) {
       copy_last(kept, block);
       find_one(bodies, place, block);
       continue;
     }
+    if (route != waiting.route || turned != waiting.turned) {
+      copy_last(kept, block);
+      find_together(bodies, waiting, block);
+      waiting.route = route;
+      waiting.turned = turned;
+    }
     const T margin = least(a.margin, b.margin);
-    if ((a.traits & plane) != 0)
-      rests.add({b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}, place);
-    else
-      (rest                ? rests
-       : (both & box) != 0 ? boxes
-                           : balls)
-          .add({a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin}, place);
+    waiting.places[waiting.count] = place;
+    waiting.pairs[waiting.count++] = turned
+                                         ? PairRef<T>{b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}
+                                         : PairRef<T>{a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin};
   }
   copy_last(kept, block);
-  find_boxes(bodies, boxes, block);
-  find_balls(bodies, balls, block);
-  find_rests(bodies, rests, block);
+  find_together(bodies, waiting, block);
   for (const std::uint32_t place : places) found_[block].contacts += results_[place].touches();
 }
 
@@ -200,36 +198,36 @@ void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, s
   carry_one(memory_[place], std::span(found.points).subspan(first));
 }
 
+/// Asks the kernel about the pairs that wait for it; then none do.
 template <class T>
-void ManifoldFinder<T>::find_boxes(const BodyArrays<T>& bodies, const Waiting<T>& boxes, std::uint32_t block) {
-  visit_box_contacts(
-      boxes.pairs, boxes.count, [&](std::size_t i) { keep_apart(boxes.places[i]); },
-      [&](std::size_t i, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
-        const std::size_t count = points.append(found_[block].points);
-        keep(bodies, boxes.places[i], block, distance <= T(0), normal, count);
-      },
-      [&](std::size_t i) { find_one(bodies, boxes.places[i], block); });
-}
-
-template <class T>
-void ManifoldFinder<T>::find_balls(const BodyArrays<T>& bodies, const Waiting<T>& balls, std::uint32_t block) {
-  visit_ball_contacts(
-      balls.pairs, balls.count, [&](std::size_t i) { keep_apart(balls.places[i]); },
-      [&](std::size_t i, const Vec3<T>& normal, const ContactPoint<T>& point) {
-        found_[block].points.push_back({point, {}});
-        keep(bodies, balls.places[i], block, point.distance <= T(0), normal, 1);
-      });
-}
-
-template <class T>
-void ManifoldFinder<T>::find_rests(const BodyArrays<T>& bodies, const Waiting<T>& rests, std::uint32_t block) {
-  visit_rest_contacts(
-      rests.pairs, rests.count, [&](std::size_t i) { return (seen_[pairs_[rests.places[i]].a].traits & plane) != 0; },
-      [&](std::size_t i) { keep_apart(rests.places[i]); },
-      [&](std::size_t i, T distance, const RestPoints<T>& points) {
-        const std::size_t count = points.append(found_[block].points);
-        keep(bodies, rests.places[i], block, distance <= T(0), points.normal(), count);
-      });
+void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, std::uint32_t block) {
+  const PairRef<T>* const pairs = waiting.pairs;
+  const std::uint32_t* const places = waiting.places;
+  const std::size_t count = std::exchange(waiting.count, 0);
+  if (count == 0) return;
+  const auto none = [&](std::size_t i) { keep_apart(places[i]); };
+  const auto singly = [&](std::size_t i) { find_one(bodies, places[i], block); };
+  const auto many = [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& points) {
+    const std::size_t found = points.append(found_[block].points);
+    keep(bodies, places[i], block, distance <= T(0), normal, found);
+  };
+  if (waiting.route == Route::box_box) {
+    visit_box_contacts(pairs, count, none, many, singly);
+  } else if (is_rest(waiting.route)) {
+    with_resting_kind<T>(waiting.route, [&]<class A>() {
+      visit_rest_contacts<A>(
+          pairs, count, [&](std::size_t) { return waiting.turned; }, none,
+          [&](std::size_t i, T distance, const RestPoints<T>& points) { many(i, distance, points.normal(), points); });
+    });
+  } else {
+    const auto one = [&](std::size_t i, const PointContact<T>& found) {
+      const PointContact<T> contact = waiting.turned ? mirrored(found) : found;
+      found_[block].points.push_back({contact.point, {}});
+      keep(bodies, places[i], block, contact.point.distance <= T(0), contact.normal, 1);
+    };
+    with_round_kinds<T>(waiting.route,
+                        [&]<class A, class B>() { visit_round_contacts<A, B>(pairs, count, none, one, singly); });
+  }
 }
 
 /// Of two bodies the smaller margin; none of two that have no size.

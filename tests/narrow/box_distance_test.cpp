@@ -7,6 +7,7 @@
 
 #include "common/specimen.hpp"
 #include "manifold_of.hpp"
+#include "narrow/closed_form.hpp"
 
 namespace graze::testing {
 namespace {
@@ -44,9 +45,20 @@ PlacedPair boxes_on_lattice(Random& random) {
   return {box(), box()};
 }
 
+PlacedPair capsule_and_box(Random& random) {
+  PlacedPair pair = stacked_boxes(random);
+  pair.a.specimen =
+      random() % 2 == 0 ? random_specimen(Kind::capsule, 1, random) : degenerate_specimen(Kind::capsule, 1, random);
+  if (random() % 2 == 0) pair.a.rotation = random_rotation(random);
+  return pair;
+}
+
 PlacedBox<double> placed(const PlacedSpecimen& s) {
   const Shaped shape = build<double>(s.specimen);
-  return {shape.as<Box<double>>()->half_extents(), shape.margin(), pose_of<double>(s)};
+  const Posed pose = pose_of<double>(s);
+  if (const auto* capsule = shape.as<Capsule<double>>())
+    return placed_box(rounded_core(*capsule, shape.margin()), pose);
+  return placed_box(rounded_core(*shape.as<Box<double>>(), shape.margin()), pose);
 }
 
 /// How many of so many pairs are not proven. Of those that are, everything is right up to rounding.
@@ -76,6 +88,8 @@ TEST(BoxDistance, IsProvenAndRightForAnyBoxes) { EXPECT_EQ(unproven(any_boxes, 2
 TEST(BoxDistance, IsProvenAndRightForStackedBoxes) { EXPECT_EQ(unproven(stacked_boxes, 3000, 2), 0); }
 
 TEST(BoxDistance, IsProvenAndRightForThinAndAlignedBoxes) { EXPECT_EQ(unproven(boxes_on_lattice, 2000, 3), 0); }
+
+TEST(BoxDistance, IsProvenAndRightForCapsules) { EXPECT_EQ(unproven(capsule_and_box, 3000, 8), 0); }
 
 // No corner of either lies over the other: the faces' rims cross.
 TEST(BoxDistance, KnowsBeamsThatCross) {

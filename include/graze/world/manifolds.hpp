@@ -4,8 +4,8 @@
 // many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if they were
 // one. Pairs are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair, and those of
 // one pair one behind the other. What is remembered only saves work: a pair of which neither body changed keeps its
-// manifolds, and one that was apart is tried first along the direction in which it was, but for boxes, balls and
-// boxes on half-spaces: those are asked about many at a time.
+// manifolds, and one that was apart is tried first along the direction in which it was, but for pairs of balls,
+// capsules, boxes and half-spaces that have a kernel: those are asked about many at a time.
 #pragma once
 
 #include <span>
@@ -102,7 +102,7 @@ class ManifoldFinder {
   };
   /// What a pair has to know of a body before it looks at it.
   struct Seen {
-    const void* concrete;
+    const void* concrete;  ///< as kernels take it, or null
     T margin;
     std::uint8_t traits;  ///< bits of those below
   };
@@ -110,7 +110,7 @@ class ManifoldFinder {
   struct Around {
     std::uint32_t first = 0, count = 0, filled = 0;
   };
-  static constexpr std::uint8_t box = 1, ball = 2, plane = 4, changed = 8, trigger = 16, fixed = 32;
+  static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4;
 
   void look(const BodyArrays<T>& bodies);
   void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
@@ -119,9 +119,7 @@ class ManifoldFinder {
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
   Surroundings<T> beside(const IdPair& pair) const;
   void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t block);
-  void find_boxes(const BodyArrays<T>& bodies, const Waiting<T>& boxes, std::uint32_t block);
-  void find_balls(const BodyArrays<T>& bodies, const Waiting<T>& balls, std::uint32_t block);
-  void find_rests(const BodyArrays<T>& bodies, const Waiting<T>& rests, std::uint32_t block);
+  void find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, std::uint32_t block);
   void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
   void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
   bool stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,

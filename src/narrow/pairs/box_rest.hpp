@@ -6,27 +6,15 @@
 #pragma once
 
 #include "narrow/pairs/box_manifold.hpp"
+#include "narrow/pairs/rest.hpp"
 
 namespace graze {
 
-inline constexpr std::size_t most_rest_points = 4;
-
-/// The points of contact, a slot each; which of the slots hold one is another matter in every lane.
+/// A box that is not rounded. `plane` is the height of the half-space's surface in its own frame; points up to `margin` above it.
 template <class S>
-struct BoxRest {
-  S distance;
-  Vec3<S> up;  ///< unit, out of the half-space, in the world
-  struct Slot {
-    Vec3<S> of_box, of_plane;
-    S distance, corner;  ///< the corner's number
-  } slots[most_rest_points];
-  S filled;  ///< slot i holds a point: bit i of this number
-};
-
-/// `plane` is the height of the half-space's surface in its own frame; points up to `margin` above it.
-template <class S>
-BoxRest<S> box_rest(const Vec3<S>& half_extents, const Pose<S>& pose, const S& plane, const Pose<S>& plane_pose,
-                    const S& margin) {
+Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& plane, const Pose<S>& plane_pose,
+             const S& margin) {
+  const Vec3<S>& half_extents = box.core.half;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S zero(0), one(1);
@@ -36,7 +24,7 @@ BoxRest<S> box_rest(const Vec3<S>& half_extents, const Pose<S>& pose, const S& p
   const auto lower = [&](const S& along, const S& half) { return select(along < zero, -half, half); };
   const Vec3<S> lowest{lower(down.x, half_extents.x), lower(down.y, half_extents.y), lower(down.z, half_extents.z)};
 
-  BoxRest<S> found;
+  Rest<S> found;
   found.distance = transform(seen, lowest).y - plane;
   found.up = rotate(plane_pose.rotation, plane_up);
 
@@ -68,8 +56,8 @@ BoxRest<S> box_rest(const Vec3<S>& half_extents, const Pose<S>& pose, const S& p
     const Vec3<S> corner{select(upper_u[i], half.x, -half.x), select(upper_v[i], half.y, -half.y), front};
     auto& slot = found.slots[i];
     slot.distance = found.distance + (lowest_along - dot(d, corner));
-    slot.of_box = pose.translation + Vec3<S>{dot(wx, corner), dot(wy, corner), dot(wz, corner)};
-    slot.of_plane = slot.of_box - found.up * slot.distance;
+    slot.of_body = pose.translation + Vec3<S>{dot(wx, corner), dot(wy, corner), dot(wz, corner)};
+    slot.of_plane = slot.of_body - found.up * slot.distance;
     // Both ends of a side of no length are one corner, with one number.
     slot.corner = select(upper_u[i] & (half.x > zero), bits.x, zero) +
                   select(upper_v[i] & (half.y > zero), bits.y, zero) + select(forward, bits.z, zero);
