@@ -165,7 +165,8 @@ BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d
       toward = select(better, select(upper[j], S(1), S(-1)), toward);
     }
   }
-  const auto first = number < S(3), second = (!first) & (number < S(6));
+  using Mask = decltype(S() < S());
+  const Mask first = number < S(3), second = (!first) & (number < S(6));
   const S j = number - select(first, S(0), select(second, S(3), S(6))), scale = toward / sqrt(squared);
   const Vec3<S> f =
       select(j == S(0), of_corner(d.along, 0), select(j == S(1), of_corner(d.along, 1), of_corner(d.along, 2)));
