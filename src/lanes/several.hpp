@@ -118,6 +118,10 @@ struct Several {
     GRAZE_EACH(Several, greatest(a.part[i], b.part[i]));
   }
   [[gnu::always_inline]] friend Several abs(const Several& a) { GRAZE_EACH(Several, abs(a.part[i])); }
+  [[gnu::always_inline]] friend Several sqrt(const Several& a) {
+    using std::sqrt;
+    GRAZE_EACH(Several, sqrt(a.part[i]));
+  }
 #undef GRAZE_EACH
 
   /// In the place of each of three the one that follows it in a ring, or precedes it.

@@ -7,6 +7,7 @@
 // depth, up to rounding. What a triangle as slender as `regular` excludes gives means nothing.
 #pragma once
 
+#include "lanes/several.hpp"
 #include "narrow/pairs/box_choice.hpp"
 
 namespace graze {
@@ -15,53 +16,72 @@ namespace graze {
 /// normal by more than some tens of roundings.
 inline constexpr double lowest_triangle = 1.0 / 32;
 
+/// A number for each of the triangle's corners, or of its edges, which begin at them.
+template <class S>
+using OfCorners = Vec3<Several<S, 3>>;
+template <class S>
+Vec3<S> of_corner(const OfCorners<S>& v, int i) {
+  return {v.x[i], v.y[i], v.z[i]};
+}
+/// The same for all.
+template <class S>
+OfCorners<S> for_corners(const Vec3<S>& v) {
+  using Three = Several<S, 3>;
+  return {Three(v.x), Three(v.y), Three(v.z)};
+}
+
 /// A box and a triangle in the frame of the box.
 template <class S>
 struct BoxAndTriangle {
+  using Three = Several<S, 3>;
+
   Mat3<S> turn;  ///< of the box in the world
   Vec3<S> half;
-  Vec3<S> point[3], edge[3];  ///< from each point to the next
-  S size_a, size_b;           ///< about their own origins
-  S noise;                    ///< what rounding may do to the separation along an axis
+  OfCorners<S> point, before, edge;  ///< each corner, the one before it, and from it to the next
+  S size_a, size_b;                  ///< about their own origins
+  S noise;                           ///< what rounding may do to the separation along an axis
 
   BoxAndTriangle(const BoxCore<S>& box, const Pose<S>& pose_a, const TriangleCore<S>& triangle, const Pose<S>& pose_b)
       : turn(rotation_of(pose_a.rotation)), half(box.half) {
-    const RelativeFrame<S> b_in_a = relative_frame(pose_a, turn, pose_b);
-    const auto& corner = triangle.point;
-    // Differences of corners keep their digits wherever the triangle lies in its own frame.
-    for (std::size_t i = 0; i < 3; ++i) edge[i] = b_in_a.rotation * (corner[i == 2 ? 0 : i + 1] - corner[i]);
-    point[0] = b_in_a.rotation * corner[0] + b_in_a.translation;
-    point[1] = point[0] + edge[0];
-    point[2] = point[0] - edge[2];
     using std::sqrt;
+    const RelativeFrame<S> b_in_a = relative_frame(pose_a, turn, pose_b);
+    const Vec3<S>&a = triangle.point[0], &b = triangle.point[1], &c = triangle.point[2];
+    const OfCorners<S> corner{Three(a.x, b.x, c.x), Three(a.y, b.y, c.y), Three(a.z, b.z, c.z)};
+    const Mat3<Three> rotation{{for_corners(b_in_a.rotation.row[0]), for_corners(b_in_a.rotation.row[1]),
+                                for_corners(b_in_a.rotation.row[2])}};
+    // Differences of corners keep their digits wherever the triangle lies in its own frame.
+    edge = rotation * OfCorners<S>{Three(b.x - a.x, c.x - b.x, a.x - c.x), Three(b.y - a.y, c.y - b.y, a.y - c.y),
+                                   Three(b.z - a.z, c.z - b.z, a.z - c.z)};
+    point = rotation * corner + for_corners(b_in_a.translation);
+    const auto last_first = [](const Three& v) { return Three(v[2], v[0], v[1]); };
+    before = {last_first(point.x), last_first(point.y), last_first(point.z)};
     size_a = length(half);
-    size_b = sqrt(greatest(length_squared(corner[0]), greatest(length_squared(corner[1]), length_squared(corner[2]))));
+    size_b = sqrt(largest(length_squared(corner)));
     noise = S(box_rounding<typename LaneOf<S>::type>) * (greatest(size_a, size_b) + max_abs(b_in_a.translation));
   }
+  static S largest(const Three& v) { return greatest(v[0], greatest(v[1], v[2])); }
 };
 
 /// The directions of a triangle.
 template <class S>
 struct TriangleDirections {
-  Vec3<S> along[3], normal;       ///< unit, of its edges and out of its front
+  OfCorners<S> along;             ///< unit, of its edges
+  Vec3<S> normal;                 ///< unit, out of its front
   decltype(S() < S()) regular{};  ///< of no sliver, and of lengths as those of `regular_box`
 
   TriangleDirections() = default;
   explicit TriangleDirections(const BoxAndTriangle<S>& p) {
     using T = typename LaneOf<S>::type;
+    using Three = Several<S, 3>;
     using std::sqrt;
     constexpr T lowest = static_cast<T>(lowest_triangle * lowest_triangle);
-    S longest(0), squared[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      squared[i] = length_squared(p.edge[i]);
-      longest = greatest(longest, squared[i]);
-    }
-    const Vec3<S> area = cross(p.edge[0], p.edge[1]);
-    const S area_squared = length_squared(area);
+    const S least_square(std::numeric_limits<T>::min());
+    const Three squared = length_squared(p.edge);
+    const Vec3<S> area = cross(of_corner(p.edge, 0), of_corner(p.edge, 1));
+    const S longest = p.largest(squared), area_squared = length_squared(area);
     regular = regular_box(Vec3<S>{sqrt(longest), p.size_b, p.size_b}) & (area_squared > longest * longest * S(lowest));
-    const auto inverse = [&](const S& square) { return S(1) / sqrt(select(regular, square, S(1))); };
-    for (std::size_t i = 0; i < 3; ++i) along[i] = p.edge[i] * inverse(squared[i]);
-    normal = area * inverse(area_squared);
+    along = p.edge * (Three(S(1)) / sqrt(greatest(squared, Three(least_square))));
+    normal = area * (S(1) / sqrt(greatest(area_squared, least_square)));
   }
 };
 
@@ -92,7 +112,7 @@ template <class S>
 BestAxis<S> box_side_axes(const BoxAndTriangle<S>& p) {
   BestAxis<S> best{S(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), {S(0), S(0), S(0)}};
   for (std::size_t i = 0; i < 3; ++i) {
-    const S &a = p.point[0][i], &b = p.point[1][i], &c = p.point[2][i];
+    const S a = p.point[i][0], b = p.point[i][1], c = p.point[i][2];
     const S above = least(a, least(b, c)) - p.half[i], below = -greatest(a, greatest(b, c)) - p.half[i];
     Vec3<S> toward{S(0), S(0), S(0)};
     toward[i] = select(above > below, S(1), S(-1));
@@ -105,45 +125,53 @@ BestAxis<S> box_side_axes(const BoxAndTriangle<S>& p) {
 template <class S>
 BestAxis<S> triangle_side_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d, BestAxis<S> best) {
   using std::abs;
-  const S offset = dot(d.normal, p.point[0]);
+  using Three = Several<S, 3>;
+  const S offset = dot(d.normal, of_corner(p.point, 0));
   best.keep(abs(offset) - dot(graze::abs(d.normal), p.half), select(offset > S(0), d.normal, -d.normal));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<S> outward = cross(d.along[i], d.normal);
-    best.keep(-dot(outward, p.point[i]) - dot(graze::abs(outward), p.half), -outward);
-  }
+  const OfCorners<S> inward = -cross(d.along, for_corners(d.normal));
+  const Three separations = dot(inward, p.point) - dot(graze::abs(inward), for_corners(p.half));
+  if (!any(separations > Three(best.separation))) return best;
+  for (int i = 0; i < 3; ++i) best.keep(separations[i], of_corner(inward, i));
   return best;
 }
 
-/// The products of the box's edges with the triangle's.
+/// The best of those products of the box's edges with the triangle's that are better than `face`; minus infinity where
+/// none is.
 template <class S>
-BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d) {
+BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d, const S& face) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
-  // Separations are compared by their squares with their signs, a product each in place of a root. Axes are numbered 3 j + i
-  // for the triangle's j-th edge and the box's i-th.
+  using Three = Several<S, 3>;
+  // Separations are compared by their squares with their signs, a product each in place of a root. Axes are numbered 3 i + j
+  // for the box's i-th edge and the triangle's j-th.
+  const Three parallel(S(parallel_edges<S>)), least_square(face * abs(face));
   S gap(-std::numeric_limits<T>::infinity()), squared(1), number(0), toward(1);
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Vec3<S>&f = d.along[j], &on = p.point[j], &off = p.point[j == 0 ? 2 : j - 1];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t u = i == 2 ? 0 : i + 1, v = i == 0 ? 2 : i - 1;
-      // The product of the box's i-th edge with f. The whole edge is one place along it: the triangle has but two.
-      const S n_u = -f[v], n_v = f[u];
-      const S one = n_u * on[u] + n_v * on[v], other = n_u * off[u] + n_v * off[v],
-              reach = abs(n_u) * p.half[u] + abs(n_v) * p.half[v];
-      const S above = least(one, other) - reach, below = -greatest(one, other) - reach, apart = greatest(above, below),
-              length = n_u * n_u + n_v * n_v, signed_square = apart * abs(apart);
-      const auto better = (length > S(parallel_edges<S>)) & (signed_square * squared > gap * length);
-      gap = select(better, signed_square, gap);
-      squared = select(better, length, squared);
-      number = select(better, S(static_cast<T>(3 * j + i)), number);
-      toward = select(better, select(above > below, S(1), S(-1)), toward);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t u = i == 2 ? 0 : i + 1, v = i == 0 ? 2 : i - 1;
+    // The whole edge is one place along its product: the triangle has but two.
+    const Three n_u = -d.along[v], n_v = d.along[u];
+    const Three one = n_u * p.point[u] + n_v * p.point[v], other = n_u * p.before[u] + n_v * p.before[v],
+                reach = abs(n_u) * Three(p.half[u]) + abs(n_v) * Three(p.half[v]);
+    const Three above = least(one, other) - reach, below = -greatest(one, other) - reach,
+                apart = greatest(above, below), lengths = n_u * n_u + n_v * n_v, squares = apart * abs(apart);
+    const auto promising = (lengths > parallel) & (squares > least_square * lengths);
+    if (!any(promising)) continue;
+    const auto upper = above > below;
+    for (int j = 0; j < 3; ++j) {
+      const auto better = promising[j] & (squares[j] * squared > gap * lengths[j]);
+      gap = select(better, squares[j], gap);
+      squared = select(better, lengths[j], squared);
+      number = select(better, S(static_cast<T>(3 * static_cast<int>(i) + j)), number);
+      toward = select(better, select(upper[j], S(1), S(-1)), toward);
     }
   }
-  const auto first = number < S(3), second = (!first) & (number < S(6));
-  const Vec3<S> f = select(first, d.along[0], select(second, d.along[1], d.along[2]));
-  const S i = number - select(first, S(0), select(second, S(3), S(6))), scale = toward / sqrt(squared);
-  const Vec3<S> product = select(i == S(0), Vec3<S>{S(0), -f.z, f.y},
-                                 select(i == S(1), Vec3<S>{f.z, S(0), -f.x}, Vec3<S>{-f.y, f.x, S(0)}));
+  using Mask = decltype(S() < S());
+  const Mask first = number < S(3), second = (!first) & (number < S(6));
+  const S j = number - select(first, S(0), select(second, S(3), S(6))), scale = toward / sqrt(squared);
+  const Vec3<S> f =
+      select(j == S(0), of_corner(d.along, 0), select(j == S(1), of_corner(d.along, 1), of_corner(d.along, 2)));
+  const Vec3<S> product =
+      select(first, Vec3<S>{S(0), -f.z, f.y}, select(second, Vec3<S>{f.z, S(0), -f.x}, Vec3<S>{-f.y, f.x, S(0)}));
   const S separation = sqrt(abs(gap) / squared);
   return {select(gap < S(0), -separation, separation), product * scale};
 }
@@ -167,7 +195,7 @@ TriangleChoice<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin, T
                                  select(by_box, of_box.normal, of_both.normal)};
   const auto by_face = face.separation > enough;
   detail::BestAxis<S> edge{-infinity, face.normal};
-  if (!all(by_face)) edge = detail::edge_axes(p, directions);
+  if (!all(by_face)) edge = detail::edge_axes(p, directions, face.separation);
   edge.separation = select(by_face, -infinity, edge.separation);
 
   const S smaller = least(p.size_a, p.size_b);

@@ -145,13 +145,13 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   // The axes of the box turned until its face's comes last.
   const auto axes = detail::longest_axis(choice.normal);
   const Vec3<S> n = axes.turned(choice.normal), half = axes.turned(p.half),
-                point[3] = {axes.turned(p.point[0]), axes.turned(p.point[1]), axes.turned(p.point[2])};
+                point[3] = {axes.turned(of_corner(p.point, 0)), axes.turned(of_corner(p.point, 1)),
+                            axes.turned(of_corner(p.point, 2))};
   const Mask positive = n.z >= zero;
   const S height = select(positive, half.z, -half.z);
-  const Vec3<S>* along = directions.along;
-  const Vec3<S> fall =
-      abs(Vec3<S>{dot(along[0], choice.normal), dot(along[1], choice.normal), dot(along[2], choice.normal)});
-  const detail::TriangleFace<S> face(point, axes.turned(directions.normal), n, height, fall, p.noise);
+  const Several<S, 3> fall = abs(dot(directions.along, for_corners(choice.normal)));
+  const detail::TriangleFace<S> face(point, axes.turned(directions.normal), n, height, {fall[0], fall[1], fall[2]},
+                                     p.noise);
   const detail::RectangleAndTriangle<S> faces{
       {half.x, half.y}, {face.side[0], face.side[1], face.side[2]}, face.whole, face.edge, p.noise};
   const S shorter = least(half.x, half.y),
