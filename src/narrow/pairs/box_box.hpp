@@ -24,6 +24,17 @@ struct BoxPair {
   Mat3<S> rotation;
 };
 
+/// The same two in the frame of B, which comes first.
+template <class S>
+BoxPair<S> seen_from_b(const BoxPair<S>& p) {
+  return {p.half_b, p.half_a, -transposed_times(p.rotation, p.translation), transposed(p.rotation)};
+}
+template <class M, class S>
+BoxPair<S> select(const M& condition, const BoxPair<S>& yes, const BoxPair<S>& no) {
+  return {select(condition, yes.half_a, no.half_a), select(condition, yes.half_b, no.half_b),
+          select(condition, yes.translation, no.translation), select(condition, yes.rotation, no.rotation)};
+}
+
 /// An axis with its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th.
 template <class S>
 struct BoxAxis {
