@@ -1,5 +1,6 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_manifold.hpp"
+#include "narrow/pairs/box_overlap.hpp"
 
 namespace graze::GRAZE_ISA {
 
