@@ -24,11 +24,13 @@ constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
 /// square.
 template <class T>
 double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
+  constexpr double most = longest<T>;
   const Vec3d reach = abs(cast<double>(ray.origin));
-  const bool usable = (reach.x <= longest<T>)&(reach.y <= longest<T>)&(reach.z <= longest<T>);  // no NaN is
+  const bool usable = (reach.x <= most) & (reach.y <= most) & (reach.z <= most);  // no NaN is
   const double squared = length_squared(direction);
   const bool aimed = (squared > 0) & (squared <= std::numeric_limits<double>::max());
-  return usable & aimed & (length >= T(0)) ? least(static_cast<double>(length), longest<T>) : -1;
+  if (!(usable & aimed & (length >= T(0)))) return -1;
+  return least(static_cast<double>(length), most);
 }
 
 /// The ray in a frame, if it can hit.
