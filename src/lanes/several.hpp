@@ -22,10 +22,21 @@ struct Several {
   static constexpr int per = joined ? static_cast<int>(16 / sizeof(S)) : 1;  ///< numbers in a part
   static constexpr int parts = (N + per - 1) / per;
   using Part = typename std::conditional_t<joined, std::type_identity<Wide<S, per>>, std::type_identity<S>>::type;
+  using Condition = decltype(S() < S());
   using Parts = std::make_index_sequence<static_cast<std::size_t>(parts)>;
 
   struct Mask {
     typename Part::Mask part[parts];
+
+    /// The same for all.
+    [[gnu::always_inline]] static Mask of(const Condition& all) {
+      return each(Parts{}, [&](auto) {
+        if constexpr (joined)
+          return typename Part::Mask{typename Part::BitVector{} - static_cast<typename Part::Bits>(all)};
+        else
+          return all;
+      });
+    }
 
     [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) {
       return each(Parts{}, [&](auto i) { return a.part[i] & b.part[i]; });
@@ -33,7 +44,7 @@ struct Several {
     [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) {
       return each(Parts{}, [&](auto i) { return a.part[i] | b.part[i]; });
     }
-    [[gnu::always_inline]] decltype(S() < S()) operator[](int i) const {
+    [[gnu::always_inline]] Condition operator[](int i) const {
       if constexpr (joined)
         return part[i / per][i % per];
       else
@@ -74,6 +85,15 @@ struct Several {
         }) {}
   [[gnu::always_inline]] explicit Several(const Vec3<S>& v) requires(N == 3) : Several(v.x, v.y, v.z) {}
 
+  [[gnu::always_inline]] static Several load(const S* from) requires(N == parts * per) {
+    return Several(Parts{}, [&](auto i) {
+      if constexpr (joined)
+        return Part::load(from + i * per);
+      else
+        return from[i];
+    });
+  }
+
   [[gnu::always_inline]] S operator[](int i) const {
     if constexpr (joined)
       return part[i / per][i % per];
@@ -102,11 +122,17 @@ struct Several {
     GRAZE_EACH(Several, a.part[i] / b.part[i]);
   }
   [[gnu::always_inline]] friend Several operator-(const Several& a) { GRAZE_EACH(Several, -a.part[i]); }
+  [[gnu::always_inline]] friend Mask operator<(const Several& a, const Several& b) {
+    GRAZE_EACH(Mask::each, a.part[i] < b.part[i]);
+  }
   [[gnu::always_inline]] friend Mask operator<=(const Several& a, const Several& b) {
     GRAZE_EACH(Mask::each, a.part[i] <= b.part[i]);
   }
   [[gnu::always_inline]] friend Mask operator>(const Several& a, const Several& b) {
     GRAZE_EACH(Mask::each, a.part[i] > b.part[i]);
+  }
+  [[gnu::always_inline]] friend Mask operator>=(const Several& a, const Several& b) {
+    GRAZE_EACH(Mask::each, a.part[i] >= b.part[i]);
   }
   [[gnu::always_inline]] friend Several select(const Mask& condition, const Several& yes, const Several& no) {
     GRAZE_EACH(Several, select(condition.part[i], yes.part[i], no.part[i]));

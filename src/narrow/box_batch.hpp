@@ -19,7 +19,7 @@ template <class T, class Slot, class Points>
 std::size_t take_points(unsigned filled, const Slot& slot, const std::uint16_t* features_b, Points& points) {
   const std::size_t first = points.size();
   for (; filled != 0; filled &= filled - 1) {
-    const typename BoxManifold<T>::Slot from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
+    const BoxSlot<T> from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
     const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(from.part_a)],
                                              features_b[static_cast<std::size_t>(from.part_b)]);
     const std::size_t count = points.size();
@@ -47,11 +47,11 @@ struct BoxPoints {
         static_cast<unsigned>(block.filled[pair]),
         [&](std::size_t i) {
           const auto& slot = block.slots[i];
-          return typename BoxManifold<T>::Slot{{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
-                                               {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
-                                               slot.distance[pair],
-                                               slot.part_a[pair],
-                                               slot.part_b[pair]};
+          return BoxSlot<T>{{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
+                            {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
+                            slot.distance[pair],
+                            slot.part_a[pair],
+                            slot.part_b[pair]};
         },
         features_b, points);
   }

@@ -10,6 +10,7 @@
 
 // The special pairs, one line each. A pair without a line here takes the general path.
 #include "narrow/pairs/box_distance.hpp"
+#include "narrow/pairs/box_overlap.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/half_space.hpp"
@@ -143,10 +144,11 @@ BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Po
 
 /// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
 template <class A, class B, class T>
-std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b, bool faces_only) {
+[[gnu::flatten]] std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
+                                                   bool faces_only) {
   if (plain_box(a.shape) && plain_box(b.shape)) {
-    const RelativeFrame<T> b_in_a = relative_frame(a.pose, b.pose);
-    const BoxPair<T> plain{core_of(ca).half, core_of(cb).half, b_in_a.translation, b_in_a.rotation};
+    RelativeFrame<T> b_in_a = relative_frame(a.pose, b.pose);
+    BoxPair<T> plain{core_of(ca).half, core_of(cb).half, b_in_a.translation, b_in_a.rotation};
     return !boxes_apart(plain, box_noise(plain, ca.core_extent(), cb.core_extent()), faces_only);
   }
   const BoxPair<double> boxes = box_pair(ca, a.pose, cb, b.pose);

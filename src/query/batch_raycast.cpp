@@ -76,10 +76,15 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   return out;
 }
 
-BlockFrame block_frame(const Posed& pose) {
-  const Vec3d& t = pose.translation;
-  const Quat<double>& q = pose.rotation;
-  return {{t.x, t.y, t.z}, {q.x, q.y, q.z, q.w}};
+template <class T>
+BlockFrame block_frame(const Pose<T>& pose) {
+  const Frame frame = frame_of(pose);
+  BlockFrame block;
+  for (std::size_t i = 0; i < 3; ++i) {
+    block.translation[i] = frame.translation[i];
+    for (std::size_t k = 0; k < 3; ++k) block.rotation[i][k] = frame.rotation.row[i][k];
+  }
+  return block;
 }
 
 template <class T>
@@ -203,7 +208,7 @@ template <class T>
 template <class T>
 void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays,
              std::span<std::optional<RayHit<T>>> hits, T length, BackFaces back) {
-  const BlockFrame frame = block_frame(precise(pose));
+  const BlockFrame frame = block_frame(pose);
   const BlockTarget<T> target(shape, back, false);
   static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
   std::uint32_t pieces[RayBlock::size] = {};
@@ -229,7 +234,7 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
 template <class T>
 void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays, std::span<bool> hits,
                  T length, BackFaces back) {
-  const BlockFrame frame = block_frame(precise(pose));
+  const BlockFrame frame = block_frame(pose);
   const BlockTarget<T> target(shape, back, true);
   std::uint32_t pieces[RayBlock::size] = {};
   each_block(rays.first(least(rays.size(), hits.size())), length, frame,

@@ -4,14 +4,31 @@
 
 #include "query/shape_rays.hpp"
 
+#include "narrow/rays/convex.hpp"
+
 namespace graze {
 
 using namespace shape_rays;
+using rays::MaybeHit;
+
+namespace {
+
+/// Of the concrete shape C, which is convex. One function, so that numbers stay in registers.
+template <class C, class T>
+[[gnu::flatten]] std::optional<RayHit<T>> convex_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                                     T length, BackFaces back) {
+  Frame frame = frame_of(pose);
+  std::optional<LocalRay> local = local_ray(ray, length, frame);
+  if (!local) return {};
+  MaybeHit hit = rays::hit_convex(*shape.template as<C>(), shape.margin(), *local, back);
+  if (!hit) return {};
+  return in_world<T>({*hit, 0}, frame, ray, length);
+}
 
 template <class T>
-[[gnu::flatten]] std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
-                                                  T length, BackFaces back) {
-  const Posed frame = precise(pose);
+[[gnu::flatten]] std::optional<RayHit<T>> composite_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                                        T length, BackFaces back) {
+  const Frame frame = frame_of(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return {};
   const Candidate first = first_hit(shape, *local, back);
@@ -19,10 +36,24 @@ template <class T>
   return in_world(first, frame, ray, length);
 }
 
+}  // namespace
+
+template <class T>
+std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
+                                 BackFaces back) {
+  return shape.visit([&](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>)
+      return convex_hit<C>(shape, pose, ray, length, back);
+    else
+      return composite_hit(shape, pose, ray, length, back);
+  });
+}
+
 template <class T>
 [[gnu::flatten]] bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
                                   BackFaces back) {
-  std::optional<LocalRay> local = local_ray(ray, length, precise(pose));
+  std::optional<LocalRay> local = local_ray(ray, length, frame_of(pose));
   if (!local) return false;
   return hits_any(shape, *local, back);
 }
@@ -30,7 +61,7 @@ template <class T>
 template <class T>
 std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, std::vector<RayHit<T>>& hits,
                         T length, BackFaces back) {
-  const Posed frame = precise(pose);
+  const Frame frame = frame_of(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return 0;
   std::vector<Candidate> all;

@@ -11,46 +11,38 @@
 
 namespace graze::shape_rays {
 
+using rays::Frame;
+using rays::frame_of;
 using rays::LocalHit;
 using rays::LocalRay;
-
-/// A pose in double, its rotation of unit length in that: float's is so only in float, and lengths would change by it.
-template <class T>
-Posed precise(const Pose<T>& pose) {
-  const Quat<double> q = cast<double>(pose.rotation);
-  if (q == Quat<double>{}) return {cast<double>(pose.translation), q};
-  const double s = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  return {cast<double>(pose.translation), {q.x * s, q.y * s, q.z * s, q.w * s}};
-}
 
 /// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
 template <class T>
 constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
 
+/// How far a ray is followed; less than zero when it cannot hit. `direction` is the ray's, of any length that has a
+/// square.
 template <class T>
-bool usable(const Vec3d& v) {
-  return max_abs(v) <= longest<T> && v == v;  // not so for NaN
+double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
+  constexpr double most = longest<T>;
+  const Vec3d reach = abs(cast<double>(ray.origin));
+  const bool usable = (reach.x <= most) & (reach.y <= most) & (reach.z <= most);  // no NaN is
+  const double squared = length_squared(direction);
+  const bool aimed = (squared > 0) & (squared <= std::numeric_limits<double>::max());
+  if (!(usable & aimed & (length >= T(0)))) return -1;
+  return least(static_cast<double>(length), most);
 }
 
-/// How far the ray is followed; less than zero when it cannot hit.
+/// The ray in a frame, if it can hit.
 template <class T>
-double end_of(const Ray<T>& ray, T length) {
-  constexpr double limit = std::numeric_limits<double>::max();
-  const Vec3d origin = cast<double>(ray.origin), direction = cast<double>(ray.direction);
-  const bool aimed = max_abs(direction) <= limit && direction == direction && direction != Vec3d{};
-  if (!usable<T>(origin) || !aimed || !(length >= T(0))) return -1;
-  return least(static_cast<double>(length), longest<T>);
-}
-
-/// The ray in the frame of `pose`, if it can hit.
-template <class T>
-[[gnu::flatten]] std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Posed& pose) {
-  const double end = end_of(ray, length);
+[[gnu::flatten]] std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Frame& frame) {
+  // Squares of its numbers must neither over- nor underflow. Zeros and infinities become NaN.
+  Vec3d direction = cast<double>(ray.direction);
+  if constexpr (!std::is_same_v<T, float>) direction = direction / max_abs(direction);
+  const double end = end_of(ray, direction, length);
   if (end < 0) return {};
-  const Vec3d direction = cast<double>(ray.direction);
-  // Turning makes its length 1; only its squares must neither over- nor underflow before.
-  const Vec3d safe = std::is_same_v<T, float> ? direction : direction / max_abs(direction);
-  LocalRay local = seen_from(pose, LocalRay{cast<double>(ray.origin), safe, 0, end, 0});
+  // Of unit length before it is turned: root and division do not wait for the frame.
+  LocalRay local = seen_from(frame, {cast<double>(ray.origin), direction * (1 / graze::length(direction)), 0, end, 0});
   local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
   return local;
 }
@@ -67,22 +59,22 @@ template <class T, class Report>
 }
 
 /// Calls `found(hit, piece)` for what the ray hits of a compound; `found` returns how far the ray has still to be followed.
-/// `pose` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the child of that, or
+/// `frame` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the child of that, or
 /// null for the outermost itself.
 template <class T, class Found>
-[[gnu::noinline]] void visit_children(const Compound<T>& compound, const Posed& pose, LocalRay& outer, BackFaces back,
+[[gnu::noinline]] void visit_children(const Compound<T>& compound, const Frame& frame, LocalRay& outer, BackFaces back,
                                       const std::uint32_t* piece, Found& found) {
-  const LocalRay ray = piece ? seen_from(pose, outer) : outer;
+  const LocalRay ray = piece ? seen_from(frame, outer) : outer;
   const CompoundData<T>& data = compound.data();
   const auto cast_at_child = [&](std::uint32_t number) {
     const Placed<T>& child = data.children[number];
-    const Posed placed = compose(pose, precise(child.pose));
+    const Frame placed = compose(frame, frame_of(child.pose));
     const std::uint32_t* named = piece ? piece : &number;
     if (const auto* inner = child.shape.template as<Compound<T>>()) {
       visit_children(*inner, placed, outer, back, named, found);
     } else {
       visit_single(child.shape, seen_from(placed, outer), back, [&](const LocalHit& hit, std::uint32_t) {
-        return outer.end = found({hit.t, transform(placed, hit.point), rotate(placed.rotation, hit.normal)}, *named);
+        return outer.end = found({hit.t, placed.translation + placed.out(hit.point), placed.out(hit.normal)}, *named);
       });
     }
     return outer.end >= outer.begin;
@@ -103,7 +95,7 @@ template <class T, class Found>
 template <class T, class Found>
 [[gnu::always_inline]] inline void visit_hits(const Shape<T>& shape, LocalRay& ray, BackFaces back, Found& found) {
   if (const auto* compound = shape.template as<Compound<T>>())
-    visit_children(*compound, Posed{}, ray, back, nullptr, found);
+    visit_children(*compound, Frame{{}, Mat3d::identity()}, ray, back, nullptr, found);
   else
     visit_single(shape, ray, back, found);
 }
@@ -122,9 +114,9 @@ inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
 }
 
 template <class T>
-[[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Posed& pose, const Ray<T>& ray, T length) {
-  const Vec3d normal = opposing(rays::turned(pose.rotation, c.hit.normal), cast<double>(ray.direction));
-  const Vec3d point = pose.translation + rays::turned(pose.rotation, c.hit.point);
+[[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Frame& frame, const Ray<T>& ray, T length) {
+  const Vec3d normal = opposing(frame.out(c.hit.normal), cast<double>(ray.direction));
+  const Vec3d point = frame.translation + frame.out(c.hit.point);
   return {least(static_cast<T>(c.hit.t), length), cast<T>(point), cast<T>(normal), c.piece};
 }
 

@@ -129,7 +129,8 @@ TYPED_TEST(BatchRaycastMesh, GivesTheSameBitsAtEveryLevel) {
                               false};
   const auto answers = [&](Isa level, const Ray<T>* rays) {
     Answers a;
-    GRAZE_KERNEL(level, block_to_local<T>)(a.block, &rays->origin.x, rays::RayBlock::size, 1e9, {{}, {0, 0, 0, 1}});
+    GRAZE_KERNEL(level, block_to_local<T>)
+    (a.block, &rays->origin.x, rays::RayBlock::size, 1e9, {{}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
     GRAZE_KERNEL(level, block_at_mesh<T>)(a.block, rays::RayBlock::size, question, a.pieces);
     return a;
   };

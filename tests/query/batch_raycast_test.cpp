@@ -153,8 +153,10 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
       shape.around = 1e100;
       for (auto& p : shape.points)
         for (double& v : p) v = static_cast<double>(uniform(random, 0.1f, 2));
-      const Quat<double> turn = normalized(cast<double>(random_rotation(random)));
-      const BlockFrame frame{{1, -2, 3}, {turn.x, turn.y, turn.z, turn.w}};
+      const Mat3d turn = rotation_matrix(normalized(cast<double>(random_rotation(random))));
+      BlockFrame frame{{1, -2, 3}, {}};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) frame.rotation[i][k] = turn.row[i][k];
       const auto rays = random_rays<T>(random, RayBlock::size - 3, 2, {T(1), T(-2), T(3)});
       const Answers first = answers(Isa::baseline, rays, frame, shape);
       for (const Isa level : {Isa::avx2, Isa::avx512}) {

@@ -24,6 +24,17 @@ struct BoxPair {
   Mat3<S> rotation;
 };
 
+/// The same two in the frame of B, which comes first.
+template <class S>
+BoxPair<S> seen_from_b(const BoxPair<S>& p) {
+  return {p.half_b, p.half_a, -transposed_times(p.rotation, p.translation), transposed(p.rotation)};
+}
+template <class M, class S>
+BoxPair<S> select(const M& condition, const BoxPair<S>& yes, const BoxPair<S>& no) {
+  return {select(condition, yes.half_a, no.half_a), select(condition, yes.half_b, no.half_b),
+          select(condition, yes.translation, no.translation), select(condition, yes.rotation, no.rotation)};
+}
+
 /// An axis with its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th.
 template <class S>
 struct BoxAxis {
@@ -160,38 +171,6 @@ BoxAxes<S> box_axes(const BoxPair<S>& p, const S& enough) {
     return false;
   });
   return axes;
-}
-
-/// Whether some axis shows a gap of more than `enough` >= 0. Each axis is tried only while not all lanes know; the
-/// products of edges need neither root nor division for it. With `faces_only` they are left out: of some boxes that are
-/// apart it is then not known, of none that touch is it said.
-template <class S>
-auto boxes_apart(const BoxPair<S>& p, const S& enough, bool faces_only = false) {
-  using std::abs;
-  auto apart = abs(p.translation.x) - (p.half_a.x + dot(graze::abs(p.rotation.row[0]), p.half_b)) > enough;
-  for (std::size_t i = 1; i < 3; ++i) {
-    if (all(apart)) return apart;
-    const S reach = p.half_a[i] + dot(graze::abs(p.rotation.row[i]), p.half_b);
-    apart = apart | (abs(p.translation[i]) - reach > enough);
-  }
-  const Mat3<S> absolute = abs(p.rotation);
-  for (std::size_t j = 0; j < 3; ++j) {
-    if (all(apart)) return apart;
-    const S reach = p.half_b[j] + dot(absolute.column(j), p.half_a);
-    apart = apart | (abs(dot(p.translation, p.rotation.column(j))) - reach > enough);
-  }
-  if (faces_only) return apart;
-  any_of_three([&](auto i) {
-    if (all(apart)) return true;
-    const BoxEdgeAxes<S> edges = box_edges<i>(p);
-    const auto gaps = edges.gap(), squares = edges.length_squared();
-    for (int j = 0; j < 3; ++j) {
-      const S gap = gaps[j], squared = squares[j];
-      apart = apart | ((squared > S(parallel_edges<S>)) & (gap > S(0)) & (gap * gap > enough * enough * squared));
-    }
-    return false;
-  });
-  return apart;
 }
 
 }  // namespace graze

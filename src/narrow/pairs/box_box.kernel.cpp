@@ -1,5 +1,6 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_manifold.hpp"
+#include "narrow/pairs/box_overlap.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -42,8 +43,20 @@ template <class T>
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
     }
-    put(box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b), first, bundle.count,
-        points);
+    const BoxManifold<S> found = box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b);
+    for (std::size_t k = 0; k < 3; ++k) put(points.normal[k] + first, found.normal[k], bundle.count);
+    put(points.filled + first, found.filled, bundle.count);
+    put(points.known + first, found.known, bundle.count);
+    for (std::size_t i = 0; i < most_box_points; ++i) {
+      auto& slot = points.slots[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        put(slot.a[k] + first, found.a[k][i], bundle.count);
+        put(slot.b[k] + first, found.b[k][i], bundle.count);
+      }
+      put(slot.distance + first, found.distance[i], bundle.count);
+      put(slot.part_a + first, found.part_a[i], bundle.count);
+      put(slot.part_b + first, found.part_b[i], bundle.count);
+    }
   }
 }
 

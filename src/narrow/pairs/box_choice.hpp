@@ -105,6 +105,7 @@ S best_edges(const BoxPair<S>& p, const S& face, S& number) {
     }
     return false;
   });
+  if (!any(gap > S(-std::numeric_limits<T>::infinity()))) return gap;
   const S length = sqrt(abs(gap) / squared);
   return select(gap < S(0), -length, length);
 }

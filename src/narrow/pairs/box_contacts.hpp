@@ -29,7 +29,15 @@ std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a
   const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
   if (found.known == T(0)) return std::nullopt;
   take_points<T>(
-      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, box_features.of,
+      static_cast<unsigned>(found.filled),
+      [&](std::size_t i) {
+        return BoxSlot<T>{{found.a[0][i], found.a[1][i], found.a[2][i]},
+                          {found.b[0][i], found.b[1][i], found.b[2][i]},
+                          found.distance[i],
+                          found.part_a[i],
+                          found.part_b[i]};
+      },
+      box_features.of,
       manifold.points);
   manifold.normal = found.normal;
   return choice.distance;

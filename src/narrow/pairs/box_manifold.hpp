@@ -7,6 +7,7 @@
 
 #include "graze/contact.hpp"
 #include "narrow/features.hpp"
+#include "narrow/one_of_three.hpp"
 #include "narrow/pairs/box_choice.hpp"
 #include "narrow/pairs/box_outline.hpp"
 
@@ -15,14 +16,20 @@ namespace graze {
 /// The points of contact, a slot each; which of the slots hold one is another matter in every lane.
 template <class S>
 struct BoxManifold {
-  Vec3<S> normal;  ///< unit, from A to B, in the world
-  struct Slot {
-    Vec3<S> a, b;
-    S distance;
-    S part_a, part_b;  ///< of A and of B: a number of `box_features`
-  } slots[most_box_points];
-  S filled;  ///< slot i holds a point: bit i of this number
-  S known;   ///< not 0: what is nearest is among them, or hardly nearer
+  using Column = S[most_box_points];
+
+  Vec3<S> normal;               ///< unit, from A to B, in the world
+  Column a[3], b[3], distance;  ///< the slots' numbers, each where its slot is
+  Column part_a, part_b;        ///< of A and of B: a number of `box_features`
+  S filled;                     ///< slot i holds a point: bit i of this number
+  S known;                      ///< not 0: what is nearest is among them, or hardly nearer
+};
+
+/// A slot of one pair.
+template <class T>
+struct BoxSlot {
+  Vec3<T> a, b;
+  T distance, part_a, part_b;
 };
 
 /// What of a box `part_a` and `part_b` name: 9 times the number of a face, and 3 times where along the second of the axes
@@ -46,64 +53,40 @@ inline constexpr BoxFeatures box_features{};
 
 namespace detail {
 
-/// The i-th of three, where exactly one of the masks is set.
-template <class M>
-struct OneOfThree {
-  M first, second;
-  template <class V>
-  V pick(const V& x, const V& y, const V& z) const {
-    return select(first, x, select(second, y, z));
-  }
-  template <class S>
-  S pick(const Vec3<S>& v) const {
-    return pick(v.x, v.y, v.z);
-  }
-  /// The vector's component along this axis last, the ones along those that follow it before.
-  template <class S>
-  Vec3<S> turned(const Vec3<S>& v) const {
-    return {pick(v.y, v.z, v.x), pick(v.z, v.x, v.y), pick(v)};
-  }
-};
-
-template <class S>
-auto longest_axis(const Vec3<S>& v) {
-  const Vec3<S> a = abs(v);
-  using Mask = decltype(S() < S());
-  const Mask first = (a.x >= a.y) & (a.x >= a.z), second = (!first) & (a.y >= a.z);
-  return OneOfThree<Mask>{first, second};
-}
-
 /// Two boxes as they meet along an axis, seen from the one whose face is a rectangle then.
 template <class S>
 struct MeetingBoxes {
   using Mask = decltype(S() < S());
 
-  Mask by_b;       ///< that one is B
-  Vec3<S> normal;  ///< from it to the other; of a face exactly one of its axes
-  Vec3<S> half_clip, half_other, translation;
-  Mat3<S> rotation;
+  Mask by_b;         ///< that one is B
+  Vec3<S> normal;    ///< from it to the other; of a face exactly one of its axes
+  BoxPair<S> boxes;  ///< that one as A
 
   MeetingBoxes(const BoxPair<S>& p, const S& axis) {
+    const S zero(0), one(1);
+    const Mask of_edges = axis >= S(6);
+    by_b = (axis >= S(3)) & (!of_edges);
+    const OneOfThree<S> face(axis - select(by_b, S(3), zero));
+    const Vec3<S> unit = face.unit();
+    const S side = dot(p.translation, either(
+                                          by_b, [&] { return face.pick(p.rotation); }, [&] { return unit; })),
+            toward = select(side < zero, S(-1), one);
+    normal = unit * select(by_b, -toward, toward);
+    if (any(of_edges)) normal = select(of_edges, of_product(p, axis - S(6)), normal);
+    boxes = either(
+        by_b, [&] { return seen_from_b(p); }, [&] { return p; });
+  }
+
+ private:
+  /// The unit vector of A's i-th axis times B's j-th, from A to B, by 3 i + j.
+  static Vec3<S> of_product(const BoxPair<S>& p, const S& number) {
     using std::sqrt;
-    const S zero(0), one(1), edge = axis - S(6), before = select(edge < S(3), zero, select(edge < S(6), S(3), S(6)));
-    const Mask of_a = axis < S(3), of_edges = edge >= zero;
-    by_b = (!of_a) & (!of_edges);
-    const S i = select(of_a, axis, axis - S(3)), j = select(of_edges, edge - before, i);
-    const Mask j0 = j == zero, j1 = j == one;
-    const Vec3<S> along =
-        OneOfThree<Mask>{j0, j1}.pick(p.rotation.column(0), p.rotation.column(1), p.rotation.column(2));
-    // A's unit vector times B's axis, and a unit vector for the face of either.
-    const Vec3<S> product = OneOfThree<Mask>{before == zero, before == S(3)}.pick(
+    const S zero(0), first = select(number < S(3), zero, select(number < S(6), S(1), S(2)));
+    const Vec3<S> along = OneOfThree<S>(number - first * S(3)).pick(p.rotation);
+    const Vec3<S> product = OneOfThree<S>(first).pick(
         Vec3<S>{zero, -along.z, along.y}, Vec3<S>{along.z, zero, -along.x}, Vec3<S>{-along.y, along.x, zero});
-    const Vec3<S> unit{select(i == zero, one, zero), select(i == one, one, zero), select(i == S(2), one, zero)};
-    const S scale = one / sqrt(select(of_edges, length_squared(product), one));
-    const S side = dot(p.translation, select(by_b, along, select(of_a, unit, product)));
-    const S toward = select(side < zero, S(-1), one), sign = select(by_b, -toward, toward);
-    normal = select(of_edges, product * (scale * toward), unit * sign);
-    half_clip = select(by_b, p.half_b, p.half_a);
-    half_other = select(by_b, p.half_a, p.half_b);
-    translation = select(by_b, -transposed_times(p.rotation, p.translation), p.translation);
-    rotation = select(by_b, transposed(p.rotation), p.rotation);
+    const S scale = S(1) / sqrt(length_squared(product));
+    return product * (scale * select(dot(p.translation, product) < zero, S(-1), S(1)));
   }
 };
 
@@ -118,18 +101,17 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b), one(1), zero(0);
-  const detail::MeetingBoxes<S> boxes(p, choice.axis);
+  const detail::MeetingBoxes<S> seen(p, choice.axis);
+  const BoxPair<S>& boxes = seen.boxes;
 
   // The axes of the clipping box turned until its face's comes last; of the other box the same by its columns.
-  const auto face = detail::longest_axis(boxes.normal);
-  const Vec3<S> n = face.turned(boxes.normal), half = face.turned(boxes.half_clip), t = face.turned(boxes.translation);
-  const Vec3<S>*rows = boxes.rotation.row,
-        turned[3] = {face.pick(rows[1], rows[2], rows[0]), face.pick(rows[2], rows[0], rows[1]),
-                     face.pick(rows[0], rows[1], rows[2])};
-  const Vec3<S> lean = turned[0] * n.x + turned[1] * n.y + turned[2] * n.z;
-  const auto other = detail::longest_axis(lean);
-  const Vec3<S> half_other = other.turned(boxes.half_other), x = other.turned(turned[0]), y = other.turned(turned[1]),
-                z = other.turned(turned[2]);
+  const auto face = OneOfThree<S>::longest(seen.normal);
+  const Vec3<S> n = face.turned(seen.normal), half = face.turned(boxes.half_a), t = face.turned(boxes.translation);
+  const Mat3<S> turned = face.turned(boxes.rotation);
+  const Vec3<S> lean = turned.row[0] * n.x + turned.row[1] * n.y + turned.row[2] * n.z;
+  const auto other = OneOfThree<S>::longest(lean);
+  const Vec3<S> half_other = other.turned(boxes.half_b), x = other.turned(turned.row[0]),
+                y = other.turned(turned.row[1]), z = other.turned(turned.row[2]);
   const Mask positive = n.z >= zero, other_positive = other.pick(lean) < zero;
   const S height = select(positive, half.z, -half.z), reach = select(other_positive, half_other.z, -half_other.z);
 
@@ -156,17 +138,11 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
   detail::drop_idle_corners(corners, near);
 
   // From the clipping box to the world.
-  const Pose<S> frame{select(boxes.by_b, pose_b.translation, pose_a.translation),
-                      {select(boxes.by_b, pose_b.rotation.x, pose_a.rotation.x),
-                       select(boxes.by_b, pose_b.rotation.y, pose_a.rotation.y),
-                       select(boxes.by_b, pose_b.rotation.z, pose_a.rotation.z),
-                       select(boxes.by_b, pose_b.rotation.w, pose_a.rotation.w)}};
-  const Mat3<S> turn = rotation_of(frame.rotation);
+  const Vec3<S> origin = select(seen.by_b, pose_b.translation, pose_a.translation);
+  const Mat3<S> turn = either(
+      seen.by_b, [&] { return rotation_of(pose_b.rotation); }, [&] { return rotation_of(pose_a.rotation); });
   const Vec3<S> wx = face.turned(turn.row[0]), wy = face.turned(turn.row[1]), wz = face.turned(turn.row[2]),
                 across{dot(wx, n), dot(wy, n), dot(wz, n)};
-  const auto side = [](const S& at, const S& from) {
-    return select(at >= from, S(2), select(at <= -from, S(1), S(0)));
-  };
   const auto face_part = [&](const auto& axes, const Mask& upper) {
     return axes.pick(S(0), S(18), S(36)) + select(upper, S(9), S(0));
   };
@@ -175,25 +151,41 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
   const FlatPoint<S> rim{half.x - near, half.y - near}, rim_uv{one - near * per_length.x, one - near * per_length.y};
 
   BoxManifold<S> found;
-  found.normal = select(boxes.by_b, -across, across);
+  found.normal = select(seen.by_b, -across, across);
   found.filled = zero;
-  for (std::size_t i = 0; i < corners.size; ++i) {
-    const S& apart = corners.apart[i];
-    const Mask here = corners.is[i] & (apart <= limit);
+  using Four = Several<S, 4>;
+  const Four by_number{one, S(2), S(4), S(8)};
+  const auto by_b = Four::Mask::of(seen.by_b);
+  const auto part = [](const S& of_face, const Four& u, const Four& v, const FlatPoint<S>& edge) {
+    const auto side = [](const Four& at, const Four& from) {
+      return select(at >= from, Four(S(2)), select(at <= -from, Four(S(1)), Four(S(0))));
+    };
+    return Four(of_face) + side(u, Four(edge.x)) + side(v, Four(edge.y)) * Four(S(3));
+  };
+  for (std::size_t i = 0; i < corners.size; i += 4) {
+    const Four x_at = corners.four(corners.x, i), y_at = corners.four(corners.y, i),
+               apart = corners.four(corners.apart, i);
+    const auto here = corners.are(i) & (apart <= Four(limit));
     if (!any(here)) continue;
-    const FlatPoint<S> at = corners.at(i);
-    const FlatPoint<S> uv = faces.in_uv(at);
-    const Vec3<S> place{at.x, at.y, height}, on_clip{dot(wx, place), dot(wy, place), dot(wz, place)},
-        on_other = on_clip + across * apart;
-    const S of_clip = clip_face + side(at.x, rim.x) + side(at.y, rim.y) * S(3),
-            of_other = other_face + side(uv.x, rim_uv.x) + side(uv.y, rim_uv.y) * S(3);
-    auto& slot = found.slots[i];
-    slot.a = frame.translation + select(boxes.by_b, on_other, on_clip);
-    slot.b = frame.translation + select(boxes.by_b, on_clip, on_other);
-    slot.distance = apart;
-    slot.part_a = select(boxes.by_b, of_other, of_clip);
-    slot.part_b = select(boxes.by_b, of_clip, of_other);
-    found.filled = found.filled + select(here, S(T(1 << i)), zero);
+    const auto put = [&](const Four& of_clip, const Four& of_other, S* of_a, S* of_b) {
+      select(by_b, of_other, of_clip).store(of_a + i);
+      select(by_b, of_clip, of_other).store(of_b + i);
+    };
+    const auto put_place = [&](const Vec3<S>& w, const S& from, const S& normal, S* of_a, S* of_b) {
+      const Four on_clip = Four(w.x) * x_at + Four(w.y) * y_at + Four(w.z * height),
+                 on_other = on_clip + Four(normal) * apart;
+      put(Four(from) + on_clip, Four(from) + on_other, of_a, of_b);
+    };
+    put_place(wx, origin.x, across.x, found.a[0], found.b[0]);
+    put_place(wy, origin.y, across.y, found.a[1], found.b[1]);
+    put_place(wz, origin.z, across.z, found.a[2], found.b[2]);
+    const Four from_x = x_at - Four(faces.center.x), from_y = y_at - Four(faces.center.y);
+    const Four u_at = from_x * Four(faces.to_u.x) + from_y * Four(faces.to_u.y),
+               v_at = from_x * Four(faces.to_v.x) + from_y * Four(faces.to_v.y);
+    put(part(clip_face, x_at, y_at, rim), part(other_face, u_at, v_at, rim_uv), found.part_a, found.part_b);
+    apart.store(found.distance + i);
+    const Four filled = select(here, by_number, Four(zero));
+    found.filled = found.filled + (filled[0] + filled[1] + filled[2] + filled[3]) * S(i == 0 ? T(1) : T(16));
   }
   const S allowed = S(T(face_preference)) * least(size_a, size_b);
   const Mask known = (found.filled > zero) & (nearest <= choice.distance + allowed);

@@ -29,7 +29,7 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
   found.up = rotate(plane_pose.rotation, plane_up);
 
   // The axes of the box turned until the one that its lowest face lies across comes last.
-  const auto face = detail::longest_axis(down);
+  const auto face = OneOfThree<S>::longest(down);
   const Vec3<S> d = face.turned(down), half = face.turned(half_extents), bits = face.turned(Vec3<S>{one, S(2), S(4)});
   const Mat3<S> turn = rotation_of(pose.rotation);
   const Vec3<S> wx = face.turned(turn.row[0]), wy = face.turned(turn.row[1]), wz = face.turned(turn.row[2]);

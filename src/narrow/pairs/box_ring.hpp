@@ -37,7 +37,7 @@ struct Ring {
   using Mask = decltype(S() < S());
   static constexpr bool single = std::is_arithmetic_v<S>;
 
-  S x[most_box_points], y[most_box_points], apart[most_box_points];
+  S x[most_box_points]{}, y[most_box_points]{}, apart[most_box_points]{};
   Mask is[most_box_points], stays[most_box_points];
   std::size_t size = most_box_points;
 
@@ -85,6 +85,16 @@ struct Ring {
   }
 
   FlatPoint<S> at(std::size_t i) const { return {x[i], y[i]}; }
+  /// Four values from place `i` on, and of which of them there is a corner.
+  static Several<S, 4> four(const S (&values)[most_box_points], std::size_t i) {
+    return Several<S, 4>::load(values + i);
+  }
+  auto are(std::size_t i) const {
+    if constexpr (single)
+      return Several<S, 4>(S(0), S(1), S(2), S(3)) < Several<S, 4>(S(size) - S(i));
+    else
+      return typename Several<S, 4>::Mask{{is[i], is[i + 1], is[i + 2], is[i + 3]}};
+  }
 
   /// How far the faces are apart at the deepest corner, the first such, which `stays`.
   S find_deepest() {

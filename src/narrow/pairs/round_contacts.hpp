@@ -72,7 +72,7 @@ struct SegmentFace {
 /// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
 template <class S>
 S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
-  const auto face = detail::longest_axis(outward);
+  const auto face = OneOfThree<S>::longest(outward);
   const Vec3<S> n = face.turned(outward), h = face.turned(half), p = face.turned(point);
   const S one(1), zero(0), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y, facing = n.z * n.z;
   const S near = S(4) * S(near_end<S>) * least(h.x * h.x * seen_u, h.y * h.y * seen_v);  // squared, as all of these

@@ -7,6 +7,7 @@
 
 #include "graze/lines.hpp"
 #include "graze/pose.hpp"
+#include "narrow/relative_frame.hpp"
 
 namespace graze::rays {
 
@@ -48,17 +49,29 @@ inline Recentered recentered(const LocalRay& ray, const Vec3d& center) {
   return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
 }
 
-/// Rotated, where that turns anything: what stands still mostly does not, and a ray and its hit are rotated four times.
-inline Vec3d turned(const Quat<double>& rotation, const Vec3d& v) {
-  return rotation == Quat<double>{} ? v : rotate(rotation, v);
+/// A frame that stands in another. A matrix, since a ray and its hit are turned four times.
+struct Frame {
+  Vec3d translation;
+  Mat3d rotation;
+
+  Vec3d out(const Vec3d& direction) const { return rotation * direction; }
+  Vec3d in(const Vec3d& direction) const { return transposed_times(rotation, direction); }
+};
+
+/// A rotation to double's precision: a quaternion of floats is of unit length only in float, and lengths would change.
+template <class T>
+Frame frame_of(const Pose<T>& pose) {
+  return {cast<double>(pose.translation), rotation_of(cast<double>(pose.rotation))};
 }
 
-/// The same ray seen from a frame that stands at `pose` in the present one. Its direction may be of any length whose
-/// square neither over- nor underflows.
-inline LocalRay seen_from(const Posed& pose, const LocalRay& ray) {
-  const Quat<double> back = conjugate(pose.rotation);
-  const Vec3d along = turned(back, ray.direction);
-  return {turned(back, ray.origin - pose.translation), along * (1 / length(along)), ray.begin, ray.end, ray.blur};
+/// The frame `b` in the one that `a` stands in.
+inline Frame compose(const Frame& a, const Frame& b) {
+  return {a.translation + a.out(b.translation), a.rotation * b.rotation};
+}
+
+/// The same ray seen from a frame that stands in the present one.
+inline LocalRay seen_from(const Frame& frame, const LocalRay& ray) {
+  return {frame.in(ray.origin - frame.translation), frame.in(ray.direction), ray.begin, ray.end, ray.blur};
 }
 
 inline LocalHit hit_at(const LocalRay& ray, double t, const Vec3d& normal) { return {t, ray.at(t), normal}; }
@@ -67,7 +80,7 @@ inline LocalHit hit_inside(const LocalRay& ray) { return hit_at(ray, ray.begin, 
 
 /// The hit of a solid that the ray is in from `enter` to `leave` (empty when `enter` is not the lesser).
 inline MaybeHit entered(const LocalRay& ray, double enter, double leave, const Vec3d& normal) {
-  if (!(enter <= leave) || !(leave >= ray.begin) || !(enter <= ray.end)) return {};
+  if (!((enter <= leave) & (leave >= ray.begin) & (enter <= ray.end))) return {};
   if (enter <= ray.begin) return hit_inside(ray);
   return hit_at(ray, enter, normal);
 }

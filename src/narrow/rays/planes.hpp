@@ -23,25 +23,21 @@ inline MaybeHit hit_half_space(const LocalRay& ray, double height) {
 /// |q_i| <= half_i. With one extent of zero a rectangle, with two a segment.
 inline MaybeHit hit_box(const LocalRay& far, const Vec3d& half) {
   if ((half.x <= 0) + (half.y <= 0) + (half.z <= 0) >= 2) return hit_balls(far, -half, 0, half, 0);
-  const Recentered near = recentered(far, {});
+  Recentered near = recentered(far, {});
   const LocalRay& ray = near.ray;
-  double enter = -infinity, leave = infinity;
-  Vec3d normal;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double d = ray.direction[i], o = ray.origin[i];
-    if (std::abs(d) < no_component) {
-      if (std::abs(o) > half[i]) return {};
-      continue;
-    }
-    const double per_d = 1 / d, low = d > 0 ? -half[i] : half[i];
-    const double in = (low - o) * per_d, out = (-low - o) * per_d;
-    leave = least(leave, out);
-    if (in <= enter) continue;
-    enter = in;
-    normal = {};
-    normal[i] = d > 0 ? -1 : 1;
-  }
-  return near.restored(entered(ray, enter, leave, normal));
+  const auto between = [](double o, double d, double h) {
+    if (std::abs(d) < no_component) return std::abs(o) > h ? Span{} : Span{-infinity, infinity};
+    const double per_d = 1 / d, low = (-h - o) * per_d, high = (h - o) * per_d;
+    return Span{least(low, high), greatest(low, high)};
+  };
+  Span x = between(ray.origin.x, ray.direction.x, half.x), y = between(ray.origin.y, ray.direction.y, half.y),
+       z = between(ray.origin.z, ray.direction.z, half.z);
+  const double enter = greatest(x.enter, greatest(y.enter, z.enter)), leave = least(x.leave, least(y.leave, z.leave));
+  const bool by_x = enter == x.enter, by_y = !by_x & (enter == y.enter), by_z = !by_x & !by_y;
+  // Counted, since nobody foresees which face it is.
+  const auto back = [](bool by, double d) { return static_cast<double>(int(by & (d < 0)) - int(by & (d > 0))); };
+  return near.restored(entered(
+      ray, enter, leave, {back(by_x, ray.direction.x), back(by_y, ray.direction.y), back(by_z, ray.direction.z)}));
 }
 
 template <class T>

@@ -34,9 +34,9 @@ struct alignas(64) BlockHits {
 /// States of a ray; numbers, so that lanes choose among them.
 inline constexpr double ray_missed = 0, ray_hit = 1, ray_again = 2;
 
-/// A frame: translation, and unit quaternion x, y, z, w.
+/// A `Frame`; the rotation by rows.
 struct BlockFrame {
-  double translation[3], rotation[4];
+  double translation[3], rotation[3][3];
 };
 
 /// A shape without rounding that the closed forms do not cover; `ball_cone` is the hull of two balls, neither inside the

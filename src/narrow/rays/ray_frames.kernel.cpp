@@ -13,15 +13,11 @@ static_assert(rays::RayBlock::size % step == 0);
 
 /// A frame's rotation, the same in all lanes.
 struct Rotation {
-  V vector;
-  S w;
-  bool none;  ///< turns nothing: see `turned`
+  V row[3];
   [[gnu::always_inline]] explicit Rotation(const rays::BlockFrame& frame)
-      : vector{S(frame.rotation[0]), S(frame.rotation[1]), S(frame.rotation[2])},
-        w(frame.rotation[3]),
-        none(frame.rotation[0] == 0 && frame.rotation[1] == 0 && frame.rotation[2] == 0 && frame.rotation[3] == 1) {}
-  [[gnu::always_inline]] V operator()(const V& v) const { return none ? v : rotate(vector, w, v); }
-  [[gnu::always_inline]] V back(const V& v) const { return none ? v : rotate(-vector, w, v); }
+      : row{V::all(frame.rotation[0]), V::all(frame.rotation[1]), V::all(frame.rotation[2])} {}
+  [[gnu::always_inline]] V out(const V& v) const { return {dot(row[0], v), dot(row[1], v), dot(row[2], v)}; }
+  [[gnu::always_inline]] V in(const V& v) const { return row[0] * v.x + row[1] * v.y + row[2] * v.z; }
 };
 
 }  // namespace
@@ -33,7 +29,7 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
   constexpr double epsilon = single ? 0x1p-23 : 0x1p-52;
   // As `longest` and `end_of` of one ray.
   constexpr double longest = single ? 1e37 : 1e150, most = 1.7976931348623157e308;
-  const Rotation forward(frame);
+  const Rotation rotation(frame);
   const S zero(0), one(1);
   const V translation = V::all(frame.translation);
   for (std::size_t i = 0; i < (count + 7) / 8 * 8; i += step) {
@@ -52,12 +48,11 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
     const auto usable = within(from, longest) & within(to, most) & ((to.x != zero) | (to.y != zero) | (to.z != zero));
     const V along = select(usable, to, V{zero, one, zero});
     const V safe = single ? along : along / max_abs(along);
-    const V origin = forward.back(select(usable, from, V{zero, zero, zero}) - translation);
+    const V origin = rotation.in(select(usable, from, V{zero, zero, zero}) - translation);
     select(usable, S(end), S(-1)).store(block.end + i);
     along.store(block.along, i);
     origin.store(block.origin, i);
-    const V local = forward.back(safe);
-    (local * (one / length(local))).store(block.direction, i);
+    rotation.in(safe * (one / length(safe))).store(block.direction, i);
     (S(4 * epsilon) * length(origin)).store(block.blur + i);
   }
 }
@@ -75,12 +70,12 @@ void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockF
   const Rotation rotation(frame);
   const V translation = V::all(frame.translation);
   for (std::size_t i = 0; i < count; i += step) {
-    const V normal = rotation(V::load(block.normal, i));
+    const V normal = rotation.out(V::load(block.normal, i));
     const auto turned = dot(normal, V::load(block.along, i)) > S(0);
     const S state = S::load(block.state + i);
     select(turned & (state == S(rays::ray_hit)), S(rays::ray_again), state).store(block.state + i);
     all_narrowed(normal).store(hits.normal, i);
-    all_narrowed(translation + rotation(V::load(block.point, i))).store(hits.point, i);
+    all_narrowed(translation + rotation.out(V::load(block.point, i))).store(hits.point, i);
     least(narrowed(S::load(block.t + i)), Narrow(length)).store(hits.t + i);
   }
 }

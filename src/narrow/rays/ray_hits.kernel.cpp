@@ -34,24 +34,25 @@ using namespace ray_lanes;
 
 [[gnu::always_inline]] inline Hits hit_box(Rays ray, const rays::BlockShape& shape) {
   const S shift = ray.recenter({S(0), S(0), S(0)});
-  S enter(-infinity), leave(infinity);
-  V normal{S(0), S(0), S(0)};
+  S enter[3], leave[3];
   M met = !none();
-  const auto clip = [&](const S& d, const S& o, const S& half, S V::*component) __attribute__((always_inline)) {
-    const M still = abs(d)<S(rays::no_component), forward = d> S(0);
+  const auto clip = [&](int i, const S& o, const S& d, double extent) __attribute__((always_inline)) {
+    const S half(extent), per_d = S(1) / d, low = (-half - o) * per_d, high = (half - o) * per_d;
+    const M still = abs(d) < S(rays::no_component);
     met = met & (!(still & (abs(o) > half)));
-    const S per_d = S(1) / d, low = select(forward, -half, half), in = (low - o) * per_d, out = (-low - o) * per_d;
-    leave = select(still, leave, least(leave, out));
-    const M later = (!still) & (!(in <= enter));
-    enter = select(later, in, enter);
-    V face{S(0), S(0), S(0)};
-    face.*component = select(forward, S(-1), S(1));
-    normal = select(later, face, normal);
+    enter[i] = select(still, S(-infinity), least(low, high));
+    leave[i] = select(still, S(infinity), greatest(low, high));
   };
-  clip(ray.direction.x, ray.origin.x, S(shape.points[0][0]), &V::x);
-  clip(ray.direction.y, ray.origin.y, S(shape.points[0][1]), &V::y);
-  clip(ray.direction.z, ray.origin.z, S(shape.points[0][2]), &V::z);
-  return entered(ray, shift, met, enter, leave, normal);
+  clip(0, ray.origin.x, ray.direction.x, shape.points[0][0]);
+  clip(1, ray.origin.y, ray.direction.y, shape.points[0][1]);
+  clip(2, ray.origin.z, ray.direction.z, shape.points[0][2]);
+  const S last = greatest(enter[0], greatest(enter[1], enter[2])), first = least(leave[0], least(leave[1], leave[2]));
+  const M by_x = last == enter[0], by_y = (!by_x) & (last == enter[1]), by_z = (!by_x) & (!by_y);
+  const auto back = [](const M& by, const S& d) __attribute__((always_inline)) {
+    return select(by, select(d > S(0), S(-1), S(1)), S(0));
+  };
+  return entered(ray, shift, met, last, first,
+                 {back(by_x, ray.direction.x), back(by_y, ray.direction.y), back(by_z, ray.direction.z)});
 }
 
 [[gnu::always_inline]] inline Hits hit_triangle(Rays ray, const rays::BlockShape& shape) {

@@ -1,0 +1,95 @@
+// One of three things, in each lane another: of a single pair found by its place, across lanes by masks.
+//
+// Guarantee: nothing is computed but which.
+#pragma once
+
+#include "graze/mat3.hpp"
+#include "graze/wide.hpp"
+
+namespace graze {
+
+/// What `yes()` gives where the condition holds, and else `no()`. Of a single pair only one of them is asked.
+template <class M, class Yes, class No>
+auto either(const M& condition, const Yes& yes, const No& no) {
+  if constexpr (std::is_integral_v<M>)
+    return condition ? yes() : no();
+  else
+    return select(condition, yes(), no());
+}
+
+/// Of lanes.
+template <class S>
+class OneOfThree {
+  using Mask = decltype(S() < S());
+
+ public:
+  /// The one of that number: 0, 1 or 2.
+  explicit OneOfThree(const S& number) : first_(number == S(0)), second_(number == S(1)) {}
+  /// The axis along which a vector is longest, the first of those.
+  static OneOfThree longest(const Vec3<S>& v) {
+    const Vec3<S> a = abs(v);
+    const Mask first = (a.x >= a.y) & (a.x >= a.z);
+    return {first, (!first) & (a.y >= a.z)};
+  }
+
+  template <class V>
+  V pick(const V& x, const V& y, const V& z) const {
+    return select(first_, x, select(second_, y, z));
+  }
+  S pick(const Vec3<S>& v) const { return pick(v.x, v.y, v.z); }
+  /// This column.
+  Vec3<S> pick(const Mat3<S>& m) const { return {pick(m.row[0]), pick(m.row[1]), pick(m.row[2])}; }
+  /// The vector's component along this axis last, the ones along those that follow it before.
+  Vec3<S> turned(const Vec3<S>& v) const { return {pick(v.y, v.z, v.x), pick(v.z, v.x, v.y), pick(v)}; }
+  /// The same with rows.
+  Mat3<S> turned(const Mat3<S>& m) const {
+    const Vec3<S>* row = m.row;
+    return {{pick(row[1], row[2], row[0]), pick(row[2], row[0], row[1]), pick(row[0], row[1], row[2])}};
+  }
+  /// The unit vector along this axis.
+  Vec3<S> unit() const {
+    return {select(first_, S(1), S(0)), select(second_, S(1), S(0)), select(first_ | second_, S(0), S(1))};
+  }
+
+ private:
+  OneOfThree(const Mask& first, const Mask& second) : first_(first), second_(second) {}
+
+  Mask first_, second_;
+};
+
+/// Of a single pair.
+template <class S>
+requires std::is_arithmetic_v<S>
+class OneOfThree<S> {
+ public:
+  explicit OneOfThree(S number) : place_(static_cast<std::size_t>(static_cast<int>(number))) {}
+  static OneOfThree longest(const Vec3<S>& v) {
+    const Vec3<S> a = abs(v);
+    return OneOfThree((a.x >= a.y) & (a.x >= a.z) ? std::size_t{0} : a.y >= a.z ? std::size_t{1} : std::size_t{2});
+  }
+
+  S pick(S x, S y, S z) const {
+    const S all[3] = {x, y, z};
+    return all[place_];
+  }
+  Vec3<S> pick(const Vec3<S>& x, const Vec3<S>& y, const Vec3<S>& z) const {
+    return {pick(x.x, y.x, z.x), pick(x.y, y.y, z.y), pick(x.z, y.z, z.z)};
+  }
+  S pick(const Vec3<S>& v) const { return pick(v.x, v.y, v.z); }
+  Vec3<S> pick(const Mat3<S>& m) const { return {pick(m.row[0]), pick(m.row[1]), pick(m.row[2])}; }
+  Vec3<S> turned(const Vec3<S>& v) const {
+    const S ring[5] = {v.x, v.y, v.z, v.x, v.y};
+    return {ring[place_ + 1], ring[place_ + 2], ring[place_]};
+  }
+  Mat3<S> turned(const Mat3<S>& m) const {
+    return transposed(Mat3<S>{{turned(m.column(0)), turned(m.column(1)), turned(m.column(2))}});
+  }
+  Vec3<S> unit() const { return {S(place_ == 0), S(place_ == 1), S(place_ == 2)}; }
+
+ private:
+  explicit OneOfThree(std::size_t place) : place_(place) {}
+
+  std::size_t place_;
+};
+
+}  // namespace graze
