@@ -62,12 +62,21 @@ GjkGoal distance_goals(double size, double noise, double limit) {
   return {distance_goal * size + noise, greatest(limit + noise, noise)};
 }
 
+template <class Difference>
+GjkResult search(const Difference& difference, const GjkGoal& goal, const Vec3d& first, Trace* trace) {
+  return gjk(difference, goal, first, trace);
+}
+template <class T>
+GjkResult search(const HullDifference<T>& difference, const GjkGoal& goal, const Vec3d& first, Trace* trace) {
+  return gjk_spread(difference, goal, first, trace);
+}
+
 template <class T, class Difference>
 GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference& difference, const Vec3d& first,
                             double noise, double limit, Trace* trace) {
   const GjkGoal goal = distance_goals(difference.size(), noise, limit);
   if (trace) trace->method = "gjk";
-  const GjkResult g = gjk(difference, goal, first, trace);
+  const GjkResult g = search(difference, goal, first, trace);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.lower > 0) {
@@ -125,7 +134,7 @@ bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, 
   const auto comes_within = [&](const auto& difference) {
     // What rounding cannot tell from touching touches, here as in the distance.
     const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};
-    const GjkResult g = gjk(difference, goal, trace);
+    const GjkResult g = search(difference, goal, difference.center_offset(), trace);
     return g.end == GjkEnd::touching || g.upper <= reach + noise;
   };
   if (const auto hulls = as_hulls(a, b, b_in_a)) return comes_within(*hulls);
