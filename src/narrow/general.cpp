@@ -32,7 +32,7 @@ template <class T>
 std::optional<HullDifference<T>> as_hulls(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
   const auto *hull_a = a.template as<ConvexHull<T>>(), *hull_b = b.template as<ConvexHull<T>>();
   if (!hull_a || !hull_b || hull_a->data().blocks.empty() || hull_b->data().blocks.empty()) return std::nullopt;
-  return HullDifference<T>(hull_a->data(), hull_b->data(), b_in_a);
+  return std::optional<HullDifference<T>>(std::in_place, hull_a->data(), hull_b->data(), b_in_a);
 }
 
 template <class Difference>
