@@ -123,11 +123,12 @@ bool same_direction(const Vec3d& one, const Vec3d& other) {
 }
 
 /// The face of a side along `outward` when `known` is its face along a direction nearby: the same where that is the
-/// face's own normal, or the directions are the same.
+/// face's own normal, or the directions are the same; else another, written to `other`.
 template <class T>
-PlacedFace face_again(const Side<T>& side, const PlacedFace& known, bool same, const Vec3d& outward) {
+const PlacedFace& face_again(const Side<T>& side, const PlacedFace& known, bool same, const Vec3d& outward,
+                             PlacedFace& other) {
   if (same || (side.flat_sided() && same_direction<T>(polygon_normal(known), outward))) return known;
-  return side.face(outward, true);
+  return other = side.face(outward, true);
 }
 
 /// Where between a and b the solver's point lies: for two balls in the ratio of their radii, else in the middle.
@@ -152,8 +153,9 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
     const Vec3d normal = preferred_normal(side_a, closest_a, side_b, closest_b, closest_normal, distance);
     const bool same = same_direction<T>(normal, closest_normal);
     const double limit = furthest_kept(side_a, side_b, margin, distance);
-    double nearest = add_points(side_a, face_again(side_a, closest_a, same, normal), side_b,
-                                face_again(side_b, closest_b, same, -normal), normal, limit, frame, manifold);
+    PlacedFace other_a, other_b;
+    double nearest = add_points(side_a, face_again(side_a, closest_a, same, normal, other_a), side_b,
+                                face_again(side_b, closest_b, same, -normal, other_b), normal, limit, frame, manifold);
     if (manifold.points.empty() && (side_a.round_side() || side_b.round_side())) {
       // A line along the edge of a side, and not over the side by as much as the normal is off, still meets that edge.
       const PlacedFace edge_a = side_a.face(normal), edge_b = side_b.face(-normal);

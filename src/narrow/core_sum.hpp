@@ -16,14 +16,6 @@
 
 namespace graze {
 
-/// Two unit vectors across the unit vector n and each other; u x v = n (Duff et al. 2017, "Building an orthonormal basis,
-/// revisited").
-inline void tangents_at(const Vec3d& n, Vec3d& u, Vec3d& v) {
-  const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
-  u = {1 + s * n.x * n.x * a, s * b, -s * n.x};
-  v = {b, s + n.y * n.y * a, -n.y};
-}
-
 /// An eigenvalue that is smaller than this beside the other counts as so much.
 inline constexpr double flattest = 1e-6;
 

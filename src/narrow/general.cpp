@@ -32,7 +32,7 @@ template <class T>
 std::optional<HullDifference<T>> as_hulls(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
   const auto *hull_a = a.template as<ConvexHull<T>>(), *hull_b = b.template as<ConvexHull<T>>();
   if (!hull_a || !hull_b || hull_a->data().blocks.empty() || hull_b->data().blocks.empty()) return std::nullopt;
-  return HullDifference<T>(hull_a->data(), hull_b->data(), b_in_a);
+  return std::optional<HullDifference<T>>(std::in_place, hull_a->data(), hull_b->data(), b_in_a);
 }
 
 template <class Difference>
@@ -62,12 +62,21 @@ GjkGoal distance_goals(double size, double noise, double limit) {
   return {distance_goal * size + noise, greatest(limit + noise, noise)};
 }
 
+template <class Difference>
+GjkResult search(const Difference& difference, const GjkGoal& goal, Trace* trace) {
+  return gjk(difference, goal, trace);
+}
+template <class T>
+GjkResult search(const HullDifference<T>& difference, const GjkGoal& goal, Trace* trace) {
+  return gjk_spread(difference, goal, trace);
+}
+
 template <class T, class Difference>
 GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference& difference, double noise,
                             double limit, Trace* trace) {
   const GjkGoal goal = distance_goals(difference.size(), noise, limit);
   if (trace) trace->method = "gjk";
-  const GjkResult g = gjk(difference, goal, trace);
+  const GjkResult g = search(difference, goal, trace);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.lower > 0) {
@@ -119,7 +128,7 @@ bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, 
   const auto comes_within = [&](const auto& difference) {
     // What rounding cannot tell from touching touches, here as in the distance.
     const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};
-    const GjkResult g = gjk(difference, goal, trace);
+    const GjkResult g = search(difference, goal, trace);
     return g.end == GjkEnd::touching || g.upper <= reach + noise;
   };
   if (const auto hulls = as_hulls(a, b, b_in_a)) return comes_within(*hulls);

@@ -175,6 +175,14 @@ inline Vec3d unit(const Vec3d& v, const Vec3d& fallback = {0, 1, 0}) {
   return normalized(v, fallback);
 }
 
+/// Two unit vectors across the unit vector n and each other; u x v = n (Duff et al. 2017, "Building an orthonormal basis,
+/// revisited").
+inline void tangents_at(const Vec3d& n, Vec3d& u, Vec3d& v) {
+  const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
+  u = {1 + s * n.x * n.x * a, s * b, -s * n.x};
+  v = {b, s + n.y * n.y * a, -n.y};
+}
+
 /// Rounding errors of the general path: some tens of operations on coordinates up to `reach`.
 inline constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
 

@@ -5,6 +5,7 @@
 
 #include "common/specimen.hpp"
 #include "graze/shape.hpp"
+#include "shape/furthest_vertex.hpp"
 
 namespace graze::testing {
 namespace {
@@ -171,8 +172,9 @@ TEST(ConvexHull, AgreesWithBruteForceOnSmallSets) {
   }
 }
 
-/// Four lanes of float find the very vertex that a scan in the direction's own scalar does, of equally high ones the first;
-/// however long the direction, and where vertices are so near that only double tells them apart.
+/// Lanes of float find the very vertex that a scan in the direction's own scalar does, of equally high ones the first, at
+/// every level of the instruction set; however long the direction, and where vertices are so near that only double tells
+/// them apart.
 template <class T, class S>
 void support_is_the_scan(double scale) {
   Random random(12);
@@ -189,7 +191,12 @@ void support_is_the_scan(double scale) {
     for (const Vec3<S>& unit : directions)
       for (const double reach : {1.0, 1e-30, 1e25}) {
         const Vec3<S> d = unit * static_cast<S>(reach);
-        EXPECT_EQ(hull.support_vertex(d), detail::furthest(data.vertices.data(), data.vertices.size(), d));
+        const std::size_t expected = detail::furthest(data.vertices.data(), data.vertices.size(), d);
+        EXPECT_EQ(hull.support_vertex(d), expected);
+        for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512})
+          if (isa_available(level)) {
+            EXPECT_EQ((GRAZE_KERNEL(level, furthest_vertex<T, S>)(scanned(data), d)), expected);
+          }
       }
   }
 }

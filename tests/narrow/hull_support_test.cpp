@@ -1,0 +1,89 @@
+// Two small hulls by the kernel that scans both: what any two cores give, at every level of the instruction set; and GJK
+// from four points against GJK from one.
+#include "narrow/hull_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include "common/specimen.hpp"
+#include "narrow/gjk.hpp"
+
+namespace graze::testing {
+namespace {
+
+template <class T>
+struct TwoHulls {
+  explicit TwoHulls(Random& random)
+      : a(build<T>(random_specimen(Kind::hull, 1, random))),
+        b(build<T>(random_specimen(Kind::hull, 1, random))),
+        pose{cast<double>(random_vector(random, 1.5f)), normalized(cast<double>(random_rotation(random)))},
+        core_a(a),
+        core_b(b),
+        cores(core_a, core_b, pose) {}
+
+  const HullData<T>& data_a() const { return a.template as<ConvexHull<T>>()->data(); }
+  const HullData<T>& data_b() const { return b.template as<ConvexHull<T>>()->data(); }
+  bool scanned() const { return !data_a().blocks.empty() && !data_b().blocks.empty(); }
+
+  Shape<T> a, b;
+  Posed pose;
+  ShapeCore<T> core_a, core_b;
+  MinkowskiDifference<ShapeCore<T>, ShapeCore<T>> cores;
+};
+
+template <class T>
+class HullDifferences : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(HullDifferences, Scalars);
+
+TYPED_TEST(HullDifferences, AreThoseOfTheirCores) {
+  using T = TypeParam;
+  Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    const TwoHulls<T> two(random);
+    if (!two.scanned()) continue;
+    const HullPair<T> pair{scanned(two.data_a()), scanned(two.data_b()), rotation_matrix(two.pose.rotation),
+                           two.pose.translation};
+    for (int k = 0; k < 20; ++k) {
+      const Vec3d direction = cast<double>(random_vector(random, 1));
+      const SupportPoint expected = two.cores.support(direction);
+      for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+        if (!isa_available(level)) continue;
+        SupportPoint found;
+        GRAZE_KERNEL(level, hull_support<T>)(pair, direction, found);
+        EXPECT_EQ(found.a, expected.a);
+        EXPECT_EQ(found.b, expected.b);
+        EXPECT_EQ(found.w, expected.w);
+      }
+    }
+  }
+}
+
+TYPED_TEST(HullDifferences, AreAsFarFromFourPointsAsFromOne) {
+  using T = TypeParam;
+  Random random(2);
+  int touching = 0, apart = 0;
+  for (int i = 0; i < 500; ++i) {
+    const TwoHulls<T> two(random);
+    if (!two.scanned()) continue;
+    const HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
+    const GjkGoal goal{1e-13 * difference.size()};
+    const GjkResult one = gjk(two.cores, goal), four = gjk_spread(difference, goal);
+    EXPECT_EQ(one.end == GjkEnd::touching, four.end == GjkEnd::touching);
+    EXPECT_NEAR(one.upper, four.upper, 1e-12);
+    EXPECT_LE(four.lower, one.upper + 1e-12);
+    (one.end == GjkEnd::touching ? touching : apart) += 1;
+
+    // Further apart than half of it: a bound will do, and holds.
+    if (one.end == GjkEnd::touching) continue;
+    const GjkResult proven = gjk_spread(difference, {goal.tolerance, one.upper / 2});
+    EXPECT_GT(proven.lower, one.upper / 2);
+    EXPECT_LE(proven.lower, one.upper + 1e-12);
+    EXPECT_NEAR(dot(two.cores.support(proven.normal).w, proven.normal), proven.lower, 1e-12);
+    EXPECT_NEAR(length(proven.normal), 1, 1e-14);
+  }
+  EXPECT_GT(touching, 20);
+  EXPECT_GT(apart, 20);
+}
+
+}  // namespace
+}  // namespace graze::testing
