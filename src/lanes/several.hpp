@@ -44,6 +44,9 @@ struct Several {
     [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) {
       return each(Parts{}, [&](auto i) { return a.part[i] | b.part[i]; });
     }
+    [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
+      return each(Parts{}, [&](auto i) { return !a.part[i]; });
+    }
     [[gnu::always_inline]] Condition operator[](int i) const {
       if constexpr (joined)
         return part[i / per][i % per];
@@ -133,6 +136,9 @@ struct Several {
   }
   [[gnu::always_inline]] friend Mask operator>=(const Several& a, const Several& b) {
     GRAZE_EACH(Mask::each, a.part[i] >= b.part[i]);
+  }
+  [[gnu::always_inline]] friend Mask operator==(const Several& a, const Several& b) {
+    GRAZE_EACH(Mask::each, a.part[i] == b.part[i]);
   }
   [[gnu::always_inline]] friend Several select(const Mask& condition, const Several& yes, const Several& no) {
     GRAZE_EACH(Several, select(condition.part[i], yes.part[i], no.part[i]));

@@ -26,6 +26,8 @@ inline constexpr std::size_t block_pairs = 16;
 
 template <class S>
 struct BoxChoice;  // pairs/box_choice.hpp
+template <class S>
+struct BoxManifold;  // pairs/box_manifold.hpp
 
 /// The points of contact of up to `block_pairs` pairs of boxes; see `BoxManifold`. A number of a pair stands at the
 /// pair's place in each array.
@@ -65,6 +67,8 @@ GRAZE_DECLARE_KERNEL(
     /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                        BoxPointBlock<T>& points);
+    /// The axis of one pair of boxes, and its points where it is within its margin: whether it is.
+    template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
     /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
     template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
                                                               Distance<T>* distances);

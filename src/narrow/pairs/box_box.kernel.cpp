@@ -8,10 +8,15 @@ namespace {
 template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
+template <class S>
+[[gnu::always_inline]] inline BoxPair<S> box_pair(const Vec3<S>& half_a, const Pose<S>& pose_a, const Vec3<S>& half_b,
+                                                  const Pose<S>& pose_b) {
+  const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
+  return {half_a, half_b, b_in_a.translation, b_in_a.rotation};
+}
 template <class T>
 [[gnu::always_inline]] inline BoxPair<Lanes<T>> box_pair(const Boxes<T>& bundle) {
-  const RelativeFrame<Lanes<T>> b_in_a = relative_frame(bundle.pose_a, bundle.pose_b);
-  return {bundle.a.core.half, bundle.b.core.half, b_in_a.translation, b_in_a.rotation};
+  return box_pair(bundle.a.core.half, bundle.pose_a, bundle.b.core.half, bundle.pose_b);
 }
 
 }  // namespace
@@ -42,7 +47,8 @@ template <class T>
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
     }
-    const BoxManifold<S> found = box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b);
+    BoxManifold<S> found;
+    box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b, found);
     for (std::size_t k = 0; k < 3; ++k) put(points.normal[k] + first, found.normal[k], bundle.count);
     put(points.filled + first, found.filled, bundle.count);
     put(points.known + first, found.known, bundle.count);
@@ -60,6 +66,16 @@ template <class T>
 }
 
 template <class T>
+[[gnu::flatten]] bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found) {
+  const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
+  const BoxPair<T> boxes = box_pair(a.half_extents(), *pair.pose_a, b.half_extents(), *pair.pose_b);
+  choice = box_choice(boxes, pair.margin);
+  if (choice.distance > pair.margin) return false;
+  box_manifold(boxes, choice, pair.margin, *pair.pose_a, *pair.pose_b, found);
+  return true;
+}
+
+template <class T>
 [[gnu::flatten]] void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
   using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
@@ -73,6 +89,7 @@ template <class T>
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
   template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, BoxPointBlock<T>&);                    \
+  template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);                                        \
   template void box_overlaps(const PairRef<T>*, std::size_t, std::uint8_t*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

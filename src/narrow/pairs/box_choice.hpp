@@ -42,14 +42,16 @@ template <class S>
 struct BestFace {
   S separation, number;
 
-  BestFace(const Several<S, 3>& separations, int first)
-      : separation(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), number(0) {
-    for (int i = 0; i < 3; ++i) {
-      const S here = separations[i];
-      const auto better = here > separation;
-      separation = select(better, here, separation);
-      number = select(better, S(static_cast<typename LaneOf<S>::type>(first + i)), number);
-    }
+  BestFace(const Several<S, 3>& separations, int first) {
+    using T = typename LaneOf<S>::type;
+    const auto numbered = [&](int i) { return S(static_cast<T>(first + i)); };
+    const S x = greatest(S(-std::numeric_limits<T>::infinity()), separations[0]), y = separations[1],
+            z = separations[2];
+    const auto y_better = y > x;
+    const S of_two = select(y_better, y, x);
+    const auto z_better = z > of_two;
+    separation = select(z_better, z, of_two);
+    number = select(z_better, numbered(2), select(y_better, numbered(1), numbered(0)));
   }
 };
 
@@ -72,31 +74,34 @@ Several<S, 3> box_faces_of_b(const BoxPair<S>& p) {
 }
 
 /// The largest separation along those products of edges that show a larger one than `face`, and the number of that axis;
-/// minus infinity where none does.
+/// minus infinity and 0 where none does.
 template <class S>
 S best_edges(const BoxPair<S>& p, const S& face, S& number) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Row = Several<S, 3>;
   // Separations along edges are compared by their squares with their signs, a product each in place of a root.
-  const Row least_square(face * abs(face)), parallel(S(parallel_edges<S>));
-  S gap(-std::numeric_limits<T>::infinity()), squared(1);
+  S gap = face * abs(face), squared(1);
+  number = S(0);
   any_of_three([&](auto i) {
     const BoxEdgeAxes<S> edges = box_edges<i>(p);
     const Row gaps = edges.gap(), lengths = edges.length_squared(), signed_squares = gaps * abs(gaps);
-    const auto promising = (lengths > parallel) & (signed_squares > least_square * lengths);
-    if (!any(promising)) return false;
+    const auto distinct = lengths > Row(S(parallel_edges<S>));
+    // Of a single pair that has no better one among these, as most have, none has to be looked at by itself.
+    if (Row::joined && !any(distinct & (signed_squares * Row(squared) > Row(gap) * lengths))) return false;
     for (int j = 0; j < 3; ++j) {
-      const auto better = promising[j] & (signed_squares[j] * squared > gap * lengths[j]);
+      const auto better = distinct[j] & (signed_squares[j] * squared > gap * lengths[j]);
       gap = select(better, signed_squares[j], gap);
       squared = select(better, lengths[j], squared);
       number = select(better, S(static_cast<T>(6 + 3 * static_cast<int>(i) + j)), number);
     }
     return false;
   });
-  if (!any(gap > S(-std::numeric_limits<T>::infinity()))) return gap;
+  const auto found = number > S(0);
+  const S none(-std::numeric_limits<T>::infinity());
+  if (!any(found)) return none;
   const S length = sqrt(abs(gap) / squared);
-  return select(gap < S(0), -length, length);
+  return select(found, select(gap < S(0), -length, length), none);
 }
 
 /// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
@@ -113,7 +118,7 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
   // Where a face tells that they are further apart than anybody asks, edges need not be tried.
   const Mask decided = face > margin + noise;
-  S edge(-std::numeric_limits<T>::infinity()), edge_number(6);
+  S edge(-std::numeric_limits<T>::infinity()), edge_number(0);
   if (!all(decided)) edge = select(decided, edge, best_edges(p, face, edge_number));
   const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
   const S separation = select(edge_best, edge, face);
