@@ -6,6 +6,8 @@
 // of a pair by itself and in a lane. All of it is inlined.
 #pragma once
 
+#include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -60,7 +62,13 @@ struct Several {
     [[gnu::always_inline]] friend bool any(const Mask& mask) {
       auto joint = mask.part[0];
       for (int i = 1; i < parts; ++i) joint = joint | mask.part[i];
-      return any(joint);
+      if constexpr (joined) {
+        std::uint64_t halves[2];
+        std::memcpy(halves, &joint.bits, sizeof halves);
+        return (halves[0] | halves[1]) != 0;
+      } else {
+        return any(joint);
+      }
     }
 
     template <std::size_t... I, class F>

@@ -37,24 +37,6 @@ struct BoxChoice {
   S axis;      ///< its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th
 };
 
-/// The first of the three axes of a box along which it is furthest from the other; they have the numbers from `number` on.
-template <class S>
-struct BestFace {
-  S separation, number;
-
-  BestFace(const Several<S, 3>& separations, int first) {
-    using T = typename LaneOf<S>::type;
-    const auto numbered = [&](int i) { return S(static_cast<T>(first + i)); };
-    const S x = greatest(S(-std::numeric_limits<T>::infinity()), separations[0]), y = separations[1],
-            z = separations[2];
-    const auto y_better = y > x;
-    const S of_two = select(y_better, y, x);
-    const auto z_better = z > of_two;
-    separation = select(z_better, z, of_two);
-    number = select(z_better, numbered(2), select(y_better, numbered(1), numbered(0)));
-  }
-};
-
 /// The separations along A's axes.
 template <class S>
 Several<S, 3> box_faces_of_a(const BoxPair<S>& p) {
@@ -71,6 +53,28 @@ Several<S, 3> box_faces_of_b(const BoxPair<S>& p) {
   const Vec3<S>&t = p.translation, &half = p.half_a;
   const Row reach = abs(x) * Row(half.x) + abs(y) * Row(half.y) + abs(z) * Row(half.z);
   return abs(x * Row(t.x) + y * Row(t.y) + z * Row(t.z)) - (Row(p.half_b) + reach);
+}
+
+/// The first of the axes of faces along which the boxes are furthest apart.
+template <class S>
+struct BoxFace {
+  S separation, number;
+};
+template <class S>
+BoxFace<S> best_face(const BoxPair<S>& p) {
+  using T = typename LaneOf<S>::type;
+  using Two = Several<S, 2>;
+  const Several<S, 3> of_a = box_faces_of_a(p), of_b = box_faces_of_b(p);
+  // A's best and B's at once: of a single pair masks choose, where nobody foresees which it is.
+  const auto both = [&](int i) { return Two(of_a[i], of_b[i]); };
+  Two separations(S(-std::numeric_limits<T>::infinity())), numbers(S(0));
+  for (int i = 0; i < 3; ++i) {
+    const auto better = both(i) > separations;
+    separations = select(better, both(i), separations);
+    numbers = select(better, Two(S(static_cast<T>(i)), S(static_cast<T>(3 + i))), numbers);
+  }
+  const auto b_better = separations[1] > separations[0];
+  return {select(b_better, separations[1], separations[0]), select(b_better, numbers[1], numbers[0])};
 }
 
 /// The largest separation along those products of edges that show a larger one than `face`, and the number of that axis;
@@ -110,10 +114,8 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
-  const BestFace<S> of_a(box_faces_of_a(p), 0), of_b(box_faces_of_b(p), 3);
-  const auto b_better = of_b.separation > of_a.separation;
-  const S face = select(b_better, of_b.separation, of_a.separation),
-          face_number = select(b_better, of_b.number, of_a.number);
+  const BoxFace<S> best = best_face(p);
+  const S &face = best.separation, &face_number = best.number;
 
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
   // Where a face tells that they are further apart than anybody asks, edges need not be tried.
