@@ -103,7 +103,7 @@ S best_edges(const BoxPair<S>& p, const S& face, S& number) {
   });
   const auto found = number > S(0);
   const S none(-std::numeric_limits<T>::infinity());
-  if (!any(found)) return none;
+  if (Row::joined && !any(found)) return none;
   const S length = sqrt(abs(gap) / squared);
   return select(found, select(gap < S(0), -length, length), none);
 }

@@ -121,15 +121,24 @@ class Ring {
       return low;
     };
     Some low = none, first = none;
-    for (std::size_t i = 0; i < size(); i += step) low = least(low, select(are(i), some(apart, i), none));
+    for (std::size_t i = 0; i < size(); i += step) {
+      const Some here = some(apart, i);
+      const Somes deeper = are(i) & (here < low);
+      low = select(deeper, here, low);
+      first = select(deeper, numbers(i), first);
+    }
     const S least_apart = least_of(low);
-    for (std::size_t i = 0; i < size(); i += step)
-      first = least(first, select(are(i) & (some(apart, i) == Some(least_apart)), numbers(i), none));
-    deepest_ = least_of(first);
+    deepest_ = least_of(select(low == Some(least_apart), first, none));
     return least_apart;
   }
 
   /// Takes corners out, of those from place `i` on; they are gone after `close_up`.
+  void drop(std::size_t i, const Somes& corners) {
+    if (single && !any(corners)) return;
+    Mask all[step];
+    corners.store(all);
+    drop(i, all);
+  }
   void drop(std::size_t i, const Mask (&corners)[step]) {
     for (std::size_t k = 0; k < step; ++k) {
       if constexpr (single) {
@@ -255,10 +264,7 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
       for (int k = 0; k < step; ++k) budget = budget + area[k];
       // Corners that came twice go first, all at once but for one.
       const Somes again = are & (distance_squared(p, q) <= together) & (!ring.stay(i));
-      if (!any(again)) continue;
-      Mask go[step];
-      again.store(go);
-      ring.drop(i, go);
+      ring.drop(i, again);
     }
     budget = abs(budget) * S(T(spared_area));
   }
@@ -268,7 +274,7 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
     const Some count(ring.count());
     const Somes of_many = count > Some(S(1)), of_more = count > Some(S(2));
     typename Ring<S>::Column lost;
-    bool any_may = false;
+    Somes movable = count < zero;
     for (std::size_t i = 0; i < ring.size(); i += step) {
       const Places before{x.before(i), y.before(i)}, p = places(i), after{x.after(i), y.after(i)};
       const Somes again = least(distance_squared(before, p), distance_squared(p, after)) <= together;
@@ -276,14 +282,14 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
       const Somes may = ring.are(i) & (!ring.stay(i)) & of_many & (of_more | again) & (corner <= Some(budget)) &
                         (corner * corner <= Some(near_squared) * distance_squared(before, after));
       select(may, corner, infinity).store(lost + 1 + i);
-      any_may = any_may | any(may);
+      movable = movable | may;
     }
-    if (!any_may) return;
+    if (!any(movable)) return;
     if constexpr (Ring<S>::single) ring.join_ends(lost);
     const Around<S> around_lost(ring, lost), around_apart(ring, ring.apart);
     // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.
     const auto level = [&](const Some& p, const Some& q) { return abs(p - q) <= Some(S(T(same_cost))) * least(p, q); };
-    bool dropped = false;
+    Mask dropped = ring.count() < S(0);
     for (std::size_t i = 0; i < ring.size(); i += step) {
       const Some before = around_lost.before(i), after = around_lost.after(i), here = ring.some(lost, i),
                  apart = ring.some(ring.apart, i);
@@ -295,11 +301,11 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
       for (int k = 0; k < step; ++k) {
         go[k] = rather[k] & (here[k] <= budget);
         budget = select(go[k], budget - here[k], budget);
-        dropped = dropped | any(go[k]);
+        dropped = dropped | go[k];
       }
       ring.drop(i, go);
     }
-    if (!dropped) return;
+    if (!any(dropped)) return;
   }
 }
 
