@@ -6,6 +6,8 @@
 // of a pair by itself and in a lane. All of it is inlined.
 #pragma once
 
+#include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -44,6 +46,9 @@ struct Several {
     [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) {
       return each(Parts{}, [&](auto i) { return a.part[i] | b.part[i]; });
     }
+    [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
+      return each(Parts{}, [&](auto i) { return !a.part[i]; });
+    }
     [[gnu::always_inline]] Condition operator[](int i) const {
       if constexpr (joined)
         return part[i / per][i % per];
@@ -57,7 +62,13 @@ struct Several {
     [[gnu::always_inline]] friend bool any(const Mask& mask) {
       auto joint = mask.part[0];
       for (int i = 1; i < parts; ++i) joint = joint | mask.part[i];
-      return any(joint);
+      if constexpr (joined) {
+        std::uint64_t halves[2];
+        std::memcpy(halves, &joint.bits, sizeof halves);
+        return (halves[0] | halves[1]) != 0;
+      } else {
+        return any(joint);
+      }
     }
 
     template <std::size_t... I, class F>
@@ -133,6 +144,9 @@ struct Several {
   }
   [[gnu::always_inline]] friend Mask operator>=(const Several& a, const Several& b) {
     GRAZE_EACH(Mask::each, a.part[i] >= b.part[i]);
+  }
+  [[gnu::always_inline]] friend Mask operator==(const Several& a, const Several& b) {
+    GRAZE_EACH(Mask::each, a.part[i] == b.part[i]);
   }
   [[gnu::always_inline]] friend Several select(const Mask& condition, const Several& yes, const Several& no) {
     GRAZE_EACH(Several, select(condition.part[i], yes.part[i], no.part[i]));

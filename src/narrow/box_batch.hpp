@@ -17,18 +17,19 @@ namespace graze {
 /// i-th slot of the pair, `features_b` what the parts of B name; those of A are a box's.
 template <class T, class Slot, class Points>
 std::size_t take_points(unsigned filled, const Slot& slot, const std::uint16_t* features_b, Points& points) {
+  using Point = std::remove_cvref_t<decltype(points[0])>;
   const std::size_t first = points.size();
   for (; filled != 0; filled &= filled - 1) {
     const BoxSlot<T> from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
-    const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(from.part_a)],
-                                             features_b[static_cast<std::size_t>(from.part_b)]);
+    const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(static_cast<int>(from.part_a))],
+                                             features_b[static_cast<std::size_t>(static_cast<int>(from.part_b))]);
     const std::size_t count = points.size();
     std::size_t place = first;
     while (place < count && points[place].feature != feature) ++place;
-    if (place == count)
-      points.push_back({ContactPoint<T>{from.a, from.b, from.distance, feature}});
-    else if (from.distance < points[place].distance)
-      points[place] = {ContactPoint<T>{from.a, from.b, from.distance, feature}};
+    if (place < count && !(from.distance < points[place].distance)) continue;
+    // Written where it stays: one that is made elsewhere would be read back by more bytes than it was just written by.
+    (place == count ? points.emplace_back() : points[place]) =
+        Point{ContactPoint<T>{from.a, from.b, from.distance, feature}};
   }
   return points.size() - first;
 }

@@ -35,7 +35,7 @@ bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>
 
 /// `contacts` of two convex shapes: fills the manifold. Returns their signed distance, of boxes that are apart a lower
 /// bound with its sign, or where it is more than `margin`, something between the two; the normal is then a direction that
-/// separates them by as much.
+/// separates them by as much, or of two boxes as it was.
 template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                   Manifold<T>& manifold, Trace* trace);

@@ -25,6 +25,8 @@ class OneOfThree {
  public:
   /// The one of that number: 0, 1 or 2.
   explicit OneOfThree(const S& number) : first_(number == S(0)), second_(number == S(1)) {}
+  /// The first, the second, or the last; at most one of the masks is set.
+  static OneOfThree of(const Mask& first, const Mask& second) { return {first, second}; }
   /// The axis along which a vector is longest, the first of those.
   static OneOfThree longest(const Vec3<S>& v) {
     const Vec3<S> a = abs(v);
@@ -46,6 +48,10 @@ class OneOfThree {
     const Vec3<S>* row = m.row;
     return {{pick(row[1], row[2], row[0]), pick(row[2], row[0], row[1]), pick(row[0], row[1], row[2])}};
   }
+  /// A vector without its component along this axis.
+  Vec3<S> without(const Vec3<S>& v) const {
+    return {select(first_, S(0), v.x), select(second_, S(0), v.y), select(first_ | second_, v.z, S(0))};
+  }
   /// The unit vector along this axis.
   Vec3<S> unit() const {
     return {select(first_, S(1), S(0)), select(second_, S(1), S(0)), select(first_ | second_, S(0), S(1))};
@@ -63,9 +69,12 @@ requires std::is_arithmetic_v<S>
 class OneOfThree<S> {
  public:
   explicit OneOfThree(S number) : place_(static_cast<std::size_t>(static_cast<int>(number))) {}
+  static OneOfThree of(bool first, bool second) {
+    return OneOfThree(first ? std::size_t{0} : second ? std::size_t{1} : std::size_t{2});
+  }
   static OneOfThree longest(const Vec3<S>& v) {
     const Vec3<S> a = abs(v);
-    return OneOfThree((a.x >= a.y) & (a.x >= a.z) ? std::size_t{0} : a.y >= a.z ? std::size_t{1} : std::size_t{2});
+    return of((a.x >= a.y) & (a.x >= a.z), a.y >= a.z);
   }
 
   S pick(S x, S y, S z) const {
@@ -83,6 +92,9 @@ class OneOfThree<S> {
   }
   Mat3<S> turned(const Mat3<S>& m) const {
     return transposed(Mat3<S>{{turned(m.column(0)), turned(m.column(1)), turned(m.column(2))}});
+  }
+  Vec3<S> without(const Vec3<S>& v) const {
+    return {place_ == 0 ? S(0) : v.x, place_ == 1 ? S(0) : v.y, place_ == 2 ? S(0) : v.z};
   }
   Vec3<S> unit() const { return {S(place_ == 0), S(place_ == 1), S(place_ == 2)}; }
 

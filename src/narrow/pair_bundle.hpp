@@ -111,19 +111,18 @@ template <class T, class D>
 template <class T, class Found>
 [[gnu::always_inline]] inline void put(const Found& found, std::size_t first, std::size_t count,
                                        BoxPointBlock<T>& block) {
-  const auto vector = [&](auto& columns, const Vec3<Lanes<T>>& v) {
-    for (std::size_t k = 0; k < 3; ++k) put(columns[k] + first, v[k], count);
-  };
-  vector(block.normal, found.normal);
+  for (std::size_t k = 0; k < 3; ++k) put(block.normal[k] + first, found.normal[k], count);
   put(block.filled + first, found.filled, count);
   put(block.known + first, found.known, count);
   for (std::size_t i = 0; i < most_block_points; ++i) {
-    const auto& slot = found.slots[i];
-    vector(block.slots[i].a, slot.a);
-    vector(block.slots[i].b, slot.b);
-    put(block.slots[i].distance + first, slot.distance, count);
-    put(block.slots[i].part_a + first, slot.part_a, count);
-    put(block.slots[i].part_b + first, slot.part_b, count);
+    auto& slot = block.slots[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      put(slot.a[k] + first, found.a[k][i], count);
+      put(slot.b[k] + first, found.b[k][i], count);
+    }
+    put(slot.distance + first, found.distance[i], count);
+    put(slot.part_a + first, found.part_a[i], count);
+    put(slot.part_b + first, found.part_b[i], count);
   }
 }
 

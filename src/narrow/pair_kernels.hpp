@@ -77,6 +77,8 @@ GRAZE_DECLARE_KERNEL(
     /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only the
     /// normal.
     template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);
+    /// The axis of one pair of boxes, and its points where it is within its margin: whether it is.
+    template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
     /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
     template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
                                                               Distance<T>* distances);

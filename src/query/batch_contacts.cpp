@@ -60,7 +60,8 @@ class Writer {
     std::size_t end;
     std::size_t size() const { return end; }
     ContactPoint<T>& operator[](std::size_t i) { return points[i]; }
-    void push_back(const ContactPoint<T>& p) { points[end++] = p; }
+    ContactPoint<T>& emplace_back() { return points[end++]; }
+    void push_back(const ContactPoint<T>& p) { emplace_back() = p; }
   };
 
   template <class Array>

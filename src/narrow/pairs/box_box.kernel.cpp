@@ -9,10 +9,15 @@ namespace {
 template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
+template <class S>
+[[gnu::always_inline]] inline BoxPair<S> box_pair(const Vec3<S>& half_a, const Pose<S>& pose_a, const Vec3<S>& half_b,
+                                                  const Pose<S>& pose_b) {
+  const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
+  return {half_a, half_b, b_in_a.translation, b_in_a.rotation};
+}
 template <class T>
 [[gnu::always_inline]] inline BoxPair<Lanes<T>> box_pair(const Boxes<T>& bundle) {
-  const RelativeFrame<Lanes<T>> b_in_a = relative_frame(bundle.pose_a, bundle.pose_b);
-  return {bundle.a.core.half, bundle.b.core.half, b_in_a.translation, b_in_a.rotation};
+  return box_pair(bundle.a.core.half, bundle.pose_a, bundle.b.core.half, bundle.pose_b);
 }
 
 }  // namespace
@@ -43,21 +48,20 @@ template <class T>
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
     }
-    const BoxManifold<S> found = box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b);
-    for (std::size_t k = 0; k < 3; ++k) put(points.normal[k] + first, found.normal[k], bundle.count);
-    put(points.filled + first, found.filled, bundle.count);
-    put(points.known + first, found.known, bundle.count);
-    for (std::size_t i = 0; i < most_box_points; ++i) {
-      auto& slot = points.slots[i];
-      for (std::size_t k = 0; k < 3; ++k) {
-        put(slot.a[k] + first, found.a[k][i], bundle.count);
-        put(slot.b[k] + first, found.b[k][i], bundle.count);
-      }
-      put(slot.distance + first, found.distance[i], bundle.count);
-      put(slot.part_a + first, found.part_a[i], bundle.count);
-      put(slot.part_b + first, found.part_b[i], bundle.count);
-    }
+    BoxManifold<S> found;
+    box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b, found);
+    put(found, first, bundle.count, points);
   }
+}
+
+template <class T>
+[[gnu::flatten]] bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found) {
+  const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
+  const BoxPair<T> boxes = box_pair(a.half_extents(), *pair.pose_a, b.half_extents(), *pair.pose_b);
+  choice = box_choice(boxes, pair.margin);
+  if (choice.distance > pair.margin) return false;
+  box_manifold(boxes, choice, pair.margin, *pair.pose_a, *pair.pose_b, found);
+  return true;
 }
 
 template <class T>
@@ -74,6 +78,7 @@ template <class T>
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
   template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, BoxPointBlock<T>&);                    \
+  template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);                                        \
   template void box_overlaps(const PairRef<T>*, std::size_t, std::uint8_t*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

@@ -37,22 +37,6 @@ struct BoxChoice {
   S axis;      ///< its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th
 };
 
-/// The first of the three axes of a box along which it is furthest from the other; they have the numbers from `number` on.
-template <class S>
-struct BestFace {
-  S separation, number;
-
-  BestFace(const Several<S, 3>& separations, int first)
-      : separation(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), number(0) {
-    for (int i = 0; i < 3; ++i) {
-      const S here = separations[i];
-      const auto better = here > separation;
-      separation = select(better, here, separation);
-      number = select(better, S(static_cast<typename LaneOf<S>::type>(first + i)), number);
-    }
-  }
-};
-
 /// The separations along A's axes.
 template <class S>
 Several<S, 3> box_faces_of_a(const BoxPair<S>& p) {
@@ -71,43 +55,57 @@ Several<S, 3> box_faces_of_b(const BoxPair<S>& p) {
   return abs(x * Row(t.x) + y * Row(t.y) + z * Row(t.z)) - (Row(p.half_b) + reach);
 }
 
-/// The axis of either along which they are furthest apart.
+/// The first of the axes of faces along which the boxes are furthest apart.
 template <class S>
-BestFace<S> best_face(const BoxPair<S>& p) {
-  BestFace<S> best(box_faces_of_a(p), 0);
-  const BestFace<S> of_b(box_faces_of_b(p), 3);
-  const auto b_better = of_b.separation > best.separation;
-  best.separation = select(b_better, of_b.separation, best.separation);
-  best.number = select(b_better, of_b.number, best.number);
-  return best;
+struct BoxFace {
+  S separation, number;
+};
+template <class S>
+BoxFace<S> best_face(const BoxPair<S>& p) {
+  using T = typename LaneOf<S>::type;
+  using Two = Several<S, 2>;
+  const Several<S, 3> of_a = box_faces_of_a(p), of_b = box_faces_of_b(p);
+  // A's best and B's at once: of a single pair masks choose, where nobody foresees which it is.
+  const auto both = [&](int i) { return Two(of_a[i], of_b[i]); };
+  Two separations(S(-std::numeric_limits<T>::infinity())), numbers(S(0));
+  for (int i = 0; i < 3; ++i) {
+    const auto better = both(i) > separations;
+    separations = select(better, both(i), separations);
+    numbers = select(better, Two(S(static_cast<T>(i)), S(static_cast<T>(3 + i))), numbers);
+  }
+  const auto b_better = separations[1] > separations[0];
+  return {select(b_better, separations[1], separations[0]), select(b_better, numbers[1], numbers[0])};
 }
 
 /// The largest separation along those products of edges that show a larger one than `face`, and the number of that axis;
-/// minus infinity where none does.
+/// minus infinity and 0 where none does.
 template <class S>
 S best_edges(const BoxPair<S>& p, const S& face, S& number) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Row = Several<S, 3>;
   // Separations along edges are compared by their squares with their signs, a product each in place of a root.
-  const Row least_square(face * abs(face)), parallel(S(parallel_edges<S>));
-  S gap(-std::numeric_limits<T>::infinity()), squared(1);
+  S gap = face * abs(face), squared(1);
+  number = S(0);
   any_of_three([&](auto i) {
     const BoxEdgeAxes<S> edges = box_edges<i>(p);
     const Row gaps = edges.gap(), lengths = edges.length_squared(), signed_squares = gaps * abs(gaps);
-    const auto promising = (lengths > parallel) & (signed_squares > least_square * lengths);
-    if (!any(promising)) return false;
+    const auto distinct = lengths > Row(S(parallel_edges<S>));
+    // Of a single pair that has no better one among these, as most have, none has to be looked at by itself.
+    if (Row::joined && !any(distinct & (signed_squares * Row(squared) > Row(gap) * lengths))) return false;
     for (int j = 0; j < 3; ++j) {
-      const auto better = promising[j] & (signed_squares[j] * squared > gap * lengths[j]);
+      const auto better = distinct[j] & (signed_squares[j] * squared > gap * lengths[j]);
       gap = select(better, signed_squares[j], gap);
       squared = select(better, lengths[j], squared);
       number = select(better, S(static_cast<T>(6 + 3 * static_cast<int>(i) + j)), number);
     }
     return false;
   });
-  if (!any(gap > S(-std::numeric_limits<T>::infinity()))) return gap;
+  const auto found = number > S(0);
+  const S none(-std::numeric_limits<T>::infinity());
+  if (Row::joined && !any(found)) return none;
   const S length = sqrt(abs(gap) / squared);
-  return select(gap < S(0), -length, length);
+  return select(found, select(gap < S(0), -length, length), none);
 }
 
 /// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
@@ -120,7 +118,7 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
   // Where a face tells that they are further apart than anybody asks, edges need not be tried.
   const Mask decided = face > margin + noise;
-  S edge(-std::numeric_limits<T>::infinity()), edge_number(6);
+  S edge(-std::numeric_limits<T>::infinity()), edge_number(0);
   if (!all(decided)) edge = select(decided, edge, best_edges(p, face, edge_number));
   const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
   const S separation = select(edge_best, edge, face);

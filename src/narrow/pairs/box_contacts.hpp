@@ -18,26 +18,13 @@ std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a
                               const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   if (margin_a != T(0) || margin_b != T(0) || !regular_box(a.half_extents()) || !regular_box(b.half_extents()))
     return std::nullopt;
-  const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
-  const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
-  const BoxChoice<T> choice = box_choice(boxes, margin);
-  if (choice.distance > margin) {
-    const detail::MeetingBoxes<T> seen(boxes, choice.axis);
-    manifold.normal = rotation_of(pose_a.rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
+  BoxChoice<T> choice;
+  BoxManifold<T> found;
+  if (!GRAZE_KERNEL(chosen_isa(), box_contact<T>)({&a, &b, &pose_a, &pose_b, margin}, choice, found))
     return choice.distance;
-  }
-  const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
   if (found.known == T(0)) return std::nullopt;
   take_points<T>(
-      static_cast<unsigned>(found.filled),
-      [&](std::size_t i) {
-        return BoxSlot<T>{{found.a[0][i], found.a[1][i], found.a[2][i]},
-                          {found.b[0][i], found.b[1][i], found.b[2][i]},
-                          found.distance[i],
-                          found.part_a[i],
-                          found.part_b[i]};
-      },
-      box_features.of,
+      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slot(i); }, box_features.of,
       manifold.points);
   manifold.normal = found.normal;
   return choice.distance;

@@ -49,37 +49,11 @@ auto inside_box(const Vec3<S>& half, const Vec3<S>& p, const S& slack) {
   return (a.x <= half.x + slack) & (a.y <= half.y + slack) & (a.z <= half.z + slack);
 }
 
-/// A vector without its component along an axis.
-template <class M, class S>
-Vec3<S> without(const OneOfThree<M>& axis, const Vec3<S>& v) {
-  const S zero(0);
-  return {select(axis.first, zero, v.x), select(axis.second, zero, v.y),
-          select(axis.first, v.z, select(axis.second, v.z, zero))};
-}
-
-template <class S>
-BoxPair<S> turned_round(const BoxPair<S>& p) {
-  return {p.half_b, p.half_a, -transposed_times(p.rotation, p.translation), transposed(p.rotation)};
-}
 /// In the frame of A what is in that of B, from B to A.
 template <class S>
 CoreDistance<S> seen_from_a(const BoxPair<S>& p, const CoreDistance<S>& d) {
   return {d.distance, -(p.rotation * d.normal), p.rotation * d.b + p.translation, p.rotation * d.a + p.translation};
 }
-
-/// Two edges along the i-th axis of A and the j-th of B, the numbers of an axis 6 + 3 i + j.
-template <class S>
-struct EdgeNumbers {
-  using Mask = decltype(S() < S());
-  OneOfThree<Mask> i, j;
-
-  explicit EdgeNumbers(const S& axis) {
-    const S edge = axis - S(6), before = select(edge < S(3), S(0), select(edge < S(6), S(3), S(6))),
-            number = edge - before;
-    i = {before == S(0), before == S(3)};
-    j = {number == S(0), number == S(1)};
-  }
-};
 
 }  // namespace detail
 
@@ -92,30 +66,28 @@ BoxNearest<S> along_axis(const BoxPair<S>& p, const S& axis, const S& separation
   const MeetingBoxes<S> m(p, axis);
   const Vec3<S>& n = m.normal;
   const Mask of_edges = axis >= S(6);
-  const EdgeNumbers<S> edges(axis);
-  Vec3<S> reach = corner_along(m.half_other, -transposed_times(m.rotation, n));
-  if (any(of_edges)) reach = select(of_edges, without(edges.j, reach), reach);
-  Vec3<S> other = m.translation + m.rotation * reach, on = other - n * separation;
+  const S first = select(axis < S(9), S(0), select(axis < S(12), S(1), S(2)));
+  // Of no meaning for an axis of a face.
+  const OneOfThree<S> i(first), j(select(of_edges, axis - S(6) - first * S(3), S(0)));
+  Vec3<S> reach = corner_along(m.boxes.half_b, -transposed_times(m.boxes.rotation, n));
+  if (any(of_edges)) reach = select(of_edges, j.without(reach), reach);
+  Vec3<S> other = m.boxes.translation + m.boxes.rotation * reach, on = other - n * separation;
   Mask met = separation == separation;
   if (any(of_edges)) {
     // The nearest points of the two lines; the squared sine from the product, which keeps its digits.
-    const Vec3<S> middle = without(edges.i, corner_along(m.half_clip, n)), between = other - middle,
-                  along = edges.j.pick(m.rotation.column(0), m.rotation.column(1), m.rotation.column(2)),
-                  across = without(edges.i, along);
-    const S cosine = edges.i.pick(along), by_i = edges.i.pick(between), by_j = dot(between, along),
+    const Vec3<S> middle = i.without(corner_along(m.boxes.half_a, n)), between = other - middle,
+                  along = j.pick(m.boxes.rotation), across = i.without(along);
+    const S cosine = i.pick(along), by_i = i.pick(between), by_j = dot(between, along),
             scale = S(1) / select(of_edges, length_squared(across), S(1));
     const S s = (by_i - cosine * by_j) * scale, t = (cosine * by_i - by_j) * scale;
-    const S zero(0);
-    const Vec3<S> a = middle + Vec3<S>{select(edges.i.first, s, zero), select(edges.i.second, s, zero),
-                                       select(edges.i.first | edges.i.second, zero, s)},
-                  b = other + along * t;
+    const Vec3<S> a = middle + i.unit() * s, b = other + along * t;
     const Mask meets =
-        (abs(t) <= edges.j.pick(m.half_other) + slack) & (length_squared(b - a - n * separation) <= slack * slack);
+        (abs(t) <= j.pick(m.boxes.half_b) + slack) & (length_squared(b - a - n * separation) <= slack * slack);
     met = meets | (!of_edges);
     on = select(of_edges, a, on);
     other = select(of_edges, b, other);
   }
-  met = met & inside_box(m.half_clip, on, slack);
+  met = met & inside_box(m.boxes.half_a, on, slack);
   const CoreDistance<S> core{separation, n, on, other};
   return {select(m.by_b, seen_from_a(p, core), core), met};
 }
@@ -165,7 +137,7 @@ template <class S>
 BoxNearest<S> at_corner(const BoxPair<S>& p, const S& slack) {
   BoxNearest<S> nearest = at_corner_of_b(p, slack);
   if (all(nearest.proven)) return nearest;
-  BoxNearest<S> of_a = at_corner_of_b(turned_round(p), slack);
+  BoxNearest<S> of_a = at_corner_of_b(seen_from_b(p), slack);
   of_a.core = seen_from_a(p, of_a.core);
   nearest.otherwise(of_a);
   return nearest;
@@ -177,17 +149,19 @@ template <class S>
 BoxNearest<S> at_crossing(const BoxPair<S>& p, const S& axis, const S& separation, const S& slack) {
   using T = typename LaneOf<S>::type;
   const MeetingBoxes<S> m(p, axis);
-  const Vec3<S>&n = m.normal, c[3] = {m.rotation.column(0), m.rotation.column(1), m.rotation.column(2)};
+  const Vec3<S>&n = m.normal,
+        c[3] = {m.boxes.rotation.column(0), m.boxes.rotation.column(1), m.boxes.rotation.column(2)};
   const Vec3<S> lean{dot(n, c[0]), dot(n, c[1]), dot(n, c[2])};
-  const auto face = longest_axis(lean);
-  const Vec3<S> half = face.turned(m.half_other), u = face.pick(c[1], c[2], c[0]) * half.x,
+  const auto face = OneOfThree<S>::longest(lean);
+  const Vec3<S> half = face.turned(m.boxes.half_b), u = face.pick(c[1], c[2], c[0]) * half.x,
                 v = face.pick(c[2], c[0], c[1]) * half.y,
-                middle = m.translation - face.pick(c[0], c[1], c[2]) * select(face.pick(lean) < S(0), -half.z, half.z);
+                middle =
+                    m.boxes.translation - face.pick(c[0], c[1], c[2]) * select(face.pick(lean) < S(0), -half.z, half.z);
   // Across the face that is met nothing ends.
   const S infinity(std::numeric_limits<T>::infinity()), vanishing = slack * S(epsilon<S>);
   Vec3<S> reach;
-  for (std::size_t k = 0; k < 3; ++k) reach[k] = select(n[k] == S(0), m.half_clip[k], infinity);
-  const S height = dot(abs(n), m.half_clip);
+  for (std::size_t k = 0; k < 3; ++k) reach[k] = select(n[k] == S(0), m.boxes.half_a[k], infinity);
+  const S height = dot(abs(n), m.boxes.half_a);
   S nearest = infinity;
   Vec3<S> other = middle;
   const auto clip = [&](const Vec3<S>& along, const Vec3<S>& across) {

@@ -13,6 +13,13 @@
 
 namespace graze {
 
+/// A point of contact of one pair.
+template <class T>
+struct BoxSlot {
+  Vec3<T> a, b;
+  T distance, part_a, part_b;
+};
+
 /// The points of contact, a slot each; which of the slots hold one is another matter in every lane.
 template <class S>
 struct BoxManifold {
@@ -23,13 +30,14 @@ struct BoxManifold {
   Column part_a, part_b;        ///< of A and of B: a number of `box_features`
   S filled;                     ///< slot i holds a point: bit i of this number
   S known;                      ///< not 0: what is nearest is among them, or hardly nearer
-};
 
-/// A slot of one pair.
-template <class T>
-struct BoxSlot {
-  Vec3<T> a, b;
-  T distance, part_a, part_b;
+  BoxSlot<S> slot(std::size_t i) const {
+    return {{a[0][i], a[1][i], a[2][i]}, {b[0][i], b[1][i], b[2][i]}, distance[i], part_a[i], part_b[i]};
+  }
+  void put(std::size_t i, const BoxSlot<S>& slot) {
+    for (std::size_t k = 0; k < 3; ++k) a[k][i] = slot.a[k], b[k][i] = slot.b[k];
+    distance[i] = slot.distance, part_a[i] = slot.part_a, part_b[i] = slot.part_b;
+  }
 };
 
 /// What of a box `part_a` and `part_b` name: 9 times the number of a face, and 3 times where along the second of the axes
@@ -95,8 +103,8 @@ struct MeetingBoxes {
 /// The points along the chosen axis of two boxes that are at most `margin` apart, in the world. Only for boxes within the
 /// margin of each other.
 template <class S>
-BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& margin, const Pose<S>& pose_a,
-                            const Pose<S>& pose_b) {
+void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& margin, const Pose<S>& pose_a,
+                  const Pose<S>& pose_b, BoxManifold<S>& found) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
@@ -150,47 +158,45 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
           limit = greatest(margin, choice.distance + noise);
   const FlatPoint<S> rim{half.x - near, half.y - near}, rim_uv{one - near * per_length.x, one - near * per_length.y};
 
-  BoxManifold<S> found;
   found.normal = select(seen.by_b, -across, across);
   found.filled = zero;
-  using Four = Several<S, 4>;
-  const Four by_number{one, S(2), S(4), S(8)};
-  const auto by_b = Four::Mask::of(seen.by_b);
-  const auto part = [](const S& of_face, const Four& u, const Four& v, const FlatPoint<S>& edge) {
-    const auto side = [](const Four& at, const Four& from) {
-      return select(at >= from, Four(S(2)), select(at <= -from, Four(S(1)), Four(S(0))));
+  using Some = typename detail::Ring<S>::Some;
+  constexpr int step = detail::Ring<S>::step;
+  const auto by_b = Some::Mask::of(seen.by_b);
+  const auto part = [](const S& of_face, const Some& u, const Some& v, const FlatPoint<S>& edge) {
+    const auto side = [](const Some& at, const Some& from) {
+      return select(at >= from, Some(S(2)), select(at <= -from, Some(S(1)), Some(S(0))));
     };
-    return Four(of_face) + side(u, Four(edge.x)) + side(v, Four(edge.y)) * Four(S(3));
+    return Some(of_face) + side(u, Some(edge.x)) + side(v, Some(edge.y)) * Some(S(3));
   };
-  for (std::size_t i = 0; i < corners.size; i += 4) {
-    const Four x_at = corners.four(corners.x, i), y_at = corners.four(corners.y, i),
-               apart = corners.four(corners.apart, i);
-    const auto here = corners.are(i) & (apart <= Four(limit));
+  for (std::size_t i = 0; i < corners.size(); i += step) {
+    const Some x_at = corners.some(corners.x, i), y_at = corners.some(corners.y, i),
+               apart = corners.some(corners.apart, i);
+    const auto here = corners.are(i) & (apart <= Some(limit));
     if (!any(here)) continue;
-    const auto put = [&](const Four& of_clip, const Four& of_other, S* of_a, S* of_b) {
+    const auto put = [&](const Some& of_clip, const Some& of_other, S* of_a, S* of_b) {
       select(by_b, of_other, of_clip).store(of_a + i);
       select(by_b, of_clip, of_other).store(of_b + i);
     };
     const auto put_place = [&](const Vec3<S>& w, const S& from, const S& normal, S* of_a, S* of_b) {
-      const Four on_clip = Four(w.x) * x_at + Four(w.y) * y_at + Four(w.z * height),
-                 on_other = on_clip + Four(normal) * apart;
-      put(Four(from) + on_clip, Four(from) + on_other, of_a, of_b);
+      const Some on_clip = Some(w.x) * x_at + Some(w.y) * y_at + Some(w.z * height),
+                 on_other = on_clip + Some(normal) * apart;
+      put(Some(from) + on_clip, Some(from) + on_other, of_a, of_b);
     };
     put_place(wx, origin.x, across.x, found.a[0], found.b[0]);
     put_place(wy, origin.y, across.y, found.a[1], found.b[1]);
     put_place(wz, origin.z, across.z, found.a[2], found.b[2]);
-    const Four from_x = x_at - Four(faces.center.x), from_y = y_at - Four(faces.center.y);
-    const Four u_at = from_x * Four(faces.to_u.x) + from_y * Four(faces.to_u.y),
-               v_at = from_x * Four(faces.to_v.x) + from_y * Four(faces.to_v.y);
+    const Some from_x = x_at - Some(faces.center.x), from_y = y_at - Some(faces.center.y);
+    const Some u_at = from_x * Some(faces.to_u.x) + from_y * Some(faces.to_u.y),
+               v_at = from_x * Some(faces.to_v.x) + from_y * Some(faces.to_v.y);
     put(part(clip_face, x_at, y_at, rim), part(other_face, u_at, v_at, rim_uv), found.part_a, found.part_b);
     apart.store(found.distance + i);
-    const Four filled = select(here, by_number, Four(zero));
-    found.filled = found.filled + (filled[0] + filled[1] + filled[2] + filled[3]) * S(i == 0 ? T(1) : T(16));
+    const Some filled = select(here, corners.powers(i), Some(zero));
+    for (int k = 0; k < step; ++k) found.filled = found.filled + filled[k];
   }
   const S allowed = S(T(face_preference)) * least(size_a, size_b);
   const Mask known = (found.filled > zero) & (nearest <= choice.distance + allowed);
   found.known = select(known, one, zero);
-  return found;
 }
 
 }  // namespace graze

@@ -19,7 +19,7 @@ std::optional<T> triangle_contacts(const BoxCore<T>& a, const Pose<T>& pose_a, c
   if (!(distance > margin)) {
     if (found.known == T(0)) return std::nullopt;
     take_points<T>(
-        static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, triangle_features,
+        static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slot(i); }, triangle_features,
         manifold.points);
   }
   manifold.normal = found.normal;

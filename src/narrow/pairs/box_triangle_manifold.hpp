@@ -63,15 +63,15 @@ struct TriangleFace {
   Ring<S> over(const RectangleAndTriangle<S>& faces, const S& together) const {
     Corner<S> corners[most_box_points];
     faces.corners(corners, together);
-    Ring<S> ring;
+    typename Ring<S>::All x, y, apart;
+    Mask are[most_box_points];
     for (std::size_t i = 0; i < most_box_points; ++i) {
-      ring.x[i] = corners[i].at.x;
-      ring.y[i] = corners[i].at.y;
-      ring.is[i] = corners[i].is;
+      x[i] = corners[i].at.x;
+      y[i] = corners[i].at.y;
+      apart[i] = apart_at(corners[i].at);
+      are[i] = corners[i].is;
     }
-    ring.close_up();
-    for (std::size_t i = 0; i < ring.size; ++i) ring.apart[i] = apart_at(ring.at(i));
-    return ring;
+    return {x, y, apart, are};
   }
   /// The square of the shortest side; infinite of a vertex.
   S shortest_squared() const {
@@ -120,7 +120,7 @@ struct TriangleFace {
     using T = typename LaneOf<S>::type;
     const Mask seen = !whole, top0 = (far.x <= far.y) & (far.x <= far.z), top1 = (!top0) & (far.y <= far.z),
                top2 = !(top0 | top1);
-    const OneOfThree<Mask> top{top0, top1};
+    const auto top = OneOfThree<S>::of(top0, top1);
     const S after = top.pick(fall), before = top.pick(fall.z, fall.x, fall.y);
     edge = seen & (least(after, before) <= S(T(1 - furthest_lean)));
     const Mask ahead = (!edge) | (after < before), back = !ahead;
@@ -143,7 +143,7 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   const S zero(0), one(1);
 
   // The axes of the box turned until its face's comes last.
-  const auto axes = detail::longest_axis(choice.normal);
+  const auto axes = OneOfThree<S>::longest(choice.normal);
   const Vec3<S> n = axes.turned(choice.normal), half = axes.turned(p.half),
                 point[3] = {axes.turned(of_corner(p.point, 0)), axes.turned(of_corner(p.point, 1)),
                             axes.turned(of_corner(p.point, 2))};
@@ -171,18 +171,15 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   const S box_face = axes.pick(zero, S(18), S(36)) + select(positive, S(9), zero),
           limit = greatest(margin, choice.distance + p.noise);
   const FlatPoint<S> rim{half.x - near, half.y - near};
-  for (std::size_t i = 0; i < corners.size; ++i) {
-    const S& apart = corners.apart[i];
-    const Mask here = corners.is[i] & (apart <= limit);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const S& apart = corners.apart[i + 1];
+    const Mask here = corners.has(i) & (apart <= limit);
     if (!any(here)) continue;
     const FlatPoint<S> at = corners.at(i);
-    const Vec3<S> place{at.x, at.y, height};
-    auto& slot = found.slots[i];
-    slot.a = pose_a.translation + Vec3<S>{dot(wx, place), dot(wy, place), dot(wz, place)};
-    slot.b = slot.a + found.normal * apart;
-    slot.distance = apart;
-    slot.part_a = box_face + side(at.x, rim.x) + side(at.y, rim.y) * S(3);
-    slot.part_b = face.part(at, near_squared);
+    const Vec3<S> place{at.x, at.y, height},
+        on_box = pose_a.translation + Vec3<S>{dot(wx, place), dot(wy, place), dot(wz, place)};
+    found.put(i, {on_box, on_box + found.normal * apart, apart, box_face + side(at.x, rim.x) + side(at.y, rim.y) * S(3),
+                  face.part(at, near_squared)});
     found.filled = found.filled + select(here, S(T(1 << i)), zero);
   }
   const S allowed = S(T(face_preference)) * least(p.size_a, p.size_b);
