@@ -93,8 +93,7 @@ template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
                                  double limit) {
   const double noise = noise_of(a, b, b_in_a.translation);
-  if (const auto hulls = as_hulls(a, b, b_in_a))
-    return iteratively(a, b, *hulls, noise, limit, trace);
+  if (const auto hulls = as_hulls(a, b, b_in_a)) return iteratively(a, b, *hulls, noise, limit, trace);
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   // Two boxes' axes and corners cost less than GJK.
