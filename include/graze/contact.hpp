@@ -31,6 +31,9 @@ struct Manifold {
   Vec3<T> normal{};  ///< unit, from A to B
   SmallVector<ContactPoint<T>, 8> points;
   std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+
+  /// Its own: all the memory kept for points would be set to zero before an implicit one.
+  Manifold() {}  // NOLINT(modernize-use-equals-default)
 };
 
 template <class T>

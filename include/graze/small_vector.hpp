@@ -71,7 +71,7 @@ class SmallVector {
 
  private:
   /// By itself, so that what is done nearly always is short enough to stand where it is called.
-  void push_outside(const T& value) {
+  [[gnu::noinline]] void push_outside(const T& value) {
     const T kept = value;  // it may be one of these elements
     if (size_ == N) outside_.assign(inside_, inside_ + N);
     outside_.resize(size_);

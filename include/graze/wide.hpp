@@ -32,6 +32,9 @@ struct Wide {
     [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
     [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) { return {a.bits | b.bits}; }
     [[gnu::always_inline]] friend Mask operator!(const Mask& a) { return {~a.bits}; }
+    [[gnu::always_inline]] friend Mask select(const Mask& condition, const Mask& yes, const Mask& no) {
+      return (condition & yes) | ((!condition) & no);
+    }
     [[gnu::always_inline]] bool operator[](int i) const { return bits[i] != 0; }
   };
 

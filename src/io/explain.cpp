@@ -21,10 +21,13 @@ template <class T>
 Manifolds<double> widened(const Manifolds<T>& manifolds) {
   Manifolds<double> wide;
   for (const Manifold<T>& m : manifolds) {
-    wide.push_back({cast<double>(m.normal), {}, m.piece_a, m.piece_b});
+    Manifold<double>& to = wide.emplace_back();
+    to.normal = cast<double>(m.normal);
+    to.piece_a = m.piece_a;
+    to.piece_b = m.piece_b;
     for (const ContactPoint<T>& p : m.points)
-      wide.back().points.push_back({cast<double>(p.a), cast<double>(p.b), static_cast<double>(p.distance), p.feature,
-                                    static_cast<double>(p.weight)});
+      to.points.push_back({cast<double>(p.a), cast<double>(p.b), static_cast<double>(p.distance), p.feature,
+                           static_cast<double>(p.weight)});
   }
   return wide;
 }

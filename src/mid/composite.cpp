@@ -147,7 +147,9 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
   if (!a.convex() || !b.convex() || !beside.empty())
     return composite_contacts(a, pose_a, b, pose_b, margin, manifolds, trace, beside);
   if (manifolds.size() == manifolds.capacity()) return added_contacts(a, pose_a, b, pose_b, margin, manifolds, trace);
-  Manifold<T>& manifold = manifolds.emplace_back();
+  // Moved in: made in place, all the room for points would be set to zero first.
+  Manifold<T> none;
+  Manifold<T>& manifold = manifolds.emplace_back(std::move(none));
   const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
   if (manifold.points.empty()) manifolds.pop_back();
   return distance;

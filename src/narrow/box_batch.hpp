@@ -1,4 +1,4 @@
-// Contacts of many pairs of boxes by the kernels for them.
+// Contacts of many pairs of boxes, or of boxes and triangles, by the kernels for them.
 //
 // Guarantee: for each pair what `convex_contacts` answers, bit for bit.
 #pragma once
@@ -8,20 +8,20 @@
 
 #include "narrow/features.hpp"
 #include "narrow/pair_kernels.hpp"
-#include "narrow/pairs/box_manifold.hpp"
+#include "narrow/pairs/box_triangle_manifold.hpp"
 
 namespace graze {
 
 /// Appends the points in the slots of one pair, of which there are at most eight, to `points` (of contact points or of
 /// what begins with one), and returns how many. Of two of the same features the deeper one is kept. `slot(i)` gives the
-/// i-th slot of the pair.
+/// i-th slot of the pair, `features_b` what the parts of B name; those of A are a box's.
 template <class T, class Slot, class Points>
-std::size_t take_points(unsigned filled, const Slot& slot, Points& points) {
+std::size_t take_points(unsigned filled, const Slot& slot, const std::uint16_t* features_b, Points& points) {
   const std::size_t first = points.size();
   for (; filled != 0; filled &= filled - 1) {
     const typename BoxManifold<T>::Slot from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
     const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(from.part_a)],
-                                             box_features.of[static_cast<std::size_t>(from.part_b)]);
+                                             features_b[static_cast<std::size_t>(from.part_b)]);
     const std::size_t count = points.size();
     std::size_t place = first;
     while (place < count && points[place].feature != feature) ++place;
@@ -38,6 +38,7 @@ template <class T>
 struct BoxPoints {
   const BoxPointBlock<T>& block;
   std::size_t pair;
+  const std::uint16_t* features_b;
 
   /// As `take_points`.
   template <class Points>
@@ -52,7 +53,7 @@ struct BoxPoints {
                                                slot.part_a[pair],
                                                slot.part_b[pair]};
         },
-        points);
+        features_b, points);
   }
 };
 
@@ -63,15 +64,22 @@ inline constexpr std::size_t box_chunk = 128;
 /// half as many lanes of the last blocks empty.
 inline constexpr std::size_t most_chunk = 2 * box_chunk;
 
-/// Asks about up to `most_chunk` pairs of plain boxes (`plain_box`), in this order:
+/// The kernels for the contacts of one kind of pairs.
+template <class T, class Choice>
+struct ContactKernels {
+  void (*axes)(const PairRef<T>*, std::size_t, Choice*);
+  void (*points)(const PairRef<T>*, const Choice*, std::size_t, BoxPointBlock<T>&);
+  const std::uint16_t* features_b;
+};
+
+/// Asks kernels about up to `most_chunk` pairs, in this order:
 /// `apart(i)` for those further apart than their margins; and then, in the order of the pairs,
 /// `touching(i, distance, normal, points)`, the last a `BoxPoints`, or, where their faces do not tell, `unknown(i)`.
-template <class T, class Apart, class Touching, class Unknown>
-void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
-                        const Unknown& unknown) {
-  const Isa level = chosen_isa();
-  BoxChoice<T> axes[most_chunk];
-  GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
+template <class T, class Choice, class Apart, class Touching, class Unknown>
+void visit_contacts(const ContactKernels<T, Choice>& kernels, const PairRef<T>* pairs, std::size_t count,
+                    const Apart& apart, const Touching& touching, const Unknown& unknown) {
+  Choice axes[most_chunk];
+  kernels.axes(pairs, count, axes);
   // No branch that nobody foresees: places are written either way and kept or written over.
   std::uint8_t place[most_chunk], apart_place[most_chunk];
   std::size_t met_count = 0, apart_count = 0;
@@ -83,7 +91,7 @@ void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart&
   }
   for (std::size_t k = 0; k < apart_count; ++k) apart(apart_place[k]);
   PairRef<T> met[block_pairs];
-  BoxChoice<T> met_axes[block_pairs];
+  Choice met_axes[block_pairs];
   BoxPointBlock<T> block;
   for (std::size_t first = 0; first < met_count; first += block_pairs) {
     const std::size_t size = std::min(block_pairs, met_count - first);
@@ -91,7 +99,7 @@ void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart&
       met[k] = pairs[place[first + k]];
       met_axes[k] = axes[place[first + k]];
     }
-    GRAZE_KERNEL(level, box_points<T>)(met, met_axes, size, block);
+    kernels.points(met, met_axes, size, block);
     for (std::size_t k = 0; k < size; ++k) {
       const std::size_t i = place[first + k];
       if (block.known[k] == T(0)) {
@@ -99,9 +107,28 @@ void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart&
         continue;
       }
       touching(i, met_axes[k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
-               BoxPoints<T>{block, k});
+               BoxPoints<T>{block, k, kernels.features_b});
     }
   }
+}
+
+/// The same of plain boxes (`plain_box`).
+template <class T, class Apart, class Touching, class Unknown>
+void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
+                        const Unknown& unknown) {
+  const Isa level = chosen_isa();
+  visit_contacts<T, BoxChoice<T>>(
+      {GRAZE_KERNEL(level, box_axes<T>), GRAZE_KERNEL(level, box_points<T>), box_features.of}, pairs, count, apart,
+      touching, unknown);
+}
+/// And of plain boxes and triangles without a margin; slivers are `unknown`.
+template <class T, class Apart, class Touching, class Unknown>
+void visit_triangle_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
+                             const Unknown& unknown) {
+  const Isa level = chosen_isa();
+  visit_contacts<T, TriangleChoice<T>>(
+      {GRAZE_KERNEL(level, triangle_axes<T>), GRAZE_KERNEL(level, triangle_points<T>), triangle_features}, pairs, count,
+      apart, touching, unknown);
 }
 
 }  // namespace graze

@@ -26,9 +26,14 @@ PointCore<S> turned(const PointCore<S>& core, const Quat<S>& rotation, const Vec
   return {offset + rotate(rotation, core.point)};
 }
 template <class S>
-SegmentCore<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
-  const Vec3<S> half = rotation_matrix(rotation).column(1) * core.half_height;
-  return {{offset - half, offset + half}};
+TurnedAxis<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
+  return {offset, rotation_matrix(rotation).column(1), core.half_height};
+}
+
+/// The signed distance of two cores from their nearest points.
+template <class A, class B>
+auto core_distance(const A& a, const B& b) -> decltype(core_distance(a, b, nearest_points(a, b))) {
+  return core_distance(a, b, nearest_points(a, b));
 }
 
 /// Two round shapes in a frame at A's origin along the world's axes: their cores turn, and the answer has only to move.
@@ -46,14 +51,13 @@ struct RoundPair {
         radius_a(of_a.radius),
         radius_b(of_b.radius) {}
 
-  CoreDistance<S> core() const { return core_distance(a, b); }
-  Distance<S> distance(const CoreDistance<S>& core) const {
-    Distance<S> d;
-    d.distance = core.distance - (radius_a + radius_b);
-    d.normal = core.normal;
-    d.a = origin + (core.a + core.normal * radius_a);
-    d.b = origin + (core.b - core.normal * radius_b);
-    return d;
+  S radii() const { return radius_a + radius_b; }
+  CorePoints<S> nearest() const { return nearest_points(a, b); }
+  CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(a, b, nearest); }
+  /// The same of the rounded shapes, in the world.
+  CoreDistance<S> in_world(const CoreDistance<S>& core) const {
+    return {core.distance - radii(), core.normal, origin + (core.a + core.normal * radius_a),
+            origin + (core.b - core.normal * radius_b)};
   }
 };
 
@@ -77,18 +81,16 @@ struct BallAndBox {
         radius_ball(of_ball.radius),
         radius_box(of_box.radius) {}
 
-  /// From the ball to the box; `core` is of the box and the ball.
-  Distance<S> distance(const CoreDistance<S>& core) const {
+  S radii() const { return radius_ball + radius_box; }
+  /// Of the box and the ball, in the box's frame.
+  CorePoints<S> nearest() const { return nearest_points(box, ball); }
+  CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(box, ball, nearest); }
+  /// From the rounded ball to the rounded box, in the world.
+  CoreDistance<S> in_world(const CoreDistance<S>& core) const {
     const Vec3<S> outward = rotation * core.normal;
-    Distance<S> d;
-    d.distance = core.distance - (radius_ball + radius_box);
-    d.normal = -outward;
-    d.a = origin + (center - outward * radius_ball);
-    d.b = origin + (rotation * core.a + outward * radius_box);
-    return d;
+    return {core.distance - radii(), -outward, origin + (center - outward * radius_ball),
+            origin + (rotation * core.a + outward * radius_box)};
   }
-  /// From the box to the ball, in the box's frame.
-  CoreDistance<S> core() const { return core_distance(box, ball); }
 };
 
 template <class A, class B, class S>

@@ -2,18 +2,14 @@
 #include <algorithm>
 
 #include "narrow/add_point.hpp"
-#include "narrow/box_batch.hpp"
 #include "narrow/contact_side.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/core.hpp"
-#include "narrow/explain.hpp"
 #include "narrow/general.hpp"
+#include "narrow/general_contacts.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
-#include "narrow/pairs/box_triangle.hpp"
-#include "narrow/pairs/capsule_box_contact.hpp"
-#include "narrow/pairs/half_space_contacts.hpp"
-#include "narrow/pairs/round_contacts.hpp"
+#include "narrow/pairs/box_choice.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
@@ -180,10 +176,17 @@ const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
   return axes.edge.separation > face.separation + face_preference * smaller ? axes.edge : face;
 }
 
-/// What `polyhedral_contacts` answers, by the axes and faces of `pair`.
-template <class T, class Pair>
-std::optional<T> contacts_by_axes(const Pair& pair, const Side<T>& side_a, const Side<T>& side_b, const Posed& frame,
-                                  double noise, T margin, Manifold<T>& manifold, Trace* trace) {
+/// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
+/// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
+/// nearest that no axis belongs to, or when the faces miss what is nearest.
+template <class T>
+std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                     T margin, Manifold<T>& manifold, Trace* trace) {
+  if (trace) trace->method = "separating axes";
+  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
+  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
+  const PolyhedralPair pair(a, b, b_in_a);
   const double radii = side_a.radius() + side_b.radius();
   const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + radii + noise);
   const SeparatingAxis& best = axes.best(noise);
@@ -204,52 +207,10 @@ std::optional<T> contacts_by_axes(const Pair& pair, const Side<T>& side_a, const
     manifold.points.clear();
     return std::nullopt;
   }
-  if constexpr (requires { pair.name(axis); }) {
-    if (trace) trace->winner = pair.name(axis);
-    if (trace && &axis != &best)
-      trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
-  }
+  if (trace) trace->winner = pair.name(axis);
+  if (trace && &axis != &best)
+    trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
   return static_cast<T>(distance);
-}
-
-/// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
-/// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
-/// nearest that no axis belongs to, or when the faces miss what is nearest.
-template <class T>
-std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                     T margin, Manifold<T>& manifold, Trace* trace) {
-  if (trace) trace->method = "separating axes";
-  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
-  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
-  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
-  const auto* box = a.template as<Box<T>>();
-  const auto* triangle = b.template as<Triangle<T>>();
-  const auto by_axes = [&](const auto& pair) {
-    return contacts_by_axes(pair, side_a, side_b, frame, noise, margin, manifold, trace);
-  };
-  if (box && triangle && !trace) return by_axes(BoxTriangle(*box, *triangle, b_in_a));
-  return by_axes(PolyhedralPair(a, b, b_in_a));
-}
-
-/// The points of two boxes, as the kernels find them for many pairs; nothing where their faces do not tell. As
-/// `polyhedral_contacts`, in T, but also where hardly more than the distance is between the faces.
-template <class T>
-std::optional<T> box_contacts(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b, const Pose<T>& pose_b, T margin,
-                              Manifold<T>& manifold) {
-  const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
-  const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
-  const BoxChoice<T> choice = box_choice(boxes, margin);
-  if (choice.distance > margin) {
-    const detail::MeetingBoxes<T> seen(boxes, choice.axis);
-    manifold.normal = rotation_of(pose_a.rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
-    return choice.distance;
-  }
-  const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
-  if (found.known == T(0)) return std::nullopt;
-  take_points<T>(
-      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, manifold.points);
-  manifold.normal = found.normal;
-  return choice.distance;
 }
 
 /// The support face of a body that lies on a half-space: each vertex with its own height.
@@ -274,29 +235,13 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
   manifold.normal = cast<T>(rotate(frame.rotation, up));
 }
 
-template <class T>
-void mirror(Manifold<T>& manifold) {
-  manifold.normal = -manifold.normal;
-  for (ContactPoint<T>& p : manifold.points) {
-    std::swap(p.a, p.b);
-    p.feature = swapped_feature_id(p.feature);
-  }
-}
+}  // namespace
 
-/// Of two shapes in the order of the list.
 template <class T>
-T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace) {
-  const Box<T>*box_a = plain_box(a), *box_b = plain_box(b);
-  const bool boxes = !trace && box_a && box_b;
-  if (boxes)
-    if (const auto distance = box_contacts(*box_a, pose_a, *box_b, pose_b, margin, manifold)) return *distance;
-  if (!trace && !boxes) {
-    if (const auto distance = half_space_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
-    if (const auto distance = round_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
-    if (const auto distance = capsule_box_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
-  }
-  if (!boxes && has_separating_axes(a, b))
+  const bool asked_as_boxes = !trace && plain_box(a) && plain_box(b);
+  if (!asked_as_boxes && has_separating_axes(a, b))
     if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
   // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.
   const T limit = trace ? std::numeric_limits<T>::infinity() : margin;
@@ -314,23 +259,6 @@ T ordered_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
     bounded_contacts(a, pose_a, b, pose_b, margin, d, manifold);
   }
   return d.distance;
-}
-
-}  // namespace
-
-template <class T>
-T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                  Manifold<T>& manifold, Trace* trace) {
-  const bool swapped = against_order(a, b);
-  const T distance = swapped ? ordered_contacts(b, pose_b, a, pose_a, margin, manifold, trace)
-                             : ordered_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
-  if (swapped) mirror(manifold);
-  if (trace) {
-    if (swapped) mirror(*trace);
-    explain_axes(a, pose_a, b, pose_b, *trace);
-    if (!manifold.points.empty()) explain_normal(a, pose_a, b, pose_b, manifold.normal, *trace);
-  }
-  return distance;
 }
 
 template <class T>
@@ -353,9 +281,9 @@ template void contacts_along(const Shape<float>&, const Pose<float>&, const Shap
                              const Vec3<float>&, float, Manifold<float>&);
 template void contacts_along(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
                              const Vec3<double>&, double, Manifold<double>&);
-template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
-                               Manifold<float>&, Trace*);
-template double convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
-                                double, Manifold<double>&, Trace*);
+template float general_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
+                                Manifold<float>&, Trace*);
+template double general_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
+                                 double, Manifold<double>&, Trace*);
 
 }  // namespace graze

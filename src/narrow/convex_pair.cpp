@@ -123,7 +123,8 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
     if constexpr (is_round_pair<A, B>) {
       if (has_core(ca) && has_core(cb)) {
         const auto pair = round_pair_of(ca, a, cb, b);
-        return pair.distance(pair.core());
+        const CoreDistance<T> d = pair.in_world(pair.core(pair.nearest()));
+        return {d.distance, d.normal, d.a, d.b};
       }
     } else if constexpr (ClosedForm<A, B, T>) {
       if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);

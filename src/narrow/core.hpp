@@ -27,6 +27,21 @@ template <class S>
 struct BoxCore {
   Vec3<S> half;
 };
+/// No closed form is written for it.
+template <class S>
+struct TriangleCore {
+  Vec3<S> point[3];
+};
+/// An `AxisCore` where a pose puts it.
+template <class S>
+struct TurnedAxis {
+  Vec3<S> middle, axis;  ///< the axis of unit length
+  S half;
+
+  Vec3<S> at(const S& along) const { return middle + axis * along; }
+  /// Where along it lies the point nearest to one that is `along` the line through it.
+  S within(const S& along) const { return clamp(along, -half, half); }
+};
 /// Any other core: the general path answers for it.
 struct NoCore {};
 
@@ -105,6 +120,12 @@ struct CoreDistance {
   Vec3<S> normal, a, b;
 };
 
+/// The nearest points of two cores; of cores that overlap, one point of both.
+template <class S>
+struct CorePoints {
+  Vec3<S> a, b;
+};
+
 template <class S>
 CoreDistance<S> mirrored(const CoreDistance<S>& d) {
   return {d.distance, -d.normal, d.b, d.a};
@@ -143,6 +164,7 @@ CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& known
   const Vec3<S> v = b - a;
   const S along = dot(v, known), d = length(v);
   const auto is_known = length_squared(v - known * along) <= noise * noise;
+  if (!any(is_known)) return {d, direction_of(v, d), a, b};
   const Vec3<S> toward = select(along < S(0), -known, known);
   if (all(is_known)) return {d, toward, a, b};
   return {d, select(is_known, toward, direction_of(v, d)), a, b};

@@ -27,6 +27,10 @@ inline constexpr double same_cost = 1e-6;
 /// How much of the area that the faces share may be lost with corners that stand out by less than `same_place`.
 inline constexpr double spared_area = 1.0 / 40;
 
+/// A face that leans further than this from a direction (its cosine) is seen from the side: an edge or a vertex
+/// describes better what lies there. No corner of a box leans as far from all of its three faces.
+inline constexpr double furthest_lean = 0.5;
+
 /// Coordinates across the normal.
 template <class T>
 struct FlatPoint {

@@ -32,6 +32,16 @@ template <class T>
   gather<T>(rows, 0, n);
   return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
 }
+template <class T>
+[[gnu::always_inline]] inline auto load(const void* const* rows, const Triangle<T>*) {
+  static_assert(sizeof(Triangle<T>) == 9 * sizeof(T));
+  Lanes<T> n[4], m[4], last[1];
+  gather<T>(rows, 0, n);
+  gather<T>(rows, 4 * sizeof(T), m);
+  gather<T>(rows, 8 * sizeof(T), last);
+  return Rounded<TriangleCore<Lanes<T>>, Lanes<T>>{{{{n[0], n[1], n[2]}, {n[3], m[0], m[1]}, {m[2], m[3], last[0]}}},
+                                                   Lanes<T>(0)};
+}
 /// A half-space is all in its pose.
 struct Nothing {};
 template <class T>
@@ -88,11 +98,32 @@ template <class T, class S>
 [[gnu::always_inline]] inline Vec3<T> lane(const Vec3<S>& v, int i) {
   return {static_cast<T>(v.x[i]), static_cast<T>(v.y[i]), static_cast<T>(v.z[i])};
 }
-template <class T, class S>
-[[gnu::always_inline]] inline void put(const Distance<S>& d, std::size_t count, Distance<T>* to) {
+/// Writes the lanes that hold a pair, of distances or of those of cores.
+template <class T, class D>
+[[gnu::always_inline]] inline void put(const D& d, std::size_t count, Distance<T>* to) {
   for (std::size_t k = 0; k < count; ++k) {
     const int i = static_cast<int>(k);
     to[k] = {static_cast<T>(d.distance[i]), lane<T>(d.normal, i), lane<T>(d.a, i), lane<T>(d.b, i)};
+  }
+}
+
+/// Writes the points that were found of a bundle, the `first`-th pair's on, to a block of them.
+template <class T, class Found>
+[[gnu::always_inline]] inline void put(const Found& found, std::size_t first, std::size_t count,
+                                       BoxPointBlock<T>& block) {
+  const auto vector = [&](auto& columns, const Vec3<Lanes<T>>& v) {
+    for (std::size_t k = 0; k < 3; ++k) put(columns[k] + first, v[k], count);
+  };
+  vector(block.normal, found.normal);
+  put(block.filled + first, found.filled, count);
+  put(block.known + first, found.known, count);
+  for (std::size_t i = 0; i < most_block_points; ++i) {
+    const auto& slot = found.slots[i];
+    vector(block.slots[i].a, slot.a);
+    vector(block.slots[i].b, slot.b);
+    put(block.slots[i].distance + first, slot.distance, count);
+    put(block.slots[i].part_a + first, slot.part_a, count);
+    put(block.slots[i].part_b + first, slot.part_b, count);
   }
 }
 

@@ -21,13 +21,18 @@ struct PairRef {
   T margin;  ///< up to where contacts are wanted
 };
 
-/// So many pairs at most are asked about at a time where the answer is a block of arrays.
-inline constexpr std::size_t block_pairs = 16;
+/// So many pairs at most are asked about at a time where the answer is a block of arrays, and so many points of each are
+/// in one.
+inline constexpr std::size_t block_pairs = 16, most_block_points = 8;
 
 template <class S>
 struct BoxChoice;  // pairs/box_choice.hpp
+template <class S>
+struct TriangleChoice;  // pairs/box_triangle.hpp
+template <class S>
+struct BoxManifold;  // pairs/box_manifold.hpp
 
-/// The points of contact of up to `block_pairs` pairs of boxes; see `BoxManifold`. A number of a pair stands at the
+/// The points of contact of up to `block_pairs` pairs of boxes, or of boxes and triangles; see `BoxManifold`. A number of a pair stands at the
 /// pair's place in each array.
 template <class T>
 struct BoxPointBlock {
@@ -36,7 +41,7 @@ struct BoxPointBlock {
   Column filled, known;
   struct Slot {
     Column a[3], b[3], distance, part_a, part_b;
-  } slots[8];
+  } slots[most_block_points];
 };
 
 /// The contact of two shapes that touch in one point at most.
@@ -65,6 +70,13 @@ GRAZE_DECLARE_KERNEL(
     /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                        BoxPointBlock<T>& points);
+    /// The same two of pairs of a box and a triangle.
+    template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleChoice<T>* axes);
+    template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
+                                            BoxPointBlock<T>& points);
+    /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only the
+    /// normal.
+    template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);
     /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
     template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
                                                               Distance<T>* distances);

@@ -58,10 +58,13 @@ void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
   };
   for (std::size_t i = 0; i < 3; ++i) add(AxisKind::face_a, i, i, detail::unit_axis<double>(i));
   for (std::size_t j = 0; j < 3; ++j) add(AxisKind::face_b, j, j, p.rotation.column(j));
-  any_edge_pair([&](auto i, auto j) {
-    BoxAxis<double> axis = detail::no_axis<double>();
-    box_edge_axis<i, j>(p, abs(p.rotation), axis);
-    if (axis.normal != Vec3d{}) add(AxisKind::edges, i, j, axis.normal);  // parallel edges have none
+  any_of_three([&](auto i) {
+    const BoxEdgeAxes<double> edges = box_edges<i>(p);
+    for (int j = 0; j < 3; ++j) {
+      BoxAxis<double> axis = detail::no_axis<double>();
+      keep_edge<i>(edges, j, axis);
+      if (axis.normal != Vec3d{}) add(AxisKind::edges, i, static_cast<std::size_t>(j), axis.normal);  // not parallel
+    }
     return false;
   });
 }

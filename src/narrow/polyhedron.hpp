@@ -10,12 +10,9 @@
 
 #include "graze/shape.hpp"
 #include "narrow/manifold.hpp"
+#include "narrow/outline.hpp"
 
 namespace graze {
-
-/// A face that leans further than this from a direction (its cosine) is seen from the side: an edge or a vertex
-/// describes better what lies there. No corner of a box leans as far from all of its three faces.
-inline constexpr double furthest_lean = 0.5;
 
 class Polyhedron {
  public:

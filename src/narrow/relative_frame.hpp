@@ -26,10 +26,14 @@ Mat3<S> rotation_of(const Quat<S>& q) {
       {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}}};
 }
 
+/// `turn_a` is A's rotation as a matrix.
+template <class S>
+RelativeFrame<S> relative_frame(const Pose<S>& a, const Mat3<S>& turn_a, const Pose<S>& b) {
+  return {rotation_of(conjugate(a.rotation) * b.rotation), transposed_times(turn_a, b.translation - a.translation)};
+}
 template <class S>
 RelativeFrame<S> relative_frame(const Pose<S>& a, const Pose<S>& b) {
-  return {rotation_of(conjugate(a.rotation) * b.rotation),
-          transposed_times(rotation_of(a.rotation), b.translation - a.translation)};
+  return relative_frame(a, rotation_of(a.rotation), b);
 }
 
 }  // namespace graze

@@ -112,6 +112,8 @@ class Together {
       boxes(queue);
     else if (is_rest(route))
       with_resting_kind<T>(route, [&]<class A>() { rests<A>(turned, queue); });
+    else if (route == Route::box_triangle)
+      triangles(turned, queue);
     else
       round(route, turned, queue);
   }
@@ -134,6 +136,29 @@ class Together {
           touching(queue.places[k], distance, points.normal(), points);
         });
   }
+  void triangles(bool turned, const Queue<T>& queue) {
+    visit_triangle_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
+        [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
+          touching(queue.places[k], distance, turned ? -normal : normal, Turned{points, turned});
+        },
+        [&](std::size_t k) { single_(queue.places[k]); });
+  }
+  /// Points of two bodies that may stand the other way round.
+  struct Turned {
+    const BoxPoints<T>& points;
+    bool turned;
+    template <class Points>
+    std::size_t append(Points& to) const {
+      const std::size_t first = to.size(), count = points.append(to);
+      for (std::size_t i = first; turned && i < first + count; ++i) {
+        ContactPoint<T>& p = to[i];
+        std::swap(p.a, p.b);
+        p.feature = swapped_feature_id(p.feature);
+      }
+      return count;
+    }
+  };
   template <class Points>
   void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
     writer_.begin(pair, distance <= T(0));

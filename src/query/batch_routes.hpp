@@ -22,6 +22,7 @@ enum class Route : std::uint8_t {
   sphere_half_space,
   capsule_half_space,
   box_half_space,
+  box_triangle,
   none
 };
 inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none), round_route_count = 5;
@@ -49,6 +50,7 @@ class Routes {
     add<Sphere<T>, HalfSpace<T>>(Route::sphere_half_space);
     add<Capsule<T>, HalfSpace<T>>(Route::capsule_half_space);
     add<Box<T>, HalfSpace<T>>(Route::box_half_space);
+    add<Box<T>, Triangle<T>>(Route::box_triangle);
   }
   constexpr std::uint8_t operator()(std::size_t kind_a, std::size_t kind_b) const {
     return queues_[kind_a * Shape<T>::count + kind_b];
@@ -77,6 +79,7 @@ void with_round_kinds(Route route, const F& f) {
   case Route::sphere_half_space:
   case Route::capsule_half_space:
   case Route::box_half_space:
+  case Route::box_triangle:
   case Route::none: break;
   }
 }
@@ -101,7 +104,7 @@ struct Queue {
   std::size_t count = 0;
 };
 
-/// The kinds that kernels take.
+/// The kinds whose pairs a world puts together for kernels.
 template <class C, class T>
 inline constexpr bool has_route = std::is_same_v<C, Sphere<T>> || std::is_same_v<C, Capsule<T>> ||
                                   std::is_same_v<C, Box<T>> || std::is_same_v<C, HalfSpace<T>>;
@@ -110,13 +113,15 @@ inline constexpr bool has_route = std::is_same_v<C, Sphere<T>> || std::is_same_v
 /// along every side.
 template <class T>
 bool regular(std::size_t kind, const void* concrete) {
-  if (kind == detail::kind_of<Sphere<T>, T>() || kind == detail::kind_of<HalfSpace<T>, T>()) return true;
+  if (kind == detail::kind_of<Sphere<T>, T>() || kind == detail::kind_of<HalfSpace<T>, T>() ||
+      kind == detail::kind_of<Triangle<T>, T>())
+    return true;
   if (kind == detail::kind_of<Box<T>, T>()) return regular_box(static_cast<const Box<T>*>(concrete)->half_extents());
   const auto& capsule = *static_cast<const Capsule<T>*>(concrete);
   return !capsule.tapered() && capsule.half_height() > T(0);
 }
 
-/// The concrete shape, if it is such a one and has no margin, else null.
+/// The concrete shape, if it is of such a kind, regular and without a margin, else null.
 template <class T>
 const void* regular_concrete(const Shape<T>& shape) {
   if (shape.margin() != T(0)) return nullptr;

@@ -1,4 +1,4 @@
-// The kernel for contacts of two boxes against the general way to lay faces over each other, which answers wherever an
+// The kernels for contacts of two boxes, and of a box and a triangle, against the general way to lay faces over each other, which answers wherever an
 // explanation is asked for.
 #include <gtest/gtest.h>
 
@@ -44,13 +44,27 @@ T deepest(const Manifold<T>& m) {
       ->distance;
 }
 
+Vec3f half_extents(Random& random) { return abs(random_vector(random, 0.8f)) + Vec3f{0.2f, 0.2f, 0.2f}; }
+
 template <class T>
-void expect_agreement(unsigned seed, double scale, double tolerance_of_size) {
+Shape<T> random_box(Random& random, T scale) {
+  return Box<T>(cast<T>(half_extents(random)) * scale);
+}
+/// Some of them slivers, to which other ways lead.
+template <class T>
+Shape<T> random_triangle(Random& random, T scale) {
+  const auto corner = [&] { return cast<T>(random_vector(random, 1)) * scale; };
+  const Vec3<T> a = corner(), b = corner(), c = corner(), middle = (a + b + c) / T(3);
+  return Triangle<T>(a - middle, b - middle, c - middle);
+}
+
+/// `make(random, scale)` gives the second shape of each pair.
+template <class T, class Make>
+void expect_agreement(const Make& make, unsigned seed, double scale, double tolerance_of_size) {
   Random random(seed);
   std::size_t compared = 0, other_axis = 0, other_area = 0, other_count = 0;
   for (int i = 0; i < 10000; ++i) {
-    const Vec3f half_a = abs(random_vector(random, 0.8f)) + Vec3f{0.2f, 0.2f, 0.2f},
-                half_b = abs(random_vector(random, 0.8f)) + Vec3f{0.2f, 0.2f, 0.2f};
+    const Shape<T> a = random_box(random, T(scale)), b = make(random, T(scale));
     const Quatf turn = random_rotation(random), other = random_rotation(random);
     const Vec3f lean = random_vector(random, 0.01f);
     const auto pose = [&](const Vec3f& place, const Quatf& q) {
@@ -59,7 +73,6 @@ void expect_agreement(unsigned seed, double scale, double tolerance_of_size) {
     const Pose<T> pose_a = pose(random_vector(random, 0.4f), turn);
     const Pose<T> pose_b =
         pose(random_vector(random, 0.4f), i % 2 == 0 ? other : turn * Quatf{lean.x, lean.y, lean.z, 1});
-    const Shape<T> a = Box<T>(cast<T>(half_a) * T(scale)), b = Box<T>(cast<T>(half_b) * T(scale));
     Manifolds<T> fast, general;
     Trace trace;
     const T margin = contact_margin(a, b);
@@ -92,13 +105,17 @@ void expect_agreement(unsigned seed, double scale, double tolerance_of_size) {
   EXPECT_LT(other_count, compared / 50);
 }
 
-TEST(BoxManifold, AgreesWithFacesLaidOverEachOtherInDouble) {
-  for (const double scale : {1e-4, 1.0, 1e4}) expect_agreement<double>(1, scale, 1e-9);
+template <class T>
+void expect_agreement(unsigned seed, double tolerance_of_size) {
+  for (const double scale : {1e-4, 1.0, 1e4}) {
+    expect_agreement<T>(random_box<T>, seed, scale, tolerance_of_size);
+    expect_agreement<T>(random_triangle<T>, seed, scale, tolerance_of_size);
+  }
 }
 
-TEST(BoxManifold, AgreesWithFacesLaidOverEachOtherInFloat) {
-  for (const double scale : {1e-4, 1.0, 1e4}) expect_agreement<float>(2, scale, 2e-5);
-}
+TEST(BoxManifold, AgreesWithFacesLaidOverEachOtherInDouble) { expect_agreement<double>(1, 1e-9); }
+
+TEST(BoxManifold, AgreesWithFacesLaidOverEachOtherInFloat) { expect_agreement<float>(2, 2e-5); }
 
 }  // namespace
 }  // namespace graze::testing

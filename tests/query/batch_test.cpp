@@ -21,11 +21,11 @@ struct Crowd {
 
   explicit Crowd(std::size_t count, unsigned seed) {
     Random random(seed);
-    constexpr Kind often[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::box};
+    constexpr Kind often[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::box, Kind::triangle};
     for (std::size_t i = 0; i < count; ++i) {
       const Kind kind = i % 12 == 11 ? Kind::half_space
                         : i % 4 == 3 ? static_cast<Kind>(random() % kind_count)
-                                     : often[random() % 4];
+                                     : often[random() % 5];
       const Specimen specimen = random_specimen(kind, 1, random);
       const PlacedSpecimen placed{specimen, random_vector(random, 0.7f),
                                   i % 3 == 0 ? Quatf{} : random_rotation(random)};
@@ -133,22 +133,28 @@ TEST(Batch, TakesOneShapeForAllAndArraysOfOneKind) {
   std::vector<Pose<float>> poses;
   std::vector<Box<float>> boxes;
   std::vector<Sphere<float>> spheres;
+  std::vector<Triangle<float>> triangles;
   std::vector<Pose<float>> one_pose{Pose<float>{}};
   for (int i = 0; i < 100; ++i) {
     poses.push_back({random_vector(random, 1.0f), random_rotation(random)});
     boxes.emplace_back(abs(random_vector(random, 1.0f)) + Vec3f{0.1f, 0.1f, 0.1f});
     spheres.emplace_back(0.3f, random_vector(random, 1.0f));
+    const Vec3f corner = random_vector(random, 1.0f), side = random_vector(random, 1.0f);
+    triangles.emplace_back(corner, corner + side, corner + (i % 10 == 0 ? side : random_vector(random, 1.0f)));
   }
   const std::vector<Box<float>> one_box{Box<float>({1, 0.5f, 0.7f})};
   using BoxSpan = std::span<const Box<float>>;
   using PoseSpan = std::span<const Pose<float>>;
   const Bodies<float> one(BoxSpan{one_box}, PoseSpan{one_pose}), many_poses(BoxSpan{one_box}, PoseSpan{poses}),
-      many(BoxSpan{boxes}, PoseSpan{poses}), balls(std::span<const Sphere<float>>(spheres), PoseSpan{one_pose});
+      many(BoxSpan{boxes}, PoseSpan{poses}), balls(std::span<const Sphere<float>>(spheres), PoseSpan{one_pose}),
+      flats(std::span<const Triangle<float>>(triangles), PoseSpan{poses});
   expect_same(Batch<float>(one, many_poses), 0.01f);
   expect_same(Batch<float>(one, many), 0.01f);
   expect_same(Batch<float>(many, many_poses), 0.01f);
   expect_same(Batch<float>(many, balls), 0.01f);
   expect_same(Batch<float>(balls, balls), 0.01f);
+  expect_same(Batch<float>(one, flats), 0.01f);
+  expect_same(Batch<float>(flats, many), 0.01f);
 }
 
 TEST(Batch, GivesTheGoldenBits) {

@@ -12,6 +12,7 @@
 
 #include "graze/mat3.hpp"
 #include "graze/wide.hpp"
+#include "lanes/several.hpp"
 #include "narrow/core.hpp"
 
 namespace graze {
@@ -96,52 +97,55 @@ BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
   return best;
 }
 
-/// The product of A's i-th and B's j-th axis, e_i x b_j, not of unit length. A's axis is a unit vector of the frame, so
-/// one component is zero and the others are entries of the rotation. B's other axes are projected on these components
+/// The products of A's i-th with each of B's axes, e_i x b_j, not of unit length. A's axis is a unit vector of the frame,
+/// so one component is zero and the others are entries of the rotation. B's other axes are projected on these components
 /// and not read from the rotation as orthogonality would allow (Eberly's table): an entry is off by a rounding of one,
 /// and divided by the length of the product of two edges that are nearly parallel that would be seen.
 template <class S>
-struct BoxEdgeAxis {
-  S along_1, along_2;  ///< the components along the two axes of A that follow the i-th
-  S middle, reach;     ///< of the centres' distance along it, signed, and of both half extents
-  S length_squared() const { return along_1 * along_1 + along_2 * along_2; }
+struct BoxEdgeAxes {
+  using Row = Several<S, 3>;
+  Row along_1, along_2;  ///< the components along the two axes of A that follow the i-th
+  Row middle, reach;     ///< of the centres' distance along it, signed, and of both half extents
+  Row length_squared() const { return along_1 * along_1 + along_2 * along_2; }
+  /// The separation times the length.
+  Row gap() const { return abs(middle) - reach; }
 };
 
-template <std::size_t I, std::size_t J, class S>
-BoxEdgeAxis<S> box_edge(const BoxPair<S>& p, const Mat3<S>& absolute) {
-  using std::abs;
-  constexpr std::size_t i1 = (I + 1) % 3, i2 = (I + 2) % 3, j1 = (J + 1) % 3, j2 = (J + 2) % 3;
-  const Vec3<S>&r1 = p.rotation.row[i1], &r2 = p.rotation.row[i2];
-  const S x = r1[J], y = r2[J];
-  const S of_b1 = abs(r2[j1] * x - r1[j1] * y), of_b2 = abs(r2[j2] * x - r1[j2] * y);
-  return {-y, x, p.translation[i2] * x - p.translation[i1] * y,
-          p.half_a[i1] * absolute.row[i2][J] + p.half_a[i2] * absolute.row[i1][J] + p.half_b[j1] * of_b1 +
-              p.half_b[j2] * of_b2};
+template <std::size_t I, class S>
+BoxEdgeAxes<S> box_edges(const BoxPair<S>& p) {
+  using Row = Several<S, 3>;
+  constexpr std::size_t i1 = (I + 1) % 3, i2 = (I + 2) % 3;
+  const Row x(p.rotation.row[i1]), y(p.rotation.row[i2]), half_b(p.half_b);
+  // Of each of B's axes along the product of the one before, and so of the one before along that of this.
+  const Row across = abs(following(y) * x - following(x) * y);
+  return {-y, x, Row(p.translation[i2]) * x - Row(p.translation[i1]) * y,
+          Row(p.half_a[i1]) * abs(y) + Row(p.half_a[i2]) * abs(x) + following(half_b) * across +
+              preceding(half_b) * preceding(across)};
 }
 
-template <std::size_t I, std::size_t J, class S>
-void box_edge_axis(const BoxPair<S>& p, const Mat3<S>& absolute, BoxAxis<S>& best) {
-  using std::abs, std::sqrt;
-  const BoxEdgeAxis<S> edge = box_edge<I, J>(p, absolute);
-  const S squared = edge.length_squared();
+/// Calls `f(I)` with a constant for each of three axes until it says that it knows enough. Constants leave nothing of the
+/// cyclic indices to run time.
+template <class F>
+bool any_of_three(F&& f) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return (f(std::integral_constant<std::size_t, I>{}) || ...);
+  }
+  (std::make_index_sequence<3>{});
+}
+
+/// Takes the product of A's I-th and B's j-th axis where it is better.
+template <std::size_t I, class S>
+void keep_edge(const BoxEdgeAxes<S>& edges, int j, BoxAxis<S>& best) {
+  using std::sqrt;
+  const S squared = edges.length_squared()[j];
   const auto distinct = squared > S(parallel_edges<S>);
   const S scale = S(1) / sqrt(select(distinct, squared, S(1)));
-  const S toward = select(edge.middle < S(0), -scale, scale);
+  const S toward = select(edges.middle[j] < S(0), -scale, scale);
   Vec3<S> normal{S(0), S(0), S(0)};
-  normal[(I + 1) % 3] = edge.along_1 * toward;
-  normal[(I + 2) % 3] = edge.along_2 * toward;
-  const S separation = (abs(edge.middle) - edge.reach) * scale;
-  detail::keep(best, distinct & (separation > best.separation), separation, normal, static_cast<int>(6 + 3 * I + J));
-}
-
-/// Calls `f(I, J)`, two constants, for the nine pairs of edges until it says that it knows enough. As constants they
-/// leave nothing of the cyclic indices to run time.
-template <class F>
-bool any_edge_pair(F&& f) {
-  return [&]<std::size_t... K>(std::index_sequence<K...>) {
-    return (f(std::integral_constant<std::size_t, K / 3>{}, std::integral_constant<std::size_t, K % 3>{}) || ...);
-  }
-  (std::make_index_sequence<9>{});
+  normal[(I + 1) % 3] = edges.along_1[j] * toward;
+  normal[(I + 2) % 3] = edges.along_2[j] * toward;
+  const S separation = edges.gap()[j] * scale;
+  detail::keep(best, distinct & (separation > best.separation), separation, normal, static_cast<int>(6 + 3 * I) + j);
 }
 
 /// All fifteen axes; without those of edges where faces already keep all lanes' boxes more than `enough` apart.
@@ -150,8 +154,9 @@ BoxAxes<S> box_axes(const BoxPair<S>& p, const S& enough) {
   const Mat3<S> absolute = abs(p.rotation);
   BoxAxes<S> axes{box_axes_of_a(p), box_axes_of_b(p, absolute), detail::no_axis<S>()};
   if (all(greatest(axes.face_a.separation, axes.face_b.separation) > enough)) return axes;
-  any_edge_pair([&](auto i, auto j) {
-    box_edge_axis<i, j>(p, absolute, axes.edge);
+  any_of_three([&](auto i) {
+    const BoxEdgeAxes<S> edges = box_edges<i>(p);
+    for (int j = 0; j < 3; ++j) keep_edge<i>(edges, j, axes.edge);
     return false;
   });
   return axes;
@@ -176,12 +181,14 @@ auto boxes_apart(const BoxPair<S>& p, const S& enough, bool faces_only = false) 
     apart = apart | (abs(dot(p.translation, p.rotation.column(j))) - reach > enough);
   }
   if (faces_only) return apart;
-  any_edge_pair([&](auto i, auto j) {
+  any_of_three([&](auto i) {
     if (all(apart)) return true;
-    const BoxEdgeAxis<S> edge = box_edge<i, j>(p, absolute);
-    const S gap = abs(edge.middle) - edge.reach, squared = edge.length_squared();
-    const auto distinct = squared > S(parallel_edges<S>);
-    apart = apart | (distinct & (gap > S(0)) & (gap * gap > enough * enough * squared));
+    const BoxEdgeAxes<S> edges = box_edges<i>(p);
+    const auto gaps = edges.gap(), squares = edges.length_squared();
+    for (int j = 0; j < 3; ++j) {
+      const S gap = gaps[j], squared = squares[j];
+      apart = apart | ((squared > S(parallel_edges<S>)) & (gap > S(0)) & (gap * gap > enough * enough * squared));
+    }
     return false;
   });
   return apart;

@@ -42,21 +42,8 @@ template <class T>
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
     }
-    const BoxManifold<S> found = box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b);
-    const auto vector = [&](auto& columns, const Vec3<S>& v) {
-      for (std::size_t k = 0; k < 3; ++k) put(columns[k] + first, v[k], bundle.count);
-    };
-    vector(points.normal, found.normal);
-    put(points.filled + first, found.filled, bundle.count);
-    put(points.known + first, found.known, bundle.count);
-    for (std::size_t i = 0; i < most_box_points; ++i) {
-      const auto& slot = found.slots[i];
-      vector(points.slots[i].a, slot.a);
-      vector(points.slots[i].b, slot.b);
-      put(points.slots[i].distance + first, slot.distance, bundle.count);
-      put(points.slots[i].part_a + first, slot.part_a, bundle.count);
-      put(points.slots[i].part_b + first, slot.part_b, bundle.count);
-    }
+    put(box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b), first, bundle.count,
+        points);
   }
 }
 

@@ -76,13 +76,15 @@ inline std::optional<BoxTranslation> box_translation(BoxPair<double> p, const Ve
     slabs.clip(dot(p.translation, axis), dot(velocity, axis), p.half_b[j] + dot(absolute.column(j), p.half_a), 1,
                static_cast<int>(3 + j));
   }
-  any_edge_pair([&](auto i, auto j) {
-    if (slabs.never()) return true;
-    const BoxEdgeAxis<double> edge = box_edge<i, j>(p, absolute);
-    const double squared = edge.length_squared();
-    if (!(squared > parallel_edges<double>)) return false;
-    const double pace = edge.along_1 * velocity[(i + 1) % 3] + edge.along_2 * velocity[(i + 2) % 3];
-    slabs.clip(edge.middle, pace, edge.reach, squared, static_cast<int>(6 + 3 * i + j));
+  any_of_three([&](auto i) {
+    const BoxEdgeAxes<double> edges = box_edges<i>(p);
+    const auto squares = edges.length_squared();
+    for (int j = 0; j < 3; ++j) {
+      if (slabs.never()) return true;
+      if (!(squares[j] > parallel_edges<double>)) continue;
+      const double pace = edges.along_1[j] * velocity[(i + 1) % 3] + edges.along_2[j] * velocity[(i + 2) % 3];
+      slabs.clip(edges.middle[j], pace, edges.reach[j], squares[j], static_cast<int>(6 + 3 * i) + j);
+    }
     return false;
   });
   if (slabs.never()) return BoxTranslation{std::numeric_limits<double>::infinity(), std::nullopt};

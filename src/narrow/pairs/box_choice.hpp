@@ -37,20 +37,72 @@ struct BoxChoice {
   S axis;      ///< its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th
 };
 
-/// The largest separation along the products of edges, and the number of that axis.
+/// The first of the three axes of a box along which it is furthest from the other; they have the numbers from `number` on.
 template <class S>
-S box_edges(const BoxPair<S>& p, const Mat3<S>& absolute, S& number) {
+struct BestFace {
+  S separation, number;
+
+  BestFace(const Several<S, 3>& separations, int first)
+      : separation(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), number(0) {
+    for (int i = 0; i < 3; ++i) {
+      const S here = separations[i];
+      const auto better = here > separation;
+      separation = select(better, here, separation);
+      number = select(better, S(static_cast<typename LaneOf<S>::type>(first + i)), number);
+    }
+  }
+};
+
+/// The separations along A's axes.
+template <class S>
+Several<S, 3> box_faces_of_a(const BoxPair<S>& p) {
+  using Row = Several<S, 3>;
+  const auto reach = [&](std::size_t j) { return abs(Row(p.rotation.column(j))) * Row(p.half_b[j]); };
+  return abs(Row(p.translation)) - (Row(p.half_a) + (reach(0) + reach(1) + reach(2)));
+}
+
+/// And along B's.
+template <class S>
+Several<S, 3> box_faces_of_b(const BoxPair<S>& p) {
+  using Row = Several<S, 3>;
+  const Row x(p.rotation.row[0]), y(p.rotation.row[1]), z(p.rotation.row[2]);
+  const Vec3<S>&t = p.translation, &half = p.half_a;
+  const Row reach = abs(x) * Row(half.x) + abs(y) * Row(half.y) + abs(z) * Row(half.z);
+  return abs(x * Row(t.x) + y * Row(t.y) + z * Row(t.z)) - (Row(p.half_b) + reach);
+}
+
+/// The axis of either along which they are furthest apart.
+template <class S>
+BestFace<S> best_face(const BoxPair<S>& p) {
+  BestFace<S> best(box_faces_of_a(p), 0);
+  const BestFace<S> of_b(box_faces_of_b(p), 3);
+  const auto b_better = of_b.separation > best.separation;
+  best.separation = select(b_better, of_b.separation, best.separation);
+  best.number = select(b_better, of_b.number, best.number);
+  return best;
+}
+
+/// The largest separation along those products of edges that show a larger one than `face`, and the number of that axis;
+/// minus infinity where none does.
+template <class S>
+S best_edges(const BoxPair<S>& p, const S& face, S& number) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
+  using Row = Several<S, 3>;
   // Separations along edges are compared by their squares with their signs, a product each in place of a root.
+  const Row least_square(face * abs(face)), parallel(S(parallel_edges<S>));
   S gap(-std::numeric_limits<T>::infinity()), squared(1);
-  any_edge_pair([&](auto i, auto j) {
-    const BoxEdgeAxis<S> edge = box_edge<i, j>(p, absolute);
-    const S g = abs(edge.middle) - edge.reach, length = edge.length_squared(), signed_square = g * abs(g);
-    const auto better = (length > S(parallel_edges<S>)) & (signed_square * squared > gap * length);
-    gap = select(better, signed_square, gap);
-    squared = select(better, length, squared);
-    number = select(better, S(T(6 + 3 * i + j)), number);
+  any_of_three([&](auto i) {
+    const BoxEdgeAxes<S> edges = box_edges<i>(p);
+    const Row gaps = edges.gap(), lengths = edges.length_squared(), signed_squares = gaps * abs(gaps);
+    const auto promising = (lengths > parallel) & (signed_squares > least_square * lengths);
+    if (!any(promising)) return false;
+    for (int j = 0; j < 3; ++j) {
+      const auto better = promising[j] & (signed_squares[j] * squared > gap * lengths[j]);
+      gap = select(better, signed_squares[j], gap);
+      squared = select(better, lengths[j], squared);
+      number = select(better, S(static_cast<T>(6 + 3 * static_cast<int>(i) + j)), number);
+    }
     return false;
   });
   const S length = sqrt(abs(gap) / squared);
@@ -63,24 +115,12 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
-  const Mat3<S> absolute = abs(p.rotation);
-  S face(-std::numeric_limits<T>::infinity()), face_number(0);
-  const auto keep_face = [&](const S& separation, int number) {
-    const auto better = separation > face;
-    face = select(better, separation, face);
-    face_number = select(better, S(T(number)), face_number);
-  };
-  for (std::size_t i = 0; i < 3; ++i)
-    keep_face(abs(p.translation[i]) - (p.half_a[i] + dot(absolute.row[i], p.half_b)), static_cast<int>(i));
-  for (std::size_t j = 0; j < 3; ++j)
-    keep_face(abs(dot(p.translation, p.rotation.column(j))) - (p.half_b[j] + dot(absolute.column(j), p.half_a)),
-              static_cast<int>(3 + j));
-
+  const auto [face, face_number] = best_face(p);
   const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
   // Where a face tells that they are further apart than anybody asks, edges need not be tried.
   const Mask decided = face > margin + noise;
   S edge(-std::numeric_limits<T>::infinity()), edge_number(6);
-  if (!all(decided)) edge = select(decided, edge, box_edges(p, absolute, edge_number));
+  if (!all(decided)) edge = select(decided, edge, best_edges(p, face, edge_number));
   const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
   const S separation = select(edge_best, edge, face);
   const S distance = select(abs(separation) <= noise, S(0), separation);

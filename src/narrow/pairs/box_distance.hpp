@@ -226,11 +226,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S slack = noise * S(T(witness_slack));
-  const Mat3<S> absolute = abs(p.rotation);
-  const BoxAxis<S> of_a = box_axes_of_a(p), of_b = box_axes_of_b(p, absolute);
-  const Mask b_better = of_b.separation > of_a.separation;
-  const S face = select(b_better, of_b.separation, of_a.separation),
-          face_number = select(b_better, of_b.number, of_a.number);
+  const auto [face, face_number] = best_face(p);
   const Mask apart = face > noise;
   BoxNearest<S> nearest{};
   if (any(apart)) {
@@ -239,7 +235,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
     if (all(nearest.proven)) return nearest;
   }
   S edge_number(6);
-  const S edge = box_edges(p, absolute, edge_number);
+  const S edge = best_edges(p, face, edge_number);
   const Mask by_edge = edge > face + noise;
   const S axis = select(by_edge, edge_number, face_number), separation = select(by_edge, edge, face);
   const BoxNearest<S> along = along_axis(p, axis, separation, slack);

@@ -151,14 +151,9 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
   faces.slack = noise;
   faces.slack_uv = {noise * per_length.x, noise * per_length.y};
 
-  detail::Corner<S> corners[most_box_points];
-  faces.corners(corners);
-  S apart[most_box_points], nearest(std::numeric_limits<T>::infinity());
-  for (std::size_t i = 0; i < most_box_points; ++i) {
-    apart[i] = faces.apart_at(corners[i].at);
-    nearest = select(corners[i].is, least(apart[i], nearest), nearest);
-  }
-  detail::drop_idle_corners(corners, apart, near);
+  detail::Ring<S> corners = faces.shared();
+  const S nearest = corners.find_deepest();
+  detail::drop_idle_corners(corners, near);
 
   // From the clipping box to the world.
   const Pose<S> frame{select(boxes.by_b, pose_b.translation, pose_a.translation),
@@ -182,19 +177,20 @@ BoxManifold<S> box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, con
   BoxManifold<S> found;
   found.normal = select(boxes.by_b, -across, across);
   found.filled = zero;
-  for (std::size_t i = 0; i < most_box_points; ++i) {
-    const Mask here = corners[i].is & (apart[i] <= limit);
+  for (std::size_t i = 0; i < corners.size; ++i) {
+    const S& apart = corners.apart[i];
+    const Mask here = corners.is[i] & (apart <= limit);
     if (!any(here)) continue;
-    const FlatPoint<S>& at = corners[i].at;
+    const FlatPoint<S> at = corners.at(i);
     const FlatPoint<S> uv = faces.in_uv(at);
     const Vec3<S> place{at.x, at.y, height}, on_clip{dot(wx, place), dot(wy, place), dot(wz, place)},
-        on_other = on_clip + across * apart[i];
+        on_other = on_clip + across * apart;
     const S of_clip = clip_face + side(at.x, rim.x) + side(at.y, rim.y) * S(3),
             of_other = other_face + side(uv.x, rim_uv.x) + side(uv.y, rim_uv.y) * S(3);
     auto& slot = found.slots[i];
     slot.a = frame.translation + select(boxes.by_b, on_other, on_clip);
     slot.b = frame.translation + select(boxes.by_b, on_clip, on_other);
-    slot.distance = apart[i];
+    slot.distance = apart;
     slot.part_a = select(boxes.by_b, of_other, of_clip);
     slot.part_b = select(boxes.by_b, of_clip, of_other);
     found.filled = found.filled + select(here, S(T(1 << i)), zero);

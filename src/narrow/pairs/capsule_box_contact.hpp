@@ -25,12 +25,10 @@ RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox
   const Vec3<S> core = found.at.b + n * box.radius - box.pose.translation;
   const S up = dot(rotation_of(capsule.pose.rotation).column(1), n), lean(face_lean<typename LaneOf<S>::type>);
   const auto lies = (up * up <= lean * lean) & (found.at.distance <= limit);
-  RoundContact<S> contact{};
-  contact.at = found.at;
-  contact.part_a = select(up > S(0), S(1), S(0));
-  contact.part_b = round::box_part(box.half, transposed_times(turn, -n), transposed_times(turn, core));
-  contact.known = select(found.proven & (!lies), S(1), S(0));
-  return contact;
+  return {{found.at.distance, n, found.at.a, found.at.b},
+          select(up > S(0), S(1), S(0)),
+          round::box_part(box.half, transposed_times(turn, -n), transposed_times(turn, core)),
+          select(found.proven & (!lies), S(1), S(0))};
 }
 
 /// In double, as the distance.
@@ -40,18 +38,18 @@ RoundContact<T> round_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& p
   const auto capsule = cast<double>(placed_box(a, pose_a)), box = cast<double>(placed_box(b, pose_b));
   const RoundContact<double> found =
       capsule_box_contact(capsule, box, box_distance(capsule, box), before_rounding<T>(static_cast<double>(margin)));
-  return {rounded<T>(found.at), static_cast<T>(found.part_a), static_cast<T>(found.part_b),
+  const CoreDistance<double>& at = found.at;
+  return {{static_cast<T>(at.distance), cast<T>(at.normal), cast<T>(at.a), cast<T>(at.b)},
+          static_cast<T>(found.part_a),
+          static_cast<T>(found.part_b),
           static_cast<T>(found.known)};
 }
 
-/// Of two shapes in the order of the list, as `round_contacts`. Nothing of other shapes.
 template <class T>
-std::optional<T> capsule_box_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                      const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  const auto* capsule = a.template as<Capsule<T>>();
-  const auto* box = b.template as<Box<T>>();
-  if (!capsule || !box || !even_with_length(*capsule) || !thick(*box)) return std::nullopt;
-  return round_contacts(*capsule, a.margin(), pose_a, *box, b.margin(), pose_b, margin, manifold);
+std::optional<T> own_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
+                              const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  if (!round::regular(a) || !round::regular(b)) return std::nullopt;
+  return round_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
 }
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Boxes, balls and even capsules on a half-space: the support face, each of its corners with its own height, in T.
+// Boxes, balls and even capsules on a half-space: the points that `rest` finds, as a manifold.
 //
 // Guarantee: the distance is that of `distance`, bit for bit; the points are those that the general path gives, up to
 // rounding, under the same names. Nothing is answered for other shapes.
@@ -11,25 +11,38 @@
 
 namespace graze {
 
-/// `b` is the half-space. Fills the manifold as `convex_contacts`, and returns the distance.
+/// Of a body on a half-space: fills the manifold as `convex_contacts`, and returns the distance.
+template <class C, class T>
+T resting_contacts(const C& body, T margin_body, const Pose<T>& pose_body, T margin_plane, const Pose<T>& pose_plane,
+                   T margin, Manifold<T>& manifold) {
+  const Rest<T> found = rest(rounded_core(body, margin_body), pose_body, margin_plane, pose_plane, margin);
+  manifold.normal = -found.up;
+  each_rest_point<T>(
+      static_cast<unsigned>(found.filled), points_together(body, margin_body),
+      [&](std::size_t i) { return found.slots[i]; }, [&](const ContactPoint<T>& p) { manifold.points.push_back(p); });
+  return found.distance;
+}
+
 template <class T>
-std::optional<T> half_space_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                     T margin, Manifold<T>& manifold) {
-  if (!b.template as<HalfSpace<T>>()) return std::nullopt;
-  const auto contacts = [&](const auto& body) {
-    const Rest<T> found = rest(rounded_core(body, a.margin()), pose_a, b.margin(), pose_b, margin);
-    manifold.normal = -found.up;
-    each_rest_point<T>(
-        static_cast<unsigned>(found.filled), points_together(body, a.margin()),
-        [&](std::size_t i) { return found.slots[i]; }, [&](const ContactPoint<T>& p) { manifold.points.push_back(p); });
-    return found.distance;
-  };
-  if (const auto* ball = a.template as<Sphere<T>>()) return contacts(*ball);
-  if (const auto* capsule = a.template as<Capsule<T>>())
-    return has_core(*capsule) && capsule->half_height() > T(0) ? std::optional(contacts(*capsule)) : std::nullopt;
-  // The corners of a rounded box do not lie straight above its lowest points.
-  const auto* box = a.template as<Box<T>>();
-  return box && a.margin() == T(0) ? std::optional(contacts(*box)) : std::nullopt;
+std::optional<T> own_contacts(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball, const HalfSpace<T>&,
+                              T margin_plane, const Pose<T>& pose_plane, T margin, Manifold<T>& manifold) {
+  return resting_contacts(ball, margin_ball, pose_ball, margin_plane, pose_plane, margin, manifold);
+}
+
+template <class T>
+std::optional<T> own_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose_capsule,
+                              const HalfSpace<T>&, T margin_plane, const Pose<T>& pose_plane, T margin,
+                              Manifold<T>& manifold) {
+  if (!has_core(capsule) || !(capsule.half_height() > T(0))) return std::nullopt;
+  return resting_contacts(capsule, margin_capsule, pose_capsule, margin_plane, pose_plane, margin, manifold);
+}
+
+/// Not of a rounded box, whose corners do not lie straight above its lowest points.
+template <class T>
+std::optional<T> own_contacts(const Box<T>& box, T margin_box, const Pose<T>& pose_box, const HalfSpace<T>&,
+                              T margin_plane, const Pose<T>& pose_plane, T margin, Manifold<T>& manifold) {
+  if (margin_box != T(0)) return std::nullopt;
+  return resting_contacts(box, margin_box, pose_box, margin_plane, pose_plane, margin, manifold);
 }
 
 }  // namespace graze

@@ -16,7 +16,7 @@ template <class S>
 
 /// Writes the lanes that hold a pair.
 template <class T>
-[[gnu::always_inline]] inline void put(const Distance<Lanes<T>>& d, const std::uint32_t* features,
+[[gnu::always_inline]] inline void put(const CoreDistance<Lanes<T>>& d, const std::uint32_t* features,
                                        const Lanes<T>& weight, std::size_t count, PointContact<T>* to) {
   if constexpr (sizeof(T) == 4) {
     using Point = ContactPoint<T>;
@@ -44,7 +44,7 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    put(pair.distance(pair.core()), p.count, distances + first);
+    put(pair.in_world(pair.core(pair.nearest())), p.count, distances + first);
   }
 }
 

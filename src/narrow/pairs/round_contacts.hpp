@@ -20,7 +20,7 @@ namespace graze {
 /// The one point of contact of two shapes.
 template <class S>
 struct RoundContact {
-  Distance<S> at;
+  CoreDistance<S> at;
   S part_a, part_b;  ///< of A and of B: numbers of `round_features`, of a box of `box_features`
   S known;           ///< not 0: that is all there is
 };
@@ -45,20 +45,21 @@ struct SegmentFace {
 
   Mask side;
   Mask top;          ///< the end, where it is no side
+  S seen;            ///< the square of a unit of its length as seen
   S length_squared;  ///< of the side as seen
   S beside_squared;  ///< the distance of the point in question from the nearer end, as seen
   Mask nearer_top;
 
-  SegmentFace(const Segment<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
-    const Vec3<S> axis = segment.b - segment.a;
-    const S lean(face_lean<typename LaneOf<S>::type>), whole = graze::length_squared(axis), up = dot(axis, outward);
-    side = up * up <= lean * lean * whole;
+  SegmentFace(const TurnedAxis<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
+    using std::abs;
+    const S lean(face_lean<typename LaneOf<S>::type>), up = dot(segment.axis, outward), up_squared = up * up;
+    side = up_squared <= lean * lean;
     top = up > S(0);
-    const S per_length = S(1) / whole, seen = S(1) - up * up * per_length, from_a = dot(point - segment.a, axis),
-            from_b = whole - from_a, beside = least(from_a, from_b);
-    nearer_top = from_b < from_a;
-    length_squared = whole * seen;
-    beside_squared = beside * beside * per_length * seen;
+    seen = S(1) - up_squared;
+    length_squared = S(4) * segment.half * segment.half * seen;
+    const S along = dot(point - segment.middle, segment.axis), beside = segment.half - abs(along);
+    nearer_top = along > S(0);
+    beside_squared = beside * beside * seen;
   }
 
   /// `near_squared`: how near an end counts as that.
@@ -92,17 +93,17 @@ void find_parts(const RoundPair<PointCore<S>, PointCore<S>, S>&, const CoreDista
 }
 template <class S>
 void find_parts(const RoundPair<PointCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
-  const SegmentFace<S> face(p.b.segment, -core.normal, core.b);
+  const SegmentFace<S> face(p.b, -core.normal, core.b);
   c.part_a = S(0);
   c.part_b = face.part(S(near_end<S>) * face.length_squared);
 }
 template <class S>
 void find_parts(const RoundPair<AxisCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
   using T = typename LaneOf<S>::type;
-  const SegmentFace<S> a(p.a.segment, core.normal, core.a), b(p.b.segment, -core.normal, core.b);
-  const S across = dot(cross(p.a.segment.b - p.a.segment.a, p.b.segment.b - p.b.segment.a), core.normal);
+  const SegmentFace<S> a(p.a, core.normal, core.a), b(p.b, -core.normal, core.b);
+  const S across = dot(cross(p.a.axis, p.b.axis), core.normal);
   // Twice what makes two sides a face.
-  const auto parallel = across * across <= S(T(4) * face_lean<T> * face_lean<T>) * a.length_squared * b.length_squared;
+  const auto parallel = across * across <= S(T(4) * face_lean<T> * face_lean<T>) * a.seen * b.seen;
   c.known = select(a.side & b.side & parallel, S(0), S(1));
   const S infinite(std::numeric_limits<T>::infinity());
   const S near =
@@ -123,12 +124,17 @@ void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContac
 template <class A, class B, class S>
 RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
                               const Pose<S>& pose_b, const S& margin) {
-  const auto pair = round_pair(a, pose_a, b, pose_b);
-  const CoreDistance<S> core = pair.core();
-  RoundContact<S> contact{};
-  contact.at = pair.distance(core);
-  contact.known = S(1);
-  if (any(contact.at.distance <= margin)) round::find_parts(pair, core, contact);
+  // Not `const`: g++ keeps a constant structure in memory, and what is written there number by number and read back as
+  // three of them waits for the writes.
+  auto pair = round_pair(a, pose_a, b, pose_b);
+  CorePoints<S> nearest = pair.nearest();
+  const Vec3<S> between = nearest.b - nearest.a;
+  const S gap = length(between);
+  if (!any(gap - pair.radii() <= margin))
+    return {pair.in_world({gap, direction_of(between, gap), nearest.a, nearest.b}), S(0), S(0), S(1)};
+  CoreDistance<S> core = pair.core(nearest);
+  RoundContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
+  round::find_parts(pair, core, contact);
   return contact;
 }
 
@@ -162,13 +168,13 @@ S feature_place(const RoundContact<S>& c) {
   return c.part_a * S(typename LaneOf<S>::type(box_part_count)) + c.part_b;
 }
 
-/// Of concrete shapes with their margins. One function, so that numbers stay in registers on their way to the manifold.
+/// Of concrete shapes with their margins.
 template <class A, class B, class T>
-[[gnu::flatten]] std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
-                                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
+                                const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   const auto of_a = rounded_core(a, margin_a);
   const auto of_b = rounded_core(b, margin_b);
-  const RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
+  RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
   if (found.known == T(0)) return std::nullopt;
   manifold.normal = found.at.normal;
   if (!(found.at.distance <= margin)) return found.at.distance;
@@ -183,36 +189,31 @@ template <class A, class B, class T>
   return found.at.distance;
 }
 
+namespace round {
+
+/// Whether the shape is one that `round_contact` takes.
 template <class T>
-bool even_with_length(const Capsule<T>& capsule) {
+bool regular(const Sphere<T>&) {
+  return true;
+}
+template <class T>
+bool regular(const Capsule<T>& capsule) {
   return !capsule.tapered() && capsule.half_height() > T(0);
 }
-/// Whether a box has a length along every side.
 template <class T>
-bool thick(const Box<T>& box) {
+bool regular(const Box<T>& box) {
   const Vec3<T>& half = box.half_extents();
   return least(half.x, least(half.y, half.z)) > T(0);
 }
 
-/// Of two shapes in the order of the list; see above. Nothing of other shapes.
-template <class T>
-std::optional<T> round_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                T margin, Manifold<T>& manifold) {
-  const auto of = [&](const auto& ca, const auto& cb) {
-    return round_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
-  };
-  const auto* capsule = b.template as<Capsule<T>>();
-  if (capsule && !even_with_length(*capsule)) return std::nullopt;
-  if (const auto* ball = a.template as<Sphere<T>>()) {
-    if (const auto* other = b.template as<Sphere<T>>()) return of(*ball, *other);
-    if (capsule) return of(*ball, *capsule);
-    const auto* box = b.template as<Box<T>>();
-    if (!box || !thick(*box)) return std::nullopt;
-    return of(*ball, *box);
-  }
-  const auto* other = a.template as<Capsule<T>>();
-  if (!other || !capsule || !even_with_length(*other)) return std::nullopt;
-  return of(*other, *capsule);
+}  // namespace round
+
+template <class A, class B, class T>
+requires is_round_pair<A, B> std::optional<T> own_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b,
+                                                           T margin_b, const Pose<T>& pose_b, T margin,
+                                                           Manifold<T>& manifold) {
+  if (!round::regular(a) || !round::regular(b)) return std::nullopt;
+  return round_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
 }
 
 }  // namespace graze

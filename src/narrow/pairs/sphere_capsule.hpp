@@ -6,15 +6,37 @@
 
 namespace graze {
 
-/// A point on the segment gets a normal across it.
 template <class S>
-CoreDistance<S> core_distance(const PointCore<S>& a, const SegmentCore<S>& b) {
-  const Vec3<S> nearest = closest_point(b.segment, a.point);
-  const S noise = S(4) * epsilon<S> * (max_abs(a.point) + max_abs(b.segment.a) + max_abs(b.segment.b));
-  const auto on_segment = length_squared(nearest - a.point) <= noise * noise;
+CorePoints<S> nearest_points(const PointCore<S>& a, const SegmentCore<S>& b) {
+  return {a.point, closest_point(b.segment, a.point)};
+}
+template <class S>
+CorePoints<S> nearest_points(const PointCore<S>& a, const TurnedAxis<S>& b) {
+  return {a.point, b.at(b.within(dot(a.point - b.middle, b.axis)))};
+}
+
+namespace detail {
+
+/// A point on the segment, whose axis `axis()` tells, gets a normal across it.
+template <class S, class Axis>
+CoreDistance<S> between_point_and_segment(const CorePoints<S>& nearest, const S& noise, const Axis& axis) {
+  const auto on_segment = length_squared(nearest.b - nearest.a) <= noise * noise;
   Vec3<S> across{S(0), S(0), S(0)};
-  if (any(on_segment)) across = select(on_segment, any_perpendicular(normalized(b.segment.b - b.segment.a)), across);
-  return between(a.point, nearest, across, noise);
+  if (any(on_segment)) across = select(on_segment, any_perpendicular(axis()), across);
+  return between(nearest.a, nearest.b, across, noise);
+}
+
+}  // namespace detail
+
+template <class S>
+CoreDistance<S> core_distance(const PointCore<S>& a, const SegmentCore<S>& b, const CorePoints<S>& nearest) {
+  const S noise = S(4) * epsilon<S> * (max_abs(a.point) + max_abs(b.segment.a) + max_abs(b.segment.b));
+  return detail::between_point_and_segment(nearest, noise, [&] { return normalized(b.segment.b - b.segment.a); });
+}
+template <class S>
+CoreDistance<S> core_distance(const PointCore<S>& a, const TurnedAxis<S>& b, const CorePoints<S>& nearest) {
+  const S noise = S(4) * epsilon<S> * (max_abs(a.point) + S(2) * (max_abs(b.middle) + b.half));
+  return detail::between_point_and_segment(nearest, noise, [&] { return b.axis; });
 }
 
 }  // namespace graze

@@ -5,10 +5,15 @@
 
 namespace graze {
 
+template <class S>
+CorePoints<S> nearest_points(const PointCore<S>& a, const PointCore<S>& b) {
+  return {a.point, b.point};
+}
+
 /// Normal (c2 - c1) / |c2 - c1|; coincident centres get +Y, as good as any.
 template <class S>
-CoreDistance<S> core_distance(const PointCore<S>& a, const PointCore<S>& b) {
-  return between(a.point, b.point, {S(0), S(1), S(0)}, S(0));
+CoreDistance<S> core_distance(const PointCore<S>&, const PointCore<S>&, const CorePoints<S>& nearest) {
+  return between(nearest.a, nearest.b, {S(0), S(1), S(0)}, S(0));
 }
 
 /// Whether two balls touch, without a square root: |c2 - c1|^2 <= (r1 + r2)^2.

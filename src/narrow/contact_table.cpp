@@ -1,0 +1,102 @@
+// The table of contacts: which routine finds those of two convex shapes.
+#include <array>
+
+#include "narrow/convex_pair.hpp"
+#include "narrow/explain.hpp"
+#include "narrow/general_contacts.hpp"
+
+// The pairs with a form of their own. A pair without one takes the general path.
+#include "narrow/pairs/box_contacts.hpp"
+#include "narrow/pairs/box_triangle_contacts.hpp"
+#include "narrow/pairs/capsule_box_contact.hpp"
+#include "narrow/pairs/half_space_contacts.hpp"
+#include "narrow/pairs/round_contacts.hpp"
+
+namespace graze {
+
+namespace {
+
+template <class A, class B, class T>
+concept HasOwnContacts = requires(const A& a, const B& b, T margin, const Pose<T>& pose, Manifold<T>& manifold) {
+  own_contacts(a, margin, pose, b, margin, pose, margin, manifold);
+};
+
+template <class T>
+using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifold<T>&);
+
+/// Of the concrete shapes A and B, which stand in order. One function, so that numbers stay in registers on their way to
+/// the manifold.
+template <class A, class B, class T>
+[[gnu::flatten]] T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                 T margin, Manifold<T>& manifold) {
+  const A& ca = *a.template as<A>();
+  const B& cb = *b.template as<B>();
+  const auto own = own_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
+  return own ? *own : general_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr);
+}
+
+template <class T>
+T other_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                 Manifold<T>& manifold) {
+  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr);
+}
+
+/// Of two shapes that stand against the order.
+template <class T>
+T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                    Manifold<T>& manifold) {
+  const T distance = convex_contacts<T>(b, pose_b, a, pose_a, margin, manifold, nullptr);
+  mirror(manifold);
+  return distance;
+}
+
+template <class T, std::size_t A, std::size_t B>
+constexpr Routine<T> routine_of() {
+  using CA = std::variant_alternative_t<A, ShapeList<T>>;
+  using CB = std::variant_alternative_t<B, ShapeList<T>>;
+  if constexpr (A > B)
+    return &mirrored_contacts<T>;
+  else if constexpr (HasOwnContacts<CA, CB, T>)
+    return &pair_contacts<CA, CB, T>;
+  else
+    return &other_contacts<T>;
+}
+
+template <class T, std::size_t... I>
+constexpr auto make_table(std::index_sequence<I...>) {
+  constexpr std::size_t n = Shape<T>::count;
+  return std::array<Routine<T>, n * n>{routine_of<T, I / n, I % n>()...};
+}
+template <class T>
+constexpr auto table = make_table<T>(std::make_index_sequence<Shape<T>::count * Shape<T>::count>());
+
+template <class T>
+[[gnu::noinline]] T explained_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                       const Pose<T>& pose_b, T margin, Manifold<T>& manifold, Trace* trace) {
+  const bool swapped = against_order(a, b);
+  const T distance = swapped ? general_contacts(b, pose_b, a, pose_a, margin, manifold, trace)
+                             : general_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  if (swapped) {
+    mirror(manifold);
+    mirror(*trace);
+  }
+  explain_axes(a, pose_a, b, pose_b, *trace);
+  if (!manifold.points.empty()) explain_normal(a, pose_a, b, pose_b, manifold.normal, *trace);
+  return distance;
+}
+
+}  // namespace
+
+template <class T>
+T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                  Manifold<T>& manifold, Trace* trace) {
+  if (trace) return explained_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  return table<T>[a.index() * Shape<T>::count + b.index()](a, pose_a, b, pose_b, margin, manifold);
+}
+
+template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
+                               Manifold<float>&, Trace*);
+template double convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
+                                double, Manifold<double>&, Trace*);
+
+}  // namespace graze

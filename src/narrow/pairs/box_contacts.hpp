@@ -1,0 +1,38 @@
+// Box against box, the contacts of a single pair.
+//
+// Guarantee: the bits that the kernels give for the pair among many.
+#pragma once
+
+#include <optional>
+
+#include "narrow/box_batch.hpp"
+#include "narrow/relative_frame.hpp"
+
+namespace graze {
+
+/// The points of two boxes, as the kernels find them for many pairs; nothing where one is rounded or not regular, or their
+/// faces do not tell. As the separating axes of polyhedra give them, in T, but also where hardly more than the distance
+/// is between the faces.
+template <class T>
+std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
+                              const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  if (margin_a != T(0) || margin_b != T(0) || !regular_box(a.half_extents()) || !regular_box(b.half_extents()))
+    return std::nullopt;
+  const RelativeFrame<T> b_in_a = relative_frame(pose_a, pose_b);
+  const BoxPair<T> boxes{a.half_extents(), b.half_extents(), b_in_a.translation, b_in_a.rotation};
+  const BoxChoice<T> choice = box_choice(boxes, margin);
+  if (choice.distance > margin) {
+    const detail::MeetingBoxes<T> seen(boxes, choice.axis);
+    manifold.normal = rotation_of(pose_a.rotation) * (seen.by_b ? boxes.rotation * -seen.normal : seen.normal);
+    return choice.distance;
+  }
+  const BoxManifold<T> found = box_manifold(boxes, choice, margin, pose_a, pose_b);
+  if (found.known == T(0)) return std::nullopt;
+  take_points<T>(
+      static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slots[i]; }, box_features.of,
+      manifold.points);
+  manifold.normal = found.normal;
+  return choice.distance;
+}
+
+}  // namespace graze

@@ -1,0 +1,73 @@
+#include "narrow/pair_bundle.hpp"
+#include "narrow/pairs/box_triangle_manifold.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+template <class T>
+using Pairs = PairBundle<Box<T>, Triangle<T>, T>;
+
+template <class T>
+[[gnu::always_inline]] inline BoxAndTriangle<Lanes<T>> box_and_triangle(const Pairs<T>& p) {
+  return {p.a.core, p.pose_a, p.b.core, p.pose_b};
+}
+
+}  // namespace
+
+template <class T>
+[[gnu::flatten]] void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleChoice<T>* axes) {
+  for (std::size_t first = 0; first < count; first += Pairs<T>::lanes) {
+    const Pairs<T> bundle(pairs + first, count - first);
+    TriangleDirections<Lanes<T>> directions;
+    const TriangleChoice<Lanes<T>> choice = triangle_choice(box_and_triangle(bundle), bundle.margin, directions);
+    const Vec3<Lanes<T>>& n = choice.normal;
+    for (std::size_t i = 0; i < bundle.count; ++i) {
+      const int lane = static_cast<int>(i);
+      axes[first + i] = {choice.distance[lane], {n.x[lane], n.y[lane], n.z[lane]}};
+    }
+  }
+}
+
+template <class T>
+[[gnu::flatten]] void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
+                                      BoxPointBlock<T>& points) {
+  using S = Lanes<T>;
+  for (std::size_t first = 0; first < count; first += Pairs<T>::lanes) {
+    const Pairs<T> bundle(pairs + first, count - first);
+    TriangleChoice<S> choice;
+    for (std::size_t i = 0; i < Pairs<T>::lanes; ++i) {
+      const TriangleChoice<T>& of = axes[first + (i < bundle.count ? i : bundle.count - 1)];
+      const int lane = static_cast<int>(i);
+      choice.distance.set(lane, of.distance);
+      for (std::size_t k = 0; k < 3; ++k) choice.normal[k].set(lane, of.normal[k]);
+    }
+    const BoxAndTriangle<S> p = box_and_triangle(bundle);
+    BoxManifold<S> found;
+    triangle_manifold(p, TriangleDirections<S>(p), choice, bundle.margin, bundle.pose_a, found);
+    put(found, first, bundle.count, points);
+  }
+}
+
+template <class T>
+[[gnu::flatten]] T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold) {
+  const BoxAndTriangle<T> p(*static_cast<const BoxCore<T>*>(pair.a), *pair.pose_a,
+                            *static_cast<const TriangleCore<T>*>(pair.b), *pair.pose_b);
+  TriangleDirections<T> directions;
+  const TriangleChoice<T> choice = triangle_choice(p, pair.margin, directions);
+  if (choice.distance > pair.margin)
+    manifold.normal = p.turn * choice.normal;
+  else
+    triangle_manifold(p, directions, choice, pair.margin, *pair.pose_a, manifold);
+  return choice.distance;
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template void triangle_axes(const PairRef<T>*, std::size_t, TriangleChoice<T>*);                                     \
+  template T triangle_contact(const PairRef<T>&, BoxManifold<T>&);                                                     \
+  template void triangle_points(const PairRef<T>*, const TriangleChoice<T>*, std::size_t, BoxPointBlock<T>&);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::GRAZE_ISA
