@@ -2,8 +2,8 @@
 //
 // Guarantee: for every pair the bits that the question about it alone gives, in whatever order the pairs come, whatever
 // pairs stand beside it, and at every level of the instruction set; so that a batch is a matter of speed only. Pairs of
-// kinds that have a kernel are asked about many at a time (4 to 16 in float, by the machine), all others one by one.
-// Nothing throws but what says so; nothing is allocated where the arrays of the answer have the room already.
+// kinds that have a kernel are asked about many at a time (2 to 16, by the machine and the numbers), all others one by
+// one. Nothing throws but what says so; nothing is allocated where the arrays of the answer have the room already.
 #pragma once
 
 #include <cstddef>

@@ -88,12 +88,13 @@ GRAZE_DECLARE_KERNEL(
     /// The same of capsules with boxes.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
                                                  PointContact<T>* contacts, Meeting* meetings);
-    /// The points of up to `block_pairs` balls, even capsules with a length, or boxes on half-spaces, all without a margin.
+    /// The points of up to `block_pairs` balls, even capsules with a length, or boxes on half-spaces, all without a
+    /// margin.
     template <class A, class T> void rests(const PairRef<T>* pairs, std::size_t count, RestBlock<T>& points);
     /// The distances of boxes or even capsules, which come first, from boxes, all without a margin; whether they are
     /// proven: 1 or 0.
-    template <class A, class B, class T> void box_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances,
-                                          std::uint8_t* proven);
+    template <class A, class B, class T> void box_distances(const PairRef<T>* pairs, std::size_t count,
+                                                            Distance<T>* distances, std::uint8_t* proven);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0.

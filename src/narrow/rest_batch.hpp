@@ -31,8 +31,8 @@ T points_together(const Box<T>& box, T) {
   return least(half.x, least(half.y, half.z)) > together ? T(0) : together;
 }
 
-/// Calls `f(point)` for the points in the slots of one pair, the body before the half-space, but the later of two at one
-/// place. `slot(i)` gives the i-th slot; `together` as above.
+/// Calls `f(point)` for the points in the slots of one pair, the body before the half-space, but the later of two at
+/// one place. `slot(i)` gives the i-th slot; `together` as above.
 template <class T, class Slot, class F>
 void each_rest_point(unsigned filled, T together, const Slot& slot, const F& f) {
   const auto point = [&](std::size_t i) {
@@ -82,9 +82,9 @@ struct RestPoints {
   }
 };
 
-/// Asks about pairs of a body A, as the kernels take it, and a plain half-space, in their order: `apart(i)` for those further
-/// apart than their margins, for the others `touching(i, distance, points)`, the last `RestPoints`. `turned(i)` tells
-/// whether the half-space is the first of the two for whoever asks.
+/// Asks about pairs of a body A, as the kernels take it, and a plain half-space, in their order: `apart(i)` for those
+/// further apart than their margins, for the others `touching(i, distance, points)`, the last `RestPoints`. `turned(i)`
+/// tells whether the half-space is the first of the two for whoever asks.
 template <class A, class T, class Turned, class Apart, class Touching>
 void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, const Turned& turned, const Apart& apart,
                          const Touching& touching) {

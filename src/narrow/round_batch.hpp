@@ -23,8 +23,8 @@ PointContact<T> mirrored(const PointContact<T>& c) {
   return {{c.point.b, c.point.a, c.point.distance, swapped_feature_id(c.point.feature), c.point.weight}, -c.normal};
 }
 
-/// Asks about up to `most_chunk` pairs of A and B as the kernels take them, in their order: `apart(i)` for those further
-/// apart than their margins; for the others `touching(i, contact)`, or, where their faces may give two points,
+/// Asks about up to `most_chunk` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
+/// further apart than their margins; for the others `touching(i, contact)`, or, where their faces may give two points,
 /// `unknown(i)`.
 template <class A, class B, class T, class Apart, class Touching, class Unknown>
 void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,

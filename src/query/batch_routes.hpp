@@ -104,7 +104,7 @@ struct Queue {
   std::size_t count = 0;
 };
 
-/// The kinds that kernels take.
+/// The kinds whose pairs a world puts together for kernels.
 template <class C, class T>
 inline constexpr bool has_route = std::is_same_v<C, Sphere<T>> || std::is_same_v<C, Capsule<T>> ||
                                   std::is_same_v<C, Box<T>> || std::is_same_v<C, HalfSpace<T>>;
@@ -121,7 +121,7 @@ bool regular(std::size_t kind, const void* concrete) {
   return !capsule.tapered() && capsule.half_height() > T(0);
 }
 
-/// The concrete shape, if it is such a one and has no margin, else null.
+/// The concrete shape, if it is of such a kind, regular and without a margin, else null.
 template <class T>
 const void* regular_concrete(const Shape<T>& shape) {
   if (shape.margin() != T(0)) return nullptr;

@@ -10,7 +10,8 @@
 
 namespace graze {
 
-/// A box that is not rounded. `plane` is the height of the half-space's surface in its own frame; points up to `margin` above it.
+/// A box that is not rounded. `plane` is the height of the half-space's surface in its own frame; points up to `margin`
+/// above it.
 template <class S>
 Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& plane, const Pose<S>& plane_pose,
              const S& margin) {

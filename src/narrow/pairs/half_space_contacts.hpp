@@ -1,4 +1,4 @@
-// Boxes, balls and even capsules on a half-space: the support face, each of its corners with its own height, in T.
+// Boxes, balls and even capsules on a half-space: the points that `rest` finds, as a manifold.
 //
 // Guarantee: the distance is that of `distance`, bit for bit; the points are those that the general path gives, up to
 // rounding, under the same names. Nothing is answered for other shapes.

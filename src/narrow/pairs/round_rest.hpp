@@ -1,9 +1,9 @@
-// Balls and even capsules on a half-space, across lanes: the point below a ball, below the lower end of a capsule, or below
-// both ends of its side where that lies.
+// Balls and even capsules on a half-space, across lanes: the point below a ball, below the lower end of a capsule, or
+// below both ends of its side where that lies.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit; the points
-// are those that the general path gives, up to rounding, under the same names. There is a point where the distance is
-// within the margin, and only there.
+// Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit; the
+// points are those that the general path gives, up to rounding, under the same names. There is a point where the distance
+// is within the margin, and only there.
 #pragma once
 
 #include "graze/shape/face.hpp"
