@@ -65,7 +65,8 @@ class OneOfThree<S> {
   explicit OneOfThree(S number) : place_(static_cast<std::size_t>(static_cast<int>(number))) {}
   static OneOfThree longest(const Vec3<S>& v) {
     const Vec3<S> a = abs(v);
-    return OneOfThree((a.x >= a.y) & (a.x >= a.z) ? std::size_t{0} : a.y >= a.z ? std::size_t{1} : std::size_t{2});
+    const bool first = (a.x >= a.y) & (a.x >= a.z), second = a.y >= a.z;
+    return OneOfThree(first ? std::size_t{0} : second ? std::size_t{1} : std::size_t{2});
   }
 
   S pick(S x, S y, S z) const {
