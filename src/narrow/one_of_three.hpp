@@ -74,7 +74,8 @@ class OneOfThree<S> {
   }
   static OneOfThree longest(const Vec3<S>& v) {
     const Vec3<S> a = abs(v);
-    return of((a.x >= a.y) & (a.x >= a.z), a.y >= a.z);
+    const bool first = (a.x >= a.y) & (a.x >= a.z), second = a.y >= a.z;
+    return of(first, second);
   }
 
   S pick(S x, S y, S z) const {

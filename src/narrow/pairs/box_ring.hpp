@@ -126,7 +126,7 @@ class Ring {
 
   /// How far the faces are apart at the deepest corner, the first such, which is to stay.
   S find_deepest() {
-    const Some none(S(std::numeric_limits<T>::infinity()));
+    const Some none{S(std::numeric_limits<T>::infinity())};
     const auto least_of = [](const Some& a) {
       S low = a[0];
       for (int k = 1; k < step; ++k) low = least(low, a[k]);
@@ -280,7 +280,7 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
   using Mask = typename Ring<S>::Mask;
   using Places = FlatPoint<Some>;
   const S near_squared = near * near;
-  const Some together(S(same_point<T>) * near_squared), infinity(S(std::numeric_limits<T>::infinity())), zero(S(0));
+  const Some together(S(same_point<T>) * near_squared), infinity{S(std::numeric_limits<T>::infinity())}, zero(S(0));
   const auto places = [&](std::size_t i) { return Places{ring.some(ring.x, i), ring.some(ring.y, i)}; };
   S budget(0);
   {
