@@ -1,9 +1,9 @@
 // A few numbers that the same is done to. Of a single pair they share registers of sixteen bytes, which every machine
-// has; of many pairs each is a register of its own already, one pair a lane. What is written once over these is quick for
-// both.
+// has; of many pairs each is a register of its own already, one pair a lane. What is written once over these is quick
+// for both.
 //
-// Guarantee: every operation is number by number the IEEE operation of the scalar, as in `graze/wide.hpp`: the same bits
-// of a pair by itself and in a lane. All of it is inlined.
+// Guarantee: every operation is number by number the IEEE operation of the scalar, as in `graze/wide.hpp`: the same
+// bits of a pair by itself and in a lane. All of it is inlined.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace graze {
 
-/// N numbers of S, a scalar or a lane type. Comparisons give a `Mask`; `select` chooses by it. Numbers that fill the last
-/// register up are zero at first.
+/// N numbers of S, a scalar or a lane type. Comparisons give a `Mask`; `select` chooses by it. Numbers that fill the
+/// last register up are zero at first.
 template <class S, int N>
 struct Several {
   static constexpr bool joined = std::is_arithmetic_v<S>;

@@ -108,10 +108,10 @@ BoxAxis<S> box_axes_of_b(const BoxPair<S>& p, const Mat3<S>& absolute) {
   return best;
 }
 
-/// The products of A's i-th with each of B's axes, e_i x b_j, not of unit length. A's axis is a unit vector of the frame,
-/// so one component is zero and the others are entries of the rotation. B's other axes are projected on these components
-/// and not read from the rotation as orthogonality would allow (Eberly's table): an entry is off by a rounding of one,
-/// and divided by the length of the product of two edges that are nearly parallel that would be seen.
+/// The products of A's i-th with each of B's axes, e_i x b_j, not of unit length. A's axis is a unit vector of the
+/// frame, so one component is zero and the others are entries of the rotation. B's other axes are projected on these
+/// components and not read from the rotation as orthogonality would allow (Eberly's table): an entry is off by a
+/// rounding of one, and divided by the length of the product of two edges that are nearly parallel that would be seen.
 template <class S>
 struct BoxEdgeAxes {
   using Row = Several<S, 3>;
@@ -134,8 +134,8 @@ BoxEdgeAxes<S> box_edges(const BoxPair<S>& p) {
               preceding(half_b) * preceding(across)};
 }
 
-/// Calls `f(I)` with a constant for each of three axes until it says that it knows enough. Constants leave nothing of the
-/// cyclic indices to run time.
+/// Calls `f(I)` with a constant for each of three axes until it says that it knows enough. Constants leave nothing of
+/// the cyclic indices to run time.
 template <class F>
 bool any_of_three(F&& f) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {

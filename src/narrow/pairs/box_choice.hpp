@@ -1,7 +1,7 @@
 // Box against box: the axis that contacts stand on, chosen across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The distance of overlapping boxes is minus their depth up
-// to rounding; of others a lower bound. Which axis is chosen is no part of whether they touch.
+// Guarantee: in every lane the bits that the pair gives alone. The distance of overlapping boxes is minus their depth
+// up to rounding; of others a lower bound. Which axis is chosen is no part of whether they touch.
 #pragma once
 
 #include "graze/shape.hpp"
@@ -10,10 +10,11 @@
 
 namespace graze {
 
-/// How much deeper the normal of a face may be than the least depth and still be chosen, and how much further apart than
-/// what is nearest the points along it, relative to the smaller shape. A resting box of size 1 leans by milliradians and sinks in by millimetres; the least depth then changes
-/// between faces and edges from frame to frame, and a solver needs the face. It is no part of the decision whether
-/// shapes overlap, and every point carries its true distance along the chosen normal.
+/// How much deeper the normal of a face may be than the least depth and still be chosen, and how much further apart
+/// than what is nearest the points along it, relative to the smaller shape. A resting box of size 1 leans by
+/// milliradians and sinks in by millimetres; the least depth then changes between faces and edges from frame to frame,
+/// and a solver needs the face. It is no part of the decision whether shapes overlap, and every point carries its true
+/// distance along the chosen normal.
 inline constexpr double face_preference = 1.0 / 200;
 
 /// What rounding may do to the separation of two boxes along an axis, relative to the largest coordinate: in double as
@@ -77,8 +78,8 @@ BoxFace<S> best_face(const BoxPair<S>& p) {
   return {select(b_better, separations[1], separations[0]), select(b_better, numbers[1], numbers[0])};
 }
 
-/// The largest separation along those products of edges that show a larger one than `face`, and the number of that axis;
-/// minus infinity and 0 where none does.
+/// The largest separation along those products of edges that show a larger one than `face`, and the number of that
+/// axis; minus infinity and 0 where none does.
 template <class S>
 S best_edges(const BoxPair<S>& p, const S& face, S& number) {
   using std::abs, std::sqrt;

@@ -40,8 +40,8 @@ struct BoxManifold {
   }
 };
 
-/// What of a box `part_a` and `part_b` name: 9 times the number of a face, and 3 times where along the second of the axes
-/// that follow the face's and where along the first: 0 within, 1 at the negative side, 2 at the positive.
+/// What of a box `part_a` and `part_b` name: 9 times the number of a face, and 3 times where along the second of the
+/// axes that follow the face's and where along the first: 0 within, 1 at the negative side, 2 at the positive.
 inline constexpr std::size_t box_part_count = 54;
 struct BoxFeatures {
   std::uint16_t of[box_part_count];
@@ -100,8 +100,8 @@ struct MeetingBoxes {
 
 }  // namespace detail
 
-/// The points along the chosen axis of two boxes that are at most `margin` apart, in the world. Only for boxes within the
-/// margin of each other.
+/// The points along the chosen axis of two boxes that are at most `margin` apart, in the world. Only for boxes within
+/// the margin of each other.
 template <class S>
 void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& margin, const Pose<S>& pose_a,
                   const Pose<S>& pose_b, BoxManifold<S>& found) {

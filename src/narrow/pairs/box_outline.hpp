@@ -4,9 +4,9 @@
 // `drop_idle_corners` takes those and the ones out that stand out too little to mean anything, as `simplify` does.
 //
 // Each of the eight sides, clipped by the other outline (Liang, Barsky 1984, "A new concept and method for line
-// clipping"), is a side of the shared area or none, and begins at a corner of it; and sides of a convex area follow each
-// other by their directions, which are the same four for any rectangle, with two of the parallelogram's in every half
-// turn. So corners come out in order without a sort.
+// clipping"), is a side of the shared area or none, and begins at a corner of it; and sides of a convex area follow
+// each other by their directions, which are the same four for any rectangle, with two of the parallelogram's in every
+// half turn. So corners come out in order without a sort.
 #pragma once
 
 #include <utility>
@@ -24,8 +24,8 @@ struct Sides {
   /// In those coordinates, one over what a side rises along either.
   Four inverse_x, inverse_y;
 
-  /// Where along sides with those middles a region begins that reaches so far both ways, from -1 to 1; whether it does at
-  /// all.
+  /// Where along sides with those middles a region begins that reaches so far both ways, from -1 to 1; whether it does
+  /// at all.
   std::pair<Four, typename Four::Mask> begin(const Four& x, const Four& y, const FlatPoint<S>& reach) const {
     const Four along_x = x * inverse_x, along_y = y * inverse_y;
     const Four half_x = Four(reach.x) * abs(inverse_x), half_y = Four(reach.y) * abs(inverse_y);
@@ -70,8 +70,8 @@ struct LaidOver {
  private:
   using Four = Several<S, 4>;
 
-  /// Opposite sides are clipped as one and as its mirror image: against its direction a region begins where it ends along
-  /// it, at the negative of the mirrored middle.
+  /// Opposite sides are clipped as one and as its mirror image: against its direction a region begins where it ends
+  /// along it, at the negative of the mirrored middle.
   static Four signs() { return {S(1), S(1), S(-1), S(-1)}; }
 
   /// Sides along two directions, in turn.

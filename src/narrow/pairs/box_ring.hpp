@@ -1,7 +1,7 @@
 // The corners of an outline in a ring of slots, across lanes, and the ones taken out that mean nothing.
 //
-// Guarantee: in every lane the bits that the pair gives alone. Corners that come twice and those that stand out too little
-// to mean anything are taken out as `simplify` does.
+// Guarantee: in every lane the bits that the pair gives alone. Corners that come twice and those that stand out too
+// little to mean anything are taken out as `simplify` does.
 #pragma once
 
 #include <limits>
@@ -24,8 +24,8 @@ struct Corners {
   typename Several<S, 4>::Mask are;  ///< false: there is none
 };
 
-/// Corners in order. Lanes have them in different slots, so that each slot has a mask that tells whether there is one. Those
-/// of a single pair close up, and what is done to all of them is done with the last.
+/// Corners in order. Lanes have them in different slots, so that each slot has a mask that tells whether there is one.
+/// Those of a single pair close up, and what is done to all of them is done with the last.
 template <class S>
 class Ring {
  public:
@@ -47,9 +47,8 @@ class Ring {
       return most_box_points;
   }
 
-  Ring() = default;
-  /// From the corners of a rectangle, whose sides run along x and y, and of a parallelogram, whose sides' directions p and
-  /// q come after x; `p_first` and `q_first` where they come before y.
+  /// From the corners of a rectangle, whose sides run along x and y, and of a parallelogram, whose sides' directions p
+  /// and q come after x; `p_first` and `q_first` where they come before y.
   Ring(const Corners<S>& rectangle, const Corners<S>& parallelogram, const Mask& p_first, const Mask& q_first) {
     const auto in_order = [&](const auto(&all)[most_box_points], auto* slots) {
       for (std::size_t half = 0; half < most_box_points; half += 4) {
@@ -267,9 +266,9 @@ class Around {
   S before_[Ring<S>::single ? 1 : most_box_points], after_[Ring<S>::single ? 1 : most_box_points];
 };
 
-/// Drops corners as `simplify` does: those that stand out by less than `near`, while no more than `spared_area` is lost;
-/// the deepest, which has been found, always stays. Where `simplify` takes the least of all, each pass takes those that
-/// are less than their neighbours, which are gone in two passes as a rule.
+/// Drops corners as `simplify` does: those that stand out by less than `near`, while no more than `spared_area` is
+/// lost; the deepest, which has been found, always stays. Where `simplify` takes the least of all, each pass takes
+/// those that are less than their neighbours, which are gone in two passes as a rule.
 template <class S>
 void drop_idle_corners(Ring<S>& ring, const S& near) {
   using std::abs;
