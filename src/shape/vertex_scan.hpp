@@ -18,6 +18,7 @@ inline constexpr float scan_floor = 16 * std::numeric_limits<float>::min();
 
 /// The larger lane by lane; the second where either is no number.
 [[gnu::always_inline]] inline Lanes<float> larger(const Lanes<float>& a, const Lanes<float>& b) {
+#if defined(__x86_64__)
   using L = Lanes<float>;
 #if defined(__AVX512F__)
   return L::of(reinterpret_cast<L::Vector>(
@@ -25,8 +26,9 @@ inline constexpr float scan_floor = 16 * std::numeric_limits<float>::min();
 #elif defined(__AVX2__)
   return L::of(
       reinterpret_cast<L::Vector>(_mm256_max_ps(reinterpret_cast<__m256>(a.v), reinterpret_cast<__m256>(b.v))));
-#elif defined(__x86_64__)
+#else
   return L::of(reinterpret_cast<L::Vector>(_mm_max_ps(reinterpret_cast<__m128>(a.v), reinterpret_cast<__m128>(b.v))));
+#endif
 #else
   return select(a > b, a, b);
 #endif

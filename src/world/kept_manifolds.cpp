@@ -31,6 +31,26 @@ void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
   }
 }
 
+/// Whether a pair with a fixed body came or went though neither body changed: by its filters then. What the other one
+/// stands on beside it may be met otherwise.
+template <class T>
+bool ManifoldFinder<T>::ground_pairs_differ() const {
+  const auto matters = [&](const IdPair& p) {
+    return ((seen_[p.a].traits | seen_[p.b].traits) & (fixed | changed)) == fixed;
+  };
+  auto now = pairs_.begin(), last = last_pairs_.begin();
+  while (now != pairs_.end() || last != last_pairs_.end()) {
+    if (last == last_pairs_.end() || (now != pairs_.end() && *now < *last)) {
+      if (matters(*now++)) return true;
+    } else if (now == pairs_.end() || *last < *now) {
+      if (matters(*last++)) return true;
+    } else {
+      ++now, ++last;
+    }
+  }
+  return false;
+}
+
 /// For each body that moves, the fixed bodies it stands in a pair with, in the order of the pairs.
 template <class T>
 void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
@@ -137,8 +157,8 @@ template <class T>
 std::size_t ManifoldFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) + bytes(around_) +
-                    bytes(neighbours_) + bytes(last_changes_) + bytes(found_) + bytes(pairs_) + bytes(last_pairs_) +
-                    bytes(memory_) + bytes(last_memory_) + bytes(results_);
+                    bytes(neighbours_) + bytes(last_changes_) + bytes(generations_) + bytes(found_) + bytes(pairs_) +
+                    bytes(last_pairs_) + bytes(memory_) + bytes(last_memory_) + bytes(results_);
   for (const Found& found : found_)
     sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
   for (const ContactArrays<T>* arrays : {&now_, &last_})

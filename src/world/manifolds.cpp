@@ -41,11 +41,13 @@ template <class T>
 void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
   const Shape<T>& shape = bodies.shapes()[i];
   const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
+  const std::uint32_t generation = bodies.id(i).generation;
+  const bool another = std::exchange(generations_[i], generation) != generation;
   ground_ += stands;
   ground_ -= (seen_[i].traits & fixed) != 0;
   seen_[i] = {regular_concrete(shape), bodies.margins()[i],
               static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
-                                        (stands ? fixed : 0))};
+                                        (stands ? fixed : 0) | (another ? fresh : 0))};
   ground_changed_ |= stands && moved;
 }
 
@@ -53,9 +55,10 @@ void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
 template <class T>
 void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
   ground_changed_ = false;
+  generations_.resize(bodies.size());
   const std::span<const std::uint32_t> changes = bodies.unsorted_changes();
   if (bodies.shapes().data() == shapes_ && seen_.size() == bodies.size()) {
-    for (const std::uint32_t i : last_changes_) seen_[i].traits &= static_cast<std::uint8_t>(~changed);
+    for (const std::uint32_t i : last_changes_) seen_[i].traits &= static_cast<std::uint8_t>(~(changed | fresh));
     for (const std::uint32_t i : changes) look_at(bodies, i);
   } else {
     shapes_ = bodies.shapes().data();
@@ -86,6 +89,7 @@ bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
   (pairs.size() < few_pairs ? serial : executor).run(3, prepare);
   std::swap(last_, now_);
   if (ground_ > 1) find_neighbours(bodies);
+  ground_changed_ = ground_changed_ || (ground_ > 1 && !same_pairs && ground_pairs_differ());
 
   results_.resize(pairs_.size());
   const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
@@ -124,6 +128,7 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
     const int either = a.traits | b.traits;
+    if ((either & fresh) != 0) memory_[place] = {};
     if ((either & changed) == 0 && memory_[place].contact != unknown && !(ground_changed_ && (either & fixed) != 0)) {
       keep_last(place, kept, block);
       continue;
@@ -242,7 +247,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   const IdPair pair = pairs_[place];
   Memory& memory = memory_[place];
   const int either = seen_[pair.a].traits | seen_[pair.b].traits;
-  const bool anew = (either & changed) != 0 || (ground_changed_ && !beside(pair).empty());
+  const bool anew = (either & changed) != 0 || (ground_changed_ && (either & fixed) != 0);
   if (!anew && memory.contact != unknown) {
     Run run;
     keep_last(place, run, block);

@@ -333,6 +333,60 @@ TEST(World, NothingCatchesOnTheSeamOfFixedBodies) {
   }
 }
 
+/// Of a body over the seam of two others what it has with one of them depends on the other, which may go, or be left out.
+TEST(World, WhatStandsOnTheGroundFeelsItChange) {
+  const auto boxes = [](Worldd& world, bool both) {
+    for (const double x : {-0.5, 0.5}) {
+      if (x > 0 && !both) continue;
+      world.add({.shape = Shaped(Box<double>({1, 1, 1})), .pose = {{x, -0.5, 0}, {}}, .fixed = true});
+    }
+  };
+  // A cylinder over the seam, its rim a little below: the edge of the first alone would push it aside.
+  const Body<double> log{.shape = Shaped(Cylinder<double>(0.3, 0.6)),
+                         .pose = {{0.2, 0.25, 0}, Quatd::from_axis_angle({0, 0, 1}, 1.2)}};
+  Worldd alone;
+  boxes(alone, false);
+  alone.add(log);
+  alone.update();
+  ASSERT_FALSE(alone.contacts().points.empty());
+  EXPECT_LT(std::abs(alone.contacts().manifolds[0].normal.y), 0.999);
+  for (const bool by_filter : {false, true}) {
+    Worldd world;
+    boxes(world, true);
+    world.add(log);
+    world.update();
+    for (const auto& m : world.contacts().manifolds) EXPECT_NEAR(std::abs(m.normal.y), 1, 1e-9);
+    const BodyId second = world.bodies().id(1);
+    if (by_filter)
+      world.set_filter(second, Filter{.category = 0, .mask = 0});
+    else
+      world.remove(second);
+    world.update();
+    ASSERT_EQ(world.contacts().points.size(), alone.contacts().points.size()) << by_filter;
+    for (std::size_t i = 0; i < alone.contacts().points.size(); ++i)
+      EXPECT_EQ(world.contacts().points[i].a, alone.contacts().points[i].a) << by_filter;
+    for (std::size_t i = 0; i < alone.contacts().manifolds.size(); ++i)
+      EXPECT_EQ(world.contacts().manifolds[i].normal, alone.contacts().manifolds[i].normal) << by_filter;
+  }
+}
+
+TEST(World, ABodyDoesNotInheritTheImpulsesOfTheOneBefore) {
+  Worldd world;
+  world.add({.shape = Shaped(Box<double>({1, 1, 1})), .fixed = true});
+  const Body<double> crate{.shape = Shaped(Box<double>({1, 1, 1})), .pose = {{0, 0.99, 0}, {}}};
+  const BodyId first = world.add(crate);
+  world.update();
+  for (auto& p : world.contacts().points) p.impulse = {1, 2, 3};
+  world.move(first, {{0, 0.985, 0}, {}});
+  world.update();
+  for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, (Vec3d{1, 2, 3}));
+  world.remove(first);
+  EXPECT_EQ(world.add(crate).index, first.index);
+  world.update();
+  ASSERT_FALSE(world.contacts().points.empty());
+  for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, Vec3d{});
+}
+
 /// Bullets through thin walls, past each other and at each other, against casting every pair.
 TYPED_TEST(WorldOf, FastBodiesAreToldWhatTheyWouldPassThrough) {
   using T = TypeParam;

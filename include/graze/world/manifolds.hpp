@@ -110,12 +110,14 @@ class ManifoldFinder {
   struct Around {
     std::uint32_t first = 0, count = 0, filled = 0;
   };
-  static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4;
+  /// `fresh`: another body had its index in the last call.
+  static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4, fresh = 8;
 
   void look(const BodyArrays<T>& bodies);
   void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
   void remember(std::span<const IdPair> pairs);
   void find_neighbours(const BodyArrays<T>& bodies);
+  bool ground_pairs_differ() const;
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
   Surroundings<T> beside(const IdPair& pair) const;
   void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t block);
@@ -142,6 +144,7 @@ class ManifoldFinder {
   Bins bins_;
   const Shape<T>* shapes_ = nullptr;         ///< where those stood
   std::vector<std::uint32_t> last_changes_;  ///< which of them are seen as changed
+  std::vector<std::uint32_t> generations_;   ///< of each body
   std::vector<Around> around_;               ///< of each body that is in a pair with a fixed one
   std::vector<PlacedRef<T>> neighbours_;
   std::size_t ground_ = 0;       ///< how many bodies are fixed

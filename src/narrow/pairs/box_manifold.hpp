@@ -74,7 +74,7 @@ struct MeetingBoxes {
     const S zero(0), one(1);
     const Mask of_edges = axis >= S(6);
     by_b = (axis >= S(3)) & (!of_edges);
-    const OneOfThree<S> face(axis - select(by_b, S(3), zero));
+    const OneOfThree<S> face(select(of_edges, zero, axis - select(by_b, S(3), zero)));
     const Vec3<S> unit = face.unit();
     const S side = dot(p.translation, either(
                                           by_b, [&] { return face.pick(p.rotation); }, [&] { return unit; })),

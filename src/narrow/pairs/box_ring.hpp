@@ -170,6 +170,7 @@ class Ring {
         apart[kept + 1] = apart[i + 1];
         if (S(i) == deepest_) deepest = kept;
         kept += !gone_[i];
+        gone_[i] = false;
       }
       size_ = kept;
       deepest_ = S(deepest);
@@ -300,7 +301,7 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
     const Around<S> x(ring, ring.x), y(ring, ring.y);
     const Some count(ring.count());
     const Somes of_many = count > Some(S(1)), of_more = count > Some(S(2));
-    typename Ring<S>::Column lost;
+    typename Ring<S>::Column lost{};
     Somes movable = count < zero;
     for (std::size_t i = 0; i < ring.size(); i += step) {
       const Places before{x.before(i), y.before(i)}, p = places(i), after{x.after(i), y.after(i)};
