@@ -36,8 +36,8 @@ constexpr std::size_t kind_of() {
 template <class T>
 class Bodies {
  public:
-  /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take less
-  /// memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
+  /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take
+  /// less memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
   template <class C>
   Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses);
 
@@ -127,12 +127,12 @@ struct BatchContacts {
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 
-/// `distance` of each pair. Kernels: sphere with sphere, with capsule and with box; capsule with capsule.
+/// `distance` of each pair. Kernels: spheres, capsules and boxes with each other.
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
-/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: box with box and with
-/// half-space; sphere with sphere, with capsule and with box; capsule with capsule.
+/// `contacts` of each pair up to `margin` >= 0 apart. Kernels: spheres, capsules and boxes with each other and with
+/// half-spaces; box with triangle.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 

@@ -1,9 +1,9 @@
 // The lane type: N scalars that are computed on at once.
 //
 // Guarantee: every operation is lane by lane the IEEE operation of the scalar, so that a kernel written once over its
-// scalar gives the same bits in every lane as it gives for that lane alone. Over the compilers' vector extensions
-// (g++ 12, clang 14 and later, WebAssembly), without intrinsics. All of it is inlined even without optimisation: kernels
-// are compiled for several instruction sets, and no copy for one of them may be left where another's is called.
+// scalar gives the same bits in every lane as it gives for that lane alone. Over the compilers' vector extensions (g++
+// 12, clang 14 and later, WebAssembly), without intrinsics. All of it is inlined even without optimisation: kernels are
+// compiled for several instruction sets, and no copy for one of them may be left where another's is called.
 #pragma once
 
 #include <cmath>
@@ -101,8 +101,8 @@ struct Wide {
   }
 };
 
-/// Whether any lane is set, or all are; and for a single scalar's `bool`, or the `int` that joining two of them gives, so
-/// that kernels can ask either.
+/// Whether any lane is set, or all are; and for a single scalar's `bool`, or the `int` that joining two of them gives,
+/// so that kernels can ask either.
 template <class M>
 [[gnu::always_inline]] inline bool any(const M& mask) {
   if constexpr (std::is_integral_v<M>) {

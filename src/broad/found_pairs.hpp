@@ -25,8 +25,8 @@ inline const std::uint32_t* numbers(std::span<const IdPair> pairs) {
 
 class FoundPairs {
  public:
-  /// Kernels stop at some number of pairs between `most` and four times as many: then `is_full`, and what is held is of no
-  /// use.
+  /// Kernels stop at some number of pairs between `most` and four times as many: then `is_full`, and what is held is of
+  /// no use.
   void clear(std::size_t most = ~std::size_t{0}) { count_ = 0, most_ = most, is_full_ = false; }
   bool is_full() const { return is_full_; }
   /// For one kernel or several; `take` what it holds before the next use of this object.

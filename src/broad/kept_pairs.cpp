@@ -13,14 +13,14 @@ namespace {
 /// The room on each side of a box as a share of the length that half of the boxes exceed: more makes a list that lasts
 /// longer and is longer itself, by the cube of what it adds to the boxes.
 constexpr double room_per_length = 0.08;
-/// And no more than this share of its own length along the axis: dust beside large boxes and bundles of needles would else
-/// overlap by the thousand.
+/// And no more than this share of its own length along the axis: dust beside large boxes and bundles of needles would
+/// else overlap by the thousand.
 constexpr double most_room = 0.25;
-/// Once more than one in so many boxes has left, a new list is cheaper: to look for the pairs of one takes about twice its
-/// share in finding all pairs.
+/// Once more than one in so many boxes has left, a new list is cheaper: to look for the pairs of one takes about twice
+/// its share in finding all pairs.
 constexpr std::size_t boxes_per_left = 8;
-/// To make a list takes some 1.7 times as long as finding all pairs without one, and is tried where most boxes would stay
-/// in their rooms for so many frames.
+/// To make a list takes some 1.7 times as long as finding all pairs without one, and is tried where most boxes would
+/// stay in their rooms for so many frames.
 constexpr int frames_to_last = 3;
 /// A list that was of use in fewer frames was not worth making: the next one waits, each time longer up to a limit.
 constexpr std::size_t few_frames = 2, longest_pause = 63;
@@ -80,7 +80,8 @@ void KeptPairs<T>::find_anew(std::span<const Aabb<T>> boxes, std::vector<IdPair>
   all_.sort_into(not_apart(out));
 }
 
-/// Puts the pairs of those apart among the others. Once they overlap far less than they did, others may take their part.
+/// Puts the pairs of those apart among the others. Once they overlap far less than they did, others may take their
+/// part.
 template <class T>
 void KeptPairs<T>::compare_apart(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
   wide_.merge(isa_, boxes, apart_, inner_, out);

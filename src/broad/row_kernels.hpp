@@ -19,8 +19,8 @@ struct Row {
 };
 
 /// Bits of a box in one of the rows it reaches: whether it begins in a row before, along Y and along Z. The pair of two
-/// boxes belongs to the one row in which the later of the two begins, along Y as well as along Z; so they have no bit in
-/// common there, and in every other row that has both of them they do.
+/// boxes belongs to the one row in which the later of the two begins, along Y as well as along Z; so they have no bit
+/// in common there, and in every other row that has both of them they do.
 inline constexpr int began_before_y = 1, began_before_z = 2;
 
 template <std::size_t Size>
@@ -77,8 +77,8 @@ GRAZE_DECLARE_KERNEL(
     /// The pairs of each box with those in the rows. `strips[y]` is the first place in `rows` with that Y or a larger.
     template <class T> void sweep_over(const Rows<T>& rows, const std::uint32_t* strips, const SweptOver<T>* boxes,
                                        std::size_t count, PairSink& sink);
-    /// The pairs of one box with those at `from` to `end` in the arrays, in that order, and `known` ones in between, two
-    /// places each from `to` on; returns the end of what was written. Writes up to `row_padding` pairs past it.
+    /// The pairs of one box with those at `from` to `end` in the arrays, in that order, and `known` ones in between,
+    /// two places each from `to` on; returns the end of what was written. Writes up to `row_padding` pairs past it.
     template <class T> std::uint32_t* test_all(const Rows<T>& boxes, std::uint32_t from, std::uint32_t end,
                                                const SweptOver<T>& box, const KnownPairs& known, std::uint32_t* to);)
 // clang-format on

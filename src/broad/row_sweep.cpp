@@ -32,8 +32,8 @@ std::size_t RowSweep<T>::memory() const {
   return bytes;
 }
 
-/// The first level of most scenes, in which all boxes are finite and of about one size: what all of them span in one pass
-/// without branches. Returns false where some are not, and nothing is known then.
+/// The first level of most scenes, in which all boxes are finite and of about one size: what all of them span in one
+/// pass without branches. Returns false where some are not, and nothing is known then.
 template <class T>
 bool RowSweep<T>::all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans) {
   spans = {boxes[0].lower, boxes[0].lower, {}};

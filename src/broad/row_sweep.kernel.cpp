@@ -74,8 +74,8 @@ class InOrder {
 /// end it; what comes after a box in its own row begins after it, too.
 enum class Scan { own_row, row, unordered };
 
-/// One box against those from `k` on; in rows, only where `began` has no bit in common with them. Whether a pair overlaps
-/// is hard to foresee, so every step writes all of its lanes and only the count depends on it.
+/// One box against those from `k` on; in rows, only where `began` has no bit in common with them. Whether a pair
+/// overlaps is hard to foresee, so every step writes all of its lanes and only the count depends on it.
 template <Scan kind, class T, class Out>
 [[gnu::always_inline]] inline void scan(const Rows<T>& r, const Spread<T>& box, typename Lanes<T>::Bits began,
                                         std::uint32_t place, std::uint32_t k, std::uint32_t end, Out& output) {

@@ -32,8 +32,8 @@ void count_below(std::span<const std::uint32_t> wide, std::size_t places, std::v
 template <class T>
 bool WideBoxes<T>::worthwhile(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> some) {
   if (boxes.size() > most_boxes) return false;
-  // Steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section 6.4): evenly spread, and
-  // in step with no pattern that the boxes may follow.
+  // Steps of the golden ratio (Knuth 1998, "The Art of Computer Programming", volume 3, section 6.4): evenly spread,
+  // and in step with no pattern that the boxes may follow.
   std::size_t hits = 0;
   std::uint32_t at = 0;
   for (std::size_t i = 0; i < samples; ++i) {

@@ -18,11 +18,12 @@ namespace graze {
 template <class T>
 class WideBoxes {
  public:
-  /// Whether comparing those at `some` with all boxes is cheaper than to look for their pairs and to sort them. Looks at
-  /// a few hundred pairs, and so is a guess; what it says depends on the boxes alone.
+  /// Whether comparing those at `some` with all boxes is cheaper than to look for their pairs and to sort them. Looks
+  /// at a few hundred pairs, and so is a guess; what it says depends on the boxes alone.
   static bool worthwhile(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> some);
 
-  /// The pairs of those at `wide`, in ascending order, together with `others`: sorted pairs of other boxes, not in `out`.
+  /// The pairs of those at `wide`, in ascending order, together with `others`: sorted pairs of other boxes, not in
+  /// `out`.
   void merge(Isa level, std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> wide,
              std::span<const IdPair> others, std::vector<IdPair>& out);
 

@@ -15,8 +15,8 @@ namespace {
 template <class T>
 constexpr T infinity = std::numeric_limits<T>::infinity();
 
-/// Whether two pieces are further apart along the best normal so far than what is nearest: two support points tell, where
-/// the distance takes an iteration. Triangles have been asked before.
+/// Whether two pieces are further apart along the best normal so far than what is nearest: two support points tell,
+/// where the distance takes an iteration. Triangles have been asked before.
 template <class T>
 bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   const Shape<T>&shape_a = a.shape, &shape_b = b.shape;
@@ -32,8 +32,8 @@ bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   return dot(low - high, normal) > best.distance + slack;
 }
 
-/// Whether a triangle that pushes from its front alone would push along a direction that leads from its back. A sliver's
-/// normal is rounding, and along an edge the direction lies in the triangle's plane but for that: both push.
+/// Whether a triangle that pushes from its front alone would push along a direction that leads from its back. A
+/// sliver's normal is rounding, and along an edge the direction lies in the triangle's plane but for that: both push.
 template <class T>
 bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
   const auto* triangle = part.front_only ? part.shape.template as<Triangle<T>>() : nullptr;

@@ -1,6 +1,5 @@
 #include "mid/internal_edges.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "graze/geometry.hpp"
@@ -22,8 +21,8 @@ Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const P
   return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
 }
 
-/// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh. To
-/// its back pushes the wall of a closed mesh that is met from inside, below the top.
+/// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh.
+/// To its back pushes the wall of a closed mesh that is met from inside, below the top.
 template <class T>
 bool lies_open(const PieceOf<T>& self, const Vec3<T>& outward) {
   const auto* triangle = self.piece.template as<Triangle<T>>();
@@ -32,9 +31,10 @@ bool lies_open(const PieceOf<T>& self, const Vec3<T>& outward) {
   return dot(front, rotate(conjugate(self.pose.rotation), outward)) >= T(0);
 }
 
-/// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle its
-/// own face's, on the side where the other shape is, unless a sheet covers that; of a solid piece that of the neighbour
-/// which rises above it, as far as the other shape touches that, or of a face of its own, if nothing rises above those.
+/// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle
+/// its own face's, on the side where the other shape is, unless a sheet covers that; of a solid piece that of the
+/// neighbour which rises above it, as far as the other shape touches that, or of a face of its own, if nothing rises
+/// above those.
 template <class T>
 std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>& neighbour, const PieceOf<T>& other,
                                          const Vec3<T>& point, const Vec3<T>& outward, T margin) {
@@ -109,17 +109,17 @@ bool lies_level(const PieceOf<T>& self) {
 }
 
 /// Whether a triangle reaches further along a normal than where the contact stands, which that of an own feature never
-/// does. Near a corner this is less than what coordinates may be off by, but more than what they are when both come from
-/// one pose.
+/// does. Near a corner this is less than what coordinates may be off by, but more than what they are when both come
+/// from one pose.
 template <class T>
 bool leans_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
   const Vec3<T> further = furthest(self.piece, self.pose, outward) - point;
   return dot(further, outward) > region_slack<T> * length(further) + place_noise(point) / T(8);
 }
 
-/// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face. That
-/// of a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it
-/// leans over, though that edge is a ridge and touched.
+/// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face.
+/// That of a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge
+/// that it leans over, though that edge is a ridge and touched.
 template <class T>
 std::optional<Vec3<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
   const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr);
@@ -127,8 +127,8 @@ std::optional<Vec3<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& o
   return d.normal;
 }
 
-/// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it is
-/// that of a face of the piece.
+/// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it
+/// is that of a face of the piece.
 template <class T>
 std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
                                  Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward, bool on_face, T margin) {
@@ -172,7 +172,8 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
       found = now;
       now = laid_along(a, b, of_a, face, margin, found);
     }
-    // Rounding may leave one without points; and a corner or a ball, which stands on the face alone, has none to be laid.
+    // Rounding may leave one without points; and a corner or a ball, which stands on the face alone, has none to be
+    // laid.
     const bool sliver = now.points.empty();
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const auto normal = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);

@@ -18,8 +18,8 @@ T reach_on(const MeshData<T>& mesh, T noise) {
 template <class T>
 class MeshPatch {
  public:
-  /// Takes the triangles that come within `distance` of the question's region, and so near to it that a point which does
-  /// may lie on them; false where they are too many.
+  /// Takes the triangles that come within `distance` of the question's region, and so near to it that a point which
+  /// does may lie on them; false where they are too many.
   bool fill(const Mesh<T>& mesh, const BoxQuestion<T>& question, T distance) {
     const MeshData<T>& data = mesh.data();
     mesh_ = &data;

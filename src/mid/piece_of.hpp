@@ -26,8 +26,8 @@ struct PieceOf {
   const MeshPatch<T>* patch = nullptr;  ///< of the mesh, where the piece is one of its triangles
 };
 
-/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a half-space
-/// is right wherever it is met.
+/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a
+/// half-space is right wherever it is met.
 template <class T>
 bool is_solid(const Shape<T>& shape) {
   return !shape.template as<Triangle<T>>() && !shape.template as<HalfSpace<T>>();
@@ -49,8 +49,8 @@ Vec3<T> face_normal(const Triangle<T>& t) {
 /// what a slope is made of.
 template <class T>
 inline constexpr T same_direction = T(2e-4);
-/// A normal is inside a Voronoi region that it leaves by less than this sine: half the above, so that what is left of it
-/// on a flat surface is laid along the face.
+/// A normal is inside a Voronoi region that it leaves by less than this sine: half the above, so that what is left of
+/// it on a flat surface is laid along the face.
 template <class T>
 inline constexpr T region_slack = same_direction<T> / T(2);
 /// A point lies on a piece that is nearer than this, relative to the piece: ten times the tolerance of points in float.

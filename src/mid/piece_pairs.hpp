@@ -1,4 +1,5 @@
-// Two shapes, either of which may be a composite, taken apart into the pairs of convex pieces that come near each other.
+// Two shapes, either of which may be a composite, taken apart into the pairs of convex pieces that come near each
+// other.
 //
 // Guarantee: every pair of convex pieces that comes within the limit is visited, in the same order for the same input.
 // Two meshes, and two compounds, descend both trees at once: the cost follows from what is near. No allocation but for

@@ -11,8 +11,8 @@
 
 namespace graze {
 
-/// Calls `f(surface)` with the data of a mesh or height field: `hierarchy()`, `triangle(number)` and `extent`. False for
-/// another shape.
+/// Calls `f(surface)` with the data of a mesh or height field: `hierarchy()`, `triangle(number)` and `extent`. False
+/// for another shape.
 template <class T, class F>
 bool with_surface(const Shape<T>& shape, F&& f) {
   if (const auto* mesh = shape.template as<Mesh<T>>()) {
@@ -52,8 +52,8 @@ bool visit_triangle(const Surface& surface, std::uint32_t number, const Pose<T>&
 }
 
 /// Calls `f(shape, pose, number)` for each child or triangle of a composite that `question` (in the composite's frame)
-/// lets pass at `limit()`, triangles also by `question.may_reach(corners, limit)` where it has that; a convex shape is its
-/// own only piece. `f` may return false to end the visit; returns whether it went to the end.
+/// lets pass at `limit()`, triangles also by `question.may_reach(corners, limit)` where it has that; a convex shape is
+/// its own only piece. `f` may return false to end the visit; returns whether it went to the end.
 template <class T, class Question, class Limit, class F>
 bool visit_pieces(const Shape<T>& shape, const Pose<T>& pose, const Question& question, const Limit& limit, F&& f) {
   bool whole = true;

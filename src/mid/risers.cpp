@@ -10,7 +10,8 @@ namespace graze {
 
 namespace {
 
-/// Whether a triangle touches `p` and rises above the plane through it. `noise`: what the coordinates of `p` may be off by.
+/// Whether a triangle touches `p` and rises above the plane through it. `noise`: what the coordinates of `p` may be off
+/// by.
 template <class T>
 bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p, const Vec3<T>& n, T noise) {
   const T to_a = length(a - p), to_b = length(b - p), to_c = length(c - p);
@@ -20,7 +21,8 @@ bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec
   return length(closest_point_on_triangle(a, b, c, p).point - p) <= on_piece<T> * size + noise;
 }
 
-/// Calls `look(number)` for the triangles that come near `region`, until it returns false. Those of a patch are at hand.
+/// Calls `look(number)` for the triangles that come near `region`, until it returns false. Those of a patch are at
+/// hand.
 template <class T, class F>
 void each_near(const MeshData<T>& mesh, const Aabb<T>& region, const MeshPatch<T>* patch, F& look) {
   if (patch && patch->covers(mesh, region))

@@ -1,10 +1,10 @@
 // What a contact stands on, before anybody looks for its neighbours.
 //
-// Guarantee: a contact that stands clear is one that `settle_normal` (internal_edges.hpp) leaves as it is, up to rounding.
+// Guarantee: a contact that stands clear is one that `settle_normal` (internal_edges.hpp) leaves as it is, up to
+// rounding.
 #pragma once
 
 #include <algorithm>
-#include <span>
 
 #include "graze/contact.hpp"
 #include "mid/piece_of.hpp"
@@ -33,10 +33,10 @@ Vec3<T> standing_point(const Points& points, Vec3<T> ContactPoint<T>::*side) {
 template <class T>
 Vec3<T> face_along(const PieceOf<T>& self, const Vec3<T>& outward);
 
-/// Whether nothing beside the convex shape `self` makes the contact on it other than it is: its normal, `outward`, is that
-/// of the face it stands on, and nothing beside rises above the plane through `point`, its standing point, where that is
-/// or between there and the middle of `other`. Most contacts on a floor of several bodies are such, and this is told by a
-/// point of each of those beside.
+/// Whether nothing beside the convex shape `self` makes the contact on it other than it is: its normal, `outward`, is
+/// that of the face it stands on, and nothing beside rises above the plane through `point`, its standing point, where
+/// that is or between there and the middle of `other`. Most contacts on a floor of several bodies are such, and this is
+/// told by a point of each of those beside.
 template <class T>
 bool stands_clear(const PieceOf<T>& self, const PieceOf<T>& other, const Vec3<T>& outward, const Vec3<T>& point);
 

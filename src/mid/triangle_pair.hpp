@@ -12,8 +12,8 @@ namespace graze {
 template <class T>
 using Corners = std::array<Vec3<T>, 3>;
 
-/// Whether something is more than `limit` from the plane of two edges u and v. `n`: their product; `along`: how far it is
-/// along that, times its length; `reach`: the largest coordinate of what was projected for it, from a corner.
+/// Whether something is more than `limit` from the plane of two edges u and v. `n`: their product; `along`: how far it
+/// is along that, times its length; `reach`: the largest coordinate of what was projected for it, from a corner.
 template <class T>
 bool is_off_plane(const Vec3<T>& u, const Vec3<T>& v, const Vec3<T>& n, T along, T reach, T limit) {
   // A sliver's normal is mostly rounding: of each product of two differences half a unit in the last place, some six of

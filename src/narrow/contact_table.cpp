@@ -24,8 +24,8 @@ concept HasOwnContacts = requires(const A& a, const B& b, T margin, const Pose<T
 template <class T>
 using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifold<T>&);
 
-/// Of the concrete shapes A and B, which stand in order. One function, so that numbers stay in registers on their way to
-/// the manifold.
+/// Of the concrete shapes A and B, which stand in order. One function, so that numbers stay in registers on their way
+/// to the manifold.
 template <class A, class B, class T>
 [[gnu::flatten]] T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                                  T margin, Manifold<T>& manifold) {

@@ -1,4 +1,5 @@
-// The manifold of two convex shapes: their distance gives the normal, their support faces the points.
+// The general path to the manifold of two convex shapes: their distance gives the normal, their support faces the
+// points. Which pairs have a path of their own, contact_table.cpp tells.
 #include <algorithm>
 
 #include "narrow/add_point.hpp"
@@ -94,8 +95,8 @@ double furthest_kept(const Side<T>& a, const Side<T>& b, T margin, double distan
   return greatest(static_cast<double>(margin), distance + rounding * (a.size() + b.size() + std::abs(distance)));
 }
 
-/// The normal of one of the two support faces if it is about as good as the least depth's, else that one. A face of flat
-/// sides, which no vertex stands out before, needs no support query of its own.
+/// The normal of one of the two support faces if it is about as good as the least depth's, else that one. A face of
+/// flat sides, which no vertex stands out before, needs no support query of its own.
 template <class T>
 Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                        const Vec3d& normal, double distance) {

@@ -7,15 +7,15 @@
 
 namespace graze {
 
-/// Whether two shapes stand in the question against the order of the list of shapes. They are then asked about the other
-/// way round and the answer mirrored, so that swapping shapes of two kinds changes not one bit.
+/// Whether two shapes stand in the question against the order of the list of shapes. They are then asked about the
+/// other way round and the answer mirrored, so that swapping shapes of two kinds changes not one bit.
 template <class T>
 bool against_order(const Shape<T>& a, const Shape<T>& b) {
   return a.index() > b.index();
 }
 
-/// `distance` of two convex shapes that stand in order, without the axes of an explanation. Where it is more than `limit`
-/// the answer may be anything between the two that is proven, along its normal and without the points.
+/// `distance` of two convex shapes that stand in order, without the axes of an explanation. Where it is more than
+/// `limit` the answer may be anything between the two that is proven, along its normal and without the points.
 template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                              T limit, Trace* trace);
@@ -34,8 +34,8 @@ template <class T>
 bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
 /// `contacts` of two convex shapes: fills the manifold. Returns their signed distance, of boxes that are apart a lower
-/// bound with its sign, or where it is more than `margin`, something between the two; the normal is then a direction that
-/// separates them by as much, or of two boxes as it was.
+/// bound with its sign, or where it is more than `margin`, something between the two; the normal is then a direction
+/// that separates them by as much, or of two boxes as it was.
 template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                   Manifold<T>& manifold, Trace* trace);

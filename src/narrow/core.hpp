@@ -93,7 +93,7 @@ bool has_core(const C& concrete) {
     return !std::is_same_v<decltype(core_of(concrete)), NoCore>;
 }
 
-/// The distance from one to the next number, of a scalar or of each lane.
+/// The number in a lane; a scalar is its own.
 template <class S>
 struct LaneOf {
   using type = S;
@@ -103,6 +103,7 @@ requires requires { typename S::Lane; }
 struct LaneOf<S> {
   using type = typename S::Lane;
 };
+/// The distance from one to the next number, of a scalar or of each lane.
 template <class S>
 inline constexpr typename LaneOf<S>::type epsilon = std::numeric_limits<typename LaneOf<S>::type>::epsilon();
 

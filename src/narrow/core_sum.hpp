@@ -28,8 +28,8 @@ struct TangentForm {
     uv += other.uv;
     vv += other.vv;
   }
-  /// Newton's step for a gradient, with the magnitudes of the eigenvalues in the place of these: it leads down also where
-  /// the form is not positive (Dauphin et al. 2014, "Identifying and attacking the saddle point problem").
+  /// Newton's step for a gradient, with the magnitudes of the eigenvalues in the place of these: it leads down also
+  /// where the form is not positive (Dauphin et al. 2014, "Identifying and attacking the saddle point problem").
   std::pair<double, double> downhill(double gu, double gv) const {
     double a = uu, b = uv, c = vv, det = a * c - b * b;
     if (!(a + c > 0 && det > flattest * (a + c) * (a + c))) {
@@ -101,9 +101,9 @@ class SumSide {
     const Vec3d ru = scaled(radii, u), rv = scaled(radii, v);
     return {dot(ru, ru) - pu * pu, dot(ru, rv) - pu * pv, dot(rv, rv) - pv * pv};
   }
-  /// What the radius of curvature nowhere falls below, along the great circle through n and a tangent t: a quadratic form
-  /// in t. With m = n x t across the circle's plane it is |cof(R) m|^2 / |R n|^3, that of the ellipse that the ellipsoid
-  /// casts on the plane.
+  /// What the radius of curvature nowhere falls below, along the great circle through n and a tangent t: a quadratic
+  /// form in t. With m = n x t across the circle's plane it is |cof(R) m|^2 / |R n|^3, that of the ellipse that the
+  /// ellipsoid casts on the plane.
   TangentForm least_radius(const Vec3d& u, const Vec3d& v) const {
     const double widest = max_abs(radii), scale = 1 / (widest * widest * widest);
     const Vec3d minors{radii.y * radii.z, radii.x * radii.z, radii.x * radii.y};

@@ -1,5 +1,5 @@
-// Contacts of two convex shapes of any kind: their distance or their separating axes give the normal, their support faces
-// the points.
+// Contacts of two convex shapes of any kind: their distance or their separating axes give the normal, their support
+// faces the points.
 #pragma once
 
 #include "graze/query.hpp"

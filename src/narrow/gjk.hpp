@@ -114,8 +114,8 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
   return r;
 }
 
-/// Asks for the point along the unit vector `n`, which joins the simplex. Returns whether it separates
-/// them by enough at once; whoever wants to see the steps sees some.
+/// Asks for the point along the unit vector `n`, which joins the simplex. Returns whether it separates them by enough
+/// at once; whoever wants to see the steps sees some.
 template <class Difference>
 bool separates_at_once(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Vec3d& n, Trace* trace) {
   const SupportPoint& found = r.simplex.add([&] { return difference.support(n); });
@@ -146,8 +146,8 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
 /// all points are corners.
 template <class Difference>
 GjkResult gjk_spread(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
-  // Unit vectors by their parts along that way, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Of three dozen
-  // sets tried the one that left the fewest steps, for random hulls of 32 points.
+  // Unit vectors by their parts along that way, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Of three
+  // dozen sets tried the one that left the fewest steps, for random hulls of 32 points.
   constexpr double leans[3][3] = {{0.95782628522115137, 0.28734788556634541, 0},
                                   {0.81649658092772603, 0.40824829046386302, 0.40824829046386302},
                                   {0.81649658092772603, 0.40824829046386302, -0.40824829046386302}};

@@ -1,7 +1,7 @@
 // The Minkowski difference of two small hulls, whose vertices are scanned.
 //
-// Guarantee: as `MinkowskiDifference` of their cores, to the last bit. A query is one call of a kernel, in which the two
-// scans run beside each other.
+// Guarantee: as `MinkowskiDifference` of their cores, to the last bit. A query is one call of a kernel, in which the
+// two scans run beside each other.
 #pragma once
 
 #include "narrow/support_point.hpp"

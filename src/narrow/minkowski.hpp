@@ -51,14 +51,14 @@ class MinkowskiDifference {
 /// reappear when a small question is asked at a large scale.
 inline constexpr double negligible = 1e-30;
 
-/// A core that is a box and an ellipsoid added up, both about `center` along the core's own axes. A cylinder is a segment,
-/// a box of no width, and a disc, an ellipsoid of no height.
+/// A core that is a box and an ellipsoid added up, both about `center` along the core's own axes. A cylinder is a
+/// segment, a box of no width, and a disc, an ellipsoid of no height.
 struct SummedCore {
   Vec3d center, half, radii;
 };
 
-/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes. What a support query
-/// of the simplest shapes needs is taken out of the shape once, in double.
+/// A shape's core behind one type, so that the iterations are compiled once for all pairs of shapes. What a support
+/// query of the simplest shapes needs is taken out of the shape once, in double.
 template <class T>
 class ShapeCore {
  public:
@@ -175,8 +175,8 @@ inline Vec3d unit(const Vec3d& v, const Vec3d& fallback = {0, 1, 0}) {
   return normalized(v, fallback);
 }
 
-/// Two unit vectors across the unit vector n and each other; u x v = n (Duff et al. 2017, "Building an orthonormal basis,
-/// revisited").
+/// Two unit vectors across the unit vector n and each other; u x v = n (Duff et al. 2017, "Building an orthonormal
+/// basis, revisited").
 inline void tangents_at(const Vec3d& n, Vec3d& u, Vec3d& v) {
   const double s = n.z < 0 ? -1 : 1, a = -1 / (s + n.z), b = n.x * n.y * a;
   u = {1 + s * n.x * n.x * a, s * b, -s * n.x};

@@ -1,5 +1,5 @@
-// Outlines of the area in which two faces lie over each other, in the plane across their normal, and what is left of one
-// when corners that mean nothing are dropped.
+// Outlines of the area in which two faces lie over each other, in the plane across their normal, and what is left of
+// one when corners that mean nothing are dropped.
 //
 // Guarantee: what is dropped changes the area by no more than `spared_area` and the outline by no more than `near`; the
 // deepest corner always stays.
@@ -55,8 +55,8 @@ auto twice_area(const Outline& outline) {
 }
 
 /// Drops corners that stand out by less than `near` from the line between their neighbours, least area first, while no
-/// more than `spared_area` is lost: those of edges that about coincide. The deepest point always stays. `apart` tells of
-/// a place how far apart the faces are there.
+/// more than `spared_area` is lost: those of edges that about coincide. The deepest point always stays. `apart` tells
+/// of a place how far apart the faces are there.
 template <class Outline, class T, class Apart>
 void simplify(Outline& outline, T near, const Apart& apart) {
   if (outline.empty()) return;

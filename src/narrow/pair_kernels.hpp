@@ -1,7 +1,8 @@
-// The pair routines that run across lanes: many pairs of two kinds of shapes at once, compiled for each instruction set.
+// The pair routines that run across lanes: many pairs of two kinds of shapes at once, compiled for each instruction
+// set.
 //
-// Guarantee: what comes out for a pair is a function of that pair alone: the same bits at every level, in any order, with
-// any neighbours, one pair or many.
+// Guarantee: what comes out for a pair is a function of that pair alone: the same bits at every level, in any order,
+// with any neighbours, one pair or many.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +22,8 @@ struct PairRef {
   T margin;  ///< up to where contacts are wanted
 };
 
-/// So many pairs at most are asked about at a time where the answer is a block of arrays, and so many points of each are
-/// in one.
+/// So many pairs at most are asked about at a time where the answer is a block of arrays, and so many points of each
+/// are in one.
 inline constexpr std::size_t block_pairs = 16, most_block_points = 8;
 
 template <class S>
@@ -32,8 +33,8 @@ struct TriangleChoice;  // pairs/box_triangle.hpp
 template <class S>
 struct BoxManifold;  // pairs/box_manifold.hpp
 
-/// The points of contact of up to `block_pairs` pairs of boxes, or of boxes and triangles; see `BoxManifold`. A number of a pair stands at the
-/// pair's place in each array.
+/// The points of contact of up to `block_pairs` pairs of boxes, or of boxes and triangles; see `BoxManifold`. A number
+/// of a pair stands at the pair's place in each array.
 template <class T>
 struct BoxPointBlock {
   using Column = T[block_pairs];
@@ -74,8 +75,8 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleChoice<T>* axes);
     template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
                                             BoxPointBlock<T>& points);
-    /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only the
-    /// normal.
+    /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only
+    /// the normal.
     template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);
     /// The axis of one pair of boxes, and its points where it is within its margin: whether it is.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);

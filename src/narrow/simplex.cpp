@@ -4,8 +4,8 @@ namespace graze {
 
 namespace {
 
-/// A triangle whose normal is shorter than this, relative to the square of its vertices' distance from the origin, tells
-/// beyond which of its edges the origin lies with fewer than eight digits: then all three are tried.
+/// A triangle whose normal is shorter than this, relative to the square of its vertices' distance from the origin,
+/// tells beyond which of its edges the origin lies with fewer than eight digits: then all three are tried.
 constexpr double slender = 1e-8;
 
 /// What is nearest of what has been tried.
@@ -62,16 +62,16 @@ class Search {
  private:
   static std::uint8_t narrow(std::size_t i) { return static_cast<std::uint8_t>(i); }
 
-  /// Whether the origin may lie on the other side of a tetrahedron's side than the fourth vertex, given its volume times
-  /// the origin's share and its own.
+  /// Whether the origin may lie on the other side of a tetrahedron's side than the fourth vertex, given its volume
+  /// times the origin's share and its own.
   static bool outside(double origin, double inner) { return !(origin * inner > 0) && (origin != 0 || inner == 0); }
 
   /// A bit for each pair of vertices.
   static unsigned edge_bit(std::size_t i, std::size_t j) { return 1u << (i + j - (i == 0 || j == 0)); }
 
-  /// Takes the point of a triangle's inside that is nearest to the origin. Where there is none, notes beyond which of its
-  /// edges the origin lies: an edge or one of its ends is nearest only to that. Of the vertices i, j and k, u and v are
-  /// the ways from k to i and j, and `normal` is their product.
+  /// Takes the point of a triangle's inside that is nearest to the origin. Where there is none, notes beyond which of
+  /// its edges the origin lies: an edge or one of its ends is nearest only to that. Of the vertices i, j and k, u and v
+  /// are the ways from k to i and j, and `normal` is their product.
   bool inside(std::size_t i, std::size_t j, std::size_t k, const Vec3d& u, const Vec3d& v, const Vec3d& normal) {
     const Vec3d& p = s_.w(k);
     const double area = dot(normal, normal);

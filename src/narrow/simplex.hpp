@@ -44,8 +44,8 @@ struct Simplex {
   }
 };
 
-/// The point of a simplex nearest to the origin, and the vertices that carry it, in ascending order, with its weights, of any sum.
-/// `enclosed` when the simplex is a tetrahedron that holds the origin: all of it carries it then.
+/// The point of a simplex nearest to the origin, and the vertices that carry it, in ascending order, with its weights,
+/// of any sum. `enclosed` when the simplex is a tetrahedron that holds the origin: all of it carries it then.
 struct Nearest {
   Vec3d point;
   double squared = 0;  ///< its length

@@ -10,8 +10,8 @@ struct SupportPoint {
   Vec3d a, b, w;
 };
 
-/// Copies number by number. Compilers copy by sixteen bytes or more, and such a read of what was written by eight a moment
-/// ago waits until that has gone to the cache: in an iteration, for everything before it.
+/// Copies number by number. Compilers copy by sixteen bytes or more, and such a read of what was written by eight a
+/// moment ago waits until that has gone to the cache: in an iteration, for everything before it.
 inline Vec3d by_parts(const Vec3d& v) { return {v.x, v.y, v.z}; }
 inline SupportPoint by_parts(const SupportPoint& p) { return {by_parts(p.a), by_parts(p.b), by_parts(p.w)}; }
 

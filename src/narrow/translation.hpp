@@ -4,8 +4,8 @@
 // them. The time is the one of contact, up to the tolerance, or earlier where GJK stalls.
 //
 // Method: van den Bergen 2004, "Ray casting against general convex objects with application to continuous collision
-// detection": GJK searches the plane nearest to the moving origin, and whenever the plane at hand separates, time goes on
-// to where it does no more, without waiting for GJK to end. Ten to fifteen support points do for most casts.
+// detection": GJK searches the plane nearest to the moving origin, and whenever the plane at hand separates, time goes
+// on to where it does no more, without waiting for GJK to end. Ten to fifteen support points do for most casts.
 #pragma once
 
 #include "narrow/simplex.hpp"

@@ -9,9 +9,9 @@ namespace graze {
 
 namespace {
 
-/// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can be
-/// written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be guessed
-/// wrong, which costs more than the writing.
+/// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can
+/// be written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be
+/// guessed wrong, which costs more than the writing.
 template <class T>
 class Writer {
  public:
@@ -40,8 +40,8 @@ class Writer {
   void begin(std::size_t pair, bool overlap) {
     found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
   }
-  /// One more manifold of the pair that was begun last; `append(points)` writes at most `most` points behind those that are
-  /// there, and returns how many.
+  /// One more manifold of the pair that was begun last; `append(points)` writes at most `most` points behind those that
+  /// are there, and returns how many.
   template <class Append>
   void add(std::size_t pair, const Vec3<T>& normal, std::uint32_t piece_a, std::uint32_t piece_b, std::size_t most,
            const Append& append) {

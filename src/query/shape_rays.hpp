@@ -1,8 +1,8 @@
 // What casts of one ray and of many have in common: the ray in the frame of what it is cast at, everything that it hits
 // there, and a hit in the caller's frame.
 //
-// Guarantee: all in double, whatever the caller's scalar is; hits are told with where they lie along the ray, in whichever
-// order.
+// Guarantee: all in double, whatever the caller's scalar is; hits are told with where they lie along the ray, in
+// whichever order.
 #pragma once
 
 #include "mid/pieces.hpp"
@@ -47,8 +47,8 @@ template <class T>
   return local;
 }
 
-/// Calls `report(hit, triangle)` for what the ray hits of a shape that is no compound; `report` returns how far the ray has
-/// still to be followed, less than zero for no further.
+/// Calls `report(hit, triangle)` for what the ray hits of a shape that is no compound; `report` returns how far the ray
+/// has still to be followed, less than zero for no further.
 template <class T, class Report>
 [[gnu::always_inline]] inline void visit_single(const Shape<T>& shape, const LocalRay& ray, BackFaces back,
                                                 const Report& report) {
@@ -58,9 +58,9 @@ template <class T, class Report>
   if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, 0u);
 }
 
-/// Calls `found(hit, piece)` for what the ray hits of a compound; `found` returns how far the ray has still to be followed.
-/// `frame` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the child of that, or
-/// null for the outermost itself.
+/// Calls `found(hit, piece)` for what the ray hits of a compound; `found` returns how far the ray has still to be
+/// followed. `frame` places it in the frame of the outermost one, which is the ray's and the hits'; `piece` is the
+/// child of that, or null for the outermost itself.
 template <class T, class Found>
 [[gnu::noinline]] void visit_children(const Compound<T>& compound, const Frame& frame, LocalRay& outer, BackFaces back,
                                       const std::uint32_t* piece, Found& found) {

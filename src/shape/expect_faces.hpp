@@ -20,8 +20,8 @@ template <class Items>
 
 }  // namespace detail
 
-/// To be called some hundred nanoseconds before the faces are asked for. Costs a prefetch a line of the cache, some fifty
-/// for a hull of 32 vertices; nothing is read of larger hulls, and of other shapes, which have no arrays.
+/// To be called some hundred nanoseconds before the faces are asked for. Costs a prefetch a line of the cache, some
+/// fifty for a hull of 32 vertices; nothing is read of larger hulls, and of other shapes, which have no arrays.
 template <class T>
 [[gnu::always_inline]] inline void expect_faces(const Shape<T>& shape) {
   const auto* hull = shape.template as<ConvexHull<T>>();

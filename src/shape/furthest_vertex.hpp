@@ -1,7 +1,7 @@
 // The vertex of a small hull that lies furthest in a direction: a scan on lanes.
 //
-// Guarantee: the vertex that a scan one after the other in the direction's own scalar finds, of equals the first. Lanes of
-// float tell which vertices may be that within rounding, most often one; only those are looked at again.
+// Guarantee: the vertex that a scan one after the other in the direction's own scalar finds, of equals the first. Lanes
+// of float tell which vertices may be that within rounding, most often one; only those are looked at again.
 #pragma once
 
 #include "graze/shape/convex_hull.hpp"

@@ -1,11 +1,11 @@
 // How every hierarchy of bounds is searched: nearest first, with a limit that may shrink on the way.
 //
-// Guarantee: every piece whose bounds the question does not rule out is visited, the same ones in the same order for the
-// same input; nothing is allocated unless a hierarchy is deeper than any good one is; no recursion.
+// Guarantee: every piece whose bounds the question does not rule out is visited, the same ones in the same order for
+// the same input; nothing is allocated unless a hierarchy is deeper than any good one is; no recursion.
 //
-// A hierarchy (`WideTree`, `HeightPyramid`) tells its root, the children of a node with their boxes, and the pieces of a
-// leaf. A question (`BoxQuestion`, `PlaneQuestion`, `RayQuestion`) gives each box a key, a lower bound of the answer for
-// everything inside: what exceeds the limit is left out, and what is least is visited first.
+// A hierarchy (`WideTree`, `HeightPyramid`) tells its root, the children of a node with their boxes, and the pieces of
+// a leaf. A question (`BoxQuestion`, `PlaneQuestion`, `RayQuestion`) gives each box a key, a lower bound of the answer
+// for everything inside: what exceeds the limit is left out, and what is least is visited first.
 #pragma once
 
 #include <cstdint>
@@ -59,8 +59,8 @@ constexpr T signed_square(const T& distance) {
   return distance < T(0) ? -(distance * distance) : distance * distance;
 }
 
-/// How near is it to a region? The key is a lower bound of the signed distance, with its sign and squared: of boxes that
-/// overlap, minus the least translation along an axis that parts them, since that also parts what they hold.
+/// How near is it to a region? The key is a lower bound of the signed distance, with its sign and squared: of boxes
+/// that overlap, minus the least translation along an axis that parts them, since that also parts what they hold.
 template <class T>
 struct BoxQuestion {
   using Key = T;
@@ -114,8 +114,8 @@ struct RayQuestion {
 
   template <class T>
   S operator()(const Aabb<T>& box) const {
-    // Slabs (Kay, Kajiya 1986). 0 * infinity is no number: the ray lies in the side of the box, which does not bound it,
-    // and the comparisons below pass over it.
+    // Slabs (Kay, Kajiya 1986). 0 * infinity is no number: the ray lies in the side of the box, which does not bound
+    // it, and the comparisons below pass over it.
     S enter = begin, leave = end;
     for (std::size_t i = 0; i < 3; ++i) {
       const S low = static_cast<S>(box.lower[i]) - slack - origin[i],

@@ -8,9 +8,9 @@
 
 namespace graze::GRAZE_ISA {
 
-/// What rounding may make of the difference of two vertices' places along a direction, relative to the hull's extent and
-/// the direction's largest component: two and a half roundings of each of three products, which sum to no more than the
-/// square root of three, of two vertices; twice that.
+/// What rounding may make of the difference of two vertices' places along a direction, relative to the hull's extent
+/// and the direction's largest component: two and a half roundings of each of three products, which sum to no more than
+/// the square root of three, of two vertices; twice that.
 inline constexpr float scan_slack = 18 * std::numeric_limits<float>::epsilon();
 
 /// Where all products are too small for a float to hold, all vertices are looked at.

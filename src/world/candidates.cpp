@@ -79,8 +79,8 @@ void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<cons
   pairs_.resize(kept);
 }
 
-/// The pairs of what the tree knows, and those that it finds of what it does not know yet: what moved now, and where all
-/// pairs were found anew in between, then.
+/// The pairs of what the tree knows, and those that it finds of what it does not know yet: what moved now, and where
+/// all pairs were found anew in between, then.
 template <class T>
 void CandidateFinder<T>::find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                       std::span<const std::uint8_t> fixed) {

@@ -1,6 +1,7 @@
 #include "graze/world/manifolds.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "mid/composite.hpp"
@@ -115,8 +116,8 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one; so
-/// are those whose contacts what stands beside may change. Pairs of the same kinds follow each other.
+/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one;
+/// so are those whose contacts what stands beside may change. Pairs of the same kinds follow each other.
 template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                   std::uint32_t block) {

@@ -1,7 +1,5 @@
 #include "graze/world.hpp"
 
-#include <algorithm>
-
 #include "graze/validate.hpp"
 
 namespace graze {

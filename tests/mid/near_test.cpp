@@ -30,8 +30,8 @@ Corners<T> random_corners(Random& random) {
   return corners;
 }
 
-/// Near and far from the origin, what is ruled out at a limit is further apart than that; and of what is clearly further
-/// apart most is ruled out.
+/// Near and far from the origin, what is ruled out at a limit is further apart than that; and of what is clearly
+/// further apart most is ruled out.
 TYPED_TEST(Near, TrianglesThatAreRuledOutAreFurtherApart) {
   using T = TypeParam;
   Random random(61);

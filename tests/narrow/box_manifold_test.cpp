@@ -1,5 +1,5 @@
-// The kernels for contacts of two boxes, and of a box and a triangle, against the general way to lay faces over each other, which answers wherever an
-// explanation is asked for.
+// The kernels for contacts of two boxes, and of a box and a triangle, against the general way to lay faces over each
+// other, which answers wherever an explanation is asked for.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace graze::testing {
 namespace {
 
-/// Area of the points' hull across the normal, by Jarvis' march (1973): from each corner to the one with all others left.
+/// Area of the points' hull across the normal, by Jarvis' march (1973): from each corner to the one with all others
+/// left.
 template <class T>
 double hull_area(const Manifold<T>& m) {
   const Vec3d n = normalized(cast<double>(m.normal)), u = any_perpendicular(n), v = cross(n, u);

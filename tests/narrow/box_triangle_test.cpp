@@ -67,8 +67,8 @@ void check(const PlacedSpecimen& a, const PlacedSpecimen& b, const reference::Ax
     ASSERT_LE(std::abs(static_cast<double>(closest(sa, pa, p.a).distance)), allowed) << describe(a) << describe(b);
     ASSERT_LE(std::abs(static_cast<double>(closest(sb, pb, p.b).distance)), allowed) << describe(a) << describe(b);
   }
-  // A face is preferred to what is less deep by up to a two-hundredth of the smaller shape, and points to those nearer by
-  // as much.
+  // A face is preferred to what is less deep by up to a two-hundredth of the smaller shape, and points to those nearer
+  // by as much.
   ASSERT_NEAR(nearest, -depth, size / 100 + allowed) << describe(a) << "\n" << describe(b);
 }
 

@@ -1,5 +1,5 @@
-// Two small hulls by the kernel that scans both: what any two cores give, at every level of the instruction set; and GJK
-// from four points against GJK from one.
+// Two small hulls by the kernel that scans both: what any two cores give, at every level of the instruction set; and
+// GJK from four points against GJK from one.
 #include "narrow/hull_support.hpp"
 
 #include <gtest/gtest.h>

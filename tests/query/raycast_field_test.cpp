@@ -1,5 +1,5 @@
-// Rays at height fields: none slips between triangles or past a block; the answer is that of testing every triangle, and
-// each ray of many gets what it gets alone.
+// Rays at height fields: none slips between triangles or past a block; the answer is that of testing every triangle,
+// and each ray of many gets what it gets alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -172,9 +172,9 @@ TEST(ConvexHull, AgreesWithBruteForceOnSmallSets) {
   }
 }
 
-/// Lanes of float find the very vertex that a scan in the direction's own scalar does, of equally high ones the first, at
-/// every level of the instruction set; however long the direction, and where vertices are so near that only double tells
-/// them apart.
+/// Lanes of float find the very vertex that a scan in the direction's own scalar does, of equally high ones the first,
+/// at every level of the instruction set; however long the direction, and where vertices are so near that only double
+/// tells them apart.
 template <class T, class S>
 void support_is_the_scan(double scale) {
   Random random(12);

@@ -333,7 +333,8 @@ TEST(World, NothingCatchesOnTheSeamOfFixedBodies) {
   }
 }
 
-/// Of a body over the seam of two others what it has with one of them depends on the other, which may go, or be left out.
+/// Of a body over the seam of two others what it has with one of them depends on the other, which may go, or be left
+/// out.
 TEST(World, WhatStandsOnTheGroundFeelsItChange) {
   const auto boxes = [](Worldd& world, bool both) {
     for (const double x : {-0.5, 0.5}) {

@@ -1,7 +1,7 @@
 // The fourth stage of a world: pairs sorted by the types of their shapes.
 //
-// Guarantee: every pair stands in one bin, the pairs of a bin in their own order. What runs over a bin meets one kind of
-// pair after the other and foresees its branches.
+// Guarantee: every pair stands in one bin, the pairs of a bin in their own order. What runs over a bin meets one kind
+// of pair after the other and foresees its branches.
 #pragma once
 
 #include <span>

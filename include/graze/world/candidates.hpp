@@ -16,8 +16,8 @@ namespace graze {
 template <class T>
 class CandidateFinder {
  public:
-  /// `boxes`, `alive` and `fixed` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere since
-  /// the last call.
+  /// `boxes`, `alive` and `fixed` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere
+  /// since the last call.
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                std::span<const std::uint8_t> fixed, std::span<const std::uint32_t> changes);
   const DynamicTree<T>& tree() const { return tree_; }

@@ -1,11 +1,11 @@
 // The fifth stage of a world: from pairs to contact manifolds, in plain arrays.
 //
-// Guarantee: for each pair what `contacts` answers, bit for bit, whatever was remembered from the last call and on however
-// many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if they were
-// one. Pairs are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair, and those of
-// one pair one behind the other. What is remembered only saves work: a pair of which neither body changed keeps its
-// manifolds, and one that was apart is tried first along the direction in which it was, but for pairs of balls,
-// capsules, boxes and half-spaces that have a kernel: those are asked about many at a time.
+// Guarantee: for each pair what `contacts` answers, bit for bit, whatever was remembered from the last call and on
+// however many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if
+// they were one. Pairs are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair,
+// and those of one pair one behind the other. What is remembered only saves work: a pair of which neither body changed
+// keeps its manifolds, and one that was apart is tried first along the direction in which it was, but for pairs of
+// balls, capsules, boxes and half-spaces that have a kernel: those are asked about many at a time.
 #pragma once
 
 #include <span>

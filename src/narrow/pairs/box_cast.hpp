@@ -1,8 +1,8 @@
 // Box against box that moves without turning: the ray from the origin against their difference, whose facets all stand
 // across the fifteen axes, is clipped by one slab an axis (Kay, Kajiya 1986, "Ray tracing complex scenes").
 //
-// Guarantee: until the time returned some axis parts the boxes by at least the gap asked for; when that is never to end,
-// the axes prove it.
+// Guarantee: until the time returned some axis parts the boxes by at least the gap asked for; when that is never to
+// end, the axes prove it.
 #pragma once
 
 #include <optional>

@@ -10,9 +10,9 @@
 
 namespace graze {
 
-/// The points of two boxes, as the kernels find them for many pairs; nothing where one is rounded or not regular, or their
-/// faces do not tell. As the separating axes of polyhedra give them, in T, but also where hardly more than the distance
-/// is between the faces.
+/// The points of two boxes, as the kernels find them for many pairs; nothing where one is rounded or not regular, or
+/// their faces do not tell. As the separating axes of polyhedra give them, in T, but also where hardly more than the
+/// distance is between the faces.
 template <class T>
 std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
                               const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {

@@ -1,14 +1,15 @@
 // Box against box: the signed distance with its two points, across lanes.
 //
-// Guarantee: where it says `proven`, the distance is right up to rounding, whether the boxes overlap or not: no direction
-// parts them by more, and the two points, which lie on the boxes, are no further apart. In every lane the bits that the
-// pair gives alone.
+// Guarantee: where it says `proven`, the distance is right up to rounding, whether the boxes overlap or not: no
+// direction parts them by more, and the two points, which lie on the boxes, are no further apart. In every lane the
+// bits that the pair gives alone.
 //
-// The nearest points of two convex polyhedra that are apart are a vertex and what is nearest to it, or lie within two edges
-// that cross (Mirtich 1998, "V-Clip: fast and robust polyhedral collision detection", section 2). In the second case the
-// edges' common normal shows the whole distance as a gap, which no other axis exceeds. So the best of the fifteen axes
-// and the sixteen corners tell. Each answer proves itself: its points are as far apart as the boxes are along its normal.
-// Of boxes that overlap, the best axis shows the depth. Moved apart along it they have the same points nearest.
+// The nearest points of two convex polyhedra that are apart are a vertex and what is nearest to it, or lie within two
+// edges that cross (Mirtich 1998, "V-Clip: fast and robust polyhedral collision detection", section 2). In the second
+// case the edges' common normal shows the whole distance as a gap, which no other axis exceeds. So the best of the
+// fifteen axes and the sixteen corners tell. Each answer proves itself: its points are as far apart as the boxes are
+// along its normal. Of boxes that overlap, the best axis shows the depth. Moved apart along it they have the same
+// points nearest.
 #pragma once
 
 #include "graze/query.hpp"
@@ -124,8 +125,8 @@ BoxNearest<S> at_corner_of_b(const BoxPair<S>& p, const S& slack) {
   const Vec3<S> corner = p.translation + select(at_x, x, -x) + select(at_y, y, -y) + select(at_z, z, -z),
                 gap = beyond(p.half_a, corner);
   const S distance = sqrt(squared), scale = S(1) / select(squared > S(0), distance, S(1));
-  // Along the gap nothing of A is further out than the point that it begins on. What other corners of B reach further in
-  // is missing of the proof.
+  // Along the gap nothing of A is further out than the point that it begins on. What other corners of B reach further
+  // in is missing of the proof.
   const S missing = dot(corner - p.translation, gap) + dot(abs(transposed_times(p.rotation, gap)), p.half_b);
   const decltype(S() < S()) proven = (squared > S(0)) & (missing <= slack * distance);
   return {{distance, gap * scale, corner - gap, corner}, proven};
@@ -143,8 +144,8 @@ BoxNearest<S> at_corner(const BoxPair<S>& p, const S& slack) {
   return nearest;
 }
 
-/// By a place where the rim of a face crosses that of the face it meets along a face's axis: what tells where the two are
-/// parallel and no corner of either lies over the other. `separation`: along that axis.
+/// By a place where the rim of a face crosses that of the face it meets along a face's axis: what tells where the two
+/// are parallel and no corner of either lies over the other. `separation`: along that axis.
 template <class S>
 BoxNearest<S> at_crossing(const BoxPair<S>& p, const S& axis, const S& separation, const S& slack) {
   using T = typename LaneOf<S>::type;
@@ -266,8 +267,8 @@ template <class S>
   const S noise = box_noise(p, length(a.half) + a.radius, length(b.half) + b.radius), radii = a.radius + b.radius;
   const BoxNearest<S> nearest = nearest_of_boxes(p, noise);
   const CoreDistance<S>& core = nearest.core;
-  // What rounding cannot tell from touching touches. Half of the answer on each side of the middle of the two points, so
-  // that b - a = distance * normal to the last bits.
+  // What rounding cannot tell from touching touches. Half of the answer on each side of the middle of the two points,
+  // so that b - a = distance * normal to the last bits.
   const S distance = select(abs(core.distance - radii) <= noise, radii, core.distance), half = distance * S(T(0.5));
   const Vec3<S> middle = (core.a + core.b) * S(T(0.5));
   const Mat3<S> turn = rotation_of(a.pose.rotation);

@@ -20,9 +20,9 @@ auto any_of_pair(const typename Several<S, 3>::Mask& three) {
 
 }  // namespace detail
 
-/// Whether some axis shows a gap of more than `enough` >= 0. Three axes are tried at a time, only while not all lanes know;
-/// the products of edges need neither root nor division for it. With `faces_only` they are left out: of some boxes that
-/// are apart it is then not known, of none that touch is it said.
+/// Whether some axis shows a gap of more than `enough` >= 0. Three axes are tried at a time, only while not all lanes
+/// know; the products of edges need neither root nor division for it. With `faces_only` they are left out: of some
+/// boxes that are apart it is then not known, of none that touch is it said.
 template <class S>
 auto boxes_apart(const BoxPair<S>& p, const S& enough, bool faces_only = false) {
   using Row = Several<S, 3>;

@@ -1,6 +1,6 @@
-// Box against triangle: the axis that contacts stand on, of three of the box, the triangle's normal and those of its sides
-// in its plane, and the nine products of their edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap testing",
-// Journal of Graphics Tools); across lanes.
+// Box against triangle: the axis that contacts stand on, of three of the box, the triangle's normal and those of its
+// sides in its plane, and the nine products of their edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
+// testing", Journal of Graphics Tools); across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The separation along an axis is that of the two's
 // intervals, so that the largest of all is a lower bound of the distance, and of those that overlap exactly minus the
@@ -142,8 +142,8 @@ BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Three = Several<S, 3>;
-  // Separations are compared by their squares with their signs, a product each in place of a root. Axes are numbered 3 i + j
-  // for the box's i-th edge and the triangle's j-th.
+  // Separations are compared by their squares with their signs, a product each in place of a root. Axes are numbered 3
+  // i + j for the box's i-th edge and the triangle's j-th.
   const Three parallel(S(parallel_edges<S>)), least_square(face * abs(face));
   S gap(-std::numeric_limits<T>::infinity()), squared(1), number(0), toward(1);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -40,8 +40,8 @@ std::optional<T> large_triangle_contacts(const BoxCore<T>& a, const Pose<T>& pos
   return *distance / u;
 }
 
-/// Of shapes with their margins: the signed distance (where nothing is within the margin, a lower bound that exceeds it);
-/// nothing where the general path has to answer.
+/// Of shapes with their margins: the signed distance (where nothing is within the margin, a lower bound that exceeds
+/// it); nothing where the general path has to answer.
 template <class T>
 std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a, const Triangle<T>& b, T margin_b,
                               const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {

@@ -1,9 +1,9 @@
-// Box against triangle, the points of contact: the face of the box that meets it, and the triangle, its edge or its vertex
-// laid over each other along a normal, across lanes.
+// Box against triangle, the points of contact: the face of the box that meets it, and the triangle, its edge or its
+// vertex laid over each other along a normal, across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the area that the two share,
-// as `lay_over` gives them, up to rounding; of a vertex it is the vertex. Where what is nearest lies nearer than these by
-// more than `face_preference`, `known` says so.
+// Guarantee: in every lane the bits that the pair gives alone. The points are the corners of the area that the two
+// share, as `lay_over` gives them, up to rounding; of a vertex it is the vertex. Where what is nearest lies nearer than
+// these by more than `face_preference`, `known` says so.
 #pragma once
 
 #include "narrow/pairs/box_manifold.hpp"
@@ -99,8 +99,8 @@ struct TriangleFace {
   }
 
  private:
-  /// Counter-clockwise, and the side of the smallest angle first: the one in the first half turn that follows one in the
-  /// second.
+  /// Counter-clockwise, and the side of the smallest angle first: the one in the first half turn that follows one in
+  /// the second.
   void put_sides_in_order() {
     const Mask clockwise = whole & (cross(vertex[0].at, vertex[1].at, vertex[2].at) < S(0));
     const FlatVertex<S> b = vertex[1], c = vertex[2];
@@ -114,8 +114,8 @@ struct TriangleFace {
     begin_with(whole & second_half[0] & (!second_half[1]), whole & second_half[1] & (!second_half[2]), vertex);
   }
 
-  /// Seen from the side, of the two edges at the vertex nearest to the box the one that falls off least; if both fall off
-  /// more than a face may lean, the vertex.
+  /// Seen from the side, of the two edges at the vertex nearest to the box the one that falls off least; if both fall
+  /// off more than a face may lean, the vertex.
   void choose_edge(const Vec3<S>& far, const Vec3<S>& fall) {
     using T = typename LaneOf<S>::type;
     const Mask seen = !whole, top0 = (far.x <= far.y) & (far.x <= far.z), top1 = (!top0) & (far.y <= far.z),
@@ -132,8 +132,8 @@ struct TriangleFace {
 
 }  // namespace detail
 
-/// The points along the chosen axis of a box and a triangle that are at most `margin` apart, in the world. Only for those
-/// within the margin of each other.
+/// The points along the chosen axis of a box and a triangle that are at most `margin` apart, in the world. Only for
+/// those within the margin of each other.
 template <class S>
 void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& directions,
                        const TriangleChoice<S>& choice, const S& margin, const Pose<S>& pose_a, BoxManifold<S>& found) {

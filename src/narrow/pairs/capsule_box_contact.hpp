@@ -15,8 +15,8 @@ S before_rounding(const S& margin) {
   return margin * S(1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
 }
 
-/// What `at` is where: only for capsules with a length, and boxes with one along every side. Up to `limit` apart it is asked
-/// whether the side lies on the box.
+/// What `at` is where: only for capsules with a length, and boxes with one along every side. Up to `limit` apart it is
+/// asked whether the side lies on the box.
 template <class S>
 RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const BoxDistance<S>& found,
                                     const S& limit) {

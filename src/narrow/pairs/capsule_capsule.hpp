@@ -25,8 +25,8 @@ CorePoints<S> nearest_points(const TurnedAxis<S>& a, const TurnedAxis<S>& b) {
 
 namespace detail {
 
-/// Crossing segments get the normal of the plane they span, `n` of any length; overlapping parallel ones a normal across
-/// them, whose axis `axis()` tells.
+/// Crossing segments get the normal of the plane they span, `n` of any length; overlapping parallel ones a normal
+/// across them, whose axis `axis()` tells.
 template <class S, class M, class Axis>
 CoreDistance<S> between_segments(const CorePoints<S>& nearest, const Vec3<S>& n, const M& crossing, const S& noise,
                                  const Axis& axis) {

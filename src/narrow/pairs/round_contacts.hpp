@@ -1,5 +1,5 @@
-// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point, without
-// laying faces over each other; across lanes.
+// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point,
+// without laying faces over each other; across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
 // Where the faces may give two points, as of capsules that are about parallel, `known` says so: the faces answer then.
@@ -37,8 +37,8 @@ namespace round {
 template <class S>
 inline constexpr typename LaneOf<S>::type near_end = static_cast<typename LaneOf<S>::type>(same_place* same_place);
 
-/// A capsule's segment as a face seen along a unit vector: its side where that leans little from the normal plane of the
-/// axis, else an end.
+/// A capsule's segment as a face seen along a unit vector: its side where that leans little from the normal plane of
+/// the axis, else an end.
 template <class S>
 struct SegmentFace {
   using Mask = decltype(S() < S());
@@ -138,7 +138,8 @@ RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, con
   return contact;
 }
 
-/// What touches of two balls, and where between their points the radius-weighted one lies; of other pairs it is halfway.
+/// What touches of two balls, and where between their points the radius-weighted one lies; of other pairs it is
+/// halfway.
 inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
 template <class S>
 S ball_weight(const S& radius_a, const S& radius_b) {
@@ -146,8 +147,8 @@ S ball_weight(const S& radius_a, const S& radius_b) {
   return select(sum > S(0), radius_a / select(sum > S(0), sum, S(1)), S(0.5f));
 }
 
-/// The names of what touches of a round shape and of another: that of the parts i and j at the place 54 i + j. Not inline:
-/// kernels of different levels share nothing.
+/// The names of what touches of a round shape and of another: that of the parts i and j at the place 54 i + j. Not
+/// inline: kernels of different levels share nothing.
 struct RoundFeatureIds {
   std::uint32_t of[std::size(round_features) * box_part_count];
   constexpr explicit RoundFeatureIds(bool with_box) : of{} {

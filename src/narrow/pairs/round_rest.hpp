@@ -2,8 +2,8 @@
 // below both ends of its side where that lies.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit; the
-// points are those that the general path gives, up to rounding, under the same names. There is a point where the distance
-// is within the margin, and only there.
+// points are those that the general path gives, up to rounding, under the same names. There is a point where the
+// distance is within the margin, and only there.
 #pragma once
 
 #include "graze/shape/face.hpp"

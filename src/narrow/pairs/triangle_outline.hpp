@@ -5,9 +5,9 @@
 // `drop_idle_corners` takes those and the ones out that stand out too little to mean anything, as `simplify` does.
 //
 // Each of the seven sides, clipped by the other outline (Liang, Barsky 1984, "A new concept and method for line
-// clipping"), is a side of the shared area or none, and begins at a corner of it; and sides of a convex area follow each
-// other by their directions. Those of the rectangle are the same four for all, and of the triangle's the first, by its
-// angle, is within the first half turn and the last within the second: few slots remain for each.
+// clipping"), is a side of the shared area or none, and begins at a corner of it; and sides of a convex area follow
+// each other by their directions. Those of the rectangle are the same four for all, and of the triangle's the first, by
+// its angle, is within the first half turn and the last within the second: few slots remain for each.
 #pragma once
 
 #include "narrow/pairs/box_ring.hpp"

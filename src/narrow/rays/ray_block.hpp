@@ -2,12 +2,11 @@
 // forms can be compiled for each instruction set.
 //
 // Guarantee: every number has the bits that the code for one ray (`local_ray.hpp`, `round.hpp`, `planes.hpp`,
-// `sheared.hpp`) gives for that ray alone: the same operations in the same order, with choices in place of branches. Where
-// that would take what rays hardly ever need, `again` is set, and the one who asks has that ray answered alone.
+// `sheared.hpp`) gives for that ray alone: the same operations in the same order, with choices in place of branches.
+// Where that would take what rays hardly ever need, `again` is set, and the one who asks has that ray answered alone.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "lanes/dispatch.hpp"
 
@@ -39,8 +38,8 @@ struct BlockFrame {
   double translation[3], rotation[3][3];
 };
 
-/// A shape without rounding that the closed forms do not cover; `ball_cone` is the hull of two balls, neither inside the
-/// other, and `frustum` one that has some thickness.
+/// A shape without rounding that the closed forms do not cover; `ball_cone` is the hull of two balls, neither inside
+/// the other, and `frustum` one that has some thickness.
 struct BlockShape {
   enum Kind { none, ball, box, half_space, triangle, ball_cone, frustum, ellipsoid } kind = none;
   double radius = 0;        ///< of the ball, the first or lower one; of the half-space its height
@@ -57,14 +56,14 @@ namespace graze {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// From the caller's frame into the shape's: `rays` are six numbers each, origin and direction; the block is filled up
-    /// with the last one to a multiple of eight. Rays that no shape can hit get an end less than zero, others `end`.
+    /// From the caller's frame into the shape's: `rays` are six numbers each, origin and direction; the block is filled
+    /// up with the last one to a multiple of eight. Rays that no shape can hit get an end less than zero, others `end`.
     template <class T> void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, double end,
                                            const rays::BlockFrame& frame);
     /// Sets `state` and the hits.
     void block_hits(rays::RayBlock& block, std::size_t count, const rays::BlockShape& shape);
-    /// Hits from the shape's frame into the caller's, none further than `length`; `ray_again` where rounding has turned a
-    /// normal along the ray.
+    /// Hits from the shape's frame into the caller's, none further than `length`; `ray_again` where rounding has turned
+    /// a normal along the ray.
     template <class T> void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockFrame& frame,
                                            T length, rays::BlockHits<T>& hits);)
 // clang-format on

@@ -1,5 +1,6 @@
-// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space`, `hit_polygon` and what
-// `quadric_lanes.hpp` names of one ray, with choices in place of branches. What those do for few rays only is left to them.
+// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space`, `hit_polygon` and
+// what `quadric_lanes.hpp` names of one ray, with choices in place of branches. What those do for few rays only is left
+// to them.
 #include "narrow/rays/limits.hpp"
 #include "narrow/rays/quadric_lanes.hpp"
 
@@ -58,8 +59,8 @@ using namespace ray_lanes;
 [[gnu::always_inline]] inline Hits hit_triangle(Rays ray, const rays::BlockShape& shape) {
   const V p[3] = {V::all(shape.points[0]), V::all(shape.points[1]), V::all(shape.points[2])};
   const S shift = ray.recenter((p[0] + p[1] + p[2]) / S(3));
-  // The frame along the ray: z is the greatest coordinate of the direction, x and y follow it, exchanged where it is less
-  // than zero.
+  // The frame along the ray: z is the greatest coordinate of the direction, x and y follow it, exchanged where it is
+  // less than zero.
   const V size{abs(ray.direction.x), abs(ray.direction.y), abs(ray.direction.z)};
   const M along_x = (size.x >= size.y) & (size.x >= size.z), along_y = (!along_x) & (size.y >= size.z);
   const auto turned = [&](const V& v) __attribute__((always_inline)) {
