@@ -11,6 +11,7 @@
 #include "narrow/pairs/capsule_box_contact.hpp"
 #include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
+#include "narrow/pairs/sphere_triangle.hpp"
 
 namespace graze {
 
