@@ -13,6 +13,7 @@
 #include "narrow/pairs/box_overlap.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/capsule_triangle.hpp"
 #include "narrow/pairs/half_space.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"

@@ -5,181 +5,80 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
-#include "graze/geometry.hpp"
 #include "graze/query.hpp"
 #include "narrow/features.hpp"
 #include "narrow/minkowski.hpp"
-#include "narrow/outline.hpp"
+#include "narrow/pairs/sided_triangle.hpp"
 #include "narrow/relative_frame.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
 
-/// How high a triangle has to be over its longest side, relative to that side. In thinner ones two edges are about the
-/// same line, and which of them touches is rounding.
-inline constexpr double thinnest_triangle = 1.0 / 1024;
+/// A triangle and a shape of a round core, in a frame at the round one's origin along the world's axes.
+template <class T>
+struct RoundAndTriangle {
+  SidedTriangle triangle;
+  Mat3d turn;             ///< of the triangle
+  Vec3d origin, between;  ///< of that frame in the world, and from the triangle's origin to there
+  double radius_round, radius_triangle;
+  double noise;  ///< what rounding may do to a distance: `noise_of`
 
-/// From how many roundings off an edge or a corner the line from there to a point is a normal, right to six digits. A
-/// face has a normal of its own: one rounding tells on which side the point is.
-inline constexpr double roundings_off_edge = 1e6;
+  RoundAndTriangle(T radius, double extent, const Pose<T>& pose, const Triangle<T>& of, T margin_triangle,
+                   const Pose<T>& pose_triangle)
+      : triangle(of),
+        turn(rotation_of(cast<double>(pose_triangle.rotation))),
+        origin(cast<double>(pose.translation)),
+        between(origin - cast<double>(pose_triangle.translation)),
+        radius_round(static_cast<double>(radius)),
+        radius_triangle(static_cast<double>(margin_triangle)),
+        noise(rounding * (greatest(extent + radius_round, triangle.extent() + radius_triangle) + max_abs(between))) {}
 
-/// A point and the place of a triangle nearest to it.
-struct NearTriangle {
-  Vec3d place, outward;  ///< outward: the unit vector from the place to the point
-  double distance;
+  Vec3d seen_by_triangle(const Vec3d& p) const { return transposed_times(turn, p + between); }
+  std::optional<NearTriangle> nearest_to(const Vec3d& p) const {
+    return triangle.nearest_to(seen_by_triangle(p), noise);
+  }
+  /// Of the rounded shapes, of which the cores are nearest at `p`, and where the triangle has it.
+  Distance<T> in_world(const Vec3d& p, const NearTriangle& near) const {
+    const double radii = radius_round + radius_triangle;
+    // A distance that rounding cannot tell from none is none: they touch.
+    const double apart = std::abs(near.distance - radii) <= noise ? radii : near.distance;
+    const Vec3d normal = -(turn * near.outward);
+    Distance<T> d;
+    d.distance = static_cast<T>(apart - radii);
+    d.normal = cast<T>(normal);
+    d.a = cast<T>(origin + (p + normal * radius_round));
+    d.b = cast<T>(origin + (p + normal * (apart - radius_triangle)));
+    return d;
+  }
 };
 
-/// A triangle with what its questions share.
-class SidedTriangle {
- public:
-  template <class T>
-  explicit SidedTriangle(const Triangle<T>& triangle)
-      : point_{cast<double>(triangle.point(0)), cast<double>(triangle.point(1)), cast<double>(triangle.point(2))},
-        along_{point_[1] - point_[0], point_[2] - point_[1], point_[0] - point_[2]},
-        squared_{length_squared(along_[0]), length_squared(along_[1]), length_squared(along_[2])},
-        across_(cross(along_[0], along_[1])),
-        area_squared_(length_squared(across_)) {}
-
-  bool thin() const {
-    // Below this the products of five lengths, which tell the sides, run out of digits.
-    constexpr double least_area_squared = 1e-200;
-    const double longest = greatest(squared_[0], greatest(squared_[1], squared_[2]));
-    return !(area_squared_ > least_area_squared &&
-             area_squared_ > thinnest_triangle * thinnest_triangle * longest * longest);
-  }
-  /// Of its points from the origin of its frame.
-  double extent() const {
-    return std::sqrt(
-        greatest(length_squared(point_[0]), greatest(length_squared(point_[1]), length_squared(point_[2]))));
-  }
-
-  /// Of one that is not thin; nothing where `noise`, the rounding of the coordinates, hides the direction.
-  std::optional<NearTriangle> nearest_to(const Vec3d& p, double noise) const {
-    // What is nearest lies on one of the edges that the point is beyond, or else below it (Ericson 2005, section 5.1.5).
-    double least_squared = std::numeric_limits<double>::infinity();
-    Vec3d best{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d from = p - point_[i];
-      if (dot(cross(across_, along_[i]), from) >= 0) continue;
-      const double t = clamp(dot(from, along_[i]) / squared_[i], 0.0, 1.0);
-      const Vec3d place = t < 1 ? point_[i] + along_[i] * t : point_[i == 2 ? 0 : i + 1];
-      const double squared = length_squared(p - place);
-      if (!(squared < least_squared)) continue;
-      least_squared = squared;
-      best = place;
-    }
-    if (least_squared == std::numeric_limits<double>::infinity()) return below(p, noise);
-    const double distance = std::sqrt(least_squared);
-    if (!(distance > roundings_off_edge * noise)) return std::nullopt;
-    return NearTriangle{best, (p - best) / distance, distance};
-  }
-
-  /// The name of what a place on the triangle lies on, for contacts whose normal is `outward`, off the triangle: as the
-  /// general path names it, which sees the whole triangle unless that leans further than `side_lean`.
-  std::uint32_t feature(const Vec3d& place, const Vec3d& outward) const {
-    const double facing = dot(across_, outward);
-    const bool whole = facing * facing >= (1 - side_lean<double> * side_lean<double>)*area_squared_;
-    double seen[3], nearest_squared = same_place * same_place;
-    bool on[3];
-    if (whole) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double rise = dot(along_[i], outward);
-        seen[i] = squared_[i] - rise * rise;
-      }
-      nearest_squared *= least(seen[0], least(seen[1], seen[2]));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double turned = dot(cross(along_[i], place - point_[i]), outward), inside = facing > 0 ? turned : -turned;
-        on[i] = inside <= 0 || inside * inside <= nearest_squared * seen[i];
-      }
-      if (!(on[0] || on[1] || on[2])) return face_feature(facing > 0 ? 0 : 1);
-    } else {
-      // On the edge that it is nearest to, or at an end of that.
-      const std::size_t edge = nearest_edge(place), next = edge == 2 ? 0 : edge + 1;
-      for (const std::size_t end : {edge, next})
-        if (length_squared(place - point_[end]) <= nearest_squared * squared_[edge])
-          return vertex_feature(static_cast<std::uint32_t>(end));
-      for (std::size_t i = 0; i < 3; ++i) on[i] = i == edge;
-    }
-    if (on[0] && on[1]) return vertex_feature(1);
-    if (on[1] && on[2]) return vertex_feature(2);
-    if (on[2] && on[0]) return vertex_feature(0);
-    return on[0] ? edge_feature(0, 1) : on[1] ? edge_feature(1, 2) : edge_feature(0, 2);
-  }
-
- private:
-  std::optional<NearTriangle> below(const Vec3d& p, double noise) const {
-    const Vec3d normal = across_ / std::sqrt(area_squared_);
-    const double height = dot(p - point_[0], normal), distance = std::abs(height);
-    if (!(distance > noise)) return std::nullopt;
-    return NearTriangle{p - normal * height, height > 0 ? normal : -normal, distance};
-  }
-  std::size_t nearest_edge(const Vec3d& place) const {
-    std::size_t nearest = 0;
-    double least_squared = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double squared = length_squared(cross(along_[i], place - point_[i])) / squared_[i];
-      if (!(squared < least_squared)) continue;
-      least_squared = squared;
-      nearest = i;
-    }
-    return nearest;
-  }
-
-  Vec3d point_[3], along_[3];  ///< along: the edge from a point to the next
-  double squared_[3];          ///< of the edges
-  Vec3d across_;               ///< as long as twice the area, to the front
-  double area_squared_;        ///< of four times the square of the area
-};
-
-/// A ball and a triangle, each with its rounding.
+/// A ball and a triangle.
 template <class T>
 class BallAndTriangle {
  public:
-  BallAndTriangle(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball, const Triangle<T>& triangle,
-                  T margin_triangle, const Pose<T>& pose_triangle)
-      : triangle_(triangle),
-        radius_ball_(static_cast<double>(rounding_radius(ball, margin_ball))),
-        radius_triangle_(static_cast<double>(margin_triangle)) {
-    if (triangle_.thin()) return;
-    const Mat3d turn = rotation_of(cast<double>(pose_triangle.rotation));
-    origin_ = cast<double>(pose_ball.translation);
-    const Vec3d own = cast<double>(ball.center()), between = origin_ - cast<double>(pose_triangle.translation);
-    if (own != Vec3d{}) center_ = rotation_of(cast<double>(pose_ball.rotation)) * own;
-    // `noise_of`
-    const double noise =
-        rounding * (greatest(length(own) + radius_ball_, triangle_.extent() + radius_triangle_) + max_abs(between));
-    near_ = triangle_.nearest_to(transposed_times(turn, center_ + between), noise);
-    if (!near_) return;
-    normal_ = -(turn * near_->outward);
-    // A distance that rounding cannot tell from none is none: they touch.
-    const double radii = radius_ball_ + radius_triangle_;
-    apart_ = std::abs(near_->distance - radii) <= noise ? radii : near_->distance;
+  BallAndTriangle(const Sphere<T>& ball, T margin, const Pose<T>& pose, const Triangle<T>& triangle, T margin_triangle,
+                  const Pose<T>& pose_triangle)
+      : pair_(rounding_radius(ball, margin), static_cast<double>(ball.core_extent()), pose, triangle, margin_triangle,
+              pose_triangle) {
+    if (pair_.triangle.thin()) return;
+    const Vec3d own = cast<double>(ball.center());
+    if (own != Vec3d{}) center_ = rotation_of(cast<double>(pose.rotation)) * own;
+    near_ = pair_.nearest_to(center_);
   }
 
   bool known() const { return near_.has_value(); }
   /// Only where it is known, as what follows.
-  Distance<T> distance() const {
-    Distance<T> d;
-    d.distance = static_cast<T>(apart_ - (radius_ball_ + radius_triangle_));
-    d.normal = cast<T>(normal_);
-    d.a = cast<T>(origin_ + (center_ + normal_ * radius_ball_));
-    d.b = cast<T>(origin_ + (center_ + normal_ * (apart_ - radius_triangle_)));
-    return d;
-  }
+  Distance<T> distance() const { return pair_.in_world(center_, *near_); }
   std::uint32_t feature() const {
-    return feature_id(vertex_feature(0), triangle_.feature(near_->place, near_->outward));
+    return feature_id(vertex_feature(0), pair_.triangle.feature(near_->place, near_->outward));
   }
 
  private:
-  SidedTriangle triangle_;
-  double radius_ball_, radius_triangle_;
-  Vec3d origin_{}, center_{};           ///< of the ball's frame, and of the ball from there, along the world's axes
-  Vec3d normal_{};                      ///< from the ball to the triangle
-  double apart_ = 0;                    ///< the cores
-  std::optional<NearTriangle> near_{};  ///< of the centre, in the triangle's frame
+  RoundAndTriangle<T> pair_;
+  Vec3d center_{};
+  std::optional<NearTriangle> near_{};
 };
 
 template <class T>
