@@ -272,6 +272,10 @@ void contacts_along(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
     mirror(manifold);
     return;
   }
+  if (a.template as<Sphere<T>>()) {  // no face to lay over another
+    manifold.normal = normal;
+    return;
+  }
   const Posed frame = in_double(pose_a);
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
   const Vec3d n = normalized(rotate(conjugate(frame.rotation), cast<double>(normal)));

@@ -13,10 +13,12 @@
 #include "narrow/pairs/box_overlap.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/capsule_triangle.hpp"
 #include "narrow/pairs/half_space.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
+#include "narrow/pairs/sphere_triangle.hpp"
 
 namespace graze {
 
@@ -32,6 +34,16 @@ template <class A, class B, class T>
 concept ClosedForm = requires(const A& a, const B& b, const Pose<T>& pose) {
   core_distance(core_of(a), moved(core_of(b), pose));
 };
+
+/// A routine that answers for most of a pair's values and leaves the others to the general path.
+template <class A, class B, class T>
+concept OwnDistance = requires(const A& a, const B& b, T margin, const Pose<T>& pose) {
+  own_distance(a, margin, pose, b, margin, pose);
+};
+template <class A, class B, class T>
+std::optional<Distance<T>> own_distance_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b) {
+  return own_distance(ca, a.shape.margin(), a.pose, cb, b.shape.margin(), b.pose);
+}
 
 template <class T>
 Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, T limit, Trace* trace) {
@@ -121,6 +133,8 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
           return rounded<T>(found.at);
         }
     }
+    if constexpr (OwnDistance<A, B, T>)
+      if (const auto own = own_distance_of(ca, a, cb, b)) return *own;
     if constexpr (is_round_pair<A, B>) {
       if (has_core(ca) && has_core(cb)) {
         const auto pair = round_pair_of(ca, a, cb, b);
@@ -172,6 +186,10 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
     return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
   } else {
+    if constexpr (OwnDistance<A, B, T>) {
+      if (trace) trace->method = "closed form";
+      if (const auto own = own_distance_of(ca, a, cb, b)) return own->distance <= T(0);
+    }
     if constexpr (Boxes<A, B, T>) {
       if (trace) trace->method = "separating axes";
       if (const auto touch = boxes_overlap(ca, cb, a, b, false)) return *touch;
