@@ -4,6 +4,7 @@
 // Guarantee: reads and writes the numbers asked for and nothing behind them.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -14,6 +15,27 @@ namespace graze::GRAZE_ISA {
 namespace gathering {
 
 typedef float Four __attribute__((vector_size(16)));
+
+/// `count` numbers, and zeros. In registers: g++ puts three copied into four together in memory, and to read back more at
+/// once than was written waits for the writes.
+template <std::size_t count>
+[[gnu::always_inline]] inline Four row_of(const char* from) {
+  Four row{};
+  if constexpr (count == 4) {
+    std::memcpy(&row, from, sizeof row);
+  } else if constexpr (count >= 2) {
+    typedef std::int64_t Halves __attribute__((vector_size(16)));
+    std::int64_t two;
+    std::memcpy(&two, from, sizeof two);
+    row = reinterpret_cast<Four>(Halves{two, 0});
+  }
+  if constexpr (count % 2 == 1) {
+    float last;
+    std::memcpy(&last, from + (count - 1) * sizeof last, sizeof last);
+    row[count - 1] = last;
+  }
+  return row;
+}
 
 template <std::size_t N>
 struct FloatVector {
@@ -71,10 +93,7 @@ template <class T, class Row, std::size_t count>
   if constexpr (sizeof(T) == 4) {
     using namespace gathering;
     Four loaded[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) {
-      loaded[i] = Four{};
-      std::memcpy(&loaded[i], at(i), count * sizeof(T));
-    }
+    for (std::size_t i = 0; i < lanes; ++i) loaded[i] = row_of<count>(at(i));
     typename FloatVector<lanes>::type columns[4];
     transpose(every_fourth<lanes>(loaded), every_fourth<lanes>(loaded + 1), every_fourth<lanes>(loaded + 2),
               every_fourth<lanes>(loaded + 3), columns, std::make_index_sequence<lanes>());

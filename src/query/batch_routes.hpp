@@ -123,14 +123,25 @@ bool regular(std::size_t kind, const void* concrete) {
   return !capsule.tapered() && capsule.half_height() > T(0);
 }
 
-/// Whether so many concrete shapes of one kind all are; `at(k)` is the k-th.
+/// Whether so many concrete shapes of one kind, at least one, all are; `at(k)` is the k-th.
 template <class T, class At>
 bool all_regular(std::size_t kind, std::size_t count, const At& at) {
   bool all = true;
   if (kind == detail::kind_of<Box<T>, T>()) {
-    for (std::size_t k = 0; k < count; ++k) all &= regular_box(static_cast<const Box<T>*>(at(k))->half_extents());
+    // If the least and the greatest sides are such a box's, all are.
+    Vec3<T> low = static_cast<const Box<T>*>(at(0))->half_extents(), high = low;
+    for (std::size_t k = 1; k < count; ++k) {
+      const Vec3<T>& half = static_cast<const Box<T>*>(at(k))->half_extents();
+      low = least(half, low);
+      high = greatest(half, high);
+    }
+    all = regular_box(low) && regular_box(high);
   } else if (kind == detail::kind_of<Capsule<T>, T>()) {
-    for (std::size_t k = 0; k < count; ++k) all &= regular<T>(kind, at(k));
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& capsule = *static_cast<const Capsule<T>*>(at(k));
+      const bool even = !capsule.tapered(), has_length = capsule.half_height() > T(0);
+      all &= even & has_length;
+    }
   }
   return all;
 }

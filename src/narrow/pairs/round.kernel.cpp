@@ -42,6 +42,23 @@ template <class T>
   }
 }
 
+/// The same of distances.
+template <class T>
+[[gnu::always_inline]] inline void put_all(const CoreDistance<Lanes<T>>& d, Distance<T>* to) {
+  if constexpr (sizeof(T) == 4) {
+    using Found = Distance<T>;
+    static_assert(sizeof(Found) == 48 && offsetof(Found, normal) == 4 && offsetof(Found, a) == 16 &&
+                  offsetof(Found, b) == 28 && offsetof(Found, error) == 44 && static_cast<int>(Status::converged) == 0);
+    char* const rows = reinterpret_cast<char*>(to);
+    const Lanes<T> converged(T(0)), error(T(0));
+    scatter(d.distance, d.normal.x, d.normal.y, d.normal.z, rows, sizeof *to);
+    scatter(d.a.x, d.a.y, d.a.z, d.b.x, rows + 16, sizeof *to);
+    scatter(d.b.y, d.b.z, converged, error, rows + 32, sizeof *to);
+  } else {
+    GRAZE_ISA::put(d, static_cast<std::size_t>(lanes_of<T>), to);
+  }
+}
+
 }  // namespace
 
 template <class A, class B, class T>
@@ -50,7 +67,7 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    put(pair.in_world(pair.core(pair.nearest())), p.count, distances + first);
+    put_all<T>(pair.in_world(pair.core(pair.nearest())), distances + first);
   }
 }
 
