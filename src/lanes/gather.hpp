@@ -1,9 +1,10 @@
-// Loading what stands scattered in memory into lanes: rows of a few numbers, each from a place of its own, transposed in
-// registers; and the way back. Only for `*.kernel.cpp`.
+// Loading what stands scattered in memory into lanes: rows of a few numbers, each from a place of its own, transposed
+// in registers; and the way back. Only for `*.kernel.cpp`.
 //
 // Guarantee: reads and writes the numbers asked for and nothing behind them.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -14,6 +15,27 @@ namespace graze::GRAZE_ISA {
 namespace gathering {
 
 typedef float Four __attribute__((vector_size(16)));
+
+/// `count` numbers, and zeros. In registers: g++ puts three copied into four together in memory, and to read back more
+/// at once than was written waits for the writes.
+template <std::size_t count>
+[[gnu::always_inline]] inline Four row_of(const char* from) {
+  Four row{};
+  if constexpr (count == 4) {
+    std::memcpy(&row, from, sizeof row);
+  } else if constexpr (count >= 2) {
+    typedef std::int64_t Halves __attribute__((vector_size(16)));
+    std::int64_t two;
+    std::memcpy(&two, from, sizeof two);
+    row = reinterpret_cast<Four>(Halves{two, 0});
+  }
+  if constexpr (count % 2 == 1) {
+    float last;
+    std::memcpy(&last, from + (count - 1) * sizeof last, sizeof last);
+    row[count - 1] = last;
+  }
+  return row;
+}
 
 template <std::size_t N>
 struct FloatVector {
@@ -59,18 +81,19 @@ template <class V, std::size_t... I>
 
 }  // namespace gathering
 
-/// `count` <= 4 numbers of type T at byte `offset` of each lane's row, each number in a `Lanes` of its own.
-template <class T, std::size_t count>
-[[gnu::always_inline]] inline void gather(const void* const* rows, std::size_t offset, Lanes<T> (&out)[count]) {
+/// `count` <= 4 numbers of type T at byte `offset` of each lane's row, which `row(lane)` points to, each number in a
+/// `Lanes` of its own.
+template <class T, class Row, std::size_t count>
+[[gnu::always_inline]] inline void gather(const Row& row, std::size_t offset, Lanes<T> (&out)[count]) {
   constexpr std::size_t lanes = lanes_of<T>;
-  const auto at = [&](std::size_t lane) { return static_cast<const char*>(rows[lane]) + offset; };
+  const auto at = [&](std::size_t lane) __attribute__((always_inline)) {
+    const void* const start = row(lane);
+    return static_cast<const char*>(start) + offset;
+  };
   if constexpr (sizeof(T) == 4) {
     using namespace gathering;
     Four loaded[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) {
-      loaded[i] = Four{};
-      std::memcpy(&loaded[i], at(i), count * sizeof(T));
-    }
+    for (std::size_t i = 0; i < lanes; ++i) loaded[i] = row_of<count>(at(i));
     typename FloatVector<lanes>::type columns[4];
     transpose(every_fourth<lanes>(loaded), every_fourth<lanes>(loaded + 1), every_fourth<lanes>(loaded + 2),
               every_fourth<lanes>(loaded + 3), columns, std::make_index_sequence<lanes>());
@@ -85,15 +108,15 @@ template <class T, std::size_t count>
   }
 }
 
-/// Writes the first `count` lanes of four numbers, a row of four for each lane, the rows `stride` bytes apart.
+/// Writes four numbers of each lane, a row of four for each, the rows `stride` bytes apart.
 [[gnu::always_inline]] inline void scatter(const Lanes<float>& x, const Lanes<float>& y, const Lanes<float>& z,
-                                           const Lanes<float>& w, std::size_t count, void* to, std::size_t stride) {
+                                           const Lanes<float>& w, void* to, std::size_t stride) {
   using namespace gathering;
   constexpr std::size_t lanes = lanes_of<float>;
   typename FloatVector<lanes>::type rows[4];
   transpose(x.v, y.v, z.v, w.v, rows, std::make_index_sequence<lanes>());
   // Of rows[k] the i-th four belongs to lane 4 i + k.
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < lanes; ++i)
     std::memcpy(static_cast<char*>(to) + i * stride, reinterpret_cast<const float*>(&rows[i % 4]) + i / 4 * 4, 16);
 }
 

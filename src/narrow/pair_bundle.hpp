@@ -9,53 +9,58 @@
 
 namespace graze::GRAZE_ISA {
 
-// The numbers of a shape, as its class holds them.
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Sphere<T>*) {
+// The numbers of a shape, as its class holds them; that of each lane stands where `row(lane)` points to.
+template <class T, class Row>
+[[gnu::always_inline]] inline auto load(const Row& row, const Sphere<T>*) {
   static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
   Lanes<T> n[4];
-  gather<T>(rows, 0, n);
+  gather<T>(row, 0, n);
   return Rounded<PointCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, n[3]};
 }
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Capsule<T>*) {
+template <class T, class Row>
+[[gnu::always_inline]] inline auto load(const Row& row, const Capsule<T>*) {
   static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
   using S = Lanes<T>;
   S n[2];
-  gather<T>(rows, 0, n);
+  gather<T>(row, 0, n);
   return Rounded<AxisCore<S>, S>{{n[0]}, n[1]};
 }
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Box<T>*) {
+template <class T, class Row>
+[[gnu::always_inline]] inline auto load(const Row& row, const Box<T>*) {
   static_assert(sizeof(Box<T>) == 3 * sizeof(T));
   Lanes<T> n[3];
-  gather<T>(rows, 0, n);
+  gather<T>(row, 0, n);
   return Rounded<BoxCore<Lanes<T>>, Lanes<T>>{{{n[0], n[1], n[2]}}, Lanes<T>(0)};
 }
-template <class T>
-[[gnu::always_inline]] inline auto load(const void* const* rows, const Triangle<T>*) {
+template <class T, class Row>
+[[gnu::always_inline]] inline auto load(const Row& row, const Triangle<T>*) {
   static_assert(sizeof(Triangle<T>) == 9 * sizeof(T));
   Lanes<T> n[4], m[4], last[1];
-  gather<T>(rows, 0, n);
-  gather<T>(rows, 4 * sizeof(T), m);
-  gather<T>(rows, 8 * sizeof(T), last);
+  gather<T>(row, 0, n);
+  gather<T>(row, 4 * sizeof(T), m);
+  gather<T>(row, 8 * sizeof(T), last);
   return Rounded<TriangleCore<Lanes<T>>, Lanes<T>>{{{{n[0], n[1], n[2]}, {n[3], m[0], m[1]}, {m[2], m[3], last[0]}}},
                                                    Lanes<T>(0)};
 }
 /// A half-space is all in its pose.
 struct Nothing {};
-template <class T>
-[[gnu::always_inline]] inline Nothing load(const void* const*, const HalfSpace<T>*) {
+template <class T, class Row>
+[[gnu::always_inline]] inline Nothing load(const Row&, const HalfSpace<T>*) {
   return {};
 }
-template <class T>
-[[gnu::always_inline]] inline Pose<Lanes<T>> load(const void* const* rows, const Pose<T>*) {
+template <class T, class Row>
+[[gnu::always_inline]] inline Pose<Lanes<T>> load(const Row& row, const Pose<T>*) {
   static_assert(sizeof(Pose<T>) == 7 * sizeof(T));
   Lanes<T> t[4], q[4];  // a row of four is loaded at once, a row of three is not
-  gather<T>(rows, 0, t);
-  gather<T>(rows, 3 * sizeof(T), q);
+  gather<T>(row, 0, t);
+  gather<T>(row, 3 * sizeof(T), q);
   return {{t[0], t[1], t[2]}, {q[0], q[1], q[2], q[3]}};
 }
+
+/// Rows of which only the type matters.
+struct Nowhere {
+  const void* operator()(std::size_t lane) const;
+};
 
 /// A bundle of pairs of A and B, one a lane. Lanes without a pair repeat the last one.
 template <class A, class B, class T>
@@ -64,25 +69,26 @@ struct PairBundle {
   static constexpr std::size_t lanes = lanes_of<T>;
 
   std::size_t count;
-  decltype(load(nullptr, static_cast<const A*>(nullptr))) a;
-  decltype(load(nullptr, static_cast<const B*>(nullptr))) b;
+  decltype(load(Nowhere(), static_cast<const A*>(nullptr))) a;
+  decltype(load(Nowhere(), static_cast<const B*>(nullptr))) b;
   Pose<S> pose_a, pose_b;
   S margin;
 
   [[gnu::always_inline]] PairBundle(const PairRef<T>* pairs, std::size_t left) : count(left < lanes ? left : lanes) {
-    const void* rows[4][lanes];
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const PairRef<T>& pair = pairs[i < count ? i : count - 1];
-      rows[0][i] = pair.a;
-      rows[1][i] = pair.b;
-      rows[2][i] = pair.pose_a;
-      rows[3][i] = pair.pose_b;
-      margin.set(static_cast<int>(i), pair.margin);
+    // Whether lanes stay empty is asked once, not of each lane.
+    PairRef<T> filled[lanes];
+    if (left < lanes) {
+      for (std::size_t i = 0; i < lanes; ++i) filled[i] = pairs[i < left ? i : left - 1];
+      pairs = filled;
     }
-    a = load(rows[0], static_cast<const A*>(nullptr));
-    b = load(rows[1], static_cast<const B*>(nullptr));
-    pose_a = load(rows[2], static_cast<const Pose<T>*>(nullptr));
-    pose_b = load(rows[3], static_cast<const Pose<T>*>(nullptr));
+    for (std::size_t i = 0; i < lanes; ++i) margin.set(static_cast<int>(i), pairs[i].margin);
+    const auto row = [pairs](auto member) __attribute__((always_inline)) {
+      return [=](std::size_t lane) __attribute__((always_inline)) { return pairs[lane].*member; };
+    };
+    a = load(row(&PairRef<T>::a), static_cast<const A*>(nullptr));
+    b = load(row(&PairRef<T>::b), static_cast<const B*>(nullptr));
+    pose_a = load(row(&PairRef<T>::pose_a), static_cast<const Pose<T>*>(nullptr));
+    pose_b = load(row(&PairRef<T>::pose_b), static_cast<const Pose<T>*>(nullptr));
   }
 };
 

@@ -64,6 +64,9 @@ struct RestBlock {
   } slots[4];
 };
 
+/// `count` rounded up to what the widest registers hold.
+constexpr std::size_t bundled(std::size_t count) { return (count + 15) / 16 * 16; }
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
@@ -81,9 +84,10 @@ GRAZE_DECLARE_KERNEL(
     /// The axis of one pair of boxes, and its points where it is within its margin: whether it is.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
     /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
+    /// There is room for `bundled(count)`, all of which may be written.
     template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
                                                               Distance<T>* distances);
-    /// The contacts of the same pairs; capsules with a length.
+    /// The contacts of the same pairs; capsules with a length. There is as much room.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings);
     /// The same of capsules with boxes.

@@ -29,8 +29,8 @@ PointContact<T> mirrored(const PointContact<T>& c) {
 template <class A, class B, class T, class Apart, class Touching, class Unknown>
 void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                           const Unknown& unknown) {
-  PointContact<T> contacts[most_chunk];
-  Meeting meetings[most_chunk];
+  PointContact<T> contacts[bundled(most_chunk)];
+  Meeting meetings[bundled(most_chunk)];
   round_kernel<A, B, T>()(pairs, count, contacts, meetings);
   for (std::size_t i = 0; i < count; ++i) {
     if (meetings[i] == Meeting::touching)

@@ -66,7 +66,10 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
         const auto kernel = route == Route::sphere_sphere ? GRAZE_KERNEL(level, sphere_overlaps<T>)
                                                           : GRAZE_KERNEL(level, box_overlaps<T>);
         kernel(queue.pairs.data(), queue.count, found.data());
-        for (std::size_t k = 0; k < queue.count; ++k) touch[queue.places[k]] = found[k];
+        // Not asked of the queue each time: what is written could for all the compiler knows be part of it.
+        const std::size_t count = queue.count, *const places = queue.places.data();
+        std::uint8_t* const to = touch.data();
+        for (std::size_t k = 0; k < count; ++k) to[places[k]] = found[k];
       },
       [&](std::size_t i) { touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0; });
 }
@@ -81,7 +84,7 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
   visit_batch(
       batch, T(0), [](Route route) { return route <= Route::box_box; },
       [&](Route route, bool turned, const Queue<T>& queue) {
-        std::array<Distance<T>, box_chunk> found;
+        std::array<Distance<T>, bundled(box_chunk)> found;
         std::array<std::uint8_t, box_chunk> proven;
         const auto ask_kernel = [&]<class A, class B>() {
           if constexpr (is_round_pair<A, B>) {

@@ -28,13 +28,29 @@ class Writer {
     make_room(found_.manifolds, manifolds_ + manifolds);
     make_room(found_.points, points_ + points);
   }
-  /// A pair and, if it counts, the one point that it touches in. There is room.
-  void write(std::size_t pair, const PointContact<T>& contact, bool counts) {
-    found_.pairs[pair] = {counts && contact.point.distance <= T(0), static_cast<std::uint32_t>(manifolds_), counts};
-    found_.manifolds[manifolds_] = {contact.normal, 0, 0, static_cast<std::uint32_t>(points_), 1};
-    found_.points[points_] = contact.point;
-    manifolds_ += counts;
-    points_ += counts;
+  /// Pairs and, of each that touches, the one point that it touches in; how many are unknown, which count as apart.
+  std::size_t write(const std::size_t* places, const PointContact<T>* contacts, const Meeting* meetings,
+                    std::size_t count) {
+    reserve(count, count);
+    typename BatchContacts<T>::Pair* const pairs = found_.pairs.data();
+    typename BatchContacts<T>::Group* const manifolds = found_.manifolds.data() + manifolds_;
+    ContactPoint<T>* const points = found_.points.data() + points_;
+    const auto first_manifold = static_cast<std::uint32_t>(manifolds_),
+               first_point = static_cast<std::uint32_t>(points_);
+    std::uint32_t touching = 0;
+    std::size_t unknown = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const PointContact<T>& contact = contacts[k];
+      const bool touches = meetings[k] == Meeting::touching, overlap = contact.point.distance <= T(0);
+      unknown += meetings[k] == Meeting::unknown;
+      pairs[places[k]] = {static_cast<bool>(touches & overlap), first_manifold + touching, touches};
+      manifolds[touching] = {contact.normal, 0, 0, first_point + touching, 1};
+      points[touching] = contact.point;
+      touching += touches;
+    }
+    manifolds_ += touching;
+    points_ += touching;
+    return unknown;
   }
   /// A pair that does not touch, until manifolds follow.
   void begin(std::size_t pair, bool overlap) {
@@ -66,7 +82,10 @@ class Writer {
 
   template <class Array>
   static void make_room(Array& array, std::size_t size) {
-    if (array.size() < size) array.resize(std::max(size, 2 * array.size()));
+    if (array.size() >= size) return;
+    // Memory for twice as many, but made as records only when they are near to be written: they are in the cache then.
+    if (array.capacity() < size) array.reserve(std::max(size, 2 * array.capacity()));
+    array.resize(size);
   }
 
   BatchContacts<T>& found_;
@@ -169,13 +188,9 @@ class Together {
     with_round_kinds<T>(route, [&]<class A, class B>() {
       round_kernel<A, B, T>()(queue.pairs.data(), queue.count, contacts_, meetings_);
     });
-    writer_.reserve(queue.count, queue.count);
-    std::size_t unknown = 0;
-    for (std::size_t k = 0; k < queue.count; ++k) {
-      const PointContact<T> contact = turned ? mirrored(contacts_[k]) : contacts_[k];
-      writer_.write(queue.places[k], contact, meetings_[k] == Meeting::touching);
-      unknown += meetings_[k] == Meeting::unknown;
-    }
+    if (turned)
+      for (std::size_t k = 0; k < queue.count; ++k) contacts_[k] = mirrored(contacts_[k]);
+    std::size_t unknown = writer_.write(queue.places.data(), contacts_, meetings_, queue.count);
     for (std::size_t k = 0; unknown > 0; ++k) {
       if (meetings_[k] != Meeting::unknown) continue;
       single_(queue.places[k]);
@@ -185,8 +200,8 @@ class Together {
 
   Writer<T>& writer_;
   OneByOne<T>& single_;
-  PointContact<T> contacts_[box_chunk];
-  Meeting meetings_[box_chunk];
+  PointContact<T> contacts_[bundled(box_chunk)];
+  Meeting meetings_[bundled(box_chunk)];
 };
 
 }  // namespace

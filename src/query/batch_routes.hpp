@@ -3,7 +3,9 @@
 // Guarantee: every pair comes out once, at a kernel or by itself. Nothing is allocated.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "graze/batch.hpp"
 #include "narrow/box_batch.hpp"
@@ -121,6 +123,29 @@ bool regular(std::size_t kind, const void* concrete) {
   return !capsule.tapered() && capsule.half_height() > T(0);
 }
 
+/// Whether so many concrete shapes of one kind, at least one, all are; `at(k)` is the k-th.
+template <class T, class At>
+bool all_regular(std::size_t kind, std::size_t count, const At& at) {
+  bool all = true;
+  if (kind == detail::kind_of<Box<T>, T>()) {
+    // If the least and the greatest sides are such a box's, all are.
+    Vec3<T> low = static_cast<const Box<T>*>(at(0))->half_extents(), high = low;
+    for (std::size_t k = 1; k < count; ++k) {
+      const Vec3<T>& half = static_cast<const Box<T>*>(at(k))->half_extents();
+      low = least(half, low);
+      high = greatest(half, high);
+    }
+    all = regular_box(low) && regular_box(high);
+  } else if (kind == detail::kind_of<Capsule<T>, T>()) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& capsule = *static_cast<const Capsule<T>*>(at(k));
+      const bool even = !capsule.tapered(), has_length = capsule.half_height() > T(0);
+      all &= even & has_length;
+    }
+  }
+  return all;
+}
+
 /// The concrete shape, if it is of such a kind, regular and without a margin, else null.
 template <class T>
 const void* regular_concrete(const Shape<T>& shape) {
@@ -134,11 +159,88 @@ const void* regular_concrete(const Shape<T>& shape) {
   });
 }
 
+/// The bodies of a side that are all of one kind: each shape so many bytes behind the one before and each pose so many
+/// poses, or all in one place. A pair takes a few instructions so, which with all that `Bodies` can be it does not.
+template <class T>
+struct EvenRow {
+  const char* shapes;
+  const Pose<T>* poses;
+  std::ptrdiff_t shape_stride = 0, pose_stride = 0;
+
+  explicit EvenRow(const Bodies<T>& bodies)
+      : shapes(static_cast<const char*>(bodies.concrete(0))), poses(&bodies.pose(0)) {
+    if (bodies.size() < 2) return;
+    shape_stride = static_cast<const char*>(bodies.concrete(1)) - shapes;
+    pose_stride = &bodies.pose(1) - poses;
+  }
+  const void* shape(std::uint32_t i) const { return shapes + i * shape_stride; }
+  const Pose<T>* pose(std::uint32_t i) const { return poses + i * pose_stride; }
+};
+
+/// Of pairs whose kinds are the same throughout, those from `first` on, at most as many as there is room for, behind
+/// those that wait in the queue; how many.
+template <class T>
+std::size_t append_even(const Batch<T>& batch, const EvenRow<T>& a, const EvenRow<T>& b, std::size_t first, bool turned,
+                        T margin, Queue<T>& queue) {
+  const std::size_t begin = queue.count, count = std::min(box_chunk - begin, batch.size() - first);
+  for (std::size_t k = 0; k < count; ++k) {
+    IdPair p = batch[first + k];
+    if (turned) std::swap(p.a, p.b);
+    queue.pairs[begin + k] = {a.shape(p.a), b.shape(p.b), a.pose(p.a), b.pose(p.b), margin};
+    queue.places[begin + k] = first + k;
+  }
+  queue.count += count;
+  return count;
+}
+
+/// Of the pairs in the queue from the `begin`-th on those that are not regular; they leave it, for `single(i)`.
+template <class T, class Single>
+void drop_irregular(std::size_t kind_a, std::size_t kind_b, std::size_t begin, Queue<T>& queue, Single&& single) {
+  std::size_t kept = begin;
+  for (std::size_t k = begin; k < queue.count; ++k) {
+    if (!regular<T>(kind_a, queue.pairs[k].a) || !regular<T>(kind_b, queue.pairs[k].b)) {
+      single(queue.places[k]);
+      continue;
+    }
+    queue.pairs[kept] = queue.pairs[k];
+    queue.places[kept++] = queue.places[k];
+  }
+  queue.count = kept;
+}
+
+/// `visit_batch` where each side is of one kind known to the compiler: nothing about kinds is asked of a pair.
+template <class T, class Run, class Single>
+void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, Run&& run, Single&& single) {
+  const bool turned = is_turned(number);
+  const Bodies<T>&first = turned ? batch.b() : batch.a(), &second = turned ? batch.a() : batch.b();
+  const std::size_t kind_a = first.kind(0), kind_b = second.kind(0);
+  const EvenRow<T> a(first), b(second);
+  Queue<T> queue;
+  for (std::size_t i = 0; i < batch.size();) {
+    const std::size_t begin = queue.count;
+    i += append_even(batch, a, b, i, turned, margin, queue);
+    const std::size_t added = queue.count - begin;
+    if (!all_regular<T>(kind_a, added, [&](std::size_t k) { return queue.pairs[begin + k].a; }) ||
+        !all_regular<T>(kind_b, added, [&](std::size_t k) { return queue.pairs[begin + k].b; }))
+      drop_irregular(kind_a, kind_b, begin, queue, single);
+    if (queue.count < box_chunk && i < batch.size()) continue;
+    if (queue.count > 0) run(route_of(number), turned, queue);
+    queue.count = 0;
+  }
+}
+
 /// Goes through the batch: `run(route, turned, queue)` asks a kernel that `wanted` names, `single(i)` about one pair.
 template <class T, class Wanted, class Run, class Single>
 void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, Run&& run, Single&& single) {
   static constexpr Routes<T> routes;
   const Bodies<T>&a = batch.a(), &b = batch.b();
+  if (batch.size() > 0 && a.one_kind() && b.one_kind()) {
+    const std::uint8_t number = routes(a.kind(0), b.kind(0));
+    if (route_of(number) != Route::none && wanted(route_of(number)))
+      return visit_even_batch(batch, margin, number, run, single);
+    for (std::size_t i = 0; i < batch.size(); ++i) single(i);
+    return;
+  }
   std::array<Queue<T>, 2 * route_count> queues;
   const auto flush = [&](std::uint8_t number) {
     run(route_of(number), is_turned(number), queues[number]);

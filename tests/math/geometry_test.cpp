@@ -179,6 +179,27 @@ void lanes_equal_scalars() {
     }
   }
 }
+/// Of each lane alone, and of all but that, whether any is set, and all.
+template <class T, int N>
+void lanes_are_joined() {
+  for (int i = 0; i < N; ++i) {
+    Wide<T, N> one(T(0));
+    one.set(i, T(1));
+    EXPECT_TRUE(any(one > Wide<T, N>(T(0)))) << i;
+    EXPECT_FALSE(all(one < Wide<T, N>(T(1)))) << i;
+  }
+  const Wide<T, N> zero(T(0));
+  EXPECT_FALSE(any(zero > zero));
+  EXPECT_TRUE(all(zero == zero));
+}
+TEST(Wide, AnyAndAllJoinEveryLane) {
+  lanes_are_joined<float, 4>();
+  lanes_are_joined<float, 8>();
+  lanes_are_joined<float, 16>();
+  lanes_are_joined<double, 2>();
+  lanes_are_joined<double, 4>();
+  lanes_are_joined<double, 8>();
+}
 TEST(Wide, Float4) { lanes_equal_scalars<float, 4>(); }
 TEST(Wide, Float8) { lanes_equal_scalars<float, 8>(); }
 TEST(Wide, Float16) { lanes_equal_scalars<float, 16>(); }

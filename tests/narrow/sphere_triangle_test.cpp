@@ -1,5 +1,5 @@
-// Balls against triangles: the closed form against the general path, against the naive nearest point, and against itself,
-// since what contacts, distances and overlaps say has to be the same.
+// Balls against triangles: the closed form against the general path, against the naive nearest point, and against
+// itself, since what contacts, distances and overlaps say has to be the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>

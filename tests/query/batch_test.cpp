@@ -157,6 +157,30 @@ TEST(Batch, TakesOneShapeForAllAndArraysOfOneKind) {
   expect_same(Batch<float>(flats, many), 0.01f);
 }
 
+// Those that kernels do not take stand among those that they do, over several of their chunks.
+TEST(Batch, TakesIrregularOnesAmongManyOfOneKind) {
+  Random random(6);
+  std::vector<Pose<float>> poses;
+  std::vector<Capsule<float>> capsules;
+  std::vector<Box<float>> boxes;
+  std::vector<IdPair> pairs;
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    poses.push_back({random_vector(random, 1.0f), random_rotation(random)});
+    if (random() % 4 == 0)
+      capsules.emplace_back(0.4f, 0.2f, 0.3f);
+    else
+      capsules.emplace_back(random() % 4 == 0 ? 0.0f : 0.4f, 0.3f);
+    boxes.emplace_back(Vec3f{0.5f, 0.3f, random() % 4 == 0 ? 1e-8f : 0.4f});
+    pairs.push_back({static_cast<std::uint32_t>(random() % 300), static_cast<std::uint32_t>(random() % 300)});
+  }
+  const Bodies<float> rods{std::span<const Capsule<float>>(capsules), std::span<const Pose<float>>(poses)},
+      cases{std::span<const Box<float>>(boxes), std::span<const Pose<float>>(poses)};
+  expect_same(Batch<float>(rods, rods, pairs), 0.01f);
+  expect_same(Batch<float>(cases, rods, pairs), 0.01f);
+  expect_same(Batch<float>(cases, cases, pairs), 0.01f);
+  expect_same(Batch<float>(rods, cases), 0.01f);
+}
+
 TEST(Batch, GivesTheGoldenBits) {
   EXPECT_EQ(hash_of_a_long_run<float>(), golden_bits<float>);
   EXPECT_EQ(hash_of_a_long_run<double>(), golden_bits<double>);

@@ -9,15 +9,21 @@ namespace {
 /// Whole numbers of lanes, as such.
 template <class T>
 using Whole = typename Lanes<T>::BitVector;
+template <class T>
+struct ByteVector {
+  typedef std::uint8_t type __attribute__((vector_size(lanes_of<T>)));
+};
+template <class T>
+using Bytes = typename ByteVector<T>::type;
 template <class S>
 [[gnu::always_inline]] inline auto whole(const S& numbers) {
   return __builtin_convertvector(numbers.v, typename S::BitVector);
 }
 
-/// Writes the lanes that hold a pair.
+/// Writes all lanes.
 template <class T>
 [[gnu::always_inline]] inline void put(const CoreDistance<Lanes<T>>& d, const std::uint32_t* features,
-                                       const Lanes<T>& weight, std::size_t count, PointContact<T>* to) {
+                                       const Lanes<T>& weight, PointContact<T>* to) {
   if constexpr (sizeof(T) == 4) {
     using Point = ContactPoint<T>;
     static_assert(sizeof(PointContact<T>) == 48 && offsetof(Point, b) == 12 && offsetof(Point, distance) == 24 &&
@@ -25,14 +31,31 @@ template <class T>
     char* const rows = reinterpret_cast<char*>(to);
     Lanes<T> names;
     std::memcpy(&names.v, features, sizeof names.v);
-    scatter(d.a.x, d.a.y, d.a.z, d.b.x, count, rows, sizeof *to);
-    scatter(d.b.y, d.b.z, d.distance, names, count, rows + 16, sizeof *to);
-    scatter(weight, d.normal.x, d.normal.y, d.normal.z, count, rows + 32, sizeof *to);
+    scatter(d.a.x, d.a.y, d.a.z, d.b.x, rows, sizeof *to);
+    scatter(d.b.y, d.b.z, d.distance, names, rows + 16, sizeof *to);
+    scatter(weight, d.normal.x, d.normal.y, d.normal.z, rows + 32, sizeof *to);
   } else {
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < lanes_of<T>; ++k) {
       const int i = static_cast<int>(k);
       to[k] = {{lane<T>(d.a, i), lane<T>(d.b, i), d.distance[i], features[k], weight[i]}, lane<T>(d.normal, i)};
     }
+  }
+}
+
+/// The same of distances.
+template <class T>
+[[gnu::always_inline]] inline void put_all(const CoreDistance<Lanes<T>>& d, Distance<T>* to) {
+  if constexpr (sizeof(T) == 4) {
+    using Found = Distance<T>;
+    static_assert(sizeof(Found) == 48 && offsetof(Found, normal) == 4 && offsetof(Found, a) == 16 &&
+                  offsetof(Found, b) == 28 && offsetof(Found, error) == 44 && static_cast<int>(Status::converged) == 0);
+    char* const rows = reinterpret_cast<char*>(to);
+    const Lanes<T> converged(T(0)), error(T(0));
+    scatter(d.distance, d.normal.x, d.normal.y, d.normal.z, rows, sizeof *to);
+    scatter(d.a.x, d.a.y, d.a.z, d.b.x, rows + 16, sizeof *to);
+    scatter(d.b.y, d.b.z, converged, error, rows + 32, sizeof *to);
+  } else {
+    GRAZE_ISA::put(d, static_cast<std::size_t>(lanes_of<T>), to);
   }
 }
 
@@ -44,7 +67,7 @@ template <class A, class B, class T>
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    put(pair.in_world(pair.core(pair.nearest())), p.count, distances + first);
+    put_all<T>(pair.in_world(pair.core(pair.nearest())), distances + first);
   }
 }
 
@@ -62,10 +85,11 @@ template <class A, class B, class T>
     std::uint32_t features[Pairs::lanes];
     for (std::size_t k = 0; k < Pairs::lanes; ++k)
       features[k] = balls ? ball_feature : round_feature_ids<B, T>().of[static_cast<std::size_t>(place[k])];
-    for (std::size_t k = 0; k < p.count; ++k) meetings[first + k] = static_cast<Meeting>(met[k]);
+    const auto bytes = __builtin_convertvector(met, Bytes<T>);
+    std::memcpy(meetings + first, &bytes, sizeof bytes);
     S weight(T(0.5));
     if constexpr (balls) weight = ball_weight(p.a.radius, p.b.radius);
-    put<T>(c.at, features, weight, p.count, contacts + first);
+    put<T>(c.at, features, weight, contacts + first);
   }
 }
 

@@ -1,7 +1,7 @@
 // A triangle as points and segments look at it, in double: what of it is nearest, and its name.
 //
-// Guarantee: an answer is given only where rounding leaves its direction known; else nothing. The nearest place is right to
-// the rounding of the coordinates, the direction to six digits, over the face to all.
+// Guarantee: an answer is given only where rounding leaves its direction known; else nothing. The nearest place is
+// right to the rounding of the coordinates, the direction to six digits, over the face to all.
 #pragma once
 
 #include <cmath>
@@ -61,7 +61,8 @@ class SidedTriangle {
 
   /// Of one that is not thin; nothing where `noise`, the rounding of the coordinates, hides the direction.
   std::optional<NearTriangle> nearest_to(const Vec3d& p, double noise) const {
-    // What is nearest lies on one of the edges that the point is beyond, or else below it (Ericson 2005, section 5.1.5).
+    // What is nearest lies on one of the edges that the point is beyond, or else below it (Ericson 2005, section
+    // 5.1.5).
     double least_squared = std::numeric_limits<double>::infinity();
     Vec3d best{};
     for (std::size_t i = 0; i < 3; ++i) {

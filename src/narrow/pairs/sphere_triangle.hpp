@@ -1,7 +1,7 @@
 // Sphere against triangle: the nearest point of the triangle to the centre, in double.
 //
-// Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches. Nothing
-// is answered where the centre lies about on the triangle, and of slivers: the general path does that.
+// Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches.
+// Nothing is answered where the centre lies about on the triangle, and of slivers: the general path does that.
 #pragma once
 
 #include <cmath>
