@@ -3,6 +3,7 @@
 
 #include "narrow/convex_pair.hpp"
 #include "narrow/explain.hpp"
+#include "narrow/flatten.hpp"
 #include "narrow/general_contacts.hpp"
 
 // The pairs with a form of their own. A pair without one takes the general path.
@@ -29,8 +30,8 @@ using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Po
 /// Of the concrete shapes A and B, which stand in order. One function, so that numbers stay in registers on their way
 /// to the manifold.
 template <class A, class B, class T>
-[[gnu::flatten]] T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                 T margin, Manifold<T>& manifold) {
+GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                              T margin, Manifold<T>& manifold) {
   const A& ca = *a.template as<A>();
   const B& cb = *b.template as<B>();
   const auto own = own_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);

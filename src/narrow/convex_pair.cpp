@@ -5,6 +5,7 @@
 
 #include "narrow/closed_form.hpp"
 #include "narrow/explain.hpp"
+#include "narrow/flatten.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"
 
@@ -158,8 +159,8 @@ BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Po
 
 /// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
 template <class A, class B, class T>
-[[gnu::flatten]] std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
-                                                   bool faces_only) {
+GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
+                                                bool faces_only) {
   if (plain_box(a.shape) && plain_box(b.shape)) {
     RelativeFrame<T> b_in_a = relative_frame(a.pose, b.pose);
     BoxPair<T> plain{core_of(ca).half, core_of(cb).half, b_in_a.translation, b_in_a.rotation};

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "graze/query.hpp"
+#include "narrow/flatten.hpp"
 #include "narrow/pairs/box_manifold.hpp"
 
 namespace graze {
@@ -259,7 +260,7 @@ struct BoxDistance {
 
 /// One function: numbers stay in registers, which is a sixth of its time.
 template <class S>
-[[gnu::flatten]] BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox<S>& b) {
+GRAZE_FLATTEN BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox<S>& b) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   const RelativeFrame<S> b_in_a = relative_frame(a.pose, b.pose);
