@@ -54,6 +54,8 @@ void time(Query query, std::size_t pairs, const TimingOptions& options, std::vec
 
 /// What this thread has had of the processor, so that a neighbour on the machine is not in it.
 double processor_seconds();
+/// By the clock: of work on several threads nothing else says how long one waits for it.
+double clock_seconds();
 
 /// Of values in any order; 0 of none.
 double quantile(std::vector<double> values, double share);

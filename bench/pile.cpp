@@ -1,4 +1,5 @@
-// A settled pile, every body awake: the whole update of a world side by side, every frame, on one thread.
+// A settled pile, every body awake: the whole update of a world side by side, every frame, on one thread; Graze on two,
+// too.
 //
 //   bench_pile [--poses FILE.csv] [--frames N]
 //
@@ -6,7 +7,8 @@
 // a little turned and a little sunk in; a file has a line px,py,pz,qx,qy,qz,qw,hx,hy,hz for each (metres, half edges)
 // under a line of these names. From frame to frame every body moves to and fro by about 1e-4 of its size, so that
 // nothing can be kept, and every library gets the same poses in single precision, in turns frame by frame. Told are the
-// medians of the processor's time: of giving the poses, and of the update from poses to contacts. `pairs` are what the
+// medians of the processor's time, or of two threads the clock's: of giving the poses, and of the update from poses to
+// contacts. `pairs` are what the
 // broad phase passes on, `contacts` points; of these Graze and Bullet keep those up to their margin apart (0.02 here,
 // Bullet's own), ODE only those of boxes that overlap. `still` is Graze with nothing changed since the last frame. The
 // second table has the stages of Graze's update, run one by one on arrays of their own.
@@ -14,7 +16,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -32,6 +33,7 @@
 #include "measure.hpp"
 #include "random.hpp"
 #include "stages.hpp"
+#include "threads.hpp"
 
 namespace graze::bench {
 
@@ -115,11 +117,13 @@ struct Contender {
   std::function<void(const Poses&)> place;
   std::function<void()> update;
   std::function<Counts()> count;
+  double (*clock)() = processor_seconds;
 };
 
 template <class T>
 struct GrazePile {
-  explicit GrazePile(const Pile& pile) : world({.margin = T(margin), .allow = {}}) {
+  GrazePile(const Pile& pile, std::unique_ptr<Executor> threads)
+      : executor(std::move(threads)), world({.margin = T(margin), .allow = {}}, executor.get()) {
     for (const PiledBox& box : pile)
       ids.push_back(world.add({.shape = Box<T>(cast<T>(box.half) * T(2)), .pose = cast<T>(box.pose)}));
     world.add({.shape = HalfSpace<T>(), .fixed = true});
@@ -127,13 +131,15 @@ struct GrazePile {
   void place(const Poses& poses) {
     for (std::size_t i = 0; i < ids.size(); ++i) world.move(ids[i], cast<T>(poses[i]));
   }
+  std::unique_ptr<Executor> executor;
   World<T> world;
   std::vector<BodyId> ids;
 };
 
 template <class T>
-Contender graze_world(const char* name, const Pile& pile, bool still) {
-  auto state = std::make_shared<GrazePile<T>>(pile);
+Contender graze_world(const char* name, const Pile& pile, bool still,
+                      std::unique_ptr<Executor> threads = std::make_unique<SerialExecutor>()) {
+  auto state = std::make_shared<GrazePile<T>>(pile, std::move(threads));
   return {name,
           [state, still](const Poses& poses) {
             if (!still) state->place(poses);
@@ -248,10 +254,6 @@ Contender ode_space(const Pile& pile) {
 }
 #endif
 
-double milliseconds(std::clock_t begin) {
-  return 1e3 * static_cast<double>(std::clock() - begin) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
 /// The stages of a world's update, frame by frame.
 template <class T>
 class StagedPile {
@@ -300,6 +302,10 @@ int run(int argc, char** argv) {
   std::vector<Contender> all{graze_world<float>("graze float", *pile, false),
                              graze_world<double>("graze double", *pile, false),
                              graze_world<float>("graze float still", *pile, true)};
+  if (auto two = make_executor(2)) {
+    all.push_back(graze_world<float>("graze 2 threads", *pile, false, std::move(two)));
+    all.back().clock = clock_seconds;
+  }
 #ifdef GRAZE_BENCH_BULLET
   all.push_back(bullet_world(*pile));
 #endif
@@ -312,13 +318,14 @@ int run(int argc, char** argv) {
   for (std::size_t frame = 0; frame < frames + 2; ++frame) {
     const Poses& now = poses[frame % 2];
     for (std::size_t c = 0; c < all.size(); ++c) {
-      const auto begin = std::clock();
+      const double begin = all[c].clock();
       all[c].place(now);
-      const double placed = milliseconds(begin);
+      const double placed = all[c].clock();
       all[c].update();
+      const double end = all[c].clock();
       if (frame < 2) continue;
-      placing[c].push_back(placed);
-      updating[c].push_back(milliseconds(begin) - placed);
+      placing[c].push_back(1e3 * (placed - begin));
+      updating[c].push_back(1e3 * (end - placed));
     }
     stages_f.frame(now);
     stages_d.frame(now);

@@ -7,7 +7,6 @@
 // the boxes turn as much. Everything is in single precision and nothing sleeps. Told are medians by the clock: of giving
 // all poses, of `World::update`, and of each stage run alone on arrays of its own. Threads are oneTBB's, where that is
 // installed.
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -15,13 +14,11 @@
 #include <string>
 
 #include "graze/world.hpp"
-#ifdef GRAZE_BENCH_TBB
-#include "graze/tbb_executor.hpp"
-#endif
 #include "measure.hpp"
 #include "random.hpp"
 #include "stages.hpp"
 #include "table.hpp"
+#include "threads.hpp"
 
 namespace graze::bench {
 
@@ -57,26 +54,19 @@ std::vector<Moving> make_bodies(std::size_t count) {
   return bodies;
 }
 
-/// By the clock: of work on several threads nothing else says how long one waits for it.
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 double milliseconds(const std::function<void()>& work) {
-  const double begin = seconds();
+  const double begin = clock_seconds();
   work();
-  return 1e3 * (seconds() - begin);
-}
-
-std::unique_ptr<Executor> make_executor(std::size_t threads) {
-#ifdef GRAZE_BENCH_TBB
-  if (threads > 1) return std::make_unique<TbbExecutor>(threads);
-#endif
-  return threads > 1 ? nullptr : std::make_unique<SerialExecutor>();
+  return 1e3 * (clock_seconds() - begin);
 }
 
 /// A world and its stages on so many threads, and how long they took.
 struct Run {
   explicit Run(std::size_t thread_count, std::unique_ptr<Executor> threads_of)
-      : threads(thread_count), executor(std::move(threads_of)), world({}, executor.get()), stages(*executor, seconds) {}
+      : threads(thread_count),
+        executor(std::move(threads_of)),
+        world({}, executor.get()),
+        stages(*executor, clock_seconds) {}
 
   void frame(const std::vector<Moving>& bodies, bool counts) {
     const double place = milliseconds([&] {
