@@ -1,7 +1,6 @@
 #include "mid/piece_pairs.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "mid/near_convex.hpp"
 
@@ -43,22 +42,24 @@ bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Nearness<T>&
   return whole;
 }
 
-/// The triangles of `opened`, a mesh, that come near the convex `other`, with the patch around them; nothing where they are
-/// too many for one. By itself: compounds within compounds have no room for a patch at each level.
+/// The triangles of `opened`, a mesh or height field, that come near the convex and bounded `other`. By itself:
+/// compounds within compounds have no room for its question and patch at each level.
 template <class T>
-[[gnu::noinline]] std::optional<bool> visit_patch(const Part<T>& opened, const Part<T>& other, bool is_a,
-                                                  const NearConvex<T>& question, T limit, const PairVisitor<T>& f) {
-  const Mesh<T>& mesh = *opened.shape.template as<Mesh<T>>();
+[[gnu::noinline]] bool visit_triangles_near(const Part<T>& opened, const Part<T>& other, bool is_a, const Pose<T>& seen,
+                                            T slack, const Nearness<T>& limit, const PairVisitor<T>& f) {
+  const NearConvex<T> question(other.shape, seen, slack);
   MeshPatch<T> patch;
-  if (!patch.fill(mesh, question, limit)) return std::nullopt;
+  const auto* mesh = limit.with_patches ? opened.shape.template as<Mesh<T>>() : nullptr;
+  const bool has_patch = mesh && patch.fill(*mesh, question, limit());
   const auto visit_piece = [&](const Shape<T>& shape, const Pose<T>& pose, std::uint32_t number) {
     Part<T> piece = opened.piece(shape, pose, number);
-    piece.patch = &patch;
+    if (has_patch) piece.patch = &patch;
     return is_a ? f(piece, other) : f(other, piece);
   };
+  if (!has_patch) return visit_pieces(opened.shape, opened.pose, question, limit, visit_piece);
   const auto triangles = patch.triangles();
   return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t i) {
-    return visit_triangle<T>(mesh.data(), i, opened.pose, question, limit, visit_piece);
+    return visit_triangle<T>(mesh->data(), i, opened.pose, question, limit(), visit_piece);
   });
 }
 
@@ -74,10 +75,9 @@ bool visit_pieces_near(const Part<T>& opened, const Part<T>& other, bool is_a, c
   const auto extent = [](const Shape<T>& shape) { return shape.visit([](const auto& c) { return c.core_extent(); }); };
   const T slack = corner_rounding(extent(opened.shape), extent(other.shape) + other.shape.margin(), seen.translation);
   if (!other.shape.template as<HalfSpace<T>>()) {
-    const NearConvex<T> question(other.shape, seen, slack);
-    if (limit.with_patches && opened.shape.template as<Mesh<T>>())
-      if (const auto whole = visit_patch(opened, other, is_a, question, limit(), f)) return *whole;
-    return visit_pieces(opened.shape, opened.pose, question, limit, visit_piece);
+    if (!opened.shape.template as<Compound<T>>())
+      return visit_triangles_near(opened, other, is_a, seen, slack, limit, f);
+    return visit_pieces(opened.shape, opened.pose, inflated(bounds(other.shape, seen), slack), limit, visit_piece);
   }
   // A tilted half-space has no bounds, but is as easily asked about.
   const Vec3<T> up = rotate(seen.rotation, Vec3<T>{T(0), T(1), T(0)});
