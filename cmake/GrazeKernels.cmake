@@ -25,9 +25,12 @@ function(graze_kernels target)
     target_compile_definitions(${objects} PRIVATE GRAZE_ISA=${level})
     target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}")
     graze_target(${objects})
-    # g++ inlines what a kernel calls, and what that calls, because the kernel is "flatten"; clang only the former.
-    target_compile_options(
-      ${objects} PRIVATE "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-mllvm -inline-threshold=1000000>")
+    # g++ inlines what a kernel calls, and what that calls, because the kernel is "flatten"; clang only the former. With a
+    # sanitizer's checks that takes minutes.
+    if(NOT GRAZE_SANITIZE)
+      target_compile_options(
+        ${objects} PRIVATE "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-mllvm -inline-threshold=1000000>")
+    endif()
     # Last, so that it wins over a -march among the user's own flags.
     target_compile_options(${objects} PRIVATE ${graze_flags_${level}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
