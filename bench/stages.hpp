@@ -38,7 +38,7 @@ class Stages {
     boxes_.resize(bodies_.size());
     std::span<const IdPair> found;
     timed([&] { find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, executor_); });
-    timed([&] { found = candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes); });
+    timed([&] { found = candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes, executor_); });
     timed([&] {
       allowed_.assign(found.begin(), found.end());
       keep_allowed(allowed_, bodies_.filters(), [&](std::uint32_t a, std::uint32_t b) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graze/broad_phase.hpp"
+#include "graze/executor.hpp"
 #include "graze/filter.hpp"
 
 namespace graze {
@@ -33,6 +34,8 @@ class PairFinder {
   /// more room than those before. Compares 4 to 16 boxes at a time, as the machine can (environment variable GRAZE_ISA:
   /// baseline, avx2 or avx512 forces how many); the pairs are the same.
   void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  /// The same pairs; those of a frame in which little moved are found by as many threads as `executor` has.
+  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor);
 
   /// Bytes that are held for the next frame: some 270 a box in single precision, twice as many in double.
   std::size_t memory() const;

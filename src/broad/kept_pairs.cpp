@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "broad/kept_kernels.hpp"
 #include "graze/pairs.hpp"
@@ -29,6 +30,8 @@ constexpr std::size_t few_frames = 2, longest_pause = 63;
 constexpr std::size_t pairs_per_box = 8;
 /// So many boxes tell how far all of them move.
 constexpr std::size_t most_samples = 256;
+/// Pairs of the list a task: some microseconds of work.
+constexpr std::size_t pairs_per_task = 4096;
 /// So many that overlap much may be in the list: to go through it costs less for them than to compare them anew.
 constexpr std::size_t few_wide = 4;
 
@@ -59,12 +62,12 @@ const T* numbers(std::span<const Aabb<T>> boxes) {
 }  // namespace
 
 template <class T>
-void KeptPairs<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
-  if (!find_by_list(boxes, out)) {
+void KeptPairs<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor) {
+  if (!find_by_list(boxes, out, executor)) {
     end_list();
     if (is_worth_a_list(boxes)) make_list(boxes);
     if (has_list_)
-      keep_overlapping_ones(boxes, nullptr, not_apart(out));
+      keep_overlapping_ones(boxes, nullptr, not_apart(out), executor);
     else
       find_anew(boxes, out);
   }
@@ -92,7 +95,7 @@ void KeptPairs<T>::compare_apart(std::span<const Aabb<T>> boxes, std::vector<IdP
 
 /// Returns false where there is no list, or too many have left for it to be of use.
 template <class T>
-bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
+bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor) {
   if (!has_list_) return false;
   fit_list(boxes.size());
   const std::size_t most = boxes.size() / boxes_per_left;
@@ -105,13 +108,13 @@ bool KeptPairs<T>::find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPa
   if (!std::all_of(places.begin(), places.end(), [&](std::uint32_t i) { return is_bounded(boxes[i]); })) return false;
   ++frames_;
   if (left == 0) {
-    keep_overlapping_ones(boxes, nullptr, not_apart(out));
+    keep_overlapping_ones(boxes, nullptr, not_apart(out), executor);
     return true;
   }
   has_left_.assign(words_for(std::max(boxes.size(), rooms_.size())), 0);
   for (const std::uint32_t i : places) has_left_[i / 64] |= std::uint64_t{1} << (i % 64);
   find_pairs_of_left(boxes, places);
-  keep_overlapping_ones(boxes, has_left_.data(), not_apart(out));
+  keep_overlapping_ones(boxes, has_left_.data(), not_apart(out), executor);
   merge_found(boxes.size(), not_apart(out));
   return true;
 }
@@ -148,7 +151,9 @@ void KeptPairs<T>::find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<
 /// for nothing.
 template <class T>
 void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped,
-                                         std::vector<IdPair>& out) {
+                                         std::vector<IdPair>& out, Executor& executor) {
+  if (executor.concurrency() > 1 && list_.size() > pairs_per_task)
+    return keep_side_by_side(boxes, dropped, out, executor);
   const auto keep = GRAZE_KERNEL(isa_, keep_overlapping<T>);
   const std::size_t list = list_.size(), step = list / 16 + 1024;
   out.resize(std::min(list, last_count_ + step));
@@ -161,6 +166,24 @@ void KeptPairs<T>::keep_overlapping_ones(std::span<const Aabb<T>> boxes, const s
     done += next;
   }
   out.resize(kept);
+}
+
+/// The same by several threads: each task keeps the pairs of its part of the list where that begins, and they are laid
+/// one behind the other when all are done.
+template <class T>
+void KeptPairs<T>::keep_side_by_side(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped,
+                                     std::vector<IdPair>& out, Executor& executor) {
+  const auto keep = GRAZE_KERNEL(isa_, keep_overlapping<T>);
+  if (kept_.size() < list_.size()) kept_.resize(list_.size());
+  kept_counts_.resize((list_.size() + pairs_per_task - 1) / pairs_per_task);
+  for_each_chunk(executor, list_.size(), pairs_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
+    kept_counts_[task] = keep(numbers(boxes), numbers(std::span<const IdPair>(list_)) + 2 * begin, end - begin, dropped,
+                              numbers(std::span(kept_)) + 2 * begin);
+  });
+  out.resize(std::accumulate(kept_counts_.begin(), kept_counts_.end(), std::size_t{0}));
+  auto to = out.begin();
+  for (std::size_t task = 0; task < kept_counts_.size(); ++task)
+    to = std::copy_n(kept_.begin() + static_cast<std::ptrdiff_t>(task * pairs_per_task), kept_counts_[task], to);
 }
 
 /// Puts what was found where it belongs among the sorted pairs of `out`.
@@ -261,9 +284,9 @@ template <class T>
 std::size_t KeptPairs<T>::memory() const {
   return all_.memory() + left_sweep_.memory() + found_.memory() + order_.memory() + wide_.memory() +
          (rooms_.capacity() + samples_.capacity()) * sizeof(Aabb<T>) +
-         (list_.capacity() + of_left_.capacity() + inner_.capacity()) * sizeof(IdPair) +
-         lengths_.capacity() * sizeof(T) + (left_.capacity() + apart_.capacity()) * sizeof(std::uint32_t) +
-         has_left_.capacity() * sizeof(std::uint64_t);
+         (list_.capacity() + of_left_.capacity() + inner_.capacity() + kept_.capacity()) * sizeof(IdPair) +
+         kept_counts_.capacity() * sizeof(std::size_t) + lengths_.capacity() * sizeof(T) +
+         (left_.capacity() + apart_.capacity()) * sizeof(std::uint32_t) + has_left_.capacity() * sizeof(std::uint64_t);
 }
 
 template <class T>
@@ -276,7 +299,12 @@ template <class T>
 PairFinder<T>& PairFinder<T>::operator=(PairFinder&&) noexcept = default;
 template <class T>
 void PairFinder<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out) {
-  kept_->find(boxes, out);
+  SerialExecutor serial;
+  kept_->find(boxes, out, serial);
+}
+template <class T>
+void PairFinder<T>::find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor) {
+  kept_->find(boxes, out, executor);
 }
 template <class T>
 std::size_t PairFinder<T>::memory() const {

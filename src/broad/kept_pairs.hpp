@@ -20,6 +20,7 @@
 #include "broad/row_sweep.hpp"
 #include "broad/wide_boxes.hpp"
 #include "graze/broad_phase.hpp"
+#include "graze/executor.hpp"
 
 namespace graze {
 
@@ -29,8 +30,9 @@ class KeptPairs {
   /// Runs at `level`, which must be available.
   explicit KeptPairs(Isa level = chosen_isa()) : isa_(level), all_(level), left_sweep_(level) {}
 
-  /// The pairs of places in `boxes`, sorted, the smaller first.
-  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  /// The pairs of places in `boxes`, sorted, the smaller first. The list is gone through by as many threads as
+  /// `executor` has.
+  void find(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor);
 
   /// Whether the last frame left a list for the next one.
   bool has_list() const { return has_list_; }
@@ -38,10 +40,13 @@ class KeptPairs {
   std::size_t memory() const;
 
  private:
-  bool find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out);
+  bool find_by_list(std::span<const Aabb<T>> boxes, std::vector<IdPair>& out, Executor& executor);
   void fit_list(std::size_t boxes);
   void find_pairs_of_left(std::span<const Aabb<T>> boxes, std::span<const std::uint32_t> left);
-  void keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped, std::vector<IdPair>& out);
+  void keep_overlapping_ones(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped, std::vector<IdPair>& out,
+                             Executor& executor);
+  void keep_side_by_side(std::span<const Aabb<T>> boxes, const std::uint64_t* dropped, std::vector<IdPair>& out,
+                         Executor& executor);
   void merge_found(std::size_t boxes, std::vector<IdPair>& out);
   bool is_worth_a_list(std::span<const Aabb<T>> boxes);
   T room_of_most(std::span<const Aabb<T>> boxes);
@@ -73,6 +78,8 @@ class KeptPairs {
   FoundPairs found_;
   PairOrder order_;
   std::vector<IdPair> of_left_;
+  std::vector<IdPair> kept_;              ///< by several threads, with gaps
+  std::vector<std::size_t> kept_counts_;  ///< of each task
 };
 
 }  // namespace graze

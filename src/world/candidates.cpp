@@ -17,11 +17,11 @@ constexpr std::size_t few = 12;
 template <class T>
 std::span<const IdPair> CandidateFinder<T>::find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                                  std::span<const std::uint8_t> fixed,
-                                                 std::span<const std::uint32_t> changes) {
+                                                 std::span<const std::uint32_t> changes, Executor& executor) {
   if (changes.empty()) return pairs_;
   note_stale(boxes.size(), changes);
   if (changes.size() * few > boxes.size())
-    find_all(boxes, alive, fixed);
+    find_all(boxes, alive, fixed, executor);
   else
     find_changed(boxes, alive, fixed);
   return pairs_;
@@ -55,7 +55,10 @@ const DynamicTree<T>& CandidateFinder<T>::tree(std::span<const Aabb<T>> boxes, s
 
 template <class T>
 void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                                  std::span<const std::uint8_t> fixed) {
+                                  std::span<const std::uint8_t> fixed, Executor& executor) {
+  const bool all_alive = std::find(alive.begin(), alive.end(), 0) == alive.end();
+  if (all_alive && std::count(fixed.begin(), fixed.end(), 0) + 1 >= std::ssize(fixed))
+    return finder_.find(boxes, pairs_, executor);
   compact_.clear();
   index_.clear();
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -63,11 +66,7 @@ void CandidateFinder<T>::find_all(std::span<const Aabb<T>> boxes, std::span<cons
       compact_.push_back(boxes[i]);
       index_.push_back(i);
     }
-  if (index_.size() == boxes.size() && std::count(fixed.begin(), fixed.end(), 0) + 1 >= std::ssize(fixed)) {
-    finder_.find(compact_, pairs_);
-    return;
-  }
-  finder_.find(compact_, all_);
+  finder_.find(compact_, all_, executor);
   pairs_.resize(all_.size());
   // Places and indices are in the same order, so the pairs stay sorted. Each is written and kept or written over.
   std::size_t kept = 0;

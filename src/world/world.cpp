@@ -10,7 +10,8 @@ void World<T>::update(T duration) {
   const std::span<const std::uint32_t> changes = bodies_.changes();
   boxes_.resize(bodies_.size());
   find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, *executor_);
-  manifolds_.find(bodies_, filter(candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes)), *executor_);
+  manifolds_.find(bodies_, filter(candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes, *executor_)),
+                  *executor_);
   tracker_.update<T>(
       manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
       [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);

@@ -58,7 +58,7 @@ class Finders {
     const std::vector<IdPair> expected = all_pairs(boxes);
     bool same = true;
     for (KeptPairs<T>& finder : finders_) {
-      finder.find(boxes, found_);
+      finder.find(boxes, found_, serial_);
       same = same && found_ == expected;
     }
     return same;
@@ -66,6 +66,7 @@ class Finders {
   bool have_list() const { return finders_[0].has_list(); }
 
  private:
+  SerialExecutor serial_;
   std::vector<KeptPairs<T>> finders_;
   std::vector<IdPair> found_;
 };
@@ -231,15 +232,45 @@ TEST(KeptPairs, GiveSmallBoxesLittleRoom) {
   }
 }
 
+/// The last task first, as if each had a thread of its own and the first was the slowest.
+struct BackwardsExecutor final : Executor {
+  std::size_t most = 0;
+
+  std::size_t concurrency() const override { return 3; }
+  void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
+    most = std::max(most, count);
+    while (count > 0) task(--count);
+  }
+};
+
+TEST(KeptPairs, AreTheSameFromSeveralThreads) {
+  Crowd<float> crowd(4);
+  crowd.reach = 12;
+  crowd.add(4000);
+  KeptPairs<float> alone, together;
+  SerialExecutor serial;
+  BackwardsExecutor backwards;
+  std::vector<IdPair> expected, found;
+  for (int frame = 0; frame < 12; ++frame) {
+    alone.find(crowd.boxes, expected, serial);
+    together.find(crowd.boxes, found, backwards);
+    EXPECT_EQ(found, expected) << frame;
+    crowd.move(frame % 4 == 3 ? 0.05 : 1, 0.01, 0.001);
+  }
+  EXPECT_TRUE(together.has_list());
+  EXPECT_GT(backwards.most, 2u);
+}
+
 TEST(KeptPairs, KeepTheirMemory) {
   Crowd<float> crowd(3);
   crowd.reach = 20;
   crowd.add(3000);
   KeptPairs<float> finder;
+  SerialExecutor serial;
   std::vector<IdPair> found;
   const auto run = [&] {
     for (int frame = 0; frame < 20; ++frame) {
-      finder.find(crowd.boxes, found);
+      finder.find(crowd.boxes, found, serial);
       crowd.move(1, 0.01, 0.001);
     }
   };

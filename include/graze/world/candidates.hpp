@@ -19,7 +19,8 @@ class CandidateFinder {
   /// `boxes`, `alive` and `fixed` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere
   /// since the last call.
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                               std::span<const std::uint8_t> fixed, std::span<const std::uint32_t> changes);
+                               std::span<const std::uint8_t> fixed, std::span<const std::uint32_t> changes,
+                               Executor& executor);
   const DynamicTree<T>& tree() const { return tree_; }
 
   /// The boxes of all that is alive, for queries: brought up to date for what changed in `find` and for `changes`. Not
@@ -32,7 +33,7 @@ class CandidateFinder {
  private:
   void note_stale(std::size_t bodies, std::span<const std::uint32_t> changes);
   void find_all(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
-                std::span<const std::uint8_t> fixed);
+                std::span<const std::uint8_t> fixed, Executor& executor);
   void find_changed(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                     std::span<const std::uint8_t> fixed);
 
