@@ -25,8 +25,8 @@ class CapsuleAndTriangle {
   bool known() const { return near_.has_value(); }
   /// Only where it is known, as what follows.
   Distance<T> distance() const { return pair_.in_world(axis_ * along_, *near_); }
-  /// Of an end that the general path sees alone.
-  bool one_end() const { return std::abs(dot(axis_, pair_.turn * near_->outward)) > face_lean<double>; }
+  /// That of an end which the general path sees alone.
+  bool one_point() const { return std::abs(dot(axis_, pair_.turn * near_->outward)) > face_lean<double>; }
   std::uint32_t feature() const {
     const bool top = dot(axis_, pair_.turn * near_->outward) < 0;
     return feature_id(vertex_feature(top ? 1 : 0), pair_.triangle.feature(near_->place, near_->outward));
@@ -59,22 +59,15 @@ class CapsuleAndTriangle {
 template <class T>
 std::optional<Distance<T>> own_distance(const Capsule<T>& capsule, T margin, const Pose<T>& pose,
                                         const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle) {
-  const CapsuleAndTriangle<T> pair(capsule, margin, pose, triangle, margin_triangle, pose_triangle);
-  if (!pair.known()) return std::nullopt;
-  return pair.distance();
+  return distance_of<T>(CapsuleAndTriangle<T>(capsule, margin, pose, triangle, margin_triangle, pose_triangle));
 }
 
 template <class T>
 std::optional<T> own_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose,
                               const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
                               Manifold<T>& manifold) {
-  const CapsuleAndTriangle<T> pair(capsule, margin_capsule, pose, triangle, margin_triangle, pose_triangle);
-  if (!pair.known()) return std::nullopt;
-  const Distance<T> d = pair.distance();
-  if (d.distance <= margin && !pair.one_end()) return std::nullopt;
-  manifold.normal = d.normal;
-  if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, pair.feature(), T(0.5)});
-  return d.distance;
+  return contact_of<T>(CapsuleAndTriangle<T>(capsule, margin_capsule, pose, triangle, margin_triangle, pose_triangle),
+                       margin, manifold);
 }
 
 }  // namespace graze

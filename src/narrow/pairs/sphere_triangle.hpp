@@ -54,6 +54,22 @@ struct RoundAndTriangle {
   }
 };
 
+/// The answers of a pair of such a shape and a triangle, where they are `known`.
+template <class T, class Pair>
+std::optional<Distance<T>> distance_of(const Pair& pair) {
+  if (!pair.known()) return std::nullopt;
+  return pair.distance();
+}
+template <class T, class Pair>
+std::optional<T> contact_of(const Pair& pair, T margin, Manifold<T>& manifold) {
+  if (!pair.known()) return std::nullopt;
+  const Distance<T> d = pair.distance();
+  if (d.distance <= margin && !pair.one_point()) return std::nullopt;
+  manifold.normal = d.normal;
+  if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, pair.feature(), T(0.5)});
+  return d.distance;
+}
+
 /// A ball and a triangle.
 template <class T>
 class BallAndTriangle {
@@ -71,6 +87,7 @@ class BallAndTriangle {
   bool known() const { return near_.has_value(); }
   /// Only where it is known, as what follows.
   Distance<T> distance() const { return pair_.in_world(center_, *near_); }
+  bool one_point() const { return true; }
   std::uint32_t feature() const {
     return feature_id(vertex_feature(0), pair_.triangle.feature(near_->place, near_->outward));
   }
@@ -84,21 +101,15 @@ class BallAndTriangle {
 template <class T>
 std::optional<Distance<T>> own_distance(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
                                         const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle) {
-  const BallAndTriangle<T> pair(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle);
-  if (!pair.known()) return std::nullopt;
-  return pair.distance();
+  return distance_of<T>(BallAndTriangle<T>(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle));
 }
 
 template <class T>
 std::optional<T> own_contacts(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
                               const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
                               Manifold<T>& manifold) {
-  const BallAndTriangle<T> pair(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle);
-  if (!pair.known()) return std::nullopt;
-  const Distance<T> d = pair.distance();
-  manifold.normal = d.normal;
-  if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, pair.feature(), T(0.5)});
-  return d.distance;
+  return contact_of<T>(BallAndTriangle<T>(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle),
+                       margin, manifold);
 }
 
 }  // namespace graze
