@@ -18,15 +18,20 @@ constexpr std::size_t blocks_per_task = 8;
 template <class T>
 void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
   last_pairs_.swap(pairs_);
-  last_memory_.swap(memory_);
+  last_contact_.swap(contact_);
   pairs_.assign(pairs.begin(), pairs.end());
-  memory_.resize(pairs.size());
+  contact_.resize(pairs.size());
+  if (keeps_axes_) {
+    last_axes_.swap(axes_);
+    axes_.resize(pairs.size());
+  }
   std::size_t known = 0;
   const std::size_t count = last_pairs_.size();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     while (known < count && last_pairs_[known] < pairs[i]) ++known;
     const bool same = known < count && last_pairs_[known] == pairs[i];
-    memory_[i] = same ? last_memory_[known] : Memory{};
+    contact_[i] = same ? last_contact_[known] : unknown;
+    if (keeps_axes_) axes_[i] = same ? last_axes_[known] : Vec3<T>{};
     known += same;
   }
 }
@@ -148,7 +153,7 @@ void ManifoldFinder<T>::gather_pairs() {
     const Result& r = results_[i];
     now_.pairs[place] = {pairs_[i].a, pairs_[i].b, r.overlap != 0, found_[r.block].first_manifold + r.first_manifold,
                          r.manifold_count};
-    memory_[i].contact = r.touches() ? place : apart;
+    contact_[i] = r.touches() ? place : apart;
     place += r.touches();
   }
 }
@@ -158,7 +163,8 @@ std::size_t ManifoldFinder<T>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) + bytes(around_) +
                     bytes(neighbours_) + bytes(last_changes_) + bytes(generations_) + bytes(found_) + bytes(pairs_) +
-                    bytes(last_pairs_) + bytes(memory_) + bytes(last_memory_) + bytes(results_);
+                    bytes(last_pairs_) + bytes(contact_) + bytes(last_contact_) + bytes(axes_) + bytes(last_axes_) +
+                    bytes(results_);
   for (const Found& found : found_)
     sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
   for (const ContactArrays<T>* arrays : {&now_, &last_})

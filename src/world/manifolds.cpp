@@ -88,6 +88,7 @@ bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
     if (part == 2) look(bodies);
   };
   (pairs.size() < few_pairs ? serial : executor).run(3, prepare);
+  keep_axes_where_of_use();
   std::swap(last_, now_);
   if (ground_ > 1) find_neighbours(bodies);
   ground_changed_ = ground_changed_ || (ground_ > 1 && !same_pairs && ground_pairs_differ());
@@ -102,6 +103,16 @@ bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
                  });
   gather(alone ? 1 : tasks, alone, executor);
   return true;
+}
+
+/// Kernels do not look at an axis, and for pairs that have one it would be as much memory again as all else about them.
+template <class T>
+void ManifoldFinder<T>::keep_axes_where_of_use() {
+  if (keeps_axes_) return;
+  static constexpr Routes<T> routes;
+  keeps_axes_ = std::any_of(bins_.bins.begin(), bins_.bins.end(),
+                            [](const Bin& bin) { return route_of(routes(bin.type_a, bin.type_b)) == Route::none; });
+  if (keeps_axes_) axes_.assign(pairs_.size(), {});
 }
 
 /// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
@@ -129,8 +140,8 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
     const int either = a.traits | b.traits;
-    if ((either & fresh) != 0) memory_[place] = {};
-    if ((either & changed) == 0 && memory_[place].contact != unknown && !(ground_changed_ && (either & fixed) != 0)) {
+    if ((either & fresh) != 0) contact_[place] = unknown;
+    if ((either & changed) == 0 && contact_[place] != unknown && !(ground_changed_ && (either & fixed) != 0)) {
       keep_last(place, kept, block);
       continue;
     }
@@ -168,7 +179,7 @@ typename ManifoldFinder<T>::Result& ManifoldFinder<T>::begin(std::uint32_t place
 template <class T>
 void ManifoldFinder<T>::keep_apart(std::uint32_t place) {
   results_[place] = {};
-  memory_[place].contact = apart;
+  contact_[place] = apart;
 }
 
 /// Whether the contacts of two convex bodies are what they are of all that stands still beside either, too.
@@ -201,7 +212,7 @@ void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, s
   result.manifold_count = 1;
   result.overlap = overlap;
   found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points)});
-  carry_one(memory_[place], std::span(found.points).subspan(first));
+  carry_one(place, std::span(found.points).subspan(first));
 }
 
 /// Asks the kernel about the pairs that wait for it; then none do.
@@ -246,7 +257,6 @@ T ManifoldFinder<T>::margin_of(const IdPair& pair) const {
 template <class T>
 void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block) {
   const IdPair pair = pairs_[place];
-  Memory& memory = memory_[place];
   const int either = seen_[pair.a].traits | seen_[pair.b].traits;
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
   const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
@@ -258,11 +268,12 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   }
   if (!a.convex() || !b.convex()) return find_composite(bodies, place, block);
   const T margin = margin_of(pair);
-  if (memory.axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, memory.axis, margin)) return keep_apart(place);
+  Vec3<T>* const axis = keeps_axes_ ? &axes_[place] : nullptr;
+  if (axis && *axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, *axis, margin)) return keep_apart(place);
   Manifold<T> manifold;
   const bool overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
   const bool none = manifold.points.empty();
-  memory.axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
+  if (axis) *axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
   if (none && !overlap) return keep_apart(place);
   if (none) {
     begin(place, block).overlap = 1;
@@ -290,13 +301,13 @@ void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_
     for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
   }
   result.manifold_count = static_cast<std::uint32_t>(found.composite.size());
-  carry_many(memory_[place], std::span(found.points).subspan(first_point), found.sorted);
+  carry_many(place, std::span(found.points).subspan(first_point), found.sorted);
 }
 
 /// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
 template <class T>
 void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t block) {
-  const std::uint32_t contact = memory_[place].contact;
+  const std::uint32_t contact = contact_[place];
   if (contact == apart) {
     results_[place] = {};
     return;
@@ -315,9 +326,10 @@ void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t b
 
 /// What a pair had after the last call; its points stand one behind the other.
 template <class T>
-std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(const Memory& memory) const {
-  if (memory.contact >= apart) return {};
-  const auto manifolds = last_.manifolds_of(last_.pairs[memory.contact]);
+std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(std::uint32_t place) const {
+  const std::uint32_t contact = contact_[place];
+  if (contact >= apart) return {};
+  const auto manifolds = last_.manifolds_of(last_.pairs[contact]);
   if (manifolds.empty()) return {};
   const std::size_t first = manifolds.front().first_point;
   return std::span(last_.points).subspan(first, manifolds.back().first_point + manifolds.back().point_count - first);
@@ -326,8 +338,8 @@ std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(const Memory& mem
 /// To points of the same features, which are single in the one manifold of two convex shapes; mostly they are the same
 /// ones in the same order.
 template <class T>
-void ManifoldFinder<T>::carry_one(const Memory& memory, std::span<SolverPoint<T>> points) const {
-  const auto last = last_points(memory);
+void ManifoldFinder<T>::carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const {
+  const auto last = last_points(place);
   std::size_t at = 0;
   for (SolverPoint<T>& point : points) {
     for (std::size_t tried = 0; tried < last.size(); ++tried, ++at) {
@@ -341,9 +353,9 @@ void ManifoldFinder<T>::carry_one(const Memory& memory, std::span<SolverPoint<T>
 
 /// To points of the same features; of several, which only composites have, to the nearest.
 template <class T>
-void ManifoldFinder<T>::carry_many(const Memory& memory, std::span<SolverPoint<T>> points,
+void ManifoldFinder<T>::carry_many(std::uint32_t place, std::span<SolverPoint<T>> points,
                                    std::vector<SolverPoint<T>>& sorted) const {
-  const auto last = last_points(memory);
+  const auto last = last_points(place);
   const auto by_feature = [](const SolverPoint<T>& p, const SolverPoint<T>& q) { return p.feature < q.feature; };
   const bool few = last.size() <= few_points;
   if (!few) {

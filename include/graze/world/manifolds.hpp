@@ -74,11 +74,7 @@ class ManifoldFinder {
   std::size_t memory() const;
 
  private:
-  /// What is remembered of a candidate pair.
-  struct Memory {
-    Vec3<T> axis{};                   ///< in the frame of a: along it they were apart; zero for none
-    std::uint32_t contact = unknown;  ///< its place among the pairs in contact, or one of the two below
-  };
+  /// What a candidate pair was after the last call, if not one of those in contact.
   static constexpr std::uint32_t unknown = ~std::uint32_t{0}, apart = unknown - 1;
   /// What one or more tasks find, one behind the other.
   struct Found {
@@ -116,6 +112,7 @@ class ManifoldFinder {
   void look(const BodyArrays<T>& bodies);
   void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
   void remember(std::span<const IdPair> pairs);
+  void keep_axes_where_of_use();
   void find_neighbours(const BodyArrays<T>& bodies);
   bool ground_pairs_differ() const;
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
@@ -136,9 +133,9 @@ class ManifoldFinder {
   void begin_blocks(std::size_t blocks, bool alone);
   void gather_pairs();
   void gather(std::size_t blocks, bool alone, Executor& executor);
-  void carry_one(const Memory& memory, std::span<SolverPoint<T>> points) const;
-  void carry_many(const Memory& memory, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
-  std::span<const SolverPoint<T>> last_points(const Memory& memory) const;
+  void carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const;
+  void carry_many(std::uint32_t place, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
+  std::span<const SolverPoint<T>> last_points(std::uint32_t place) const;
 
   std::vector<Seen> seen_;  ///< of each body
   Bins bins_;
@@ -150,7 +147,10 @@ class ManifoldFinder {
   std::size_t ground_ = 0;       ///< how many bodies are fixed
   bool ground_changed_ = false;  ///< some of them did
   std::vector<IdPair> pairs_, last_pairs_;
-  std::vector<Memory> memory_, last_memory_;
+  std::vector<std::uint32_t> contact_, last_contact_;  ///< of each pair: its place among those in contact, or as above
+  /// Of each pair, in the frame of a: along it they were apart; zero for none. Only where pairs without a kernel are.
+  std::vector<Vec3<T>> axes_, last_axes_;
+  bool keeps_axes_ = false;
   std::vector<Found> found_;
   std::vector<Result> results_;
   ContactArrays<T> now_, last_;
