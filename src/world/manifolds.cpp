@@ -20,6 +20,9 @@ namespace {
 /// as many as kernels take at a time.
 constexpr std::size_t pairs_per_task = most_chunk;
 
+/// Pairs ahead of the one that is looked at, of which the bodies are fetched: some hundred nanoseconds.
+constexpr std::size_t ahead = 16;
+
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;
 
@@ -136,7 +139,9 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
   Waiting<T> waiting;
   Run kept;
   const Pose<T>* const poses = bodies.poses().data();
-  for (const std::uint32_t place : places) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (k + ahead < places.size()) fetch(bodies, pairs_[places[k + ahead]].b);
+    const std::uint32_t place = places[k];
     const IdPair& pair = pairs_[place];
     const Seen &a = seen_[pair.a], &b = seen_[pair.b];
     const int either = a.traits | b.traits;
@@ -168,6 +173,15 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
   copy_last(kept, block);
   find_together(bodies, waiting, block);
   for (const std::uint32_t place : places) found_[block].contacts += results_[place].touches();
+}
+
+/// Fetches what a pair asks of a body. Pairs are sorted by the first of their two, so the second is the one that may
+/// stand anywhere.
+template <class T>
+void ManifoldFinder<T>::fetch(const BodyArrays<T>& bodies, std::uint32_t i) const {
+  __builtin_prefetch(seen_.data() + i);
+  __builtin_prefetch(bodies.poses().data() + i);
+  __builtin_prefetch(bodies.shapes().data() + i);
 }
 
 /// Where what is found of a pair from now on stands.

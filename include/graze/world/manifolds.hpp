@@ -126,6 +126,7 @@ class ManifoldFinder {
   void keep_last(std::uint32_t place, Run& run, std::uint32_t block);
   void copy_last(Run& run, std::uint32_t block);
   void keep_apart(std::uint32_t place);
+  void fetch(const BodyArrays<T>& bodies, std::uint32_t index) const;
   Result& begin(std::uint32_t place, std::uint32_t block);
   T margin_of(const IdPair& pair) const;
   void keep(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal,
