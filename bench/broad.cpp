@@ -3,7 +3,8 @@
 //   bench_broad [--largest N] [--frames N] [--filter REGEX] [--scene REGEX]
 //
 // Scenes: `coherent` all boxes drift, `tenth` every tenth does, `teleport` all jump anywhere, `uneven` one in a hundred
-// is 50 times larger, `clustered` in a few heaps far apart. Each box has three to six neighbours. All libraries get the
+// is 50 times larger, `spread` the same with room for these, `clustered` in a few heaps far apart. Each box has three to
+// six neighbours, but for `uneven`, where the larger ones overlap a good part of all. All libraries get the
 // same boxes in single precision (`double` those boxes in double), in turns frame by frame. Told are the median and the
 // mean of the processor's time, how many pairs each finds (those that keep fat boxes find more than there are; `moved`
 // asks only for the pairs of what moved), and the bytes it holds a box. The mean is what counts for those that do much of
@@ -190,22 +191,31 @@ Contender fcl_tree() {
 
 struct Scene {
   const char* name;
-  double moving;  ///< the share that moves in a frame
-  bool jumps, uneven, clustered;
+  double moving = 1;  ///< the share that moves in a frame
+  bool jumps = false, uneven = false, spread = false, clustered = false;
 };
-constexpr Scene scenes[] = {{"coherent", 1, false, false, false},
-                            {"tenth", 0.1, false, false, false},
-                            {"teleport", 1, true, false, false},
-                            {"uneven", 1, false, true, false},
-                            {"clustered", 1, false, false, true}};
+constexpr Scene scenes[] = {{.name = "coherent"},
+                            {.name = "tenth", .moving = 0.1},
+                            {.name = "teleport", .jumps = true},
+                            {.name = "uneven", .uneven = true},
+                            {.name = "spread", .uneven = true, .spread = true},
+                            {.name = "clustered", .clustered = true}};
+/// One in so many boxes of an uneven scene is so many times larger.
+constexpr std::size_t few = 100;
+constexpr double larger = 50;
 
 class Motion {
  public:
   Motion(const Scene& scene, std::size_t count) : scene_(scene), velocity_(count) {
-    // So many boxes of sides 0.5 to 1.5 in a cube of this side have about four neighbours each.
-    reach_ = 0.5 * std::cbrt(static_cast<double>(count) * 8.0 / 4.0);
+    // So many boxes of a mean side of 1 in a cube of this side have about four neighbours each: two of them overlap in a
+    // share of the cube's volume that is the cube of their sides' sum.
+    const double share = 1.0 / few, sum = 1 + larger;
+    const double volume = !scene.spread ? 8
+                                        : (1 - share) * (1 - share) * 8 + 2 * share * (1 - share) * sum * sum * sum +
+                                              share * share * 8 * larger * larger * larger;
+    reach_ = 0.5 * std::cbrt(static_cast<double>(count) * volume / 4.0);
     for (std::size_t i = 0; i < count; ++i) {
-      const double grown = scene.uneven && i % 100 == 0 ? 50 : 1;
+      const double grown = scene.uneven && i % few == 0 ? larger : 1;
       boxes.push_back(box_at(
           anywhere(i), Vec3d{random_.number(0.5, 1.5), random_.number(0.5, 1.5), random_.number(0.5, 1.5)} * grown));
       velocity_[i] = cast<float>(random_.in_cube(0.02));

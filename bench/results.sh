@@ -74,7 +74,7 @@ run() {
 run headline headline "${headline[@]}" --chart "$chart" --short "$work/short.md" --memory "$work/memory.md"
 run pile pile "${pile[@]}"
 run world world "${world[@]}"
-run broad broad "${broad[@]}" --scene 'coherent|tenth|teleport|clustered'
+run broad broad "${broad[@]}" --scene 'coherent|tenth|teleport|spread|clustered'
 run uneven broad "${uneven[@]}" --scene uneven
 run rays rays "${rays[@]}"
 run casts casts "${casts[@]}"
