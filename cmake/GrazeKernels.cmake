@@ -18,6 +18,7 @@ set(graze_flags_avx2 -march=x86-64-v3)
 set(graze_flags_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
 
 function(graze_kernels target)
+  string(REPLACE "," ";" graze_sanitizers "${GRAZE_SANITIZE}")
   foreach(level IN LISTS graze_levels)
     set(objects ${target}_kernels_${level})
     add_library(${objects} OBJECT ${ARGN})
@@ -30,6 +31,11 @@ function(graze_kernels target)
     if(NOT GRAZE_SANITIZE)
       target_compile_options(
         ${objects} PRIVATE "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-mllvm -inline-threshold=1000000>")
+    endif()
+    # Everything a kernel calls is inlined into it, and each temporary of all that would be marked in memory when its scope
+    # ends: round.kernel.cpp took 52 seconds to compile with that and takes 8 without. Reads and writes are checked still.
+    if("address" IN_LIST graze_sanitizers)
+      target_compile_options(${objects} PRIVATE -fno-sanitize-address-use-after-scope)
     endif()
     # Last, so that it wins over a -march among the user's own flags.
     target_compile_options(${objects} PRIVATE ${graze_flags_${level}})
