@@ -113,7 +113,8 @@ TEXT
   cat <<'TEXT'
 A frame moves every body to and fro by 1e-4 of its size, and then the whole update is asked for, on one thread.
 `pairs` are what the broad phase passes on; contacts are points, with Graze and Bullet those up to 0.02 apart, with ODE
-only those of boxes that overlap. `still`: nothing changed since the last frame.
+only those of boxes that overlap. `still`: nothing changed since the last frame. What a second thread saves is measured
+apart, by the clock, in turns with one thread.
 
 TEXT
   cat "$work/pile.md"
@@ -123,9 +124,10 @@ TEXT
 
 ## Broad phases
 
-Boxes alone, one thread: the update and all pairs, every frame. All boxes drift, every tenth does, all jump anywhere, or
-they stand in a few heaps; last, one in a hundred is 50 times larger. Those that keep fat boxes find more pairs than
-there are; `moved` asks only for the pairs of what moved. [Which to take](../docs/broad-phases.md).
+Boxes alone, one thread: the update and all pairs, every frame. All boxes drift, every tenth does, all jump anywhere,
+one in a hundred is 50 times larger and all have four neighbours still (`spread`), or they stand in a few heaps; last
+(`uneven`), the large ones stand among as many others as fit in, and overlap most. Those that keep fat boxes find more
+pairs than there are; `moved` asks only for the pairs of what moved. [Which to take](../docs/broad-phases.md).
 
 TEXT
   cat "$work/broad.md"
