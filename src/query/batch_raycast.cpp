@@ -1,5 +1,6 @@
 #include "graze/batch_raycast.hpp"
 
+#include "narrow/flatten.hpp"
 #include "narrow/rays/field_walk.hpp"
 #include "narrow/rays/mesh_block.hpp"
 #include "query/shape_rays.hpp"
@@ -184,8 +185,8 @@ class BlockTarget {
 
 /// One ray after the other, where there is no way for several.
 template <class T>
-[[gnu::flatten]] void find_hits(RayBlock& block, std::size_t count, const Shape<T>& shape, BackFaces back,
-                                std::uint32_t (&pieces)[RayBlock::size]) {
+GRAZE_FLATTEN void find_hits(RayBlock& block, std::size_t count, const Shape<T>& shape, BackFaces back,
+                             std::uint32_t (&pieces)[RayBlock::size]) {
   for (std::size_t i = 0; i < lanes_for(count); ++i) {
     block.state[i] = rays::ray_missed;
     block.t[i] = 0;

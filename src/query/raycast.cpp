@@ -4,6 +4,7 @@
 
 #include "query/shape_rays.hpp"
 
+#include "narrow/flatten.hpp"
 #include "narrow/rays/convex.hpp"
 
 namespace graze {
@@ -15,8 +16,8 @@ namespace {
 
 /// Of the concrete shape C, which is convex. One function, so that numbers stay in registers.
 template <class C, class T>
-[[gnu::flatten]] std::optional<RayHit<T>> convex_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
-                                                     T length, BackFaces back) {
+GRAZE_FLATTEN std::optional<RayHit<T>> convex_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                                  T length, BackFaces back) {
   Frame frame = frame_of(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return {};
@@ -26,8 +27,8 @@ template <class C, class T>
 }
 
 template <class T>
-[[gnu::flatten]] std::optional<RayHit<T>> composite_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
-                                                        T length, BackFaces back) {
+GRAZE_FLATTEN std::optional<RayHit<T>> composite_hit(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                                     T length, BackFaces back) {
   const Frame frame = frame_of(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return {};
@@ -51,8 +52,8 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, con
 }
 
 template <class T>
-[[gnu::flatten]] bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
-                                  BackFaces back) {
+GRAZE_FLATTEN bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
+                               BackFaces back) {
   std::optional<LocalRay> local = local_ray(ray, length, frame_of(pose));
   if (!local) return false;
   return hits_any(shape, *local, back);

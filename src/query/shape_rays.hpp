@@ -6,6 +6,7 @@
 #pragma once
 
 #include "mid/pieces.hpp"
+#include "narrow/flatten.hpp"
 #include "narrow/raycast.hpp"
 #include "narrow/rays/surface.hpp"
 
@@ -35,7 +36,7 @@ double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
 
 /// The ray in a frame, if it can hit.
 template <class T>
-[[gnu::flatten]] std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Frame& frame) {
+GRAZE_FLATTEN std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Frame& frame) {
   // Squares of its numbers must neither over- nor underflow. Zeros and infinities become NaN.
   Vec3d direction = cast<double>(ray.direction);
   if constexpr (!std::is_same_v<T, float>) direction = direction / max_abs(direction);
@@ -114,7 +115,7 @@ inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
 }
 
 template <class T>
-[[gnu::flatten]] RayHit<T> in_world(const Candidate& c, const Frame& frame, const Ray<T>& ray, T length) {
+GRAZE_FLATTEN RayHit<T> in_world(const Candidate& c, const Frame& frame, const Ray<T>& ray, T length) {
   const Vec3d normal = opposing(frame.out(c.hit.normal), cast<double>(ray.direction));
   const Vec3d point = frame.translation + frame.out(c.hit.point);
   return {least(static_cast<T>(c.hit.t), length), cast<T>(point), cast<T>(normal), c.piece};

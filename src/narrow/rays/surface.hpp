@@ -4,6 +4,7 @@
 // can move a crossing by. Nearer subtrees first, so that a ray that shrinks prunes the rest.
 #pragma once
 
+#include "narrow/flatten.hpp"
 #include "narrow/rays/field_walk.hpp"
 #include "narrow/rays/sheared.hpp"
 #include "narrow/rays/tree_walk.hpp"
@@ -51,7 +52,7 @@ class TriangleCast {
 
   /// `number()` tells the triangle's, where it is hit.
   template <class Corners, class Number>
-  [[gnu::flatten]] double at(const Corners& corners, const Number& number) {
+  GRAZE_FLATTEN double at(const Corners& corners, const Number& number) {
     const LocalRay& ray = near_.ray;
     const auto vertex = [&](std::size_t i) { return cast<double>(corners[i]); };
     const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
