@@ -151,22 +151,16 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   }
 }
 
-template <class A, class B, class T>
-BoxPair<double> box_pair(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {
-  const RelativeFrame<double> frame = relative_frame(cast<double>(pose_a), cast<double>(pose_b));
-  return {cast<double>(core_of(a).half), cast<double>(core_of(b).half), frame.translation, frame.rotation};
-}
-
 /// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
 template <class A, class B, class T>
 GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
                                                 bool faces_only) {
   if (plain_box(a.shape) && plain_box(b.shape)) {
-    RelativeFrame<T> b_in_a = relative_frame(a.pose, b.pose);
-    BoxPair<T> plain{core_of(ca).half, core_of(cb).half, b_in_a.translation, b_in_a.rotation};
+    const BoxPair<T> plain = box_pair(core_of(ca).half, a.pose, core_of(cb).half, b.pose);
     return !boxes_apart(plain, box_noise(plain, ca.core_extent(), cb.core_extent()), faces_only);
   }
-  const BoxPair<double> boxes = box_pair(ca, a.pose, cb, b.pose);
+  const BoxPair<double> boxes = box_pair(cast<double>(core_of(ca).half), cast<double>(a.pose),
+                                         cast<double>(core_of(cb).half), cast<double>(b.pose));
   const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
   const double noise = noise_of(a.shape, b.shape, boxes.translation);
   if (boxes_apart(boxes, reach + noise, faces_only)) return false;

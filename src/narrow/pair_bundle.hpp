@@ -117,6 +117,7 @@ template <class T, class D>
 template <class T, class Found>
 [[gnu::always_inline]] inline void put(const Found& found, std::size_t first, std::size_t count,
                                        BoxPointBlock<T>& block) {
+  static_assert(sizeof found.distance / sizeof found.distance[0] == most_block_points);
   for (std::size_t k = 0; k < 3; ++k) put(block.normal[k] + first, found.normal[k], count);
   put(block.filled + first, found.filled, count);
   put(block.known + first, found.known, count);

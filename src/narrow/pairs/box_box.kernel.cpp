@@ -9,15 +9,9 @@ namespace {
 template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
-template <class S>
-[[gnu::always_inline]] inline BoxPair<S> box_pair(const Vec3<S>& half_a, const Pose<S>& pose_a, const Vec3<S>& half_b,
-                                                  const Pose<S>& pose_b) {
-  const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
-  return {half_a, half_b, b_in_a.translation, b_in_a.rotation};
-}
 template <class T>
 [[gnu::always_inline]] inline BoxPair<Lanes<T>> box_pair(const Boxes<T>& bundle) {
-  return box_pair(bundle.a.core.half, bundle.pose_a, bundle.b.core.half, bundle.pose_b);
+  return graze::box_pair(bundle.a.core.half, bundle.pose_a, bundle.b.core.half, bundle.pose_b);
 }
 
 }  // namespace
@@ -57,7 +51,7 @@ template <class T>
 template <class T>
 [[gnu::flatten]] bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found) {
   const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
-  const BoxPair<T> boxes = box_pair(a.half_extents(), *pair.pose_a, b.half_extents(), *pair.pose_b);
+  const BoxPair<T> boxes = graze::box_pair(a.half_extents(), *pair.pose_a, b.half_extents(), *pair.pose_b);
   choice = box_choice(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
   box_manifold(boxes, choice, pair.margin, *pair.pose_a, *pair.pose_b, found);

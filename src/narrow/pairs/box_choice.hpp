@@ -10,6 +10,13 @@
 
 namespace graze {
 
+/// Two boxes in place.
+template <class S>
+BoxPair<S> box_pair(const Vec3<S>& half_a, const Pose<S>& pose_a, const Vec3<S>& half_b, const Pose<S>& pose_b) {
+  const RelativeFrame<S> b_in_a = relative_frame(pose_a, pose_b);
+  return {half_a, half_b, b_in_a.translation, b_in_a.rotation};
+}
+
 /// How much deeper the normal of a face may be than the least depth and still be chosen, and how much further apart
 /// than what is nearest the points along it, relative to the smaller shape. A resting box of size 1 leans by
 /// milliradians and sinks in by millimetres; the least depth then changes between faces and edges from frame to frame,
@@ -129,14 +136,18 @@ BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
   return {distance, select(by_edge, edge_number, face_number)};
 }
 
-/// Whether a box is one that these answer for: with a length along every side, and so large and small that the
-/// fourth power of a length, which squares of areas and of gaps along edges are made of, neither overflows nor loses
-/// digits after it is multiplied by `parallel_edges`.
+/// Between these the fourth power of a length, which squares of areas and of gaps along edges are made of, neither
+/// overflows nor loses digits after it is multiplied by `parallel_edges`.
+template <class T>
+inline constexpr T smallest_length = sizeof(T) == 4 ? T(1e-7) : T(1e-70);
+template <class T>
+inline constexpr T largest_length = sizeof(T) == 4 ? T(1e9) : T(1e70);
+
+/// Whether a box is one that these answer for: with a length along every side that is neither too large nor too small.
 template <class S>
 auto regular_box(const Vec3<S>& half) {
   using T = typename LaneOf<S>::type;
-  constexpr T smallest = sizeof(T) == 4 ? T(1e-7) : T(1e-70), largest = sizeof(T) == 4 ? T(1e9) : T(1e70);
-  return (least(half.x, least(half.y, half.z)) > S(smallest)) & (max_abs(half) < S(largest));
+  return (least(half.x, least(half.y, half.z)) > S(smallest_length<T>)) & (max_abs(half) < S(largest_length<T>));
 }
 
 /// The shape as such a box, without rounding; null if it is not.

@@ -263,8 +263,7 @@ template <class S>
 GRAZE_FLATTEN BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox<S>& b) {
   using std::abs;
   using T = typename LaneOf<S>::type;
-  const RelativeFrame<S> b_in_a = relative_frame(a.pose, b.pose);
-  const BoxPair<S> p{a.half, b.half, b_in_a.translation, b_in_a.rotation};
+  const BoxPair<S> p = box_pair(a.half, a.pose, b.half, b.pose);
   const S noise = box_noise(p, length(a.half) + a.radius, length(b.half) + b.radius), radii = a.radius + b.radius;
   const BoxNearest<S> nearest = nearest_of_boxes(p, noise);
   const CoreDistance<S>& core = nearest.core;
@@ -278,9 +277,8 @@ GRAZE_FLATTEN BoxDistance<S> box_distance(const PlacedBox<S>& a, const PlacedBox
   found.at.normal = turn * core.normal;
   found.at.a = a.pose.translation + turn * (middle + core.normal * (a.radius - half));
   found.at.b = a.pose.translation + turn * (middle + core.normal * (half - b.radius));
-  // Between these the fourth power of a length neither overflows nor loses its digits.
   const S size = greatest(greatest(max_abs(a.half), max_abs(b.half)), max_abs(p.translation));
-  found.proven = nearest.proven & (size > S(T(1e-70))) & (size < S(T(1e70)));
+  found.proven = nearest.proven & (size > S(smallest_length<T>)) & (size < S(largest_length<T>));
   return found;
 }
 

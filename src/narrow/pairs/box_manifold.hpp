@@ -59,6 +59,17 @@ struct BoxFeatures {
 };
 inline constexpr BoxFeatures box_features{};
 
+/// The number of such a part: of a face, whose axis is the one of `axis`, at its negative side or at its positive.
+template <class S, class M>
+S face_part(const OneOfThree<S>& axis, const M& positive) {
+  return axis.pick(S(0), S(18), S(36)) + select(positive, S(9), S(0));
+}
+/// Where along an axis of the face: as far out as `rim` either way, or within. Of a number or of several.
+template <class S, class Some>
+Some part_along(const Some& at, const Some& rim) {
+  return select(at >= rim, Some(S(2)), select(at <= -rim, Some(S(1)), Some(S(0))));
+}
+
 namespace detail {
 
 /// Two boxes as they meet along an axis, seen from the one whose face is a rectangle then.
@@ -151,9 +162,6 @@ void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& marg
       seen.by_b, [&] { return rotation_of(pose_b.rotation); }, [&] { return rotation_of(pose_a.rotation); });
   const Vec3<S> wx = face.turned(turn.row[0]), wy = face.turned(turn.row[1]), wz = face.turned(turn.row[2]),
                 across{dot(wx, n), dot(wy, n), dot(wz, n)};
-  const auto face_part = [&](const auto& axes, const Mask& upper) {
-    return axes.pick(S(0), S(18), S(36)) + select(upper, S(9), S(0));
-  };
   const S clip_face = face_part(face, positive), other_face = face_part(other, other_positive),
           limit = greatest(margin, choice.distance + noise);
   const FlatPoint<S> rim{half.x - near, half.y - near}, rim_uv{one - near * per_length.x, one - near * per_length.y};
@@ -164,10 +172,7 @@ void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& marg
   constexpr int step = detail::Ring<S>::step;
   const auto by_b = Some::Mask::of(seen.by_b);
   const auto part = [](const S& of_face, const Some& u, const Some& v, const FlatPoint<S>& edge) {
-    const auto side = [](const Some& at, const Some& from) {
-      return select(at >= from, Some(S(2)), select(at <= -from, Some(S(1)), Some(S(0))));
-    };
-    return Some(of_face) + side(u, Some(edge.x)) + side(v, Some(edge.y)) * Some(S(3));
+    return Some(of_face) + part_along<S>(u, Some(edge.x)) + part_along<S>(v, Some(edge.y)) * Some(S(3));
   };
   for (std::size_t i = 0; i < corners.size(); i += step) {
     const Some x_at = corners.some(corners.x, i), y_at = corners.some(corners.y, i),

@@ -55,13 +55,12 @@ struct LaidOver {
   /// The outline of the shared area.
   Ring<S> shared() const {
     // Both sides' directions in the upper half plane, u's angle the smaller: the parallelogram stays the same.
-    const auto lower = [](const FlatPoint<S>& d) { return (d.y < S(0)) | ((d.y == S(0)) & (d.x < S(0))); };
     const auto flip = [](const Mask& m, const FlatPoint<S>& d) {
       return FlatPoint<S>{select(m, -d.x, d.x), select(m, -d.y, d.y)};
     };
-    const Mask mirrored = u.x * v.y - u.y * v.x < S(0), turn = lower(u);
+    const Mask mirrored = u.x * v.y - u.y * v.x < S(0), turn = in_second_half(u);
     const FlatPoint<S> first = flip(turn, u), second = flip((mirrored & (!turn)) | ((!mirrored) & turn), v);
-    const Mask crossed = lower(second);
+    const Mask crossed = in_second_half(second);
     const FlatPoint<S> p{select(crossed, -second.x, first.x), select(crossed, -second.y, first.y)},
         q{select(crossed, first.x, second.x), select(crossed, first.y, second.y)};
     return Ring<S>(of_rectangle(), of_parallelogram(p, q), p.x > S(0), q.x > S(0));

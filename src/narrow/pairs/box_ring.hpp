@@ -17,6 +17,12 @@ inline constexpr std::size_t most_box_points = 8;
 
 namespace detail {
 
+/// Whether a direction is in the second half turn, from 180 to below 360 degrees.
+template <class S>
+auto in_second_half(const FlatPoint<S>& d) {
+  return (d.y < S(0)) | ((d.y == S(0)) & (d.x < S(0)));
+}
+
 /// What the four sides of a face begin with: corners of an outline, where they are any.
 template <class S>
 struct Corners {

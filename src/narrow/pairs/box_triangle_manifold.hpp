@@ -165,11 +165,7 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   const Vec3<S> wx = axes.turned(p.turn.row[0]), wy = axes.turned(p.turn.row[1]), wz = axes.turned(p.turn.row[2]);
   found.normal = {dot(wx, n), dot(wy, n), dot(wz, n)};
   found.filled = zero;
-  const auto side = [](const S& at, const S& from) {
-    return select(at >= from, S(2), select(at <= -from, S(1), S(0)));
-  };
-  const S box_face = axes.pick(zero, S(18), S(36)) + select(positive, S(9), zero),
-          limit = greatest(margin, choice.distance + p.noise);
+  const S box_face = face_part(axes, positive), limit = greatest(margin, choice.distance + p.noise);
   const FlatPoint<S> rim{half.x - near, half.y - near};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const S& apart = corners.apart[i + 1];
@@ -178,8 +174,9 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
     const FlatPoint<S> at = corners.at(i);
     const Vec3<S> place{at.x, at.y, height},
         on_box = pose_a.translation + Vec3<S>{dot(wx, place), dot(wy, place), dot(wz, place)};
-    found.put(i, {on_box, on_box + found.normal * apart, apart, box_face + side(at.x, rim.x) + side(at.y, rim.y) * S(3),
-                  face.part(at, near_squared)});
+    found.put(i,
+              {on_box, on_box + found.normal * apart, apart,
+               box_face + part_along<S>(at.x, rim.x) + part_along<S>(at.y, rim.y) * S(3), face.part(at, near_squared)});
     found.filled = found.filled + select(here, S(T(1 << i)), zero);
   }
   const S allowed = S(T(face_preference)) * least(p.size_a, p.size_b);

@@ -83,8 +83,7 @@ S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
     return select(on_rim, select(from > zero, S(2), one), zero);
   };
   // The rim across u runs along v.
-  return face.pick(zero, S(18), S(36)) + select(n.z >= zero, S(9), zero) + S(3) * at(h.y, p.y, seen_u) +
-         at(h.x, p.x, seen_v);
+  return face_part(face, n.z >= zero) + S(3) * at(h.y, p.y, seen_u) + at(h.x, p.x, seen_v);
 }
 
 template <class S>

@@ -47,7 +47,8 @@ class SidedTriangle {
         area_squared_(length_squared(across_)) {}
 
   bool thin() const {
-    // Below this the products of five lengths, which tell the sides, run out of digits.
+    // A guard of double's range: below this, of sides of 1e-50, the products of five lengths, which tell the sides, run
+    // out of digits. How thin a triangle may be, `thinnest_triangle` tells.
     constexpr double least_area_squared = 1e-200;
     const double longest = greatest(squared_[0], greatest(squared_[1], squared_[2]));
     return !(area_squared_ > least_area_squared &&

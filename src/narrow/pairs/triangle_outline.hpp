@@ -45,12 +45,6 @@ FlatVertex<S> select(const M& condition, const FlatVertex<S>& yes, const FlatVer
           select(condition, yes.number, no.number)};
 }
 
-/// Whether a direction is in the second half turn, from 180 to below 360 degrees.
-template <class S>
-auto in_second_half(const FlatPoint<S>& d) {
-  return (d.y < S(0)) | ((d.y == S(0)) & (d.x < S(0)));
-}
-
 /// Three vertices from the `first`-th on, where at most one of the masks is set.
 template <class M, class S>
 void begin_with(const M& second, const M& third, FlatVertex<S> (&v)[3]) {
