@@ -16,12 +16,48 @@
 
 namespace graze {
 
-/// N numbers of S, a scalar or a lane type. Comparisons give a `Mask`; `select` chooses by it. Numbers that fill the
-/// last register up are zero at first.
+namespace detail {
+
+typedef float Floats16 __attribute__((vector_size(16)));
+typedef double Doubles16 __attribute__((vector_size(16)));
+typedef float Floats32 __attribute__((vector_size(32)));
+typedef double Doubles32 __attribute__((vector_size(32)));
+
+/// Of lanes of S that are all bits or none: the i-th is bit i.
+template <class S, class V>
+[[gnu::always_inline]] inline unsigned lane_bits(const V& lanes) {
+#if defined(__AVX2__)
+  if constexpr (sizeof(V) == 32 && sizeof(S) == 4)
+    return static_cast<unsigned>(__builtin_ia32_movmskps256(reinterpret_cast<Floats32>(lanes)));
+  else if constexpr (sizeof(V) == 32)
+    return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Doubles32>(lanes)));
+  else
+#endif
+#if defined(__SSE2__)
+      if constexpr (sizeof(S) == 4)
+    return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Floats16>(lanes)));
+  else
+    return static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<Doubles16>(lanes)));
+#else
+  unsigned bits = 0;
+  for (unsigned i = 0; i < sizeof(V) / sizeof(S); ++i) bits |= static_cast<unsigned>(lanes[i] & 1) << i;
+  return bits;
+#endif
+}
+
+}  // namespace detail
+
+/// N numbers of S, a scalar or a lane type. Comparisons give a `Mask`; `select` chooses by it. Those that fill the last
+/// register up may be anything.
 template <class S, int N>
 struct Several {
   static constexpr bool joined = std::is_arithmetic_v<S>;
-  static constexpr int per = joined ? static_cast<int>(16 / sizeof(S)) : 1;  ///< numbers in a part
+#if defined(__AVX2__)
+  static constexpr std::size_t part_bytes = N == 8 ? 32 : 16;
+#else
+  static constexpr std::size_t part_bytes = 16;
+#endif
+  static constexpr int per = joined ? static_cast<int>(part_bytes / sizeof(S)) : 1;  ///< numbers in a part
   static constexpr int parts = (N + per - 1) / per;
   using Part = typename std::conditional_t<joined, std::type_identity<Wide<S, per>>, std::type_identity<S>>::type;
   using Condition = decltype(S() < S());
@@ -58,17 +94,29 @@ struct Several {
     [[gnu::always_inline]] void store(decltype(S() < S())* to) const {
       for (int i = 0; i < N; ++i) to[i] = (*this)[i];
     }
-    /// Whether any is set, of any pair.
+    /// Whether any of the N is set, of any pair.
     [[gnu::always_inline]] friend bool any(const Mask& mask) {
-      auto joint = mask.part[0];
-      for (int i = 1; i < parts; ++i) joint = joint | mask.part[i];
-      if constexpr (joined) {
-        std::uint64_t halves[2];
-        std::memcpy(halves, &joint.bits, sizeof halves);
-        return (halves[0] | halves[1]) != 0;
+      constexpr int last = (N - (parts - 1) * per) * static_cast<int>(sizeof(S));
+      if constexpr (joined && last < static_cast<int>(part_bytes)) {
+        // What fills the last part up is not asked.
+        std::uint64_t two[2];
+        std::memcpy(two, &mask.part[parts - 1].bits, sizeof two);
+        std::uint64_t joint = last == 4 ? static_cast<std::uint32_t>(two[0]) : two[0];
+        if constexpr (last == 12) joint |= static_cast<std::uint32_t>(two[1]);
+        if constexpr (parts == 1) return joint != 0;
+        static_assert(parts < 3);
+        return joint != 0 || any(mask.part[0]);
       } else {
+        auto joint = mask.part[0];
+        for (int i = 1; i < parts; ++i) joint = joint | mask.part[i];
         return any(joint);
       }
+    }
+    /// Of a single pair: the i-th is bit i.
+    [[gnu::always_inline]] unsigned bits() const requires(joined) {
+      unsigned found = 0;
+      for (int i = 0; i < parts; ++i) found |= detail::lane_bits<S>(part[i].bits) << (i * per);
+      return found & ((1u << N) - 1);
     }
 
     template <std::size_t... I, class F>
@@ -96,7 +144,8 @@ struct Several {
         }) {}
   [[gnu::always_inline]] explicit Several(const Vec3<S>& v) requires(N == 3) : Several(v.x, v.y, v.z) {}
 
-  [[gnu::always_inline]] static Several load(const S* from) requires(N == parts * per) {
+  /// Reads what fills the last register up too.
+  [[gnu::always_inline]] static Several load(const S* from) {
     return Several(Parts{}, [&](auto i) {
       if constexpr (joined)
         return Part::load(from + i * per);
@@ -164,14 +213,118 @@ struct Several {
   }
 #undef GRAZE_EACH
 
-  /// In the place of each of three the one that follows it in a ring, or precedes it.
-  [[gnu::always_inline]] friend Several following(const Several& a) requires(N == 3) { return {a[1], a[2], a[0]}; }
-  [[gnu::always_inline]] friend Several preceding(const Several& a) requires(N == 3) { return {a[2], a[0], a[1]}; }
-
  private:
   template <std::size_t... I, class F>
   [[gnu::always_inline]] Several(std::index_sequence<I...>, const F& f)
       : part{f(std::integral_constant<int, static_cast<int>(I)>{})...} {}
 };
+
+/// The I-th of three numbers, the J-th of three others and the K-th of further three.
+template <int I, int J, int K, class S>
+[[gnu::always_inline]] inline Several<S, 3> gathered(const Several<S, 3>& a, const Several<S, 3>& b,
+                                                     const Several<S, 3>& c) {
+  Several<S, 3> r;
+  if constexpr (!Several<S, 3>::joined) {
+    r.part[0] = a.part[I], r.part[1] = b.part[J], r.part[2] = c.part[K];
+  } else if constexpr (Several<S, 3>::per == 4) {
+    r.part[0].v = __builtin_shufflevector(__builtin_shufflevector(a.part[0].v, b.part[0].v, I, 4 + J, I, 4 + J),
+                                          c.part[0].v, 0, 1, 4 + K, 4 + K);
+  } else {
+    r.part[0].v = __builtin_shufflevector(a.part[I / 2].v, b.part[J / 2].v, I % 2, 2 + J % 2);
+    r.part[1].v = __builtin_shufflevector(c.part[K / 2].v, c.part[K / 2].v, K % 2, K % 2);
+  }
+  return r;
+}
+/// Three numbers in another order, or some of them several times.
+template <int I, int J, int K, class S>
+[[gnu::always_inline]] inline Several<S, 3> permuted(const Several<S, 3>& a) {
+  if constexpr (Several<S, 3>::joined && Several<S, 3>::per == 4) {
+    Several<S, 3> r;
+    r.part[0].v = __builtin_shufflevector(a.part[0].v, a.part[0].v, I, J, K, K);
+    return r;
+  } else {
+    return gathered<I, J, K>(a, a, a);
+  }
+}
+/// In the place of each of three the one that follows it in a ring, or precedes it.
+template <class S>
+[[gnu::always_inline]] inline Several<S, 3> following(const Several<S, 3>& a) {
+  return permuted<1, 2, 0>(a);
+}
+template <class S>
+[[gnu::always_inline]] inline Several<S, 3> preceding(const Several<S, 3>& a) {
+  return permuted<2, 0, 1>(a);
+}
+/// One of them in the place of each of three.
+template <int I, class S, int N>
+[[gnu::always_inline]] inline Several<S, 3> spread(const Several<S, N>& a) {
+  using From = Several<S, N>;
+  if constexpr (!From::joined) {
+    return Several<S, 3>(a.part[I]);
+  } else {
+    constexpr int place = I % From::per;
+    Several<S, 3> r;
+    for (auto& part : r.part) {
+      if constexpr (From::per == 4)
+        part.v = __builtin_shufflevector(a.part[0].v, a.part[0].v, place, place, place, place);
+      else
+        part.v = __builtin_shufflevector(a.part[I / 2].v, a.part[I / 2].v, place, place);
+    }
+    return r;
+  }
+}
+/// The first three of four.
+template <class S>
+[[gnu::always_inline]] inline Several<S, 3> first_three(const Several<S, 4>& a) {
+  Several<S, 3> r;
+  for (int i = 0; i < Several<S, 3>::parts; ++i) r.part[i] = a.part[i];
+  return r;
+}
+template <class S>
+[[gnu::always_inline]] inline S sum(const Several<S, 3>& a) {
+  return a[0] + a[1] + a[2];
+}
+template <class S>
+[[gnu::always_inline]] inline S greatest_of(const Several<S, 3>& a) {
+  return greatest(greatest(a[0], a[1]), a[2]);
+}
+template <class S>
+[[gnu::always_inline]] inline S least_of(const Several<S, 3>& a) {
+  return least(least(a[0], a[1]), a[2]);
+}
+
+/// Four numbers of a single pair and four more.
+template <class S>
+[[gnu::always_inline]] inline Several<S, 8> joined(const Several<S, 4>& a, const Several<S, 4>& b) {
+  using Four = Several<S, 4>;
+  using Eight = Several<S, 8>;
+  Eight r;
+  if constexpr (Eight::per == Four::per) {
+    for (int i = 0; i < Four::parts; ++i) r.part[i] = a.part[i], r.part[Four::parts + i] = b.part[i];
+  } else if constexpr (sizeof(S) == 4) {
+    r.part[0].v = __builtin_shufflevector(a.part[0].v, b.part[0].v, 0, 1, 2, 3, 4, 5, 6, 7);
+  } else {
+    r.part[0].v = __builtin_shufflevector(a.part[0].v, a.part[1].v, 0, 1, 2, 3);
+    r.part[1].v = __builtin_shufflevector(b.part[0].v, b.part[1].v, 0, 1, 2, 3);
+  }
+  return r;
+}
+/// The least of eight numbers of a single pair.
+template <class S>
+[[gnu::always_inline]] inline S least_of(const Several<S, 8>& a) {
+  if constexpr (Several<S, 8>::parts == 1) {
+    const auto& v = a.part[0].v;
+    const auto four = least(Wide<S, 4>::of(__builtin_shufflevector(v, v, 0, 1, 2, 3)),
+                            Wide<S, 4>::of(__builtin_shufflevector(v, v, 4, 5, 6, 7)));
+    const auto two = least(four, Wide<S, 4>::of(__builtin_shufflevector(four.v, four.v, 2, 3, 2, 3)));
+    return least(two[0], two[1]);
+  } else {
+    auto low = a.part[0];
+    for (int i = 1; i < Several<S, 8>::parts; ++i) low = least(low, a.part[i]);
+    S one = low[0];
+    for (int i = 1; i < Several<S, 8>::per; ++i) one = least(one, low[i]);
+    return one;
+  }
+}
 
 }  // namespace graze

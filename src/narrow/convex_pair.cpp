@@ -156,13 +156,15 @@ template <class A, class B, class T>
 GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
                                                 bool faces_only) {
   if (plain_box(a.shape) && plain_box(b.shape)) {
-    const BoxPair<T> plain = box_pair(core_of(ca).half, a.pose, core_of(cb).half, b.pose);
+    const BoxRows<T> plain(Several<T, 3>(core_of(ca).half), PoseRows<T>(a.pose), Several<T, 3>(core_of(cb).half),
+                           PoseRows<T>(b.pose));
     return !boxes_apart(plain, box_noise(plain, ca.core_extent(), cb.core_extent()), faces_only);
   }
-  const BoxPair<double> boxes = box_pair(cast<double>(core_of(ca).half), cast<double>(a.pose),
-                                         cast<double>(core_of(cb).half), cast<double>(b.pose));
+  const BoxPair<double> pair = box_pair(cast<double>(core_of(ca).half), cast<double>(a.pose),
+                                        cast<double>(core_of(cb).half), cast<double>(b.pose));
+  const BoxRows<double> boxes(pair);
   const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
-  const double noise = noise_of(a.shape, b.shape, boxes.translation);
+  const double noise = noise_of(a.shape, b.shape, pair.translation);
   if (boxes_apart(boxes, reach + noise, faces_only)) return false;
   if (faces_only || reach == 0 || !boxes_apart(boxes, noise)) return true;
   return std::nullopt;

@@ -23,6 +23,7 @@ class OneOfThree {
   using Mask = decltype(S() < S());
 
  public:
+  using Number = S;
   /// The one of that number: 0, 1 or 2.
   explicit OneOfThree(const S& number) : first_(number == S(0)), second_(number == S(1)) {}
   /// The first, the second, or the last; at most one of the masks is set.
@@ -68,6 +69,7 @@ template <class S>
 requires std::is_arithmetic_v<S>
 class OneOfThree<S> {
  public:
+  using Number = S;
   explicit OneOfThree(S number) : place_(static_cast<std::size_t>(static_cast<int>(number))) {}
   static OneOfThree of(bool first, bool second) {
     return OneOfThree(first ? std::size_t{0} : second ? std::size_t{1} : std::size_t{2});

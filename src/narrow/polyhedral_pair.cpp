@@ -59,7 +59,7 @@ void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
   for (std::size_t i = 0; i < 3; ++i) add(AxisKind::face_a, i, i, detail::unit_axis<double>(i));
   for (std::size_t j = 0; j < 3; ++j) add(AxisKind::face_b, j, j, p.rotation.column(j));
   any_of_three([&](auto i) {
-    const BoxEdgeAxes<double> edges = box_edges<i>(p);
+    const BoxEdgeAxes<double> edges = box_edges<i>(BoxRows<double>(p));
     for (int j = 0; j < 3; ++j) {
       BoxAxis<double> axis = detail::no_axis<double>();
       keep_edge<i>(edges, j, axis);

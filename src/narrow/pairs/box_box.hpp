@@ -10,30 +10,10 @@
 #include <limits>
 #include <utility>
 
-#include "graze/mat3.hpp"
-#include "graze/wide.hpp"
-#include "lanes/several.hpp"
 #include "narrow/core.hpp"
+#include "narrow/pairs/box_rows.hpp"
 
 namespace graze {
-
-/// Two boxes in the frame of A. `rotation`'s columns are B's axes.
-template <class S>
-struct BoxPair {
-  Vec3<S> half_a, half_b, translation;
-  Mat3<S> rotation;
-};
-
-/// The same two in the frame of B, which comes first.
-template <class S>
-BoxPair<S> seen_from_b(const BoxPair<S>& p) {
-  return {p.half_b, p.half_a, -transposed_times(p.rotation, p.translation), transposed(p.rotation)};
-}
-template <class M, class S>
-BoxPair<S> select(const M& condition, const BoxPair<S>& yes, const BoxPair<S>& no) {
-  return {select(condition, yes.half_a, no.half_a), select(condition, yes.half_b, no.half_b),
-          select(condition, yes.translation, no.translation), select(condition, yes.rotation, no.rotation)};
-}
 
 /// An axis with its number: 0..2 are A's, 3..5 B's, 6 + 3 i + j the product of A's i-th and B's j-th.
 template <class S>
@@ -123,15 +103,15 @@ struct BoxEdgeAxes {
 };
 
 template <std::size_t I, class S>
-BoxEdgeAxes<S> box_edges(const BoxPair<S>& p) {
+BoxEdgeAxes<S> box_edges(const BoxRows<S>& p) {
   using Row = Several<S, 3>;
-  constexpr std::size_t i1 = (I + 1) % 3, i2 = (I + 2) % 3;
-  const Row x(p.rotation.row[i1]), y(p.rotation.row[i2]), half_b(p.half_b);
+  constexpr int i1 = (I + 1) % 3, i2 = (I + 2) % 3;
+  const Row &x = p.rotation.row[i1], &y = p.rotation.row[i2];
   // Of each of B's axes along the product of the one before, and so of the one before along that of this.
   const Row across = abs(following(y) * x - following(x) * y);
-  return {-y, x, Row(p.translation[i2]) * x - Row(p.translation[i1]) * y,
-          Row(p.half_a[i1]) * abs(y) + Row(p.half_a[i2]) * abs(x) + following(half_b) * across +
-              preceding(half_b) * preceding(across)};
+  return {-y, x, spread<i2>(p.translation) * x - spread<i1>(p.translation) * y,
+          spread<i1>(p.half_a) * abs(y) + spread<i2>(p.half_a) * abs(x) + following(p.half_b) * across +
+              preceding(p.half_b) * preceding(across)};
 }
 
 /// Calls `f(I)` with a constant for each of three axes until it says that it knows enough. Constants leave nothing of
@@ -165,8 +145,9 @@ BoxAxes<S> box_axes(const BoxPair<S>& p, const S& enough) {
   const Mat3<S> absolute = abs(p.rotation);
   BoxAxes<S> axes{box_axes_of_a(p), box_axes_of_b(p, absolute), detail::no_axis<S>()};
   if (all(greatest(axes.face_a.separation, axes.face_b.separation) > enough)) return axes;
+  const BoxRows<S> rows(p);
   any_of_three([&](auto i) {
-    const BoxEdgeAxes<S> edges = box_edges<i>(p);
+    const BoxEdgeAxes<S> edges = box_edges<i>(rows);
     for (int j = 0; j < 3; ++j) keep_edge<i>(edges, j, axes.edge);
     return false;
   });

@@ -10,8 +10,10 @@ template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
 template <class T>
-[[gnu::always_inline]] inline BoxPair<Lanes<T>> box_pair(const Boxes<T>& bundle) {
-  return graze::box_pair(bundle.a.core.half, bundle.pose_a, bundle.b.core.half, bundle.pose_b);
+[[gnu::always_inline]] inline BoxRows<Lanes<T>> box_rows(const Boxes<T>& bundle) {
+  using S = Lanes<T>;
+  return {Several<S, 3>(bundle.a.core.half), PoseRows<S>(bundle.pose_a), Several<S, 3>(bundle.b.core.half),
+          PoseRows<S>(bundle.pose_b)};
 }
 
 }  // namespace
@@ -21,7 +23,7 @@ template <class T>
   using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
-    const BoxChoice<S> choice = box_choice(box_pair(bundle), bundle.margin);
+    const BoxChoice<S> choice = box_choice(box_rows(bundle), bundle.margin);
     for (std::size_t i = 0; i < bundle.count; ++i) {
       const int lane = static_cast<int>(i);
       axes[first + i] = {choice.distance[lane], choice.axis[lane]};
@@ -43,7 +45,8 @@ template <class T>
       choice.axis.set(lane, of.axis);
     }
     BoxManifold<S> found;
-    box_manifold(box_pair(bundle), choice, bundle.margin, bundle.pose_a, bundle.pose_b, found);
+    box_manifold(box_rows(bundle), choice, bundle.margin, PoseRows<S>(bundle.pose_a), PoseRows<S>(bundle.pose_b),
+                 found);
     put(found, first, bundle.count, points);
   }
 }
@@ -51,10 +54,11 @@ template <class T>
 template <class T>
 [[gnu::flatten]] bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found) {
   const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
-  const BoxPair<T> boxes = graze::box_pair(a.half_extents(), *pair.pose_a, b.half_extents(), *pair.pose_b);
+  const PoseRows<T> pose_a(*pair.pose_a), pose_b(*pair.pose_b);
+  const BoxRows<T> boxes(Several<T, 3>(a.half_extents()), pose_a, Several<T, 3>(b.half_extents()), pose_b);
   choice = box_choice(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
-  box_manifold(boxes, choice, pair.margin, *pair.pose_a, *pair.pose_b, found);
+  box_manifold(boxes, choice, pair.margin, pose_a, pose_b, found);
   return true;
 }
 
@@ -63,7 +67,7 @@ template <class T>
   using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
-    const BoxPair<S> boxes = box_pair(bundle);
+    const BoxRows<S> boxes = box_rows(bundle);
     const auto apart = boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)));
     for (std::size_t i = 0; i < bundle.count; ++i) touch[first + i] = !apart[static_cast<int>(i)];
   }

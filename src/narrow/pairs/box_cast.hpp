@@ -76,8 +76,9 @@ inline std::optional<BoxTranslation> box_translation(BoxPair<double> p, const Ve
     slabs.clip(dot(p.translation, axis), dot(velocity, axis), p.half_b[j] + dot(absolute.column(j), p.half_a), 1,
                static_cast<int>(3 + j));
   }
+  const BoxRows<double> rows(p);
   any_of_three([&](auto i) {
-    const BoxEdgeAxes<double> edges = box_edges<i>(p);
+    const BoxEdgeAxes<double> edges = box_edges<i>(rows);
     const auto squares = edges.length_squared();
     for (int j = 0; j < 3; ++j) {
       if (slabs.never()) return true;

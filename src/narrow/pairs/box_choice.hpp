@@ -37,6 +37,17 @@ S box_noise(const BoxPair<S>& p, const S& size_a, const S& size_b) {
   using T = typename LaneOf<S>::type;
   return S(box_rounding<T>) * (greatest(size_a, size_b) + max_abs(p.translation));
 }
+template <class S>
+S box_noise(const BoxRows<S>& p, const S& size_a, const S& size_b) {
+  using T = typename LaneOf<S>::type;
+  return S(box_rounding<T>) * (greatest(size_a, size_b) + greatest_of(abs(p.translation)));
+}
+/// The length of a vector.
+template <class S>
+S length(const Several<S, 3>& v) {
+  using std::sqrt;
+  return sqrt(sum(v * v));
+}
 
 /// The axis that contacts stand on.
 template <class S>
@@ -47,20 +58,22 @@ struct BoxChoice {
 
 /// The separations along A's axes.
 template <class S>
-Several<S, 3> box_faces_of_a(const BoxPair<S>& p) {
+Several<S, 3> box_faces_of_a(const BoxRows<S>& p) {
   using Row = Several<S, 3>;
-  const auto reach = [&](std::size_t j) { return abs(Row(p.rotation.column(j))) * Row(p.half_b[j]); };
-  return abs(Row(p.translation)) - (Row(p.half_a) + (reach(0) + reach(1) + reach(2)));
+  const Rows<S> axes = transposed(p.rotation);
+  const Row reach = abs(axes.row[0]) * spread<0>(p.half_b) + abs(axes.row[1]) * spread<1>(p.half_b) +
+                    abs(axes.row[2]) * spread<2>(p.half_b);
+  return abs(p.translation) - (p.half_a + reach);
 }
 
 /// And along B's.
 template <class S>
-Several<S, 3> box_faces_of_b(const BoxPair<S>& p) {
+Several<S, 3> box_faces_of_b(const BoxRows<S>& p) {
   using Row = Several<S, 3>;
-  const Row x(p.rotation.row[0]), y(p.rotation.row[1]), z(p.rotation.row[2]);
-  const Vec3<S>&t = p.translation, &half = p.half_a;
-  const Row reach = abs(x) * Row(half.x) + abs(y) * Row(half.y) + abs(z) * Row(half.z);
-  return abs(x * Row(t.x) + y * Row(t.y) + z * Row(t.z)) - (Row(p.half_b) + reach);
+  const Row* const row = p.rotation.row;
+  const Row reach =
+      abs(row[0]) * spread<0>(p.half_a) + abs(row[1]) * spread<1>(p.half_a) + abs(row[2]) * spread<2>(p.half_a);
+  return abs(transposed_times(p.rotation, p.translation)) - (p.half_b + reach);
 }
 
 /// The first of the axes of faces along which the boxes are furthest apart.
@@ -69,65 +82,64 @@ struct BoxFace {
   S separation, number;
 };
 template <class S>
-BoxFace<S> best_face(const BoxPair<S>& p) {
+BoxFace<S> best_face(const BoxRows<S>& p) {
   using T = typename LaneOf<S>::type;
-  using Two = Several<S, 2>;
-  const Several<S, 3> of_a = box_faces_of_a(p), of_b = box_faces_of_b(p);
-  // A's best and B's at once: of a single pair masks choose, where nobody foresees which it is.
-  const auto both = [&](int i) { return Two(of_a[i], of_b[i]); };
-  Two separations(S(-std::numeric_limits<T>::infinity())), numbers(S(0));
-  for (int i = 0; i < 3; ++i) {
-    const auto better = both(i) > separations;
-    separations = select(better, both(i), separations);
-    numbers = select(better, Two(S(static_cast<T>(i)), S(static_cast<T>(3 + i))), numbers);
-  }
-  const auto b_better = separations[1] > separations[0];
-  return {select(b_better, separations[1], separations[0]), select(b_better, numbers[1], numbers[0])};
+  using Row = Several<S, 3>;
+  const Row of_a = box_faces_of_a(p), of_b = box_faces_of_b(p);
+  // The number is found after the separation, which all that follows waits for, and without a jump.
+  const S separation = greatest_of(greatest(of_a, of_b));
+  const Row numbers_a(S(0), S(1), S(2)), numbers_b(S(3), S(4), S(5)), none(S(T(6)));
+  const Row all(separation);
+  return {separation, least_of(select(of_a == all, numbers_a, select(of_b == all, numbers_b, none)))};
 }
 
-/// The largest separation along those products of edges that show a larger one than `face`, and the number of that
+/// The largest separation along those products of edges that show a larger one than `least`, and the number of that
 /// axis; minus infinity and 0 where none does.
 template <class S>
-S best_edges(const BoxPair<S>& p, const S& face, S& number) {
+S best_edges(const BoxRows<S>& p, const S& least, S& number) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Row = Several<S, 3>;
-  // Separations along edges are compared by their squares with their signs, a product each in place of a root.
-  S gap = face * abs(face), squared(1);
-  number = S(0);
+  // Separations along edges are compared by their squares with their signs, a product each in place of a root: first of
+  // each of B's edges with A's three, then of the best of these.
+  Row gap(least * abs(least)), squared(S(1)), numbers(S(0));
   any_of_three([&](auto i) {
     const BoxEdgeAxes<S> edges = box_edges<i>(p);
     const Row gaps = edges.gap(), lengths = edges.length_squared(), signed_squares = gaps * abs(gaps);
-    const auto distinct = lengths > Row(S(parallel_edges<S>));
-    // Of a single pair that has no better one among these, as most have, none has to be looked at by itself.
-    if (Row::joined && !any(distinct & (signed_squares * Row(squared) > Row(gap) * lengths))) return false;
-    for (int j = 0; j < 3; ++j) {
-      const auto better = distinct[j] & (signed_squares[j] * squared > gap * lengths[j]);
-      gap = select(better, signed_squares[j], gap);
-      squared = select(better, lengths[j], squared);
-      number = select(better, S(static_cast<T>(6 + 3 * static_cast<int>(i) + j)), number);
-    }
+    const auto better = (lengths > Row(S(parallel_edges<S>))) & (signed_squares * squared > gap * lengths);
+    constexpr T first = 6 + 3 * static_cast<int>(i);
+    gap = select(better, signed_squares, gap);
+    squared = select(better, lengths, squared);
+    numbers = select(better, Row(S(first), S(first + 1), S(first + 2)), numbers);
     return false;
   });
-  const auto found = number > S(0);
   const S none(-std::numeric_limits<T>::infinity());
-  if (Row::joined && !any(found)) return none;
-  const S length = sqrt(abs(gap) / squared);
-  return select(found, select(gap < S(0), -length, length), none);
+  number = S(0);
+  if (Row::joined && !any(numbers > Row(S(0)))) return none;
+  S best = gap[0], over = squared[0];
+  number = numbers[0];
+  for (int j = 1; j < 3; ++j) {
+    const auto better = gap[j] * over > best * squared[j];
+    best = select(better, gap[j], best);
+    over = select(better, squared[j], over);
+    number = select(better, numbers[j], number);
+  }
+  const S length = sqrt(abs(best) / over);
+  return select(number > S(0), select(best < S(0), -length, length), none);
 }
 
 /// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better.
 template <class S>
-BoxChoice<S> box_choice(const BoxPair<S>& p, const S& margin) {
+BoxChoice<S> box_choice(const BoxRows<S>& p, const S& margin) {
   using std::abs;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const auto [face, face_number] = best_face(p);
-  const S size_a = graze::length(p.half_a), size_b = graze::length(p.half_b), noise = box_noise(p, size_a, size_b);
+  const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b);
   // Where a face tells that they are further apart than anybody asks, edges need not be tried.
   const Mask decided = face > margin + noise;
   S edge(-std::numeric_limits<T>::infinity()), edge_number(0);
-  if (!all(decided)) edge = select(decided, edge, best_edges(p, face, edge_number));
+  if (!all(decided)) edge = select(decided, edge, best_edges(p, face + noise, edge_number));
   const Mask edge_best = edge > face + noise, edge_chosen = edge > face + S(T(face_preference)) * least(size_a, size_b);
   const S separation = select(edge_best, edge, face);
   const S distance = select(abs(separation) <= noise, S(0), separation);

@@ -14,7 +14,8 @@
 
 #include "graze/query.hpp"
 #include "narrow/flatten.hpp"
-#include "narrow/pairs/box_manifold.hpp"
+#include "narrow/one_of_three.hpp"
+#include "narrow/pairs/box_choice.hpp"
 
 namespace graze {
 
@@ -37,6 +38,43 @@ struct BoxNearest {
 inline constexpr double witness_slack = 16;
 
 namespace detail {
+
+/// Two boxes as they meet along an axis, seen from the one whose face is a rectangle then.
+template <class S>
+struct MeetingBoxes {
+  using Mask = decltype(S() < S());
+
+  Mask by_b;         ///< that one is B
+  Vec3<S> normal;    ///< from it to the other; of a face exactly one of its axes
+  BoxPair<S> boxes;  ///< that one as A
+
+  MeetingBoxes(const BoxPair<S>& p, const S& axis) {
+    const S zero(0), one(1);
+    const Mask of_edges = axis >= S(6);
+    by_b = (axis >= S(3)) & (!of_edges);
+    const OneOfThree<S> face(select(of_edges, zero, axis - select(by_b, S(3), zero)));
+    const Vec3<S> unit = face.unit();
+    const S side = dot(p.translation, either(
+                                          by_b, [&] { return face.pick(p.rotation); }, [&] { return unit; })),
+            toward = select(side < zero, S(-1), one);
+    normal = unit * select(by_b, -toward, toward);
+    if (any(of_edges)) normal = select(of_edges, of_product(p, axis - S(6)), normal);
+    boxes = either(
+        by_b, [&] { return seen_from_b(p); }, [&] { return p; });
+  }
+
+ private:
+  /// The unit vector of A's i-th axis times B's j-th, from A to B, by 3 i + j.
+  static Vec3<S> of_product(const BoxPair<S>& p, const S& number) {
+    using std::sqrt;
+    const S zero(0), first = select(number < S(3), zero, select(number < S(6), S(1), S(2)));
+    const Vec3<S> along = OneOfThree<S>(number - first * S(3)).pick(p.rotation);
+    const Vec3<S> product = OneOfThree<S>(first).pick(
+        Vec3<S>{zero, -along.z, along.y}, Vec3<S>{along.z, zero, -along.x}, Vec3<S>{-along.y, along.x, zero});
+    const S scale = S(1) / sqrt(length_squared(product));
+    return product * (scale * select(dot(p.translation, product) < zero, S(-1), S(1)));
+  }
+};
 
 /// The corner of a box that lies furthest along a direction given in its frame.
 template <class S>
@@ -202,7 +240,8 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
   const S slack = noise * S(T(witness_slack));
-  const auto [face, face_number] = best_face(p);
+  const BoxRows<S> rows(p);
+  const auto [face, face_number] = best_face(rows);
   const Mask apart = face > noise;
   BoxNearest<S> nearest{};
   if (any(apart)) {
@@ -211,7 +250,7 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
     if (all(nearest.proven)) return nearest;
   }
   S edge_number(6);
-  const S edge = best_edges(p, face, edge_number);
+  const S edge = best_edges(rows, face + noise, edge_number);
   const Mask by_edge = edge > face + noise;
   const S axis = select(by_edge, edge_number, face_number), separation = select(by_edge, edge, face);
   const BoxNearest<S> along = along_axis(p, axis, separation, slack);

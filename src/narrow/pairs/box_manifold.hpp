@@ -8,7 +8,7 @@
 #include "graze/contact.hpp"
 #include "narrow/features.hpp"
 #include "narrow/one_of_three.hpp"
-#include "narrow/pairs/box_choice.hpp"
+#include "narrow/pairs/box_facing.hpp"
 #include "narrow/pairs/box_outline.hpp"
 
 namespace graze {
@@ -60,8 +60,9 @@ struct BoxFeatures {
 inline constexpr BoxFeatures box_features{};
 
 /// The number of such a part: of a face, whose axis is the one of `axis`, at its negative side or at its positive.
-template <class S, class M>
-S face_part(const OneOfThree<S>& axis, const M& positive) {
+template <class Axis, class M>
+auto face_part(const Axis& axis, const M& positive) {
+  using S = typename Axis::Number;
   return axis.pick(S(0), S(18), S(36)) + select(positive, S(9), S(0));
 }
 /// Where along an axis of the face: as far out as `rim` either way, or within. Of a number or of several.
@@ -70,85 +71,50 @@ Some part_along(const Some& at, const Some& rim) {
   return select(at >= rim, Some(S(2)), select(at <= -rim, Some(S(1)), Some(S(0))));
 }
 
-namespace detail {
-
-/// Two boxes as they meet along an axis, seen from the one whose face is a rectangle then.
-template <class S>
-struct MeetingBoxes {
-  using Mask = decltype(S() < S());
-
-  Mask by_b;         ///< that one is B
-  Vec3<S> normal;    ///< from it to the other; of a face exactly one of its axes
-  BoxPair<S> boxes;  ///< that one as A
-
-  MeetingBoxes(const BoxPair<S>& p, const S& axis) {
-    const S zero(0), one(1);
-    const Mask of_edges = axis >= S(6);
-    by_b = (axis >= S(3)) & (!of_edges);
-    const OneOfThree<S> face(select(of_edges, zero, axis - select(by_b, S(3), zero)));
-    const Vec3<S> unit = face.unit();
-    const S side = dot(p.translation, either(
-                                          by_b, [&] { return face.pick(p.rotation); }, [&] { return unit; })),
-            toward = select(side < zero, S(-1), one);
-    normal = unit * select(by_b, -toward, toward);
-    if (any(of_edges)) normal = select(of_edges, of_product(p, axis - S(6)), normal);
-    boxes = either(
-        by_b, [&] { return seen_from_b(p); }, [&] { return p; });
-  }
-
- private:
-  /// The unit vector of A's i-th axis times B's j-th, from A to B, by 3 i + j.
-  static Vec3<S> of_product(const BoxPair<S>& p, const S& number) {
-    using std::sqrt;
-    const S zero(0), first = select(number < S(3), zero, select(number < S(6), S(1), S(2)));
-    const Vec3<S> along = OneOfThree<S>(number - first * S(3)).pick(p.rotation);
-    const Vec3<S> product = OneOfThree<S>(first).pick(
-        Vec3<S>{zero, -along.z, along.y}, Vec3<S>{along.z, zero, -along.x}, Vec3<S>{-along.y, along.x, zero});
-    const S scale = S(1) / sqrt(length_squared(product));
-    return product * (scale * select(dot(p.translation, product) < zero, S(-1), S(1)));
-  }
-};
-
-}  // namespace detail
-
 /// The points along the chosen axis of two boxes that are at most `margin` apart, in the world. Only for boxes within
 /// the margin of each other.
 template <class S>
-void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& margin, const Pose<S>& pose_a,
-                  const Pose<S>& pose_b, BoxManifold<S>& found) {
+void box_manifold(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& margin, const PoseRows<S>& pose_a,
+                  const PoseRows<S>& pose_b, BoxManifold<S>& found) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
+  using Row = Several<S, 3>;
   const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b), one(1), zero(0);
-  const detail::MeetingBoxes<S> seen(p, choice.axis);
-  const BoxPair<S>& boxes = seen.boxes;
+  const detail::FacingBoxes<S> seen(p, choice.axis);
+  const auto& face = seen.face;
+  const Row &n = seen.normal, &half = seen.half;
 
-  // The axes of the clipping box turned until its face's comes last; of the other box the same by its columns.
-  const auto face = OneOfThree<S>::longest(seen.normal);
-  const Vec3<S> n = face.turned(seen.normal), half = face.turned(boxes.half_a), t = face.turned(boxes.translation);
-  const Mat3<S> turned = face.turned(boxes.rotation);
-  const Vec3<S> lean = turned.row[0] * n.x + turned.row[1] * n.y + turned.row[2] * n.z;
-  const auto other = OneOfThree<S>::longest(lean);
-  const Vec3<S> half_other = other.turned(boxes.half_b), x = other.turned(turned.row[0]),
-                y = other.turned(turned.row[1]), z = other.turned(turned.row[2]);
-  const Mask positive = n.z >= zero, other_positive = other.pick(lean) < zero;
-  const S height = select(positive, half.z, -half.z), reach = select(other_positive, half_other.z, -half_other.z);
+  // The other box's axes turned too, until its face's comes last.
+  const Row lean = transposed_times(seen.rotation, n);
+  const auto other = detail::AxisLast<S>::longest(lean);
+  const Row half_other = other(seen.half_other), z = other(seen.rotation.row[2]);
+  const Rows<S> axes = transposed(Rows<S>{other(seen.rotation.row[0]), other(seen.rotation.row[1]), z});
+  const auto plus = spread<2>(n) >= Row(zero), other_plus = spread<2>(other(lean)) < Row(zero);
+  const auto end = [](const auto& positive, const Row& h) {
+    const Row last = spread<2>(h);
+    return select(positive, last, -last);
+  };
+  const S height = end(plus, half)[0];
 
   detail::LaidOver<S> faces;
-  const S steep = one / n.z, rise_u = z.x * half_other.x * steep, rise_v = z.y * half_other.y * steep;
-  faces.half = {half.x, half.y};
-  faces.apart = (t.z + z.z * reach - height) * steep;
-  faces.center = {t.x + x.z * reach - n.x * faces.apart, t.y + y.z * reach - n.y * faces.apart};
-  faces.u = {x.x * half_other.x - n.x * rise_u, y.x * half_other.x - n.y * rise_u};
-  faces.v = {x.y * half_other.y - n.x * rise_v, y.y * half_other.y - n.y * rise_v};
+  const S& steep = seen.steep;
+  const Row rise = z * half_other * Row(steep), arm = seen.translation + axes.row[2] * end(other_plus, half_other);
+  faces.half = {half[0], half[1]};
+  faces.apart = (arm[2] - height) * steep;
+  const Row center = arm - n * Row(faces.apart), side_u = axes.row[0] * spread<0>(half_other) - n * spread<0>(rise),
+            side_v = axes.row[1] * spread<1>(half_other) - n * spread<1>(rise);
+  faces.center = {center[0], center[1]};
+  faces.u = {side_u[0], side_u[1]};
+  faces.v = {side_v[0], side_v[1]};
   const S inverse = one / (faces.u.x * faces.v.y - faces.u.y * faces.v.x);
   faces.to_u = {faces.v.y * inverse, -faces.v.x * inverse};
   faces.to_v = {-faces.u.y * inverse, faces.u.x * inverse};
-  faces.slope = {faces.to_u.x * rise_u + faces.to_v.x * rise_v, faces.to_u.y * rise_u + faces.to_v.y * rise_v};
+  faces.slope = {faces.to_u.x * rise[0] + faces.to_v.x * rise[1], faces.to_u.y * rise[0] + faces.to_v.y * rise[1]};
   const S length_u = sqrt(faces.u.x * faces.u.x + faces.u.y * faces.u.y),
           length_v = sqrt(faces.v.x * faces.v.x + faces.v.y * faces.v.y);
   const FlatPoint<S> per_length{length_v * abs(inverse), length_u * abs(inverse)};
-  const S near = S(T(2 * same_place)) * least(least(half.x, half.y), least(length_u, length_v));
+  const S near = S(T(2 * same_place)) * least(least(half[0], half[1]), least(length_u, length_v));
   faces.slack = noise;
   faces.slack_uv = {noise * per_length.x, noise * per_length.y};
 
@@ -157,20 +123,21 @@ void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& marg
   detail::drop_idle_corners(corners, near);
 
   // From the clipping box to the world.
-  const Vec3<S> origin = select(seen.by_b, pose_b.translation, pose_a.translation);
-  const Mat3<S> turn = either(
-      seen.by_b, [&] { return rotation_of(pose_b.rotation); }, [&] { return rotation_of(pose_a.rotation); });
-  const Vec3<S> wx = face.turned(turn.row[0]), wy = face.turned(turn.row[1]), wz = face.turned(turn.row[2]),
-                across{dot(wx, n), dot(wy, n), dot(wz, n)};
-  const S clip_face = face_part(face, positive), other_face = face_part(other, other_positive),
+  const Row origin = select(seen.by_b, pose_b.translation, pose_a.translation);
+  const Rows<S> turn = face(transposed(
+      rotation_rows(select(seen.by_b, pose_b.vector, pose_a.vector), select(seen.by_b, pose_b.w, pose_a.w))));
+  const Row &wx = turn.row[0], &wy = turn.row[1], &wz = turn.row[2],
+            across = wx * spread<0>(n) + wy * spread<1>(n) + wz * spread<2>(n), up = wz * Row(height);
+  const S clip_face = face_part(face, plus[0]), other_face = face_part(other, other_plus[0]),
           limit = greatest(margin, choice.distance + noise);
-  const FlatPoint<S> rim{half.x - near, half.y - near}, rim_uv{one - near * per_length.x, one - near * per_length.y};
+  const FlatPoint<S> rim{half[0] - near, half[1] - near}, rim_uv{one - near * per_length.x, one - near * per_length.y};
 
-  found.normal = select(seen.by_b, -across, across);
+  const Row normal = select(seen.by_b, -across, across);
+  found.normal = {normal[0], normal[1], normal[2]};
   found.filled = zero;
   using Some = typename detail::Ring<S>::Some;
   constexpr int step = detail::Ring<S>::step;
-  const auto by_b = Some::Mask::of(seen.by_b);
+  const auto by_b = Some::Mask::of(seen.by_b[0]);
   const auto part = [](const S& of_face, const Some& u, const Some& v, const FlatPoint<S>& edge) {
     return Some(of_face) + part_along<S>(u, Some(edge.x)) + part_along<S>(v, Some(edge.y)) * Some(S(3));
   };
@@ -183,14 +150,11 @@ void box_manifold(const BoxPair<S>& p, const BoxChoice<S>& choice, const S& marg
       select(by_b, of_other, of_clip).store(of_a + i);
       select(by_b, of_clip, of_other).store(of_b + i);
     };
-    const auto put_place = [&](const Vec3<S>& w, const S& from, const S& normal, S* of_a, S* of_b) {
-      const Some on_clip = Some(w.x) * x_at + Some(w.y) * y_at + Some(w.z * height),
-                 on_other = on_clip + Some(normal) * apart;
-      put(Some(from) + on_clip, Some(from) + on_other, of_a, of_b);
-    };
-    put_place(wx, origin.x, across.x, found.a[0], found.b[0]);
-    put_place(wy, origin.y, across.y, found.a[1], found.b[1]);
-    put_place(wz, origin.z, across.z, found.a[2], found.b[2]);
+    for (int k = 0; k < 3; ++k) {
+      const Some on_clip = Some(wx[k]) * x_at + Some(wy[k]) * y_at + Some(up[k]),
+                 on_other = on_clip + Some(across[k]) * apart;
+      put(Some(origin[k]) + on_clip, Some(origin[k]) + on_other, found.a[k], found.b[k]);
+    }
     const Some from_x = x_at - Some(faces.center.x), from_y = y_at - Some(faces.center.y);
     const Some u_at = from_x * Some(faces.to_u.x) + from_y * Some(faces.to_u.y),
                v_at = from_x * Some(faces.to_v.x) + from_y * Some(faces.to_v.y);

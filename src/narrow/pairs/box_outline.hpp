@@ -11,7 +11,7 @@
 
 #include <utility>
 
-#include "narrow/pairs/box_ring.hpp"
+#include "narrow/pairs/single_ring.hpp"
 
 namespace graze {
 

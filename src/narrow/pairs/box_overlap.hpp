@@ -24,7 +24,7 @@ auto any_of_pair(const typename Several<S, 3>::Mask& three) {
 /// know; the products of edges need neither root nor division for it. With `faces_only` they are left out: of some
 /// boxes that are apart it is then not known, of none that touch is it said.
 template <class S>
-auto boxes_apart(const BoxPair<S>& p, const S& enough, bool faces_only = false) {
+auto boxes_apart(const BoxRows<S>& p, const S& enough, bool faces_only = false) {
   using Row = Several<S, 3>;
   const Row gap(enough), gap_squared(enough * enough), parallel(S(parallel_edges<S>)), none(S(0));
   auto apart = detail::any_of_pair<S>(box_faces_of_a(p) > gap);

@@ -168,7 +168,7 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   const S box_face = face_part(axes, positive), limit = greatest(margin, choice.distance + p.noise);
   const FlatPoint<S> rim{half.x - near, half.y - near};
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const S& apart = corners.apart[i + 1];
+    const S apart = corners.apart_at(i);
     const Mask here = corners.has(i) & (apart <= limit);
     if (!any(here)) continue;
     const FlatPoint<S> at = corners.at(i);

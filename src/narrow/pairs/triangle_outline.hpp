@@ -10,7 +10,7 @@
 // its angle, is within the first half turn and the last within the second: few slots remain for each.
 #pragma once
 
-#include "narrow/pairs/box_ring.hpp"
+#include "narrow/pairs/single_ring.hpp"
 
 namespace graze {
 
