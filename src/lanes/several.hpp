@@ -103,9 +103,9 @@ struct Several {
         std::memcpy(two, &mask.part[parts - 1].bits, sizeof two);
         std::uint64_t joint = last == 4 ? static_cast<std::uint32_t>(two[0]) : two[0];
         if constexpr (last == 12) joint |= static_cast<std::uint32_t>(two[1]);
-        if constexpr (parts == 1) return joint != 0;
         static_assert(parts < 3);
-        return joint != 0 || any(mask.part[0]);
+        if constexpr (parts == 2) joint |= static_cast<std::uint64_t>(any(mask.part[0]));
+        return joint != 0;
       } else {
         auto joint = mask.part[0];
         for (int i = 1; i < parts; ++i) joint = joint | mask.part[i];
@@ -309,22 +309,55 @@ template <class S>
   }
   return r;
 }
-/// The least of eight numbers of a single pair.
-template <class S>
-[[gnu::always_inline]] inline S least_of(const Several<S, 8>& a) {
-  if constexpr (Several<S, 8>::parts == 1) {
-    const auto& v = a.part[0].v;
-    const auto four = least(Wide<S, 4>::of(__builtin_shufflevector(v, v, 0, 1, 2, 3)),
-                            Wide<S, 4>::of(__builtin_shufflevector(v, v, 4, 5, 6, 7)));
+/// The least of four or eight numbers of a single pair.
+template <class S, int N>
+requires(N % 4 == 0) [[gnu::always_inline]] inline S least_of(const Several<S, N>& a) {
+  auto low = a.part[0];
+  for (int i = 1; i < Several<S, N>::parts; ++i) low = least(low, a.part[i]);
+  if constexpr (Several<S, N>::per == 8) {
+    const auto four = least(Wide<S, 4>::of(__builtin_shufflevector(low.v, low.v, 0, 1, 2, 3)),
+                            Wide<S, 4>::of(__builtin_shufflevector(low.v, low.v, 4, 5, 6, 7)));
     const auto two = least(four, Wide<S, 4>::of(__builtin_shufflevector(four.v, four.v, 2, 3, 2, 3)));
     return least(two[0], two[1]);
   } else {
-    auto low = a.part[0];
-    for (int i = 1; i < Several<S, 8>::parts; ++i) low = least(low, a.part[i]);
     S one = low[0];
-    for (int i = 1; i < Several<S, 8>::per; ++i) one = least(one, low[i]);
+    for (int i = 1; i < Several<S, N>::per; ++i) one = least(one, low[i]);
     return one;
   }
+}
+
+/// Of four numbers and four more, which are counted on from 4, those at these places.
+template <int I, int J, int K, int L, class S>
+[[gnu::always_inline]] inline Several<S, 4> mixed(const Several<S, 4>& a, const Several<S, 4>& b) {
+  using Four = Several<S, 4>;
+  const auto part = [&](auto i) -> const auto& { return (i < 4 ? a : b).part[i % 4 / Four::per]; };
+  Four r;
+  if constexpr (!Four::joined) {
+    r.part[0] = part(I), r.part[1] = part(J), r.part[2] = part(K), r.part[3] = part(L);
+  } else if constexpr (Four::per == 4) {
+    r.part[0].v = __builtin_shufflevector(a.part[0].v, b.part[0].v, I, J, K, L);
+  } else {
+    r.part[0].v = __builtin_shufflevector(part(I).v, part(J).v, I % 2, 2 + J % 2);
+    r.part[1].v = __builtin_shufflevector(part(K).v, part(L).v, K % 2, 2 + L % 2);
+  }
+  return r;
+}
+template <int I, int J, int K, int L, class S>
+[[gnu::always_inline]] inline Several<S, 4> permuted(const Several<S, 4>& a) {
+  return mixed<I, J, K, L>(a, a);
+}
+/// The first two of three numbers and of three others.
+template <class S>
+[[gnu::always_inline]] inline Several<S, 4> pairs(const Several<S, 3>& a, const Several<S, 3>& b) {
+  Several<S, 4> r;
+  if constexpr (!Several<S, 3>::joined) {
+    r.part[0] = a.part[0], r.part[1] = a.part[1], r.part[2] = b.part[0], r.part[3] = b.part[1];
+  } else if constexpr (Several<S, 3>::per == 4) {
+    r.part[0].v = __builtin_shufflevector(a.part[0].v, b.part[0].v, 0, 1, 4, 5);
+  } else {
+    r.part[0] = a.part[0], r.part[1] = b.part[0];
+  }
+  return r;
 }
 
 }  // namespace graze

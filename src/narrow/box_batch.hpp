@@ -19,17 +19,27 @@ template <class T, class Slot, class Points>
 std::size_t take_points(unsigned filled, const Slot& slot, const std::uint16_t* features_b, Points& points) {
   using Point = std::remove_cvref_t<decltype(points[0])>;
   const std::size_t first = points.size();
+  // All lie on one face of either, where features are the same just where parts are. Two parts on each that have no bit
+  // in common with those before have not come yet; few others share a bit.
+  std::uint64_t seen = 0;
   for (; filled != 0; filled &= filled - 1) {
     const BoxSlot<T> from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
-    const std::uint32_t feature = feature_id(box_features.of[static_cast<std::size_t>(static_cast<int>(from.part_a))],
-                                             features_b[static_cast<std::size_t>(static_cast<int>(from.part_b))]);
-    const std::size_t count = points.size();
-    std::size_t place = first;
-    while (place < count && points[place].feature != feature) ++place;
-    if (place < count && !(from.distance < points[place].distance)) continue;
+    const auto part_a = static_cast<std::uint32_t>(static_cast<int>(from.part_a)),
+               part_b = static_cast<std::uint32_t>(static_cast<int>(from.part_b));
+    const std::uint32_t feature = feature_id(box_features.of[part_a], features_b[part_b]);
+    const std::uint64_t bit = std::uint64_t{1} << ((9 * part_a + part_b) % 64);
+    const ContactPoint<T> point{from.a, from.b, from.distance, feature};
+    if ((seen & bit) != 0) [[unlikely]] {
+      std::size_t place = first;
+      while (place < points.size() && points[place].feature != feature) ++place;
+      if (place < points.size()) {
+        if (from.distance < points[place].distance) points[place] = Point{point};
+        continue;
+      }
+    }
+    seen |= bit;
     // Written where it stays: one that is made elsewhere would be read back by more bytes than it was just written by.
-    (place == count ? points.emplace_back() : points[place]) =
-        Point{ContactPoint<T>{from.a, from.b, from.distance, feature}};
+    points.emplace_back() = Point{point};
   }
   return points.size() - first;
 }

@@ -155,10 +155,11 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
 template <class A, class B, class T>
 GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
                                                 bool faces_only) {
-  if (plain_box(a.shape) && plain_box(b.shape)) {
+  if (a.shape.margin() == T(0) && b.shape.margin() == T(0)) {
     const BoxRows<T> plain(Several<T, 3>(core_of(ca).half), PoseRows<T>(a.pose), Several<T, 3>(core_of(cb).half),
                            PoseRows<T>(b.pose));
-    return !boxes_apart(plain, box_noise(plain, ca.core_extent(), cb.core_extent()), faces_only);
+    if (regular_boxes(plain))
+      return !boxes_apart(plain, box_noise(plain, length(plain.half_a), length(plain.half_b)), faces_only);
   }
   const BoxPair<double> pair = box_pair(cast<double>(core_of(ca).half), cast<double>(a.pose),
                                         cast<double>(core_of(cb).half), cast<double>(b.pose));

@@ -71,7 +71,7 @@ constexpr std::size_t bundled(std::size_t count) { return (count + 15) / 16 * 16
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
     template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes);
-    /// The points of up to `block_pairs` pairs of boxes along their axes; they are within their margins.
+    /// The points of up to `block_pairs` pairs of boxes along their axes; of those within their margins or not regular.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                        BoxPointBlock<T>& points);
     /// The same two of pairs of a box and a triangle.
@@ -81,7 +81,8 @@ GRAZE_DECLARE_KERNEL(
     /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only
     /// the normal.
     template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);
-    /// The axis of one pair of boxes, and its points where it is within its margin: whether it is.
+    /// The axis of one pair of boxes, and its points where it is within its margin: whether it is. Of boxes that are not
+    /// regular too, and the points are not known.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
     /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
     /// There is room for `bundled(count)`, all of which may be written.
@@ -102,7 +103,7 @@ GRAZE_DECLARE_KERNEL(
                                                             Distance<T>* distances, std::uint8_t* proven);
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
-    /// Whether boxes touch: 1 or 0.
+    /// Whether boxes touch: 1 or 0, or 2 where one is not regular.
     template <class T> void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);)
 // clang-format on
 

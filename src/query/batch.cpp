@@ -59,8 +59,11 @@ template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
   touch.resize(batch.size());
   const Isa level = chosen_isa();
+  const auto single = [&](std::size_t i) {
+    touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
+  };
   visit_batch(
-      batch, T(0), [](Route route) { return route == Route::sphere_sphere || route == Route::box_box; },
+      batch, T(0), [](Route route) { return route == Route::sphere_sphere || route == Route::box_box; }, true,
       [&](Route route, bool, const Queue<T>& queue) {
         std::array<std::uint8_t, box_chunk> found;
         const auto kernel = route == Route::sphere_sphere ? GRAZE_KERNEL(level, sphere_overlaps<T>)
@@ -69,9 +72,15 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
         // Not asked of the queue each time: what is written could for all the compiler knows be part of it.
         const std::size_t count = queue.count, *const places = queue.places.data();
         std::uint8_t* const to = touch.data();
-        for (std::size_t k = 0; k < count; ++k) to[places[k]] = found[k];
+        std::uint8_t all = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+          to[places[k]] = found[k];
+          all |= found[k];
+        }
+        for (std::size_t k = 0; all > 1 && k < count; ++k)
+          if (found[k] > 1) single(places[k]);
       },
-      [&](std::size_t i) { touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0; });
+      single);
 }
 
 template <class T>
@@ -82,7 +91,7 @@ void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
     distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
   };
   visit_batch(
-      batch, T(0), [](Route route) { return route <= Route::box_box; },
+      batch, T(0), [](Route route) { return route <= Route::box_box; }, false,
       [&](Route route, bool turned, const Queue<T>& queue) {
         std::array<Distance<T>, bundled(box_chunk)> found;
         std::array<std::uint8_t, box_chunk> proven;

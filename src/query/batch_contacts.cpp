@@ -212,7 +212,7 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   OneByOne<T> single(batch, margin, writer);
   Together<T> together(writer, single);
   visit_batch(
-      batch, margin, [](Route) { return true; }, together, single);
+      batch, margin, [](Route) { return true; }, true, together, single);
 }
 
 template void contacts(const Batch<float>&, float, BatchContacts<float>&);

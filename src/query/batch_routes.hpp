@@ -208,9 +208,10 @@ void drop_irregular(std::size_t kind_a, std::size_t kind_b, std::size_t begin, Q
   queue.count = kept;
 }
 
-/// `visit_batch` where each side is of one kind known to the compiler: nothing about kinds is asked of a pair.
+/// `visit_batch` where each side is of one kind known to the compiler: nothing about kinds is asked of a pair. `told`:
+/// the kernel itself tells which pairs are not regular.
 template <class T, class Run, class Single>
-void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, Run&& run, Single&& single) {
+void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, bool told, Run&& run, Single&& single) {
   const bool turned = is_turned(number);
   const Bodies<T>&first = turned ? batch.b() : batch.a(), &second = turned ? batch.a() : batch.b();
   const std::size_t kind_a = first.kind(0), kind_b = second.kind(0);
@@ -220,8 +221,8 @@ void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, Run&
     const std::size_t begin = queue.count;
     i += append_even(batch, a, b, i, turned, margin, queue);
     const std::size_t added = queue.count - begin;
-    if (!all_regular<T>(kind_a, added, [&](std::size_t k) { return queue.pairs[begin + k].a; }) ||
-        !all_regular<T>(kind_b, added, [&](std::size_t k) { return queue.pairs[begin + k].b; }))
+    if (!told && (!all_regular<T>(kind_a, added, [&](std::size_t k) { return queue.pairs[begin + k].a; }) ||
+                  !all_regular<T>(kind_b, added, [&](std::size_t k) { return queue.pairs[begin + k].b; })))
       drop_irregular(kind_a, kind_b, begin, queue, single);
     if (queue.count < box_chunk && i < batch.size()) continue;
     if (queue.count > 0) run(route_of(number), turned, queue);
@@ -230,14 +231,15 @@ void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, Run&
 }
 
 /// Goes through the batch: `run(route, turned, queue)` asks a kernel that `wanted` names, `single(i)` about one pair.
+/// With `boxes_told` the kernel for boxes is given those that are not regular too, and tells which these are.
 template <class T, class Wanted, class Run, class Single>
-void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, Run&& run, Single&& single) {
+void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, bool boxes_told, Run&& run, Single&& single) {
   static constexpr Routes<T> routes;
   const Bodies<T>&a = batch.a(), &b = batch.b();
   if (batch.size() > 0 && a.one_kind() && b.one_kind()) {
     const std::uint8_t number = routes(a.kind(0), b.kind(0));
     if (route_of(number) != Route::none && wanted(route_of(number)))
-      return visit_even_batch(batch, margin, number, run, single);
+      return visit_even_batch(batch, margin, number, boxes_told && route_of(number) == Route::box_box, run, single);
     for (std::size_t i = 0; i < batch.size(); ++i) single(i);
     return;
   }
@@ -256,7 +258,8 @@ void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, Run&& ru
       continue;
     }
     const void *shape_a = a.concrete(p.a), *shape_b = b.concrete(p.b);
-    if (!regular<T>(kind_a, shape_a) || !regular<T>(kind_b, shape_b)) {
+    const bool told = boxes_told && route_of(number) == Route::box_box;
+    if (!told && (!regular<T>(kind_a, shape_a) || !regular<T>(kind_b, shape_b))) {
       single(i);
       continue;
     }

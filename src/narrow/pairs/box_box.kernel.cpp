@@ -10,6 +10,11 @@ template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
 template <class T>
+[[gnu::always_inline]] inline auto regular(const Boxes<T>& bundle) {
+  return regular_box(bundle.a.core.half) & regular_box(bundle.b.core.half);
+}
+
+template <class T>
 [[gnu::always_inline]] inline BoxRows<Lanes<T>> box_rows(const Boxes<T>& bundle) {
   using S = Lanes<T>;
   return {Several<S, 3>(bundle.a.core.half), PoseRows<S>(bundle.pose_a), Several<S, 3>(bundle.b.core.half),
@@ -23,7 +28,9 @@ template <class T>
   using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
-    const BoxChoice<S> choice = box_choice(box_rows(bundle), bundle.margin);
+    BoxChoice<S> choice = box_choice(box_rows(bundle), bundle.margin);
+    // Of others it is left to `box_points` to say that they are not known.
+    choice.distance = select(regular(bundle), choice.distance, S(-std::numeric_limits<T>::infinity()));
     for (std::size_t i = 0; i < bundle.count; ++i) {
       const int lane = static_cast<int>(i);
       axes[first + i] = {choice.distance[lane], choice.axis[lane]};
@@ -47,6 +54,7 @@ template <class T>
     BoxManifold<S> found;
     box_manifold(box_rows(bundle), choice, bundle.margin, PoseRows<S>(bundle.pose_a), PoseRows<S>(bundle.pose_b),
                  found);
+    found.known = select(regular(bundle), found.known, S(0));
     put(found, first, bundle.count, points);
   }
 }
@@ -56,6 +64,10 @@ template <class T>
   const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
   const PoseRows<T> pose_a(*pair.pose_a), pose_b(*pair.pose_b);
   const BoxRows<T> boxes(Several<T, 3>(a.half_extents()), pose_a, Several<T, 3>(b.half_extents()), pose_b);
+  if (!regular_boxes(boxes)) {
+    found.known = T(0);
+    return true;
+  }
   choice = box_choice(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
   box_manifold(boxes, choice, pair.margin, pose_a, pose_b, found);
@@ -69,7 +81,9 @@ template <class T>
     const Boxes<T> bundle(pairs + first, count - first);
     const BoxRows<S> boxes = box_rows(bundle);
     const auto apart = boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)));
-    for (std::size_t i = 0; i < bundle.count; ++i) touch[first + i] = !apart[static_cast<int>(i)];
+    T found[Boxes<T>::lanes];
+    select(regular(bundle), select(apart, S(0), S(1)), S(2)).store(found);
+    for (std::size_t i = 0; i < bundle.count; ++i) touch[first + i] = static_cast<std::uint8_t>(found[i]);
   }
 }
 

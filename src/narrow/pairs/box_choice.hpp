@@ -162,6 +162,15 @@ auto regular_box(const Vec3<S>& half) {
   return (least(half.x, least(half.y, half.z)) > S(smallest_length<T>)) & (max_abs(half) < S(largest_length<T>));
 }
 
+/// Whether both are.
+template <class S>
+bool regular_boxes(const BoxRows<S>& p) {
+  using T = typename LaneOf<S>::type;
+  using Row = Several<S, 3>;
+  return !any(!((least(p.half_a, p.half_b) > Row(S(smallest_length<T>))) &
+                (greatest(p.half_a, p.half_b) < Row(S(largest_length<T>)))));
+}
+
 /// The shape as such a box, without rounding; null if it is not.
 template <class T>
 const Box<T>* plain_box(const Shape<T>& shape) {

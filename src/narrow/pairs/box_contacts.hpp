@@ -16,8 +16,7 @@ namespace graze {
 template <class T>
 std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
                               const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  if (margin_a != T(0) || margin_b != T(0) || !regular_box(a.half_extents()) || !regular_box(b.half_extents()))
-    return std::nullopt;
+  if (margin_a != T(0) || margin_b != T(0)) return std::nullopt;
   BoxChoice<T> choice;
   BoxManifold<T> found;
   if (!GRAZE_KERNEL(chosen_isa(), box_contact<T>)({&a, &b, &pose_a, &pose_b, margin}, choice, found))

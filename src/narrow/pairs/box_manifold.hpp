@@ -104,15 +104,17 @@ void box_manifold(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& marg
   faces.apart = (arm[2] - height) * steep;
   const Row center = arm - n * Row(faces.apart), side_u = axes.row[0] * spread<0>(half_other) - n * spread<0>(rise),
             side_v = axes.row[1] * spread<1>(half_other) - n * spread<1>(rise);
+  using Four = Several<S, 4>;
+  const Four sides = pairs(side_u, side_v), products = sides * permuted<3, 2, 1, 0>(sides), squares = sides * sides,
+             lengths = sqrt(squares + permuted<1, 0, 3, 2>(squares));
   faces.center = {center[0], center[1]};
-  faces.u = {side_u[0], side_u[1]};
-  faces.v = {side_v[0], side_v[1]};
-  const S inverse = one / (faces.u.x * faces.v.y - faces.u.y * faces.v.x);
-  faces.to_u = {faces.v.y * inverse, -faces.v.x * inverse};
-  faces.to_v = {-faces.u.y * inverse, faces.u.x * inverse};
-  faces.slope = {faces.to_u.x * rise[0] + faces.to_v.x * rise[1], faces.to_u.y * rise[0] + faces.to_v.y * rise[1]};
-  const S length_u = sqrt(faces.u.x * faces.u.x + faces.u.y * faces.u.y),
-          length_v = sqrt(faces.v.x * faces.v.x + faces.v.y * faces.v.y);
+  faces.sides = sides;
+  faces.turn = products[0] - products[1];
+  const S inverse = one / faces.turn, length_u = lengths[0], length_v = lengths[2];
+  faces.to_uv = mixed<3, 6, 5, 0>(sides, -sides) * Four(inverse);
+  const Four slopes = faces.to_uv * permuted<0, 0, 1, 1>(pairs(rise, rise)),
+             slope = slopes + permuted<2, 3, 0, 1>(slopes);
+  faces.slope = {slope[0], slope[1]};
   const FlatPoint<S> per_length{length_v * abs(inverse), length_u * abs(inverse)};
   const S near = S(T(2 * same_place)) * least(least(half[0], half[1]), least(length_u, length_v));
   faces.slack = noise;
@@ -156,12 +158,11 @@ void box_manifold(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& marg
       put(Some(origin[k]) + on_clip, Some(origin[k]) + on_other, found.a[k], found.b[k]);
     }
     const Some from_x = x_at - Some(faces.center.x), from_y = y_at - Some(faces.center.y);
-    const Some u_at = from_x * Some(faces.to_u.x) + from_y * Some(faces.to_u.y),
-               v_at = from_x * Some(faces.to_v.x) + from_y * Some(faces.to_v.y);
+    const Some u_at = from_x * Some(faces.to_uv[0]) + from_y * Some(faces.to_uv[1]),
+               v_at = from_x * Some(faces.to_uv[2]) + from_y * Some(faces.to_uv[3]);
     put(part(clip_face, x_at, y_at, rim), part(other_face, u_at, v_at, rim_uv), found.part_a, found.part_b);
     apart.store(found.distance + i);
-    const Some filled = select(here, corners.powers(i), Some(zero));
-    for (int k = 0; k < step; ++k) found.filled = found.filled + filled[k];
+    found.filled = found.filled + corners.as_bits(i, here);
   }
   const S allowed = S(T(face_preference)) * least(size_a, size_b);
   const Mask known = (found.filled > zero) & (nearest <= choice.distance + allowed);

@@ -17,87 +17,76 @@ namespace graze {
 
 namespace detail {
 
-/// Four sides, clipped by a region that is a box in some coordinates.
-template <class S>
-struct Sides {
-  using Four = Several<S, 4>;
-  /// In those coordinates, one over what a side rises along either.
-  Four inverse_x, inverse_y;
-
-  /// Where along sides with those middles a region begins that reaches so far both ways, from -1 to 1; whether it does
-  /// at all.
-  std::pair<Four, typename Four::Mask> begin(const Four& x, const Four& y, const FlatPoint<S>& reach) const {
-    const Four along_x = x * inverse_x, along_y = y * inverse_y;
-    const Four half_x = Four(reach.x) * abs(inverse_x), half_y = Four(reach.y) * abs(inverse_y);
-    const Four low = greatest(Four(S(-1)), greatest(-along_x - half_x, -along_y - half_y)),
-               high = least(Four(S(1)), least(half_x - along_x, half_y - along_y));
-    return {low, low <= high};
-  }
-};
-
-/// Two faces seen along a normal, in coordinates along the sides of the one that is a rectangle then.
+/// Two faces seen along a normal, in coordinates along the sides of the one that is a rectangle then. Both sides of a
+/// parallelogram are four numbers, the one's x and y and the other's.
 template <class S>
 struct LaidOver {
-  using Mask = decltype(S() < S());
+  using Four = Several<S, 4>;
 
-  FlatPoint<S> half;          ///< of the rectangle, about the origin
-  FlatPoint<S> center, u, v;  ///< the parallelogram: its middle and half of its sides
-  FlatPoint<S> to_u, to_v;    ///< a place relative to the middle in units of u and of v: by scalar products with these
-  S apart;                    ///< how far the faces are apart at the middle
-  FlatPoint<S> slope;         ///< and how that changes
-  S slack;                    ///< rounding of a place
-  FlatPoint<S> slack_uv;      ///< the same in units of u and v
+  FlatPoint<S> half;      ///< of the rectangle, about the origin
+  FlatPoint<S> center;    ///< the parallelogram's middle
+  Four sides;             ///< u and v, half of its sides
+  S turn;                 ///< their cross product
+  Four to_uv;             ///< a place relative to the middle in units of u, and of v: by scalar products with these
+  S apart;                ///< how far the faces are apart at the middle
+  FlatPoint<S> slope;     ///< and how that changes
+  S slack;                ///< rounding of a place
+  FlatPoint<S> slack_uv;  ///< the same in units of u and v
 
-  FlatPoint<S> in_uv(const FlatPoint<S>& p) const {
-    const S x = p.x - center.x, y = p.y - center.y;
-    return {x * to_u.x + y * to_u.y, x * to_v.x + y * to_v.y};
-  }
   /// The outline of the shared area.
   Ring<S> shared() const {
     // Both sides' directions in the upper half plane, u's angle the smaller: the parallelogram stays the same.
-    const auto flip = [](const Mask& m, const FlatPoint<S>& d) {
-      return FlatPoint<S>{select(m, -d.x, d.x), select(m, -d.y, d.y)};
-    };
-    const Mask mirrored = u.x * v.y - u.y * v.x < S(0), turn = in_second_half(u);
-    const FlatPoint<S> first = flip(turn, u), second = flip((mirrored & (!turn)) | ((!mirrored) & turn), v);
-    const Mask crossed = in_second_half(second);
-    const FlatPoint<S> p{select(crossed, -second.x, first.x), select(crossed, -second.y, first.y)},
-        q{select(crossed, first.x, second.x), select(crossed, first.y, second.y)};
-    return Ring<S>(of_rectangle(), of_parallelogram(p, q), p.x > S(0), q.x > S(0));
+    const Four zero(S(0));
+    const auto lower = [&](const Four& x, const Four& y) { return (y < zero) | ((y == zero) & (x < zero)); };
+    const auto mirrored = Four(turn) < zero, turned = lower(permuted<0, 0, 0, 0>(sides), permuted<1, 1, 1, 1>(sides));
+    const auto other_turned = (mirrored & (!turned)) | ((!mirrored) & turned);
+    const Four up = mixed<0, 1, 6, 7>(select(turned, -sides, sides), select(other_turned, -sides, sides));
+    const auto crossed = lower(permuted<2, 2, 2, 2>(up), permuted<3, 3, 3, 3>(up));
+    const Four pq = select(crossed, mixed<2, 3, 4, 5>(-up, up), up);
+    return Ring<S>(of_rectangle(), of_parallelogram(pq), pq[0] > S(0), pq[2] > S(0));
   }
 
  private:
-  using Four = Several<S, 4>;
-
   /// Opposite sides are clipped as one and as its mirror image: against its direction a region begins where it ends
   /// along it, at the negative of the mirrored middle.
   static Four signs() { return {S(1), S(1), S(-1), S(-1)}; }
 
-  /// Sides along two directions, in turn.
-  static Sides<S> sides(const FlatPoint<S>& along, const FlatPoint<S>& then, const FlatPoint<S>& vanishing) {
-    const Four rise{along.x, along.y, then.x, then.y}, least_rise{vanishing.x, vanishing.y, vanishing.x, vanishing.y},
-        inverse = Four(S(1)) / select(abs(rise) > least_rise, rise, least_rise);
-    return {{inverse[0], inverse[2], inverse[0], inverse[2]}, {inverse[1], inverse[3], inverse[1], inverse[3]}};
+  /// The middles of a parallelogram's sides, in turn: about `at`, from the half sides' x (0) or y (1).
+  template <int xy>
+  static Four middles(const S& at, const Four& half_sides) {
+    return Four(at) + mixed<2 + xy, 4 + xy, 6 + xy, xy>(-half_sides, half_sides);
+  }
+
+  /// Where along sides with those middles a region begins that reaches so far both ways, from -1 to 1 and back on the
+  /// opposite ones; whether it does at all. `vanishing`: what a direction may rise by and be across.
+  static std::pair<Four, typename Four::Mask> begin(const Four& half_sides, const Four& middle_x, const Four& middle_y,
+                                                    const FlatPoint<S>& reach, const FlatPoint<S>& vanishing) {
+    const Four least_rise{vanishing.x, vanishing.y, vanishing.x, vanishing.y},
+        inverse = Four(S(1)) / select(abs(half_sides) > least_rise, half_sides, least_rise),
+        inverse_x = permuted<0, 2, 0, 2>(inverse), inverse_y = permuted<1, 3, 1, 3>(inverse);
+    const Four along_x = middle_x * signs() * inverse_x, along_y = middle_y * signs() * inverse_y;
+    const Four half_x = Four(reach.x) * abs(inverse_x), half_y = Four(reach.y) * abs(inverse_y);
+    const Four low = greatest(Four(S(-1)), greatest(-along_x - half_x, -along_y - half_y)),
+               high = least(Four(S(1)), least(half_x - along_x, half_y - along_y));
+    return {low * signs(), low <= high};
   }
 
   // A side that the slack alone lets pass doubles a corner; without it rounding might lose one.
-  Corners<S> of_parallelogram(const FlatPoint<S>& p, const FlatPoint<S>& q) const {
+  Corners<S> of_parallelogram(const Four& pq) const {
     const FlatPoint<S> reach{half.x + slack, half.y + slack}, vanishing{slack * S(epsilon<S>), slack * S(epsilon<S>)};
-    const Four x = Four(center.x) + Four{-q.x, p.x, q.x, -p.x}, y = Four(center.y) + Four{-q.y, p.y, q.y, -p.y};
-    const auto [begin, is] = sides(p, q, vanishing).begin(x * signs(), y * signs(), reach);
-    const Four t = begin * signs();
-    return with_gaps(x + Four{p.x, q.x, p.x, q.x} * t, y + Four{p.y, q.y, p.y, q.y} * t, is);
+    const Four x = middles<0>(center.x, pq), y = middles<1>(center.y, pq);
+    const auto [t, is] = begin(pq, x, y, reach, vanishing);
+    return with_gaps(x + permuted<0, 2, 0, 2>(pq) * t, y + permuted<1, 3, 1, 3>(pq) * t, is);
   }
   Corners<S> of_rectangle() const {
     const FlatPoint<S> reach{S(1) + slack_uv.x, S(1) + slack_uv.y},
         vanishing{slack_uv.x * S(epsilon<S>), slack_uv.y * S(epsilon<S>)};
-    const FlatPoint<S> x_uv{half.x * to_u.x, half.x * to_v.x}, y_uv{half.y * to_u.y, half.y * to_v.y},
-        middle = in_uv({S(0), S(0)});
-    const Four x = Four(middle.x) + Four{-y_uv.x, x_uv.x, y_uv.x, -x_uv.x},
-               y = Four(middle.y) + Four{-y_uv.y, x_uv.y, y_uv.y, -x_uv.y};
-    const auto [begin, is] = sides(x_uv, y_uv, vanishing).begin(x * signs(), y * signs(), reach);
-    const Four t = begin * signs();
-    return with_gaps(Four(half.x) * Four{t[0], S(1), t[2], S(-1)}, Four(half.y) * Four{S(-1), t[1], S(1), t[3]}, is);
+    const Four by_x = permuted<0, 2, 1, 3>(to_uv), half_sides = Four{half.x, half.x, half.y, half.y} * by_x,
+               middle = Four(S(0) - center.x) * by_x + Four(S(0) - center.y) * permuted<1, 3, 0, 2>(to_uv);
+    const Four x = middles<0>(middle[0], half_sides), y = middles<1>(middle[1], half_sides);
+    const auto [t, is] = begin(half_sides, x, y, reach, vanishing);
+    const Four ends{S(-1), S(1), S(1), S(-1)};
+    return with_gaps(Four(half.x) * mixed<0, 5, 2, 7>(t, ends), Four(half.y) * mixed<4, 1, 6, 3>(t, ends), is);
   }
   Corners<S> with_gaps(const Four& x, const Four& y, const typename Four::Mask& are) const {
     return {x, y, Four(apart) + (x - Four(center.x)) * Four(slope.x) + (y - Four(center.y)) * Four(slope.y), are};

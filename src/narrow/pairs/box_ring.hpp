@@ -90,8 +90,8 @@ class Ring {
   static void put(Column& column, std::size_t i, const Some& numbers) { column[i] = numbers[0]; }
   Somes are(std::size_t i) const { return Somes::of(is_[i]); }
   Somes stay(std::size_t i) const { return Some(S(static_cast<T>(i))) == Some(deepest_); }
-  /// Two to the power of the places from `i` on.
-  static Some powers(std::size_t i) { return Some(S(static_cast<T>(1 << i))); }
+  /// The sum of two to the power of each of the places from `i` on that are set.
+  static S as_bits(std::size_t i, const Somes& set) { return select(set[0], S(static_cast<T>(1 << i)), S(0)); }
 
   /// How far the faces are apart at the deepest corner, the first such, which is to stay.
   S find_deepest() {
@@ -107,9 +107,20 @@ class Ring {
   }
 
   /// Takes corners out, of those from place `i` on; they are gone after `close_up`.
-  void drop(std::size_t i, const Somes& corners) { is_[i] = is_[i] & (!corners[0]); }
-  void drop(std::size_t i, const Mask (&corners)[step]) { is_[i] = is_[i] & (!corners[0]); }
-  void close_up() {}
+  void drop(std::size_t i, const Somes& corners) {
+    const Mask one[step] = {corners[0]};
+    drop(i, one);
+  }
+  void drop(std::size_t i, const Mask (&corners)[step]) {
+    gone_ = gone_ | (is_[i] & corners[0]);
+    is_[i] = is_[i] & (!corners[0]);
+  }
+  /// Whether there were any.
+  bool close_up() {
+    const bool found = any(gone_);
+    gone_ = S(0) < S(0);
+    return found;
+  }
   const Mask* is() const { return is_; }
 
   /// Whether there is a corner at place `i`, and where.
@@ -120,6 +131,7 @@ class Ring {
  private:
   S deepest_;
   Mask is_[most_box_points];
+  Mask gone_ = S(0) < S(0);
 };
 
 /// Of a number of each corner in a ring, that of the corner before it and of the one that follows; where there is no
@@ -169,27 +181,28 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
   const auto places = [&](std::size_t i) { return Places{ring.some(ring.x, i), ring.some(ring.y, i)}; };
   // Of a single pair the areas are summed up where it is asked for: few have a corner that means nothing.
   S budget(Ring<S>::single ? std::numeric_limits<T>::infinity() : T(0));
-  Some areas;
-  const auto sum_up = [&] {
-    for (int k = 0; k < step; ++k) budget = budget + areas[k];
+  typename Ring<S>::Column areas;
+  const auto sum_up = [&](std::size_t i) {
+    for (int k = 0; k < step; ++k) budget = budget + ring.some(areas, i)[k];
   };
   const auto spare = [&] { budget = abs(budget) * S(T(spared_area)); };
-  {
-    const Around<S> x(ring, ring.x), y(ring, ring.y);
-    for (std::size_t i = 0; i < ring.size(); i += step) {
-      const Places p = places(i), q{x.after(i), y.after(i)};
-      const Somes are = ring.are(i);
-      areas = select(are, p.x * q.y - p.y * q.x, zero);
-      if constexpr (!Ring<S>::single) sum_up();
-      // Corners that came twice go first, all at once but for one.
-      const Somes again = are & (distance_squared(p, q) <= together) & (!ring.stay(i));
-      ring.drop(i, again);
-    }
+  const std::size_t size = ring.size();  // before any is gone
+  Around<S> x(ring, ring.x), y(ring, ring.y);
+  for (std::size_t i = 0; i < ring.size(); i += step) {
+    const Places p = places(i), q{x.after(i), y.after(i)};
+    const Somes are = ring.are(i);
+    ring.put(areas, i, select(are, p.x * q.y - p.y * q.x, zero));
+    if constexpr (!Ring<S>::single) sum_up(i);
+    // Corners that came twice go first, all at once but for one.
+    const Somes again = are & (distance_squared(p, q) <= together) & (!ring.stay(i));
+    ring.drop(i, again);
   }
   if constexpr (!Ring<S>::single) spare();
   for (bool first = true;; first = false) {
-    ring.close_up();
-    const Around<S> x(ring, ring.x), y(ring, ring.y);
+    if (ring.close_up()) {
+      x = Around<S>(ring, ring.x);
+      y = Around<S>(ring, ring.y);
+    }
     const Some count(ring.count());
     const Somes of_many = count > Some(S(1)), of_more = count > Some(S(2));
     typename Ring<S>::Column lost;
@@ -206,12 +219,16 @@ void drop_idle_corners(Ring<S>& ring, const S& near) {
     if (!any(movable)) return;
     if (Ring<S>::single && first) {
       budget = S(0);
-      sum_up();
+      for (std::size_t i = 0; i < size; i += step) sum_up(i);
       spare();
-      const Some found = ring.some(lost, 0);
-      const Somes may = found <= Some(budget);
-      if (!any(may)) return;
-      ring.put(lost, 0, select(may, found, infinity));
+      movable = count < zero;
+      for (std::size_t i = 0; i < ring.size(); i += step) {
+        const Some found = ring.some(lost, i);
+        const Somes may = found <= Some(budget);
+        ring.put(lost, i, select(may, found, infinity));
+        movable = movable | may;
+      }
+      if (!any(movable)) return;
     }
     const Around<S> around_lost(ring, lost), around_apart(ring, ring.apart);
     // Both ends of a trapezoid's side cost the same: the shallower goes, or rounding would choose.

@@ -83,7 +83,7 @@ struct PoseRows {
   Rows<S> rotation() const { return rotation_rows(vector, w); }
 };
 
-/// `BoxPair` in rows; those of `rotation` are a row of three each.
+/// `BoxPair` in rows.
 template <class S>
 struct BoxRows {
   using Row = Several<S, 3>;

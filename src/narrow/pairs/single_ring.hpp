@@ -1,6 +1,7 @@
 // The corners of an outline of a single pair: a register of them, without gaps.
 //
-// Guarantee: the bits of the ring of slots (`box_ring.hpp`) for a lane. No jump depends on how many corners there are.
+// Guarantee: the bits of the ring of slots (`box_ring.hpp`) for a lane. No jump depends on how many corners there are,
+// but where some are taken out.
 #pragma once
 
 #include <cstdint>
@@ -39,14 +40,25 @@ struct CornerOrders {
 };
 static constexpr CornerOrders corner_orders;
 
-/// Eight numbers in that order.
+/// So many of eight numbers of a single pair are done at a time: as many as two registers hold.
 template <class S>
-[[gnu::always_inline]] inline Several<S, 8> in_order(const Several<S, 8>& all, Places places) {
-  Several<S, 8> r;
+inline constexpr int ring_step = Several<S, 8>::parts > 2 ? 4 : 8;
+/// Eight numbers of a single pair.
+template <class S>
+struct EightNumbers {
+  static constexpr int step = ring_step<S>;
+  Several<S, step> some[8 / step];
+};
+
+/// The first numbers in that order.
+template <class S>
+[[gnu::always_inline]] inline Several<S, ring_step<S>> in_order(const EightNumbers<S>& all, Places places) {
+  using Some = Several<S, ring_step<S>>;
+  Some r;
 #if defined(__AVX2__)
   if constexpr (sizeof(S) == 4) {
     const __m256i to = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(places)));
-    r.part[0].v = _mm256_permutevar8x32_ps(all.part[0].v, to);
+    r.part[0].v = _mm256_permutevar8x32_ps(all.some[0].part[0].v, to);
     return r;
   }
 #endif
@@ -54,7 +66,7 @@ template <class S>
   if constexpr (sizeof(S) == 8) {
     // With all lanes chosen: g++ takes what the plain forms leave undefined for a mistake.
     const __m512i to = _mm512_maskz_cvtepu8_epi64(0xff, _mm_cvtsi64_si128(static_cast<long long>(places)));
-    const __m512d from = __builtin_shufflevector(all.part[0].v, all.part[1].v, 0, 1, 2, 3, 4, 5, 6, 7);
+    const __m512d from = __builtin_shufflevector(all.some[0].part[0].v, all.some[0].part[1].v, 0, 1, 2, 3, 4, 5, 6, 7);
     const __m512d found = _mm512_maskz_permutexvar_pd(0xff, to, from);
     r.part[0].v = __builtin_shufflevector(found, found, 0, 1, 2, 3);
     r.part[1].v = __builtin_shufflevector(found, found, 4, 5, 6, 7);
@@ -62,9 +74,17 @@ template <class S>
   }
 #endif
   S from[8];
-  all.store(from);
-  return {from[place(places, 0)], from[place(places, 1)], from[place(places, 2)], from[place(places, 3)],
-          from[place(places, 4)], from[place(places, 5)], from[place(places, 6)], from[place(places, 7)]};
+  for (int i = 0; i < 8; i += ring_step<S>) all.some[i / ring_step<S>].store(from + i);
+  using Part = typename Some::Part;
+  constexpr auto per = static_cast<std::size_t>(Some::per);
+  for (std::size_t i = 0; i < Some::parts; ++i) {
+    const auto at = [&](std::size_t k) { return from[place(places, i * per + k)]; };
+    if constexpr (per == 2)
+      r.part[i].v = typename Part::Vector{at(0), at(1)};
+    else if constexpr (per == 4)
+      r.part[i].v = typename Part::Vector{at(0), at(1), at(2), at(3)};
+  }
+  return r;
 }
 
 template <class S>
@@ -72,19 +92,19 @@ requires std::is_arithmetic_v<S>
 class Ring<S> {
  public:
   static constexpr bool single = true;
-  static constexpr int step = 8;  ///< all are done at once
+  static constexpr int step = ring_step<S>;
   using Mask = bool;
-  using Some = Several<S, 8>;
+  using Some = Several<S, step>;
   using Somes = typename Some::Mask;
-  using Column = Some;
+  using Column = EightNumbers<S>;
   using All = S[most_box_points];
 
   Column x, y, apart;
 
   Ring(const Corners<S>& rectangle, const Corners<S>& parallelogram, bool p_first, bool q_first)
-      : all_x_(joined(rectangle.x, parallelogram.x)),
-        all_y_(joined(rectangle.y, parallelogram.y)),
-        all_apart_(joined(rectangle.apart, parallelogram.apart)) {
+      : all_x_(together(rectangle.x, parallelogram.x)),
+        all_y_(together(rectangle.y, parallelogram.y)),
+        all_apart_(together(rectangle.apart, parallelogram.apart)) {
     take(static_cast<std::size_t>(p_first) + static_cast<std::size_t>(q_first),
          rectangle.are.bits() | parallelogram.are.bits() << 4);
   }
@@ -98,25 +118,31 @@ class Ring<S> {
 
   std::size_t size() const { return size_; }
   S count() const { return S(size_); }
-  static const Some& some(const Column& column, std::size_t) { return column; }
-  static void put(Column& column, std::size_t, const Some& numbers) { column = numbers; }
-  Somes are(std::size_t) const { return numbers() < Some(S(size_)); }
-  Somes stay(std::size_t) const { return numbers() == Some(deepest_); }
-  static Some powers(std::size_t) { return {S(1), S(2), S(4), S(8), S(16), S(32), S(64), S(128)}; }
+  static const Some& some(const Column& column, std::size_t i) { return column.some[i / step]; }
+  static void put(Column& column, std::size_t i, const Some& numbers) { column.some[i / step] = numbers; }
+  Somes are(std::size_t i) const { return numbers(i) < Some(S(size_)); }
+  Somes stay(std::size_t i) const { return numbers(i) == Some(deepest_); }
+  static S as_bits(std::size_t i, const Somes& set) { return static_cast<S>(static_cast<int>(set.bits() << i)); }
 
   S find_deepest() {
-    const Some none{S(std::numeric_limits<S>::infinity())}, low = select(are(0) & (apart < none), apart, none);
+    const Some none{S(std::numeric_limits<S>::infinity())};
+    Some low = none, first = none;
+    for (std::size_t i = 0; i < most_box_points; i += step) {
+      const Somes deeper = are(i) & (some(apart, i) < low);
+      low = select(deeper, some(apart, i), low);
+      first = select(deeper, numbers(i), first);
+    }
     const S least_apart = least_of(low);
-    deepest_ = least_of(select(low == Some(least_apart), numbers(), none));
+    deepest_ = least_of(select(low == Some(least_apart), first, none));
     return least_apart;
   }
 
-  void drop(std::size_t, const Somes& corners) { gone_ |= corners.bits(); }
-  void drop(std::size_t, const bool (&corners)[step]) {
-    for (unsigned i = 0; i < step; ++i) gone_ |= static_cast<unsigned>(corners[i]) << i;
+  void drop(std::size_t i, const Somes& corners) { gone_ |= corners.bits() << i; }
+  void drop(std::size_t i, const bool (&corners)[step]) {
+    for (unsigned k = 0; k < step; ++k) gone_ |= static_cast<unsigned>(corners[k]) << (i + k);
   }
-  void close_up() {
-    if (gone_ == 0) return;
+  bool close_up() {
+    if (gone_ == 0) return false;
     Places kept = 0;
     std::size_t count = 0, deepest = 0;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -129,27 +155,45 @@ class Ring<S> {
     deepest_ = S(deepest);
     gone_ = 0;
     read();
+    return true;
   }
 
   bool has(std::size_t i) const { return i < size_; }
-  FlatPoint<S> at(std::size_t i) const { return {x[static_cast<int>(i)], y[static_cast<int>(i)]}; }
-  S apart_at(std::size_t i) const { return apart[static_cast<int>(i)]; }
+  FlatPoint<S> at(std::size_t i) const { return {number(x, i), number(y, i)}; }
+  S apart_at(std::size_t i) const { return number(apart, i); }
 
  private:
-  static Some of(const All& all) { return {all[0], all[1], all[2], all[3], all[4], all[5], all[6], all[7]}; }
-  static Some numbers() { return {S(0), S(1), S(2), S(3), S(4), S(5), S(6), S(7)}; }
+  static S number(const Column& column, std::size_t i) { return some(column, i)[static_cast<int>(i) % step]; }
+  static Column together(const Several<S, 4>& a, const Several<S, 4>& b) {
+    if constexpr (step == 4)
+      return {a, b};
+    else
+      return {joined(a, b)};
+  }
+  static Column of(const All& all) {
+    return together({all[0], all[1], all[2], all[3]}, {all[4], all[5], all[6], all[7]});
+  }
+  /// The places from `i` on.
+  static Some numbers(std::size_t i) {
+    if constexpr (step == 4)
+      return Some(S(0), S(1), S(2), S(3)) + Some(S(i));
+    else
+      return Some(S(0), S(1), S(2), S(3), S(4), S(5), S(6), S(7));
+  }
   void take(std::size_t order, unsigned bits) {
     places_ = corner_orders.of[order][bits];
     size_ = corner_orders.count[bits];
     read();
   }
   void read() {
-    x = in_order(all_x_, places_);
-    y = in_order(all_y_, places_);
-    apart = in_order(all_apart_, places_);
+    for (std::size_t i = 0; i < most_box_points; i += step) {
+      put(x, i, in_order(all_x_, places_ >> (8 * i)));
+      put(y, i, in_order(all_y_, places_ >> (8 * i)));
+      put(apart, i, in_order(all_apart_, places_ >> (8 * i)));
+    }
   }
 
-  Some all_x_, all_y_, all_apart_;
+  Column all_x_, all_y_, all_apart_;
   Places places_ = 0;
   std::size_t size_ = 0;
   S deepest_{};
@@ -161,16 +205,17 @@ requires std::is_arithmetic_v<S>
 class Around<S> {
  public:
   using Some = typename Ring<S>::Some;
+  using Column = typename Ring<S>::Column;
 
   /// `column` of a ring with at least one corner.
-  Around(const Ring<S>& ring, const Some& column) : column_(column), size_(ring.size()) {}
-  Some before(std::size_t) const { return in_order(column_, 0x0605040302010000 | (size_ - 1)); }
-  Some after(std::size_t) const {
-    return in_order(column_, 0x0007060504030201 & ((Places{1} << (8 * (size_ - 1))) - 1));
+  Around(const Ring<S>& ring, const Column& column) : column_(&column), size_(ring.size()) {}
+  Some before(std::size_t i) const { return in_order(*column_, (0x0605040302010000 | (size_ - 1)) >> (8 * i)); }
+  Some after(std::size_t i) const {
+    return in_order(*column_, (0x0007060504030201 & ((Places{1} << (8 * (size_ - 1))) - 1)) >> (8 * i));
   }
 
  private:
-  const Some& column_;
+  const Column* column_;
   std::size_t size_;
 };
 
