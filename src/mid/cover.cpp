@@ -99,7 +99,8 @@ std::optional<OnSurface<T>> covering_entry(const Shape<T>& solid, const Pose<T>&
   if (above > sight.slack || !piece_rises_above(solid, pose, seen->point, sight.outward) ||
       goes_on_above(sight, seen->normal, above, sight.slack))
     return std::nullopt;
-  if (length(seen->point - sight.from) <= T(4) * sight.slack) seen->point = sight.from;
+  // So near it is the same place, but on this surface: below that by what counts as on it, its own solid would rise.
+  if (length(seen->point - sight.from) <= T(4) * sight.slack) seen->point = sight.from - seen->normal * above;
   return seen;
 }
 

@@ -127,6 +127,17 @@ std::optional<Vec3<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& o
   return d.normal;
 }
 
+/// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little beside
+/// that, on a face; the nearest points are on it, unless another way out is as good and they are of that: then they lie
+/// lower.
+template <class T>
+Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
+                       Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward) {
+  const Vec3<T> of_points = standing_point<T>(manifold.points, side);
+  const Vec3<T> nearest = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
+  return dot(of_points - nearest, outward) > place_noise(nearest) ? of_points : nearest;
+}
+
 /// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it
 /// is that of a face of the piece.
 template <class T>
@@ -135,10 +146,8 @@ std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other
   const auto* triangle = self.piece.template as<Triangle<T>>();
   const bool open = lies_open(self, outward);
   if (on_face && open) return std::nullopt;
-  // Of a solid's edge or corner the points may lie a little beside it, on a face; the nearest points are on it.
-  const Vec3<T> point = on_face || triangle
-                            ? standing_point<T>(manifold.points, side)
-                            : convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
+  const Vec3<T> point = on_face || triangle ? standing_point<T>(manifold.points, side)
+                                            : place_on_solid(self, other, manifold, side, outward);
   if (open && lies_level(self)) {
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (lies_open(self, face)) return face;

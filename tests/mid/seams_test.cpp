@@ -176,6 +176,38 @@ TYPED_TEST(Seams, OfSolidsAndSheetsAreNotFelt) {
     }
 }
 
+/// Blocks as large as the tiles, their sides exactly on the seams or a hair or a rounding beside, the whole turned by the
+/// angles that scenes are made with: each side of a block touches the sides of tiles that it does not stand on.
+TYPED_TEST(Seams, OfBlocksExactlyOnThemAreNotFelt) {
+  using T = TypeParam;
+  const std::pair<Tile<T>, Tile<T>> kinds[] = {
+      {box_tile<T>, box_tile<T>}, {hull_tile<T>, mesh_tile<T>}, {hull_tile<T>, box_tile<T>}};
+  const Shape<T> blocks[] = {Box<T>({2, 2, 2}), Box<T>({2, T(0.5), 1}), Shape<T>(Box<T>({2, 2, 2}), T(0.2))};
+  for (const auto& [one, other] : kinds)
+    for (const Vec3<T>& axis : {Vec3<T>{1, 0, 0}, Vec3<T>{0, 0, 1}, Vec3<T>{1, 1, 0}})
+      for (const T angle : {T(0), T(30), T(45), T(90), T(225)}) {
+        const Pose<T> frame{Vec3<T>{5, -5, 3} * (angle == 30 ? T(1) : T(0)),
+                            Quat<T>::from_axis_angle(normalized(axis), angle * T(0.017453292519943295))};
+        const Ground<T> ground(chequered<T>(one, other, frame));
+        const Shape<T> whole = Compound<T>(ground.bodies);
+        const Vec3<T> up = rotate(frame.rotation, Vec3<T>{0, 1, 0});
+        for (const Shape<T>& block : blocks)
+          for (const T aside : {T(0), T(1e-7), T(2e-4), T(0.006)})
+            for (const T along : {T(0), T(1)})
+              for (const T depth : {T(0), T(1e-6), T(1e-4), T(1.8e-4), T(2e-4), T(3e-4), T(0.006)}) {
+                const Pose<T> local{{aside + T(1), -lowest(block, Quat<T>{}) - depth, along}, {}};
+                const Pose<T> pose = compose(frame, local);
+                for (const bool of_bodies : {false, true})
+                  for (const Manifold<T>& m :
+                       of_bodies ? ground.contacts(block, pose) : contacts_of(whole, block, pose, along == 0))
+                    ASSERT_LT(length(m.normal - up), T(1e-3))
+                        << block.name() << " on " << ground.bodies[0].shape.name() << ", turned by " << angle
+                        << (of_bodies ? ", bodies" : ", children") << ", beside by " << aside << ' ' << along
+                        << ", deep " << depth;
+              }
+      }
+}
+
 /// A block of triangles, both sides of which count: what stands on it and over its rim meets the top and not the back of
 /// its walls.
 TYPED_TEST(Seams, OfTheTopAndTheWallsOfABlockAreNotFelt) {
