@@ -108,13 +108,19 @@ bool lies_level(const PieceOf<T>& self) {
   return mesh && mesh->data().level[self.number];
 }
 
+/// What the coordinates of a place on a piece may be off by, wherever the origin is.
+template <class T>
+T own_noise(const PieceOf<T>& self, const Vec3<T>& place) {
+  return place_noise(place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
+}
+
 /// Whether a triangle reaches further along a normal than where the contact stands, which that of an own feature never
 /// does. Near a corner this is less than what coordinates may be off by, but more than what they are when both come
 /// from one pose.
 template <class T>
 bool leans_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
   const Vec3<T> further = furthest(self.piece, self.pose, outward) - point;
-  return dot(further, outward) > region_slack<T> * length(further) + place_noise(point) / T(8);
+  return dot(further, outward) > region_slack<T> * length(further) + own_noise(self, point) / T(8);
 }
 
 /// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face.
@@ -135,7 +141,7 @@ Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const Ma
                        Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward) {
   const Vec3<T> of_points = standing_point<T>(manifold.points, side);
   const Vec3<T> nearest = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
-  return dot(of_points - nearest, outward) > place_noise(nearest) ? of_points : nearest;
+  return dot(of_points - nearest, outward) > own_noise(self, nearest) ? of_points : nearest;
 }
 
 /// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it

@@ -10,14 +10,14 @@ namespace graze {
 
 namespace {
 
-/// Whether a triangle touches `p` and rises above the plane through it. `noise`: what the coordinates of `p` may be off
-/// by.
+/// Whether a triangle touches `p` and rises above the plane through it. `at_place`: what the coordinates of `p` may be
+/// off by for where it is; near the origin they are off by what those of the triangle are.
 template <class T>
-bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p, const Vec3<T>& n, T noise) {
+bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p, const Vec3<T>& n, T at_place) {
   const T to_a = length(a - p), to_b = length(b - p), to_c = length(c - p);
+  const T size = greatest(to_a, greatest(to_b, to_c)), noise = at_place + coordinate_noise(size);
   const auto rises = [&](const Vec3<T>& corner, T away) { return dot(corner - p, n) > region_slack<T> * away + noise; };
   if (!rises(a, to_a) && !rises(b, to_b) && !rises(c, to_c)) return false;
-  const T size = greatest(to_a, greatest(to_b, to_c));
   return length(closest_point_on_triangle(a, b, c, p).point - p) <= on_piece<T> * size + noise;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "graze/geometry.hpp"
 #include "graze/query.hpp"
@@ -328,6 +329,12 @@ class KeptContacts : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(KeptContacts, Scalars);
 
+/// How often a test goes over its surfaces, each time over others; once is some 1,300 poses.
+int rounds() {
+  const char* asked = std::getenv("GRAZE_TEST_ROUNDS");
+  return asked ? std::atoi(asked) : 1;
+}
+
 /// There were enough of each kind, and of hardly any it could not be told.
 void expect_plenty(const Tally& tally) {
   EXPECT_GT(tally.poses, 1000u);
@@ -343,7 +350,7 @@ TYPED_TEST(KeptContacts, OfRoughSheets) {
   Tally tally;
   for (const float height : {0.05f, 0.3f, 0.8f})
     for (const bool far : {false, true})
-      for (int sheet = 0; sheet < 3; ++sheet)
+      for (int sheet = 0; sheet < 3 * rounds(); ++sheet)
         drop_bodies(rough_sheet<T>(random, height), false, far, 12, random, tally);
   expect_plenty(tally);
 }
@@ -354,7 +361,7 @@ TYPED_TEST(KeptContacts, OfHeightFieldsWithHoles) {
   Tally tally;
   for (const float height : {0.05f, 0.3f, 0.8f})
     for (const bool far : {false, true})
-      for (int field = 0; field < 3; ++field)
+      for (int field = 0; field < 3 * rounds(); ++field)
         drop_bodies(rough_height_field<T>(random, height), false, far, 12, random, tally);
   expect_plenty(tally);
 }
@@ -365,7 +372,8 @@ TYPED_TEST(KeptContacts, OfRoughBalls) {
   Tally tally;
   for (const float height : {0.0f, 0.1f, 0.4f})
     for (const bool far : {false, true})
-      for (int ball = 0; ball < 3; ++ball) drop_bodies(rough_ball<T>(random, height), true, far, 12, random, tally);
+      for (int ball = 0; ball < 3 * rounds(); ++ball)
+        drop_bodies(rough_ball<T>(random, height), true, far, 12, random, tally);
   expect_plenty(tally);
 }
 

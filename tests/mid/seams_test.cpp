@@ -180,21 +180,23 @@ TYPED_TEST(Seams, OfSolidsAndSheetsAreNotFelt) {
 /// angles that scenes are made with: each side of a block touches the sides of tiles that it does not stand on.
 TYPED_TEST(Seams, OfBlocksExactlyOnThemAreNotFelt) {
   using T = TypeParam;
-  const std::pair<Tile<T>, Tile<T>> kinds[] = {
-      {box_tile<T>, box_tile<T>}, {hull_tile<T>, mesh_tile<T>}, {hull_tile<T>, box_tile<T>}};
-  const Shape<T> blocks[] = {Box<T>({2, 2, 2}), Box<T>({2, T(0.5), 1}), Shape<T>(Box<T>({2, 2, 2}), T(0.2))};
+  const std::pair<Tile<T>, Tile<T>> kinds[] = {{box_tile<T>, box_tile<T>},
+                                               {hull_tile<T>, mesh_tile<T>},
+                                               {closed_tile<T>, mesh_tile<T>},
+                                               {closed_tile<T>, closed_tile<T>}};
+  const Shape<T> blocks[] = {Box<T>({2, 2, 2}), Shape<T>(Box<T>({2, 2, 2}), T(0.2))};
   for (const auto& [one, other] : kinds)
-    for (const Vec3<T>& axis : {Vec3<T>{1, 0, 0}, Vec3<T>{0, 0, 1}, Vec3<T>{1, 1, 0}})
-      for (const T angle : {T(0), T(30), T(45), T(90), T(225)}) {
-        const Pose<T> frame{Vec3<T>{5, -5, 3} * (angle == 30 ? T(1) : T(0)),
+    for (const Vec3<T>& axis : {Vec3<T>{1, 0, 0}, Vec3<T>{1, 1, 0}})
+      for (const T angle : {T(0), T(45), T(210)}) {
+        const Pose<T> frame{Vec3<T>{5, -5, 3} * (angle == 210 ? T(1) : T(0)),
                             Quat<T>::from_axis_angle(normalized(axis), angle * T(0.017453292519943295))};
         const Ground<T> ground(chequered<T>(one, other, frame));
         const Shape<T> whole = Compound<T>(ground.bodies);
         const Vec3<T> up = rotate(frame.rotation, Vec3<T>{0, 1, 0});
         for (const Shape<T>& block : blocks)
-          for (const T aside : {T(0), T(1e-7), T(2e-4), T(0.006)})
+          for (const T aside : {T(0), T(1e-7), T(0.006)})
             for (const T along : {T(0), T(1)})
-              for (const T depth : {T(0), T(1e-6), T(1e-4), T(1.8e-4), T(2e-4), T(3e-4), T(0.006)}) {
+              for (const T depth : {T(0), T(1e-6), T(1.8e-4), T(0.006)}) {
                 const Pose<T> local{{aside + T(1), -lowest(block, Quat<T>{}) - depth, along}, {}};
                 const Pose<T> pose = compose(frame, local);
                 for (const bool of_bodies : {false, true})
