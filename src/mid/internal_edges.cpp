@@ -4,6 +4,7 @@
 
 #include "graze/geometry.hpp"
 #include "mid/cover.hpp"
+#include "mid/group.hpp"
 #include "mid/risers.hpp"
 #include "mid/standing.hpp"
 #include "narrow/convex_pair.hpp"
@@ -123,14 +124,40 @@ bool leans_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& out
   return dot(further, outward) > region_slack<T> * length(further) + own_noise(self, point) / T(8);
 }
 
-/// The normal of the least way out of a triangle, if it is one of the surface's and not that of the triangle's face.
-/// That of a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge
-/// that it leans over, though that edge is a ridge and touched.
+/// What a contact has instead of a normal that is none of the surface's.
 template <class T>
-std::optional<Vec3<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
+struct Correction {
+  Vec3<T> normal;                             ///< outward
+  std::optional<Distance<T>> least_way = {};  ///< from the piece to the other shape, if the normal is of that
+};
+
+template <class T>
+std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal) {
+  return normal ? std::optional(Correction<T>{*normal}) : std::nullopt;
+}
+
+/// The least way out of a triangle, if its normal is one of the surface's and not that of the triangle's face. That of a
+/// face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it leans
+/// over, though that edge is a ridge and touched. `known`: a normal that is none of the surface's where it is touched.
+template <class T>
+std::optional<Correction<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other, const Vec3<T>& known) {
   const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr);
+  if (max_abs(d.normal - known) <= same_normal<T>) return std::nullopt;
   if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
-  return d.normal;
+  return Correction<T>{d.normal, d};
+}
+
+/// Adds where two pieces are deepest in each other, unless the manifold has a point as deep: what lies on a ridge meets
+/// it along a line, and round sides that are laid on it end before.
+template <class T>
+void add_deepest(const PieceOf<T>& self, bool of_a, const Distance<T>& d, const Manifold<T>& like,
+                 Manifold<T>& manifold) {
+  // Distances are of the pair alone, wherever it is.
+  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent());
+  for (const ContactPoint<T>& p : manifold.points)
+    if (p.distance <= d.distance + noise) return;
+  manifold.normal = of_a ? d.normal : -d.normal;
+  manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
 }
 
 /// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little beside
@@ -144,11 +171,11 @@ Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const Ma
   return dot(of_points - nearest, outward) > own_noise(self, nearest) ? of_points : nearest;
 }
 
-/// The normal of the surface in place of `outward`, that of a contact, if this is none of the surface's. `on_face`: it
-/// is that of a face of the piece.
+/// What is in place of `outward`, the normal of a contact, if this is none of the surface's. `on_face`: it is that of a
+/// face of the piece.
 template <class T>
-std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
-                                 Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward, bool on_face, T margin) {
+std::optional<Correction<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
+                                       Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward, bool on_face, T margin) {
   const auto* triangle = self.piece.template as<Triangle<T>>();
   const bool open = lies_open(self, outward);
   if (on_face && open) return std::nullopt;
@@ -156,19 +183,19 @@ std::optional<Vec3<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other
                                             : place_on_solid(self, other, manifold, side, outward);
   if (open && lies_level(self)) {
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
-    if (lies_open(self, face)) return face;
+    if (lies_open(self, face)) return Correction<T>{face};
   }
   if (!on_face) {
     std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
     const bool leans = triangle && leans_over(self, point, outward);
     if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
-    if (leans && neighbour)
-      if (const std::optional<Vec3<T>> least = least_way_out(self, other)) return least;
-    if (neighbour) return normal_of_surface(self, *neighbour, other, point, outward, margin);
+    if (triangle && neighbour)
+      if (const auto least = least_way_out(self, other, leans ? Vec3<T>{} : outward)) return least;
+    if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
   const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
-  return over ? std::optional(over->normal) : std::nullopt;
+  return as_correction(over ? std::optional(over->normal) : std::nullopt);
 }
 
 }  // namespace
@@ -191,11 +218,12 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     // laid.
     const bool sliver = now.points.empty();
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
-    const auto normal = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
-    if (normal) {
+    const auto right = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
+    if (right) {
       if (!sliver) found = now;
-      now = laid_along(a, b, of_a, *normal, margin, found);
-      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, *normal, found);
+      now = laid_along(a, b, of_a, right->normal, margin, found);
+      if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
+      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found);
     } else if (sliver) {
       const Manifold<T> corner = furthest_below(self, other, of_a, face, found);
       if (reaches_to(self, corner.points[0].*side))
