@@ -121,7 +121,7 @@ T own_noise(const PieceOf<T>& self, const Vec3<T>& place) {
 template <class T>
 bool leans_over(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
   const Vec3<T> further = furthest(self.piece, self.pose, outward) - point;
-  return dot(further, outward) > region_slack<T> * length(further) + own_noise(self, point) / T(8);
+  return dot(further, outward) > region_slack<T> * length(further) + own_noise(self, point) / T(32);
 }
 
 /// What a contact has instead of a normal that is none of the surface's.
@@ -153,7 +153,7 @@ template <class T>
 void add_deepest(const PieceOf<T>& self, bool of_a, const Distance<T>& d, const Manifold<T>& like,
                  Manifold<T>& manifold) {
   // Distances are of the pair alone, wherever it is.
-  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent());
+  const T noise = coordinate_noise(max_abs(bounds(self.piece, self.pose).extent())) / T(16);
   for (const ContactPoint<T>& p : manifold.points)
     if (p.distance <= d.distance + noise) return;
   manifold.normal = of_a ? d.normal : -d.normal;
@@ -189,7 +189,7 @@ std::optional<Correction<T>> corrected(const PieceOf<T>& self, const PieceOf<T>&
     std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
     const bool leans = triangle && leans_over(self, point, outward);
     if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
-    if (triangle && neighbour)
+    if (leans || (triangle && neighbour))
       if (const auto least = least_way_out(self, other, leans ? Vec3<T>{} : outward)) return least;
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }

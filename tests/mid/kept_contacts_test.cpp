@@ -160,6 +160,29 @@ ContactPoint<T> deepest_point(const Manifold<T>& m) {
                            [](const auto& p, const auto& q) { return p.distance < q.distance; });
 }
 
+/// Whether a contact leads to the back of all that meets where it stands, and the surface lies between it and the middle
+/// of the body: it is from within, below what is met.
+template <class T>
+bool is_from_within(const Meeting<T>& meeting, const Corners& feature, const Vec3d& at, const Vec3d& n) {
+  const KnownSurface<T>& s = meeting.surface;
+  const Vec3d middle = meeting.place(bounds(meeting.body, meeting.pose).center());
+  bool behind = true, covered = false;
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto& [a, b, c] = s.triangles[t];
+    const Vec3d face = s.face_normal(t) * (meeting.front ? 1.0 : -1.0);
+    if (std::all_of(feature.begin(), feature.end(), [&](std::uint32_t i) { return has(s.triangles[t], i); })) {
+      behind = behind && dot(face, n) < 0;
+      continue;
+    }
+    const double from = dot(at - s.point(a), face), to = dot(middle - s.point(a), face);
+    if (!(from < 0 && to > 0)) continue;
+    const Vec3d on = at + (middle - at) * (from / (from - to));
+    covered =
+        covered || length(closest_point_on_triangle(s.point(a), s.point(b), s.point(c), on).point - on) < same_spot;
+  }
+  return behind && covered;
+}
+
 /// What a triangle by itself has to do with the body is in the answer if it is right. Returns whether it has.
 template <class T>
 bool expect_kept(const Meeting<T>& meeting, std::size_t t, Tally& tally) {
@@ -184,7 +207,7 @@ bool expect_kept(const Meeting<T>& meeting, std::size_t t, Tally& tally) {
   const Vec3d n = meeting.way(least.normal), at = meeting.place(least.a);
   const Corners feature = corners_along(s, t, n, surely_inside);
   const double rise = rise_around(s, feature, at, n);
-  if (rise > maybe_same) return true;
+  if (rise > maybe_same || is_from_within(meeting, feature, at, n)) return true;
   if (rise > surely_inside || feature.size() == 3 || away_from(s, feature, at) > same_spot / 4 ||
       at_the_rim(s, feature, at)) {
     ++tally.unclear;
