@@ -108,7 +108,7 @@ template <class T>
     if (manifold.points.empty()) return;
     const Settled<T> settled =
         settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
-                         {b, pose_b, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch}, margin, manifold);
+                         {b, pose_b, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch}, margin, manifold, distance);
     if (nearest) instead = settled.instead;
     if (!settled.manifold.points.empty()) groups.add(settled.manifold);
   };

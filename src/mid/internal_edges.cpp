@@ -4,7 +4,6 @@
 
 #include "graze/geometry.hpp"
 #include "mid/cover.hpp"
-#include "mid/group.hpp"
 #include "mid/risers.hpp"
 #include "mid/standing.hpp"
 #include "narrow/convex_pair.hpp"
@@ -138,11 +137,10 @@ std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal)
 
 /// The least way out of a triangle, if its normal is one of the surface's and not that of the triangle's face. That of a
 /// face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it leans
-/// over, though that edge is a ridge and touched. `known`: a normal that is none of the surface's where it is touched.
+/// over, though that edge is a ridge and touched.
 template <class T>
-std::optional<Correction<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other, const Vec3<T>& known) {
+std::optional<Correction<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
   const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr);
-  if (max_abs(d.normal - known) <= same_normal<T>) return std::nullopt;
   if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
   return Correction<T>{d.normal, d};
 }
@@ -160,37 +158,55 @@ void add_deepest(const PieceOf<T>& self, bool of_a, const Distance<T>& d, const 
   manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
 }
 
+/// A contact as one of its two pieces sees it.
+template <class T>
+struct SeenContact {
+  const Manifold<T>& manifold;
+  Vec3<T> ContactPoint<T>::*side;
+  Vec3<T> outward;
+  bool on_face;  ///< of the piece: the normal is that of one
+  T distance;    ///< signed, of the two
+};
+
+/// Whether a contact's normal is that of the least way out itself: no direction parts the two more.
+template <class T>
+bool is_least_way(const PieceOf<T>& self, const PieceOf<T>& other, const SeenContact<T>& contact) {
+  const Vec3<T> high = furthest(self.piece, self.pose, contact.outward);
+  const Vec3<T> from = furthest(other.piece, other.pose, -contact.outward) - high;
+  const T noise = T(4) * std::numeric_limits<T>::epsilon() * (max_abs(high) + max_abs(from));
+  return dot(from, contact.outward) >= contact.distance - noise;
+}
+
 /// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little beside
 /// that, on a face; the nearest points are on it, unless another way out is as good and they are of that: then they lie
 /// lower.
 template <class T>
-Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
-                       Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward) {
-  const Vec3<T> of_points = standing_point<T>(manifold.points, side);
+Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const SeenContact<T>& contact) {
+  const Vec3<T> of_points = standing_point<T>(contact.manifold.points, contact.side);
   const Vec3<T> nearest = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
-  return dot(of_points - nearest, outward) > own_noise(self, nearest) ? of_points : nearest;
+  return dot(of_points - nearest, contact.outward) > own_noise(self, nearest) ? of_points : nearest;
 }
 
-/// What is in place of `outward`, the normal of a contact, if this is none of the surface's. `on_face`: it is that of a
-/// face of the piece.
+/// What is in place of a contact's normal if this is none of the surface's.
 template <class T>
-std::optional<Correction<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const Manifold<T>& manifold,
-                                       Vec3<T> ContactPoint<T>::*side, const Vec3<T>& outward, bool on_face, T margin) {
+std::optional<Correction<T>> corrected(const PieceOf<T>& self, const PieceOf<T>& other, const SeenContact<T>& contact,
+                                       T margin) {
   const auto* triangle = self.piece.template as<Triangle<T>>();
+  const Vec3<T>& outward = contact.outward;
   const bool open = lies_open(self, outward);
-  if (on_face && open) return std::nullopt;
-  const Vec3<T> point = on_face || triangle ? standing_point<T>(manifold.points, side)
-                                            : place_on_solid(self, other, manifold, side, outward);
+  if (contact.on_face && open) return std::nullopt;
+  const Vec3<T> point = contact.on_face || triangle ? standing_point<T>(contact.manifold.points, contact.side)
+                                                    : place_on_solid(self, other, contact);
   if (open && lies_level(self)) {
     const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (lies_open(self, face)) return Correction<T>{face};
   }
-  if (!on_face) {
+  if (!contact.on_face) {
     std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
     const bool leans = triangle && leans_over(self, point, outward);
     if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
-    if (leans || (triangle && neighbour))
-      if (const auto least = least_way_out(self, other, leans ? Vec3<T>{} : outward)) return least;
+    if (leans || (triangle && neighbour && !is_least_way(self, other, contact)))
+      if (const auto least = least_way_out(self, other)) return least;
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
@@ -201,7 +217,7 @@ std::optional<Correction<T>> corrected(const PieceOf<T>& self, const PieceOf<T>&
 }  // namespace
 
 template <class T>
-Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, const Manifold<T>& manifold) {
+Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, const Manifold<T>& manifold, T distance) {
   Settled<T> settled{manifold, {}};
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
@@ -218,7 +234,8 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     // laid.
     const bool sliver = now.points.empty();
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
-    const auto right = corrected(self, other, sliver ? found : now, side, on_face ? face : outward, on_face, margin);
+    const SeenContact<T> seen{sliver ? found : now, side, on_face ? face : outward, on_face, distance};
+    const auto right = corrected(self, other, seen, margin);
     if (right) {
       if (!sliver) found = now;
       now = laid_along(a, b, of_a, right->normal, margin, found);
@@ -235,7 +252,9 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
   return settled;
 }
 
-template Settled<float> settle_normal(const PieceOf<float>&, const PieceOf<float>&, float, const Manifold<float>&);
-template Settled<double> settle_normal(const PieceOf<double>&, const PieceOf<double>&, double, const Manifold<double>&);
+template Settled<float> settle_normal(const PieceOf<float>&, const PieceOf<float>&, float, const Manifold<float>&,
+                                      float);
+template Settled<double> settle_normal(const PieceOf<double>&, const PieceOf<double>&, double, const Manifold<double>&,
+                                       double);
 
 }  // namespace graze

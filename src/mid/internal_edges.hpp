@@ -25,8 +25,9 @@ struct Settled {
   Manifold<T> instead;   ///< for when no other piece has any: one point, if the manifold has none
 };
 
-/// Lays a manifold of two pieces along the surface where its normal is not one of the surface's. No allocation.
+/// Lays a manifold of two pieces along the surface where its normal is not one of the surface's. `distance`: of the two,
+/// signed. No allocation.
 template <class T>
-Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, const Manifold<T>& manifold);
+Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, const Manifold<T>& manifold, T distance);
 
 }  // namespace graze
