@@ -31,12 +31,27 @@ class MeshPatch {
     return visit(
         data.tree, question, [&] { return diagonal; },
         [&](std::uint32_t number) {
-          if (count_ < most) numbers_[count_] = number;
-          return ++count_ <= most;
+          const Aabb<T> box = bounds_of(data.triangle(number));
+          if (!overlap(box, covered_)) return true;
+          if (count_ == most) return false;
+          numbers_[count_] = number;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            lower_[count_][axis] = box.lower[axis];
+            upper_[count_][axis] = box.upper[axis];
+          }
+          ++count_;
+          return true;
         });
   }
 
-  std::span<const std::uint32_t> triangles() const { return {numbers_, count_}; }
+  /// Calls `f(number)` for the triangles whose bounds `near` lets pass, until it returns false; returns whether it went to
+  /// the end.
+  template <class Near, class F>
+  bool each(const Near& near, F&& f) const {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (near(box(i)) && !f(numbers_[i])) return false;
+    return true;
+  }
   bool covers(const MeshData<T>& mesh, const Aabb<T>& region) const {
     return &mesh == mesh_ && contains(covered_, region);
   }
@@ -44,9 +59,14 @@ class MeshPatch {
  private:
   static constexpr std::size_t most = 96;
 
+  Aabb<T> box(std::size_t i) const {
+    return {{lower_[i][0], lower_[i][1], lower_[i][2]}, {upper_[i][0], upper_[i][1], upper_[i][2]}};
+  }
+
   const MeshData<T>* mesh_ = nullptr;
   Aabb<T> covered_;
   std::uint32_t numbers_[most];
+  T lower_[most][3], upper_[most][3];  ///< bounds; plain, so that none is cleared that is not used
   std::size_t count_ = 0;
 };
 

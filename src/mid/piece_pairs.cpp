@@ -1,7 +1,5 @@
 #include "mid/piece_pairs.hpp"
 
-#include <algorithm>
-
 #include "mid/near_convex.hpp"
 
 namespace graze {
@@ -57,9 +55,9 @@ template <class T>
     return is_a ? f(piece, other) : f(other, piece);
   };
   if (!has_patch) return visit_pieces(opened.shape, opened.pose, question, limit, visit_piece);
-  const auto triangles = patch.triangles();
-  return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t i) {
-    return visit_triangle<T>(mesh->data(), i, opened.pose, question, limit(), visit_piece);
+  const auto near = [&](const Aabb<T>& box) { return question(box) <= question.key(limit()); };
+  return patch.each(near, [&](std::uint32_t i) {
+    return visit_near_triangle<T>(mesh->data(), i, opened.pose, question, limit(), visit_piece);
   });
 }
 

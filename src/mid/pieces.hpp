@@ -40,15 +40,22 @@ Shape<T> triangle_shape(const std::array<Vec3<T>, 3>& corners) {
   return Triangle<T>(corners[0], corners[1], corners[2]);
 }
 
-/// Calls `f(shape, pose, number)` for a triangle of a surface where `question` lets it pass, as `visit_pieces` does.
+/// Calls `f(shape, pose, number)` for a triangle of a surface whose bounds `question` lets pass, as `visit_pieces` does.
 template <class T, class Surface, class Question, class Limit, class F>
-bool visit_triangle(const Surface& surface, std::uint32_t number, const Pose<T>& pose, const Question& question,
-                    const Limit& limit, F& f) {
+bool visit_near_triangle(const Surface& surface, std::uint32_t number, const Pose<T>& pose, const Question& question,
+                         const Limit& limit, F& f) {
   const std::array<Vec3<T>, 3> corners = surface.triangle(number);
-  if (question(bounds_of(corners)) > question.key(limit)) return true;
   if constexpr (requires { question.may_reach(corners, limit); })
     if (!question.may_reach(corners, limit)) return true;
   return go_on(f, triangle_shape(corners), pose, number);
+}
+
+/// The same where `question` may stop the bounds.
+template <class T, class Surface, class Question, class Limit, class F>
+bool visit_triangle(const Surface& surface, std::uint32_t number, const Pose<T>& pose, const Question& question,
+                    const Limit& limit, F& f) {
+  if (question(bounds_of(surface.triangle(number))) > question.key(limit)) return true;
+  return visit_near_triangle<T>(surface, number, pose, question, limit, f);
 }
 
 /// Calls `f(shape, pose, number)` for each child or triangle of a composite that `question` (in the composite's frame)

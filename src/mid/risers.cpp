@@ -26,7 +26,7 @@ bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec
 template <class T, class F>
 void each_near(const MeshData<T>& mesh, const Aabb<T>& region, const MeshPatch<T>* patch, F& look) {
   if (patch && patch->covers(mesh, region))
-    std::all_of(patch->triangles().begin(), patch->triangles().end(), look);
+    patch->each([&](const Aabb<T>& box) { return overlap(box, region); }, look);
   else
     visit(
         mesh.tree, region, [] { return T(0); }, look);

@@ -84,7 +84,12 @@ TYPED_TEST(Near, PatchesHoldAllTrianglesOfWhatTheyCover) {
     EXPECT_TRUE(patch.covers(mesh.data(), covered));
     EXPECT_FALSE(patch.covers(other.data(), covered));
     EXPECT_FALSE(patch.covers(mesh.data(), inflated(covered, T(0.01))));
-    const auto held = patch.triangles();
+    std::vector<std::uint32_t> held;
+    const auto all = [](const Aabb<T>&) { return true; };
+    patch.each(all, [&](std::uint32_t t) {
+      held.push_back(t);
+      return true;
+    });
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       const bool meets = overlap(bounds_of(mesh.data().triangle(t)), covered);
       EXPECT_TRUE(!meets || std::find(held.begin(), held.end(), t) != held.end()) << t;
