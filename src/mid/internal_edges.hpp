@@ -7,10 +7,16 @@
 //
 // Where a normal is none, what rises (`risers.hpp`) or what lies over the contact (`cover.hpp`) tells the surface's.
 //
-// Guarantee: a contact of a solid whose normal is not the surface's is laid along the normal of the piece's own face, or of
-// what covers it, or left out where the piece is not met along that. It is decided by where the pieces lie and not by which
-// vertices they share, so that duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies, solids
-// beside sheets among them, are all alike. What a mesh knows of its level triangles only saves the search.
+// Guarantee: no contact of a solid has a normal that is not the surface's. What would have one is laid along the least way out of
+// the triangle if that is a ridge's or a corner's own, and then has the place where the two are deepest; else along the
+// normal of the piece's own face, or of what covers it; or is left out where the piece is not met along that. No contact
+// that is inside its region is lost, unless it leads to the back of all around it and another piece lies over it.
+//
+// Regions are told from each other by 1e-4 (sine) and by what coordinates lose by rounding (`piece_of.hpp`): a normal that
+// leaves one by less is kept. It is decided by where the pieces lie and not by which vertices they share, so that
+// duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies, solids beside sheets among them, are
+// all alike. What a mesh knows of its level triangles only saves the search; that for risers is among the triangles at
+// hand (`mesh_patch.hpp`) and most often ends at corners, so that knowing each edge's two sides beforehand saves nothing.
 #pragma once
 
 #include "graze/contact.hpp"

@@ -374,7 +374,7 @@ TYPED_TEST_SUITE(KeptContacts, Scalars);
 /// How often a test goes over its surfaces, each time over others; once is some 1,300 poses.
 int rounds() {
   const char* asked = std::getenv("GRAZE_TEST_ROUNDS");
-  return asked ? std::atoi(asked) : 1;
+  return asked ? std::atoi(asked) : 2;
 }
 
 /// There were enough of each kind, and of hardly any it could not be told.
