@@ -93,6 +93,13 @@ bool has_core(const C& concrete) {
     return !std::is_same_v<decltype(core_of(concrete)), NoCore>;
 }
 
+/// Whether a capsule is even and has a length: closed forms for its side are for such ones.
+template <class T>
+bool has_even_side(const Capsule<T>& capsule) {
+  const bool even = !capsule.tapered(), long_enough = capsule.half_height() > T(0);
+  return even & long_enough;  // not &&: of many, each jump would have to be guessed
+}
+
 /// The number in a lane; a scalar is its own.
 template <class S>
 struct LaneOf {

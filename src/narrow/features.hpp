@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "graze/contact.hpp"
+
 namespace graze {
 
 namespace detail {
@@ -28,5 +30,11 @@ constexpr std::uint32_t face_feature(std::uint32_t face) { return detail::featur
 /// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.
 constexpr std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b) { return (of_a << 16) | of_b; }
 constexpr std::uint32_t swapped_feature_id(std::uint32_t id) { return (id << 16) | (id >> 16); }
+
+/// The same point of contact with the shapes in each other's place.
+template <class T>
+ContactPoint<T> mirrored(const ContactPoint<T>& p) {
+  return {p.b, p.a, p.distance, swapped_feature_id(p.feature), T(1) - p.weight};
+}
 
 }  // namespace graze

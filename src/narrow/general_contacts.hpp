@@ -17,10 +17,7 @@ T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
 template <class T>
 void mirror(Manifold<T>& manifold) {
   manifold.normal = -manifold.normal;
-  for (ContactPoint<T>& p : manifold.points) {
-    std::swap(p.a, p.b);
-    p.feature = swapped_feature_id(p.feature);
-  }
+  for (ContactPoint<T>& p : manifold.points) p = mirrored(p);
 }
 
 }  // namespace graze

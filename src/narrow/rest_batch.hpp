@@ -75,18 +75,16 @@ struct RestPoints {
           const auto& slot = block.slots[i];
           return typename Rest<T>::Slot{at(slot.of_body), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
         },
-        [&](const ContactPoint<T>& p) {
-          points.push_back({turned ? ContactPoint<T>{p.b, p.a, p.distance, swapped_feature_id(p.feature)} : p});
-        });
+        [&](const ContactPoint<T>& p) { points.push_back({turned ? mirrored(p) : p}); });
     return points.size() - first;
   }
 };
 
 /// Asks about pairs of a body A, as the kernels take it, and a plain half-space, in their order: `apart(i)` for those
-/// further apart than their margins, for the others `touching(i, distance, points)`, the last `RestPoints`. `turned(i)`
+/// further apart than their margins, for the others `touching(i, distance, points)`, the last `RestPoints`. `turned`
 /// tells whether the half-space is the first of the two for whoever asks.
-template <class A, class T, class Turned, class Apart, class Touching>
-void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, const Turned& turned, const Apart& apart,
+template <class A, class T, class Apart, class Touching>
+void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, const Apart& apart,
                          const Touching& touching) {
   const auto kernel = GRAZE_KERNEL(chosen_isa(), rests<A, T>);
   RestBlock<T> block;
@@ -99,7 +97,7 @@ void visit_rest_contacts(const PairRef<T>* pairs, std::size_t count, const Turne
         apart(first + k);
       else
         touching(first + k, block.distance[k],
-                 RestPoints<T>{block, k, points_together(*static_cast<const A*>(pair.a), T(0)), turned(first + k)});
+                 RestPoints<T>{block, k, points_together(*static_cast<const A*>(pair.a), T(0)), turned});
     }
   }
 }

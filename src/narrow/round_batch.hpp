@@ -20,7 +20,7 @@ auto round_kernel() {
 
 template <class T>
 PointContact<T> mirrored(const PointContact<T>& c) {
-  return {{c.point.b, c.point.a, c.point.distance, swapped_feature_id(c.point.feature), c.point.weight}, -c.normal};
+  return {mirrored(c.point), -c.normal};
 }
 
 /// Asks about up to `most_chunk` pairs of A and B as the kernels take them, in their order: `apart(i)` for those

@@ -150,8 +150,7 @@ class Together {
   template <class A>
   void rests(bool turned, const Queue<T>& queue) {
     visit_rest_contacts<A>(
-        queue.pairs.data(), queue.count, [&](std::size_t) { return turned; },
-        [&](std::size_t k) { writer_.begin(queue.places[k], false); },
+        queue.pairs.data(), queue.count, turned, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
         [&](std::size_t k, T distance, const RestPoints<T>& points) {
           touching(queue.places[k], distance, points.normal(), points);
         });
@@ -171,11 +170,7 @@ class Together {
     template <class Points>
     std::size_t append(Points& to) const {
       const std::size_t first = to.size(), count = points.append(to);
-      for (std::size_t i = first; turned && i < first + count; ++i) {
-        ContactPoint<T>& p = to[i];
-        std::swap(p.a, p.b);
-        p.feature = swapped_feature_id(p.feature);
-      }
+      for (std::size_t i = first; turned && i < first + count; ++i) to[i] = mirrored(to[i]);
       return count;
     }
   };

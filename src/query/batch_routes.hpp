@@ -119,8 +119,7 @@ bool regular(std::size_t kind, const void* concrete) {
       kind == detail::kind_of<Triangle<T>, T>())
     return true;
   if (kind == detail::kind_of<Box<T>, T>()) return regular_box(static_cast<const Box<T>*>(concrete)->half_extents());
-  const auto& capsule = *static_cast<const Capsule<T>*>(concrete);
-  return !capsule.tapered() && capsule.half_height() > T(0);
+  return has_even_side(*static_cast<const Capsule<T>*>(concrete));
 }
 
 /// Whether so many concrete shapes of one kind, at least one, all are; `at(k)` is the k-th.
@@ -137,11 +136,7 @@ bool all_regular(std::size_t kind, std::size_t count, const At& at) {
     }
     all = regular_box(low) && regular_box(high);
   } else if (kind == detail::kind_of<Capsule<T>, T>()) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto& capsule = *static_cast<const Capsule<T>*>(at(k));
-      const bool even = !capsule.tapered(), has_length = capsule.half_height() > T(0);
-      all &= even & has_length;
-    }
+    for (std::size_t k = 0; k < count; ++k) all &= has_even_side(*static_cast<const Capsule<T>*>(at(k)));
   }
   return all;
 }

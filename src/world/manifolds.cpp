@@ -247,7 +247,7 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
   } else if (is_rest(waiting.route)) {
     with_resting_kind<T>(waiting.route, [&]<class A>() {
       visit_rest_contacts<A>(
-          pairs, count, [&](std::size_t) { return waiting.turned; }, none,
+          pairs, count, waiting.turned, none,
           [&](std::size_t i, T distance, const RestPoints<T>& points) { many(i, distance, points.normal(), points); });
     });
   } else {

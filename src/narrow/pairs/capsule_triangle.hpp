@@ -16,7 +16,7 @@ class CapsuleAndTriangle {
                      T margin_triangle, const Pose<T>& pose_triangle)
       : pair_(rounding_radius(capsule, margin), static_cast<double>(capsule.core_extent()), pose, triangle,
               margin_triangle, pose_triangle) {
-    if (capsule.tapered() || !(capsule.half_height() > T(0)) || pair_.triangle.thin()) return;
+    if (!has_even_side(capsule) || pair_.triangle.thin()) return;
     axis_ = rotation_of(cast<double>(pose.rotation)).column(1);
     half_ = static_cast<double>(capsule.half_height());
     if (!take_end(-1) && !take_end(1)) take_side();

@@ -33,7 +33,7 @@ template <class T>
 std::optional<T> own_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose_capsule,
                               const HalfSpace<T>&, T margin_plane, const Pose<T>& pose_plane, T margin,
                               Manifold<T>& manifold) {
-  if (!has_core(capsule) || !(capsule.half_height() > T(0))) return std::nullopt;
+  if (!has_even_side(capsule)) return std::nullopt;
   return resting_contacts(capsule, margin_capsule, pose_capsule, margin_plane, pose_plane, margin, manifold);
 }
 

@@ -116,6 +116,21 @@ void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContac
   c.part_b = box_part(p.box.half, core.normal, core.a);
 }
 
+/// Whether the shape is one that `round_contact` takes.
+template <class T>
+bool regular(const Sphere<T>&) {
+  return true;
+}
+template <class T>
+bool regular(const Capsule<T>& capsule) {
+  return has_even_side(capsule);
+}
+template <class T>
+bool regular(const Box<T>& box) {
+  const Vec3<T>& half = box.half_extents();
+  return least(half.x, least(half.y, half.z)) > T(0);
+}
+
 }  // namespace round
 
 /// Up to where contacts are wanted, `margin`, is asked of first: further apart there is but a distance and its normal.
@@ -188,25 +203,6 @@ std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, c
     point.weight = ball_weight(of_a.radius, of_b.radius);
   return found.at.distance;
 }
-
-namespace round {
-
-/// Whether the shape is one that `round_contact` takes.
-template <class T>
-bool regular(const Sphere<T>&) {
-  return true;
-}
-template <class T>
-bool regular(const Capsule<T>& capsule) {
-  return !capsule.tapered() && capsule.half_height() > T(0);
-}
-template <class T>
-bool regular(const Box<T>& box) {
-  const Vec3<T>& half = box.half_extents();
-  return least(half.x, least(half.y, half.z)) > T(0);
-}
-
-}  // namespace round
 
 template <class A, class B, class T>
 requires is_round_pair<A, B> std::optional<T> own_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b,
