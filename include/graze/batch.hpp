@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "graze/batch_contacts.hpp"
 #include "graze/broad_phase.hpp"
 #include "graze/query.hpp"
 
@@ -86,6 +87,8 @@ class Batch {
   std::size_t size() const { return size_; }
   const Bodies<T>& a() const { return a_; }
   const Bodies<T>& b() const { return b_; }
+  /// Whether no places are given: the i-th pair is of the i-th bodies, or of the single one of a side.
+  bool in_order() const { return pairs_.empty(); }
   /// The places of the i-th pair.
   IdPair operator[](std::size_t i) const {
     if (!pairs_.empty()) return pairs_[i];
@@ -97,30 +100,6 @@ class Batch {
   Bodies<T> a_, b_;
   std::span<const IdPair> pairs_;
   std::size_t size_;
-};
-
-/// What `contacts` finds for a batch.
-template <class T>
-struct BatchContacts {
-  struct Pair {
-    bool overlap;  ///< distance <= 0, whatever the margin
-    std::uint32_t first_manifold, manifold_count;
-  };
-  struct Group {
-    Vec3<T> normal{};                        ///< unit, from A to B
-    std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
-    std::uint32_t first_point = 0, point_count = 0;
-  };
-  std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
-  std::vector<Group> manifolds;         ///< those of a pair one behind the other
-  std::vector<ContactPoint<T>> points;  ///< those of a manifold one behind the other
-
-  std::span<const Group> manifolds_of(std::size_t pair) const {
-    return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
-  }
-  std::span<const ContactPoint<T>> points_of(const Group& m) const {
-    return std::span(points).subspan(m.first_point, m.point_count);
-  }
 };
 
 /// `overlap` of each pair: 1 or 0. Kernels: box with box, sphere with sphere.

@@ -130,11 +130,13 @@ template <bool either, class V, std::size_t... I>
 }  // namespace detail
 
 /// Whether any lane is set, or all are; and for a single scalar's `bool`, or the `int` that joining two of them gives,
-/// so that kernels can ask either.
+/// so that kernels can ask either. Where an instruction makes bits of lanes, `set_lanes(mask)` tells them.
 template <class M>
 [[gnu::always_inline]] inline bool any(const M& mask) {
   if constexpr (std::is_integral_v<M>) {
     return mask != 0;
+  } else if constexpr (requires { set_lanes(mask); }) {
+    return set_lanes(mask) != 0;
   } else {
     return detail::joined_lanes<true>(mask.bits, std::make_index_sequence<M::lanes / 2>()) != 0;
   }
@@ -143,6 +145,8 @@ template <class M>
 [[gnu::always_inline]] inline bool all(const M& mask) {
   if constexpr (std::is_integral_v<M>) {
     return mask != 0;
+  } else if constexpr (requires { set_lanes(mask); }) {
+    return set_lanes(mask) == (std::uint32_t{1} << M::lanes) - 1;
   } else {
     return detail::joined_lanes<false>(mask.bits, std::make_index_sequence<M::lanes / 2>()) == ~std::uint64_t{0};
   }

@@ -17,6 +17,23 @@
 #error "for kernels, which cmake/GrazeKernels.cmake compiles"
 #endif
 
+#if defined(__AVX512F__)
+namespace graze {
+
+/// The lanes of a mask that are set, as bits: for `any` and `all`.
+template <class M>
+requires(sizeof(M) == 64 && (M::lanes == 16 || M::lanes == 8)) [[gnu::always_inline]] inline std::uint32_t
+    set_lanes(const M& mask) {
+  const auto bits = reinterpret_cast<__m512i>(mask.bits);
+  if constexpr (M::lanes == 16)
+    return _mm512_movepi32_mask(bits);
+  else
+    return _mm512_movepi64_mask(bits);
+}
+
+}  // namespace graze
+#endif
+
 namespace graze::GRAZE_ISA {
 
 /// Bytes of the level's registers: wider vectors than the hardware's are slow in g++.

@@ -20,10 +20,10 @@ SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
 /// A core where a pose puts it, in a frame at `offset` from the pose's origin along the world's axes.
 template <class S>
 PointCore<S> turned(const PointCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
-  // The same bits without the question, which pays for a scalar alone: most balls are about their origins.
-  if constexpr (std::is_floating_point_v<S>)
-    if (core.point == Vec3<S>{}) return {offset};
-  return {offset + rotate(rotation, core.point)};
+  // The same bits without the question, since zeros lose their sign: most balls are about their origins.
+  const Vec3<S> zero{S(0), S(0), S(0)};
+  if (is_origin(core.point)) return {offset + zero};
+  return {offset + (rotate(rotation, core.point) + zero)};
 }
 template <class S>
 TurnedAxis<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {

@@ -42,6 +42,11 @@ struct TurnedAxis {
   /// Where along it lies the point nearest to one that is `along` the line through it.
   S within(const S& along) const { return clamp(along, -half, half); }
 };
+/// Whether it is the origin, of all lanes.
+template <class S>
+bool is_origin(const Vec3<S>& point) {
+  return all((point.x == S(0)) & (point.y == S(0)) & (point.z == S(0)));
+}
 /// Any other core: the general path answers for it.
 struct NoCore {};
 

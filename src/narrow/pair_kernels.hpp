@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "graze/contact.hpp"
+#include "graze/batch_contacts.hpp"
 #include "graze/query.hpp"
 #include "lanes/dispatch.hpp"
 
@@ -20,6 +20,27 @@ struct PairRef {
   const void *a, *b;
   const Pose<T>*pose_a, *pose_b;
   T margin;  ///< up to where contacts are wanted
+};
+
+/// Pairs in four rows, of shapes of one kind a side and of their poses: those of a pair stand at its place in each.
+template <class T>
+struct PairRows {
+  const void *a, *b;
+  const Pose<T>*pose_a, *pose_b;
+};
+
+/// Where a kernel writes what it finds of pairs in rows: of each pair an entry, of each that touches a manifold with its
+/// point, and the places of those that it does not answer for, whose entry says that they are apart.
+template <class T>
+struct ContactRows {
+  typename BatchContacts<T>::Pair* pairs;
+  typename BatchContacts<T>::Group* manifolds;
+  ContactPoint<T>* points;
+  std::uint8_t* unknown;
+  std::uint32_t first_manifold, first_point;  ///< the numbers that the first of these get
+};
+struct RowCounts {
+  std::uint32_t touching, unknown;
 };
 
 /// So many pairs at most are asked about at a time where the answer is a block of arrays, and so many points of each
@@ -91,7 +112,12 @@ GRAZE_DECLARE_KERNEL(
     /// The contacts of the same pairs; capsules with a length. There is as much room.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings);
-    /// The same of capsules with boxes.
+    /// The same of pairs in rows, of any capsules and boxes. `turned`: A is the second of the two for whoever asks.
+    /// There are `bundled(count)` rows to read, and there is room for as many manifolds and points.
+    template <class A, class B, class T> void round_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
+                                                                 bool turned, const ContactRows<T>& to,
+                                                                 RowCounts& found);
+    /// As `round_contacts`, of capsules with boxes.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
                                                  PointContact<T>* contacts, Meeting* meetings);
     /// The points of up to `block_pairs` balls, even capsules with a length, or boxes on half-spaces, all without a
@@ -104,7 +130,10 @@ GRAZE_DECLARE_KERNEL(
     /// Whether spheres touch: 1 or 0.
     template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
     /// Whether boxes touch: 1 or 0, or 2 where one is not regular.
-    template <class T> void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);)
+    template <class T> void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
+    /// The same two of pairs in rows, of any boxes; 2 of those that it does not answer for. There are `bundled(count)`
+    /// rows to read.
+    template <class A, class T> void row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch);)
 // clang-format on
 
 }  // namespace graze

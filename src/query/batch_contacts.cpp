@@ -3,7 +3,7 @@
 #include "graze/batch.hpp"
 #include "narrow/rest_batch.hpp"
 #include "narrow/round_batch.hpp"
-#include "query/batch_routes.hpp"
+#include "query/batch_rows.hpp"
 
 namespace graze {
 
@@ -52,6 +52,30 @@ class Writer {
     points_ += touching;
     return unknown;
   }
+  /// Pairs in rows from the `first`-th on: `ask(rows)` has a kernel write what it finds of them, with at most one point
+  /// each, and tells how much that is.
+  template <class Ask>
+  RowCounts write_rows(std::size_t first, std::uint8_t* unknown, const Ask& ask) {
+    ContactRows<T> to{found_.pairs.data() + first,
+                      found_.manifolds.data() + manifolds_,
+                      found_.points.data() + points_,
+                      unknown,
+                      static_cast<std::uint32_t>(manifolds_),
+                      static_cast<std::uint32_t>(points_)};
+    if (manifolds_ + row_chunk <= found_.manifolds.size() && points_ + row_chunk <= found_.points.size()) {
+      const RowCounts found = ask(to);
+      manifolds_ += found.touching;
+      points_ += found.touching;
+      return found;
+    }
+    // Aside, as a vector is not made longer without all that is new being written for it.
+    to.manifolds = manifolds_aside_.records;
+    to.points = points_aside_.records;
+    const RowCounts found = ask(to);
+    append(found_.manifolds, manifolds_, to.manifolds, found.touching);
+    append(found_.points, points_, to.points, found.touching);
+    return found;
+  }
   /// A pair that does not touch, until manifolds follow.
   void begin(std::size_t pair, bool overlap) {
     found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
@@ -80,6 +104,13 @@ class Writer {
     void push_back(const ContactPoint<T>& p) { emplace_back() = p; }
   };
 
+  template <class Record>
+  static void append(std::vector<Record>& array, std::size_t& used, const Record* records, std::size_t count) {
+    const std::size_t over = std::min(count, array.size() - used);
+    std::copy_n(records, over, array.begin() + static_cast<std::ptrdiff_t>(used));
+    array.insert(array.end(), records + over, records + count);
+    used += count;
+  }
   template <class Array>
   static void make_room(Array& array, std::size_t size) {
     if (array.size() >= size) return;
@@ -88,8 +119,16 @@ class Writer {
     array.resize(size);
   }
 
+  template <class Record>
+  union Aside {
+    Aside() {}  // NOLINT(modernize-use-equals-default): of records it would write all
+    Record records[row_chunk];
+  };
+
   BatchContacts<T>& found_;
   std::size_t manifolds_ = 0, points_ = 0;
+  Aside<typename BatchContacts<T>::Group> manifolds_aside_;
+  Aside<ContactPoint<T>> points_aside_;
 };
 
 /// Asks about one pair after the other.
@@ -199,12 +238,36 @@ class Together {
   Meeting meetings_[bundled(box_chunk)];
 };
 
+/// Whether there is a kernel for the contacts of pairs in rows.
+constexpr bool has_rows(Route route) { return route < Route::capsule_box; }
+
+template <class T>
+void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Writer<T>& writer, OneByOne<T>& single) {
+  with_round_kinds<T>(route_of(queue), [&]<class A, class B>() {
+    if constexpr (is_round_pair<A, B>) {
+      const auto kernel = GRAZE_KERNEL(chosen_isa(), round_row_contacts<A, B, T>);
+      const bool turned = is_turned(queue);
+      visit_rows<A, B>(batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+        std::uint8_t unknown[row_chunk];
+        const RowCounts found = writer.write_rows(first, unknown, [&](const ContactRows<T>& to) {
+          RowCounts all{};
+          kernel(rows, count, margin, turned, to, all);
+          return all;
+        });
+        for (std::size_t k = 0; k < found.unknown; ++k) single(first + unknown[k]);
+      });
+    }
+  });
+}
+
 }  // namespace
 
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   Writer<T> writer(found, batch.size());
   OneByOne<T> single(batch, margin, writer);
+  const std::uint8_t queue = even_queue(batch);
+  if (has_rows(route_of(queue))) return contacts_of_rows(batch, queue, margin, writer, single);
   Together<T> together(writer, single);
   visit_batch(
       batch, margin, [](Route) { return true; }, true, together, single);

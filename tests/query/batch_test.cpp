@@ -181,6 +181,52 @@ TEST(Batch, TakesIrregularOnesAmongManyOfOneKind) {
   expect_same(Batch<float>(rods, cases), 0.01f);
 }
 
+/// Arrays of one kind each, in order and as places, also with a body that stands against all; the balls centred or not.
+template <class T>
+struct Rows {
+  std::vector<Pose<T>> poses;
+  std::vector<Sphere<T>> centred, balls;
+  std::vector<Capsule<T>> capsules;
+  std::vector<Box<T>> boxes;
+  std::vector<IdPair> pairs;
+
+  explicit Rows(std::uint32_t count, Random& random) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      Vec3f place = random_vector(random, 0.8f);
+      if (i % 3 == 0) place = {-0.0f, i % 2 == 0 ? 0.0f : -0.0f, place.z};  // where zeros keep or lose their sign
+      poses.push_back({cast<T>(place), cast<T>(random_rotation(random))});
+      centred.emplace_back(T(0.4));
+      balls.emplace_back(T(0.3), i % 2 == 0 ? Vec3<T>{} : cast<T>(random_vector(random, 0.5f)));
+      capsules.emplace_back(T(i % 7 == 0 ? 0.0 : 0.6), T(0.2));
+      boxes.emplace_back(cast<T>(abs(random_vector(random, 0.5f)) + Vec3f{0.1f, 0.1f, 0.1f}));
+      pairs.push_back({static_cast<std::uint32_t>(random() % count), static_cast<std::uint32_t>(random() % count)});
+    }
+  }
+  template <class C>
+  Bodies<T> bodies(const std::vector<C>& shapes) const {
+    return {std::span<const C>(shapes), std::span<const Pose<T>>(poses)};
+  }
+  void expect_all_same() const {
+    const Bodies<T> sides[] = {bodies(centred), bodies(balls), bodies(capsules), bodies(boxes)};
+    const std::vector<Sphere<T>> one{Sphere<T>(T(0.5))};
+    const Bodies<T> single(std::span<const Sphere<T>>(one), std::span<const Pose<T>>(poses).first(1));
+    for (const Bodies<T>& a : sides) {
+      expect_same(Batch<T>(single, a), T(0.05));
+      expect_same(Batch<T>(a, single), T(0));
+      for (const Bodies<T>& b : sides) {
+        expect_same(Batch<T>(a, b), T(0.05));
+        expect_same(Batch<T>(a, b, pairs), T(0));
+      }
+    }
+  }
+};
+
+TEST(Batch, TakesRowsOfAnyLength) {
+  Random random(7);
+  for (const std::uint32_t count : {1u, 2u, 7u, 15u, 16u, 17u, 33u, 150u}) Rows<float>(count, random).expect_all_same();
+  for (const std::uint32_t count : {1u, 3u, 16u, 21u}) Rows<double>(count, random).expect_all_same();
+}
+
 TEST(Batch, GivesTheGoldenBits) {
   EXPECT_EQ(hash_of_a_long_run<float>(), golden_bits<float>);
   EXPECT_EQ(hash_of_a_long_run<double>(), golden_bits<double>);

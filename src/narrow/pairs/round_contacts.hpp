@@ -177,6 +177,21 @@ template <class B, class T>
 constexpr const RoundFeatureIds& round_feature_ids() {
   return std::is_same_v<B, Box<T>> ? ids_with_box : ids_with_round;
 }
+/// The names of the parts of one shape, a table that fits registers.
+struct RoundPartNames {
+  std::uint32_t of[16];
+  constexpr RoundPartNames() : of{} {
+    for (std::size_t i = 0; i < std::size(round_features); ++i) of[i] = round_features[i];
+  }
+};
+struct BoxPartNames {
+  std::uint32_t of[64];
+  constexpr BoxPartNames() : of{} {
+    for (std::size_t i = 0; i < box_part_count; ++i) of[i] = box_features.of[i];
+  }
+};
+static constexpr RoundPartNames round_part_names{};
+static constexpr BoxPartNames box_part_names{};
 /// The place of that of two shapes, exact in any number.
 template <class S>
 S feature_place(const RoundContact<S>& c) {

@@ -1,0 +1,37 @@
+// Where the pairs of a batch touch: the contacts of all of them in three arrays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graze/contact.hpp"
+
+namespace graze {
+
+/// What `contacts` finds for a batch.
+template <class T>
+struct BatchContacts {
+  struct Pair {
+    bool overlap;  ///< distance <= 0, whatever the margin
+    std::uint32_t first_manifold, manifold_count;
+  };
+  struct Group {
+    Vec3<T> normal{};                        ///< unit, from A to B
+    std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+    std::uint32_t first_point = 0, point_count = 0;
+  };
+  std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
+  std::vector<Group> manifolds;         ///< those of a pair one behind the other
+  std::vector<ContactPoint<T>> points;  ///< those of a manifold one behind the other
+
+  std::span<const Group> manifolds_of(std::size_t pair) const {
+    return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
+  }
+  std::span<const ContactPoint<T>> points_of(const Group& m) const {
+    return std::span(points).subspan(m.first_point, m.point_count);
+  }
+};
+
+}  // namespace graze

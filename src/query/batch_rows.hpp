@@ -1,0 +1,97 @@
+// The pairs of a batch whose sides are of one kind each, some after the other, as rows for kernels.
+//
+// Guarantee: there are always as many rows to read as lanes take. The bodies' own are read where pairs stand in their
+// order, but for the last few; what is copied is near when it is read. Nothing is allocated.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+
+#include "narrow/box_batch.hpp"
+#include "query/batch_routes.hpp"
+
+namespace graze {
+
+/// So many pairs at most are in rows at a time.
+inline constexpr std::size_t row_chunk = box_chunk;
+
+/// Rows of C, shapes of one kind or poses, of one side: the bodies' own, or copies of them.
+template <class C>
+class SideRows {
+ public:
+  /// Of a single one the copies for all are made here.
+  SideRows(const void* own, bool single, std::size_t pairs) : own_(static_cast<const C*>(own)), single_(single) {
+    if (single_)
+      for (std::size_t k = 0; k < bundled(std::min(pairs, row_chunk)); ++k) copy(0, k);
+  }
+  /// For `count` pairs from the `first`-th on; `place(k)` tells the place of the k-th of these, which `in_order` is
+  /// its own.
+  template <class Place>
+  const C* operator()(std::size_t first, std::size_t count, bool in_order, const Place& place) {
+    if (in_order && !single_ && count == bundled(count)) return own_ + first;
+    if (!single_) {
+      for (std::size_t k = 0; k < count; ++k) copy(place(k), k);
+      for (std::size_t k = count; k < bundled(count); ++k) copy(place(count - 1), k);
+    }
+    return reinterpret_cast<const C*>(copies_);
+  }
+
+ private:
+  void copy(std::size_t from, std::size_t to) { std::memcpy(copies_ + to * sizeof(C), own_ + from, sizeof(C)); }
+
+  const C* own_;
+  bool single_;
+  alignas(C) std::byte copies_[row_chunk * sizeof(C)];
+};
+
+/// A side whose shapes are all of the kind C.
+template <class C, class T>
+class RowsOf {
+ public:
+  RowsOf(const Bodies<T>& bodies, std::size_t pairs)
+      : row_(bodies),
+        shapes_(row_.shapes, row_.shape_stride == 0, pairs),
+        poses_(row_.poses, row_.pose_stride == 0, pairs) {}
+  template <class Place>
+  const C* shapes(std::size_t first, std::size_t count, bool in_order, const Place& place) {
+    return shapes_(first, count, in_order, place);
+  }
+  template <class Place>
+  const Pose<T>* poses(std::size_t first, std::size_t count, bool in_order, const Place& place) {
+    return poses_(first, count, in_order, place);
+  }
+
+ private:
+  EvenRow<T> row_;
+  SideRows<C> shapes_;
+  SideRows<Pose<T>> poses_;
+};
+
+/// Calls `ask(rows, first, count)` for all pairs of a batch, whose shapes are of the kinds A and B; `turned`: those of
+/// the batch's own A and B are of B and A.
+template <class A, class B, class T, class Ask>
+void visit_rows(const Batch<T>& batch, bool turned, const Ask& ask) {
+  RowsOf<A, T> a(turned ? batch.b() : batch.a(), batch.size());
+  RowsOf<B, T> b(turned ? batch.a() : batch.b(), batch.size());
+  const bool in_order = batch.in_order();
+  for (std::size_t first = 0, count; first < batch.size(); first += count) {
+    count = std::min(row_chunk, batch.size() - first);
+    // Copied are only those that are left over of what lanes take.
+    if (in_order && count >= bundled(1)) count -= count % bundled(1);
+    const auto place_a = [&](std::size_t k) { return turned ? batch[first + k].b : batch[first + k].a; };
+    const auto place_b = [&](std::size_t k) { return turned ? batch[first + k].a : batch[first + k].b; };
+    ask(PairRows<T>{a.shapes(first, count, in_order, place_a), b.shapes(first, count, in_order, place_b),
+                    a.poses(first, count, in_order, place_a), b.poses(first, count, in_order, place_b)},
+        first, count);
+  }
+}
+
+/// The queue of a batch whose sides are of one kind each, as `Routes` has it; that of no route for any other.
+template <class T>
+std::uint8_t even_queue(const Batch<T>& batch) {
+  static constexpr Routes<T> routes;
+  if (batch.size() == 0 || !batch.a().one_kind() || !batch.b().one_kind()) return queue_of(Route::none, false);
+  return routes(batch.a().kind(0), batch.b().kind(0));
+}
+
+}  // namespace graze
