@@ -5,7 +5,7 @@
 #include <string>
 
 #include "narrow/closed_form.hpp"
-#include "query/batch_routes.hpp"
+#include "query/batch_rows.hpp"
 
 namespace graze {
 
@@ -55,9 +55,33 @@ Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
     validate::fail("b", "as many bodies as a, or one", static_cast<double>(b.size()));
 }
 
+namespace {
+
+/// Whether pairs touch whose sides are both arrays of A; `single(i)` answers for those that kernels do not take.
+template <class A, class T, class Single>
+void overlap_rows(const Batch<T>& batch, std::uint8_t* touch, const Single& single) {
+  constexpr std::uint8_t unknown = 2;
+  const auto kernel = GRAZE_KERNEL(chosen_isa(), row_overlaps<A, T>);
+  visit_rows<A, A>(batch, false, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+    kernel(rows, count, touch + first);
+    std::uint8_t all = 0;
+    for (std::size_t i = first; i < first + count; ++i) all |= touch[i];
+    for (std::size_t i = first; all >= unknown && i < first + count; ++i)
+      if (touch[i] == unknown) single(i);
+  });
+}
+
+}  // namespace
+
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
   touch.resize(batch.size());
+  const auto single = [&](std::size_t i) {
+    touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
+  };
+  const Route route_of_all = route_of(even_queue(batch));
+  if (route_of_all == Route::sphere_sphere) return overlap_rows<Sphere<T>>(batch, touch.data(), single);
+  if (route_of_all == Route::box_box) return overlap_rows<Box<T>>(batch, touch.data(), single);
   const Isa level = chosen_isa();
   const auto single = [&](std::size_t i) {
     touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;

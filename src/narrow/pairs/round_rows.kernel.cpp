@@ -68,19 +68,6 @@ template <class A, class B, class T>
   all_found = counts;
 }
 
-template <class A, class T>
-[[gnu::flatten]] void row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch) {
-  constexpr std::size_t lanes = lanes_of<T>;
-  for (std::size_t first = 0; first < count; first += lanes) {
-    const RowBundle<A, A, T> p(rows, first);
-    const auto pair = round_pair(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b);
-    const auto touching = spheres_overlap(pair.a.point, p.a.shapes.radius, pair.b.point, p.b.shapes.radius);
-    put_bytes<T>(touching.bits & 1, least(lanes, count - first), touch + first);
-  }
-}
-
-template void row_overlaps<Sphere<float>>(const PairRows<float>&, std::size_t, std::uint8_t*);
-template void row_overlaps<Sphere<double>>(const PairRows<double>&, std::size_t, std::uint8_t*);
 #define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
   template void round_row_contacts<A<T>, B<T>>(const PairRows<T>&, std::size_t, T, bool, const ContactRows<T>&,        \
                                                RowCounts&);
