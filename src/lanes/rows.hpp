@@ -109,31 +109,89 @@ template <std::size_t width, std::size_t first, class T, std::size_t count>
                                                 void* to) {
   using namespace gathering;
   constexpr auto all = std::make_index_sequence<lanes_of<float>>();
-  const typename Lanes<float>::Vector rows[3] = {as_threes<0>(x.v, y.v, z.v, all), as_threes<1>(x.v, y.v, z.v, all),
-                                                 as_threes<2>(x.v, y.v, z.v, all)};
-  std::memcpy(to, rows, sizeof rows);
+  const auto store = [to](std::size_t at, const Lanes<float>::Vector& v) __attribute__((always_inline)) {
+    std::memcpy(static_cast<char*>(to) + at * sizeof v, &v, sizeof v);
+  };
+  store(0, as_threes<0>(x.v, y.v, z.v, all));
+  store(1, as_threes<1>(x.v, y.v, z.v, all));
+  store(2, as_threes<2>(x.v, y.v, z.v, all));
 }
 
-/// Writes four numbers of each lane whose bit is set, the rows `stride` bytes apart and in the order of the lanes. May
-/// write as many rows as there are lanes, of no matter what behind those.
-[[gnu::always_inline]] inline void scatter_chosen(const Lanes<float>& x, const Lanes<float>& y, const Lanes<float>& z,
-                                                  const Lanes<float>& w, std::uint32_t bits, void* to,
-                                                  std::size_t stride) {
 #if defined(__AVX512F__)
-  const auto chosen = [bits](const Lanes<float>& v) __attribute__((always_inline)) {
-    return Lanes<float>::of(reinterpret_cast<Lanes<float>::Vector>(
-        _mm512_maskz_compress_ps(static_cast<__mmask16>(bits), reinterpret_cast<__m512>(v.v))));
+namespace gathering {
+
+/// The `half`-th two of the fours in `a`, each with that in `b` behind it.
+template <std::size_t half, class V, std::size_t... I>
+[[gnu::always_inline]] inline V eights(const V& a, const V& b, std::index_sequence<I...>) {
+  return __builtin_shufflevector(a, b, (I / 4 % 2 * 16 + (2 * half + I / 8) * 4 + I % 4)...);
+}
+/// The `part`-th sixteen numbers of rows of `width`, of which the first eight stand two rows to a register, and the
+/// ninth of all in `ninth`.
+template <std::size_t width, std::size_t part, class V, std::size_t... I>
+[[gnu::always_inline]] inline V packed_rows(const V (&pairs)[8], const V& ninth, std::index_sequence<I...>) {
+  constexpr std::size_t first = 16 * part / width / 2, second = first < 7 ? first + 1 : 7;
+  static_assert((16 * part + 15) / width / 2 <= second);
+  const V eight = __builtin_shufflevector(
+      pairs[first], pairs[second],
+      ((16 * part + I) / width % 2 * 8 + (16 * part + I) % width % 8 + ((16 * part + I) / width / 2 - first) * 16)...);
+  if constexpr (width <= 8)
+    return eight;
+  else
+    return __builtin_shufflevector(eight, ninth, ((16 * part + I) % width < 8 ? I : (16 * part + I) / width + 16)...);
+}
+template <std::size_t width, class V, std::size_t... part>
+[[gnu::always_inline]] inline void store_packed(const V (&pairs)[8], const V& ninth, char* to,
+                                                std::index_sequence<part...>) {
+  const auto store = [to](std::size_t at, const V& v) __attribute__((always_inline)) {
+    std::memcpy(to + at * sizeof v, &v, sizeof v);
   };
-  scatter(chosen(x), chosen(y), chosen(z), chosen(w), to, stride);
-#else
+  (store(part, packed_rows<width, part>(pairs, ninth, Sixteen())), ...);
+}
+
+}  // namespace gathering
+#endif
+
+/// Writes rows of `width` numbers, 5 to 9, of the lanes whose bits are set, one behind the other in the order of the
+/// lanes. As many rows as there are lanes may be written, of no matter what behind those.
+template <std::size_t width>
+[[gnu::always_inline]] inline void store_chosen_rows(const Lanes<float> (&columns)[width], std::uint32_t bits,
+                                                     void* to) {
+  static_assert(width >= 5 && width <= 9);
   using namespace gathering;
+#if defined(__AVX512F__)
+  using V = Lanes<float>::Vector;
+  const __m512i ordered = _mm512_maskz_compress_epi32(
+      static_cast<__mmask16>(bits), _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+  // So that the rows that come to stand in one register follow each other.
+  const __m512i places = _mm512_maskz_permutexvar_epi32(
+      0xffff, _mm512_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7, 8, 10, 12, 14, 9, 11, 13, 15), ordered);
+  const auto chosen = [](const Lanes<float>& v, const __m512i& from) __attribute__((always_inline)) {
+    return reinterpret_cast<V>(_mm512_maskz_permutexvar_ps(0xffff, from, reinterpret_cast<__m512>(v.v)));
+  };
+  V numbers[8];
+  for (std::size_t k = 0; k < 8; ++k) numbers[k] = k < width ? chosen(columns[k], places) : V{};
+  V low[4], high[4], pairs[8];
+  transpose(numbers[0], numbers[1], numbers[2], numbers[3], low, Sixteen());
+  transpose(numbers[4], numbers[5], numbers[6], numbers[7], high, Sixteen());
+  for (std::size_t k = 0; k < 4; ++k) {
+    pairs[k] = eights<0>(low[k], high[k], Sixteen());
+    pairs[k + 4] = eights<1>(low[k], high[k], Sixteen());
+  }
+  store_packed<width>(pairs, width > 8 ? chosen(columns[width - 1], ordered) : V{}, static_cast<char*>(to),
+                      std::make_index_sequence<width>());
+#else
+  // Rows of those that are not chosen are written over by the next one.
   constexpr std::size_t lanes = lanes_of<float>;
-  typename FloatVector<lanes>::type rows[4];
-  transpose(x.v, y.v, z.v, w.v, rows, std::make_index_sequence<lanes>());
-  char* at = static_cast<char*>(to);
-  for (std::size_t i = 0; i < lanes; ++i) {
-    std::memcpy(at, reinterpret_cast<const float*>(&rows[i % 4]) + i / 4 * 4, 16);
-    at += bits >> i & 1 ? stride : 0;
+  for (std::size_t first = 0; first < width; first += 4) {
+    const std::size_t from = first + 4 <= width ? first : width - 4;
+    typename FloatVector<lanes>::type rows[4];
+    transpose(columns[from].v, columns[from + 1].v, columns[from + 2].v, columns[from + 3].v, rows,
+              std::make_index_sequence<lanes>());
+    char* at = static_cast<char*>(to) + from * sizeof(float);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      std::memcpy(at, reinterpret_cast<const float*>(&rows[i % 4]) + i / 4 * 4, 16);
+      at += bits >> i & 1 ? width * sizeof(float) : 0;
+    }
   }
 #endif
 }

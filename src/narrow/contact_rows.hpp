@@ -46,11 +46,13 @@ template <class T>
     const Whole ones = lanes_with<float>(touching) & 1;
     const Whole overlapping = reinterpret_cast<Whole>(distance.v <= typename Lanes<T>::Vector{}) & ones;
     const Whole numbers = ones_before<float>(ones) + static_cast<std::int32_t>(first);
+    const auto store = [&](Entry * place) __attribute__((always_inline)) {
+      store_threes(as_lanes(overlapping), as_lanes(numbers), as_lanes(ones), place);
+    };
+    if (count == static_cast<std::size_t>(lanes_of<T>)) return store(to);
     Entry some[lanes_of<float>];
-    void* const place = count < static_cast<std::size_t>(lanes_of<T>) ? some : to;
-    store_threes(as_lanes(overlapping), as_lanes(numbers), as_lanes(ones), place);
-    if (place != to)
-      for (std::size_t i = 0; i < count; ++i) to[i] = some[i];
+    store(some);
+    for (std::size_t i = 0; i < count; ++i) to[i] = some[i];
   } else {
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t touches = touching >> i & 1;
@@ -75,13 +77,10 @@ template <class T>
     const Lanes<float> zero = as_lanes(0u), one = as_lanes(1u), feature = as_lanes(found.feature);
     const Lanes<float> number =
         as_lanes(ones_before<float>(lanes_with<float>(touching) & 1) + static_cast<std::int32_t>(first_point));
-    auto* const group = reinterpret_cast<char*>(manifolds);
-    scatter_chosen(at.normal.x, at.normal.y, at.normal.z, zero, touching, group, sizeof(Group));
-    scatter_chosen(zero, zero, number, one, touching, group + 12, sizeof(Group));
-    auto* const point = reinterpret_cast<char*>(points);
-    scatter_chosen(at.a.x, at.a.y, at.a.z, at.b.x, touching, point, sizeof(Point));
-    scatter_chosen(at.b.y, at.b.z, at.distance, feature, touching, point + 16, sizeof(Point));
-    scatter_chosen(at.b.z, at.distance, feature, found.weight, touching, point + 20, sizeof(Point));
+    const Lanes<float> group[7] = {at.normal.x, at.normal.y, at.normal.z, zero, zero, number, one};
+    const Lanes<float> point[9] = {at.a.x, at.a.y, at.a.z, at.b.x, at.b.y, at.b.z, at.distance, feature, found.weight};
+    store_chosen_rows(group, touching, manifolds);
+    store_chosen_rows(point, touching, points);
   } else {
     const auto vector = [](const Vec3<Lanes<T>>& v, int i) { return Vec3<T>{v.x[i], v.y[i], v.z[i]}; };
     for (int i = 0; i < lanes_of<T>; ++i) {
