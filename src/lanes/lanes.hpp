@@ -17,19 +17,35 @@
 #error "for kernels, which cmake/GrazeKernels.cmake compiles"
 #endif
 
-#if defined(__AVX512F__)
+#if defined(__x86_64__)
 namespace graze {
 
-/// The lanes of a mask that are set, as bits: for `any` and `all`.
+/// The lanes of a mask that are set, as bits: for `any` and `all`, where one instruction tells them.
 template <class M>
-requires(sizeof(M) == 64 && (M::lanes == 16 || M::lanes == 8)) [[gnu::always_inline]] inline std::uint32_t
-    set_lanes(const M& mask) {
-  const auto bits = reinterpret_cast<__m512i>(mask.bits);
-  if constexpr (M::lanes == 16)
-    return _mm512_movepi32_mask(bits);
+requires(sizeof(M) == 16 && M::lanes >= 2) [[gnu::always_inline]] inline std::uint32_t set_lanes(const M& mask) {
+  if constexpr (M::lanes == 4)
+    return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask.bits)));
   else
-    return _mm512_movepi64_mask(bits);
+    return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask.bits)));
 }
+#if defined(__AVX2__)
+template <class M>
+requires(sizeof(M) == 32 && M::lanes >= 4) [[gnu::always_inline]] inline std::uint32_t set_lanes(const M& mask) {
+  if constexpr (M::lanes == 8)
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask.bits)));
+  else
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask.bits)));
+}
+#endif
+#if defined(__AVX512F__)
+template <class M>
+requires(sizeof(M) == 64 && M::lanes >= 8) [[gnu::always_inline]] inline std::uint32_t set_lanes(const M& mask) {
+  if constexpr (M::lanes == 16)
+    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask.bits));
+  else
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask.bits));
+}
+#endif
 
 }  // namespace graze
 #endif

@@ -24,15 +24,12 @@ class SideRows {
     if (single_)
       for (std::size_t k = 0; k < bundled(std::min(pairs, row_chunk)); ++k) copy(0, k);
   }
-  /// For `count` pairs from the `first`-th on; `place(k)` tells the place of the k-th of these, which `in_order` is
-  /// its own.
-  template <class Place>
-  const C* operator()(std::size_t first, std::size_t count, bool in_order, const Place& place) {
-    if (in_order && !single_ && count == bundled(count)) return own_ + first;
-    if (!single_) {
-      for (std::size_t k = 0; k < count; ++k) copy(place(k), k);
-      for (std::size_t k = count; k < bundled(count); ++k) copy(place(count - 1), k);
-    }
+  /// For some pairs from the `first`-th on, whose places are given unless they are the bodies' own.
+  const C* operator()(std::size_t first, std::size_t count, const std::uint32_t* places) {
+    if (single_) return reinterpret_cast<const C*>(copies_);
+    if (!places) return own_ + first;
+    for (std::size_t k = 0; k < count; ++k) copy(places[k], k);
+    for (std::size_t k = count; k < bundled(count); ++k) copy(places[count - 1], k);
     return reinterpret_cast<const C*>(copies_);
   }
 
@@ -52,13 +49,11 @@ class RowsOf {
       : row_(bodies),
         shapes_(row_.shapes, row_.shape_stride == 0, pairs),
         poses_(row_.poses, row_.pose_stride == 0, pairs) {}
-  template <class Place>
-  const C* shapes(std::size_t first, std::size_t count, bool in_order, const Place& place) {
-    return shapes_(first, count, in_order, place);
+  const C* shapes(std::size_t first, std::size_t count, const std::uint32_t* places) {
+    return shapes_(first, count, places);
   }
-  template <class Place>
-  const Pose<T>* poses(std::size_t first, std::size_t count, bool in_order, const Place& place) {
-    return poses_(first, count, in_order, place);
+  const Pose<T>* poses(std::size_t first, std::size_t count, const std::uint32_t* places) {
+    return poses_(first, count, places);
   }
 
  private:
@@ -73,15 +68,20 @@ template <class A, class B, class T, class Ask>
 void visit_rows(const Batch<T>& batch, bool turned, const Ask& ask) {
   RowsOf<A, T> a(turned ? batch.b() : batch.a(), batch.size());
   RowsOf<B, T> b(turned ? batch.a() : batch.b(), batch.size());
-  const bool in_order = batch.in_order();
+  std::uint32_t places_a[row_chunk], places_b[row_chunk];
   for (std::size_t first = 0, count; first < batch.size(); first += count) {
     count = std::min(row_chunk, batch.size() - first);
-    // Copied are only those that are left over of what lanes take.
-    if (in_order && count >= bundled(1)) count -= count % bundled(1);
-    const auto place_a = [&](std::size_t k) { return turned ? batch[first + k].b : batch[first + k].a; };
-    const auto place_b = [&](std::size_t k) { return turned ? batch[first + k].a : batch[first + k].b; };
-    ask(PairRows<T>{a.shapes(first, count, in_order, place_a), b.shapes(first, count, in_order, place_b),
-                    a.poses(first, count, in_order, place_a), b.poses(first, count, in_order, place_b)},
+    // Of the bodies' own rows only those are copied that are left over of what lanes take.
+    if (batch.in_order() && count >= bundled(1)) count -= count % bundled(1);
+    const bool own = batch.in_order() && count == bundled(count);
+    for (std::size_t k = 0; !own && k < count; ++k) {
+      const IdPair pair = batch[first + k];
+      places_a[k] = turned ? pair.b : pair.a;
+      places_b[k] = turned ? pair.a : pair.b;
+    }
+    const std::uint32_t *const at_a = own ? nullptr : places_a, *const at_b = own ? nullptr : places_b;
+    ask(PairRows<T>{a.shapes(first, count, at_a), b.shapes(first, count, at_b), a.poses(first, count, at_a),
+                    b.poses(first, count, at_b)},
         first, count);
   }
 }
