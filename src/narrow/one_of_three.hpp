@@ -17,6 +17,15 @@ auto either(const M& condition, const Yes& yes, const No& no) {
     return select(condition, yes(), no());
 }
 
+/// 1 where the condition holds, else 0. Of a single pair nobody foresees it, so nothing is jumped for.
+template <class S, class M>
+S one_where(const M& condition) {
+  if constexpr (std::is_integral_v<M>)
+    return static_cast<S>(static_cast<int>(condition));
+  else
+    return select(condition, S(1), S(0));
+}
+
 /// Of lanes.
 template <class S>
 class OneOfThree {
@@ -72,7 +81,7 @@ class OneOfThree<S> {
   using Number = S;
   explicit OneOfThree(S number) : place_(static_cast<std::size_t>(static_cast<int>(number))) {}
   static OneOfThree of(bool first, bool second) {
-    return OneOfThree(first ? std::size_t{0} : second ? std::size_t{1} : std::size_t{2});
+    return OneOfThree(std::size_t{!first} * (std::size_t{2} - std::size_t{second}));  // without a jump
   }
   static OneOfThree longest(const Vec3<S>& v) {
     const Vec3<S> a = abs(v);

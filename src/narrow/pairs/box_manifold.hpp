@@ -63,7 +63,7 @@ inline constexpr BoxFeatures box_features{};
 template <class Axis, class M>
 auto face_part(const Axis& axis, const M& positive) {
   using S = typename Axis::Number;
-  return axis.pick(S(0), S(18), S(36)) + select(positive, S(9), S(0));
+  return axis.pick(S(0), S(18), S(36)) + S(9) * one_where<S>(positive);
 }
 /// Where along an axis of the face: as far out as `rim` either way, or within. Of a number or of several.
 template <class S, class Some>

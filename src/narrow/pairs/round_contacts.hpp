@@ -80,7 +80,7 @@ S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
     using std::abs;
     const S beside = reach - abs(from);
     const auto on_rim = (beside <= zero) | (beside * beside * facing <= near * seen_across);
-    return select(on_rim, select(from > zero, S(2), one), zero);
+    return one_where<S>(on_rim) * (one + one_where<S>(from > zero));
   };
   // The rim across u runs along v.
   return face_part(face, n.z >= zero) + S(3) * at(h.y, p.y, seen_u) + at(h.x, p.x, seen_v);
