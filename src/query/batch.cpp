@@ -83,9 +83,6 @@ void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
   if (route_of_all == Route::sphere_sphere) return overlap_rows<Sphere<T>>(batch, touch.data(), single);
   if (route_of_all == Route::box_box) return overlap_rows<Box<T>>(batch, touch.data(), single);
   const Isa level = chosen_isa();
-  const auto single = [&](std::size_t i) {
-    touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
-  };
   visit_batch(
       batch, T(0), [](Route route) { return route == Route::sphere_sphere || route == Route::box_box; }, true,
       [&](Route route, bool, const Queue<T>& queue) {

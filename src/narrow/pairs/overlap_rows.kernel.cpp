@@ -19,10 +19,9 @@ template <class A, class T>
       const auto pair = round_pair(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b);
       touching = spheres_overlap(pair.a.point, pair.radius_a, pair.b.point, pair.radius_b).bits & 1;
     } else {
-      const Vec3<S>&half_a = p.a.shapes.core.half, &half_b = p.b.shapes.core.half;
-      const RelativeFrame<S> b_in_a = relative_frame(p.pose_a, p.pose_b);
-      const BoxPair<S> boxes{half_a, half_b, b_in_a.translation, b_in_a.rotation};
-      const auto apart = boxes_apart(boxes, box_noise(boxes, length(half_a), length(half_b)));
+      const BoxRows<S> boxes(Several<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
+                             Several<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
+      const auto apart = boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)));
       const auto irregular = p.regular() < S(1);
       touching = (~(apart.bits | irregular.bits) & 1) | (irregular.bits & 2);
     }
