@@ -95,8 +95,16 @@ double furthest_kept(const Side<T>& a, const Side<T>& b, T margin, double distan
   return greatest(static_cast<double>(margin), distance + rounding * (a.size() + b.size() + std::abs(distance)));
 }
 
-/// The normal of one of the two support faces if it is about as good as the least depth's, else that one. A face of
-/// flat sides, which no vertex stands out before, needs no support query of its own.
+/// Whether a shape's face along a direction is the one found along another: they are the same in its scalar, but for
+/// some roundings, far fewer than those within which a vertex is as high as another.
+template <class T>
+bool same_direction(const Vec3d& one, const Vec3d& other) {
+  return max_abs(one - other) <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
+}
+
+/// The normal of one of the two support faces if it is about as good as the least depth's, else that one. No face is
+/// better than the one whose normal that is, as of two polyhedra it often is. A face of flat sides, which no vertex
+/// stands out before, needs no support query of its own.
 template <class T>
 Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                        const Vec3d& normal, double distance) {
@@ -111,16 +119,12 @@ Vec3d preferred_normal(const Side<T>& a, const PlacedFace& face_a, const Side<T>
     most = along;
     best = candidate;
   };
-  if (const Vec3d n = polygon_normal(face_a); n != Vec3d{}) consider(n, highest(a, face_a, n), b.core_support(-n));
-  if (const Vec3d n = polygon_normal(face_b); n != Vec3d{}) consider(-n, a.core_support(-n), highest(b, face_b, n));
+  const Vec3d of_a = polygon_normal(face_a), of_b = polygon_normal(face_b);
+  if (same_direction<T>(of_a, normal)) return of_a;
+  if (same_direction<T>(of_b, -normal)) return -of_b;
+  if (of_a != Vec3d{}) consider(of_a, highest(a, face_a, of_a), b.core_support(-of_a));
+  if (of_b != Vec3d{}) consider(-of_b, a.core_support(-of_b), highest(b, face_b, of_b));
   return best;
-}
-
-/// Whether a shape's face along a direction is the one found along another: they are the same in its scalar, but for
-/// some roundings, far fewer than those within which a vertex is as high as another.
-template <class T>
-bool same_direction(const Vec3d& one, const Vec3d& other) {
-  return max_abs(one - other) <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
 }
 
 /// The face of a side along `outward` when `known` is its face along a direction nearby: the same where that is the
