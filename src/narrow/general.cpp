@@ -67,13 +67,13 @@ GjkResult search(const Difference& difference, const GjkGoal& goal, Trace* trace
   return gjk(difference, goal, trace);
 }
 template <class T>
-GjkResult search(const HullDifference<T>& difference, const GjkGoal& goal, Trace* trace) {
+GjkResult search(HullDifference<T>& difference, const GjkGoal& goal, Trace* trace) {
   return gjk_spread(difference, goal, trace);
 }
 
 template <class T, class Difference>
-GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Difference& difference, double noise,
-                            double limit, Trace* trace) {
+GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, Difference& difference, double noise, double limit,
+                            Trace* trace) {
   const GjkGoal goal = distance_goals(difference.size(), noise, limit);
   if (trace) trace->method = "gjk";
   const GjkResult g = search(difference, goal, trace);
@@ -102,7 +102,7 @@ template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
                                  double limit) {
   const double noise = noise_of(a, b, b_in_a.translation);
-  if (const auto hulls = as_hulls(a, b, b_in_a)) return iteratively(a, b, *hulls, noise, limit, trace);
+  if (auto hulls = as_hulls(a, b, b_in_a)) return iteratively(a, b, *hulls, noise, limit, trace);
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   // Two boxes' axes and corners cost less than GJK.
@@ -125,13 +125,13 @@ template <class T>
 bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace) {
   const double noise = noise_of(a, b, b_in_a.translation);
   if (trace) trace->method = "gjk";
-  const auto comes_within = [&](const auto& difference) {
+  const auto comes_within = [&](auto&& difference) {
     // What rounding cannot tell from touching touches, here as in the distance.
     const GjkGoal goal{distance_goal * difference.size() + noise, reach + noise, reach + noise};
     const GjkResult g = search(difference, goal, trace);
     return g.end == GjkEnd::touching || g.upper <= reach + noise;
   };
-  if (const auto hulls = as_hulls(a, b, b_in_a)) return comes_within(*hulls);
+  if (auto hulls = as_hulls(a, b, b_in_a)) return comes_within(*hulls);
   const ShapeCore<T> core_a(a), core_b(b);
   return comes_within(Difference<T>(core_a, core_b, b_in_a));
 }

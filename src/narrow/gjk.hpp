@@ -114,11 +114,11 @@ GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const G
   return r;
 }
 
-/// Asks for the point along the unit vector `n`, which joins the simplex. Returns whether it separates them by enough
-/// at once; whoever wants to see the steps sees some.
-template <class Difference>
-bool separates_at_once(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Vec3d& n, Trace* trace) {
-  const SupportPoint& found = r.simplex.add([&] { return difference.support(n); });
+/// The point along the unit vector `n`, which `query` finds, joins the simplex. Returns whether it separates them by
+/// enough at once; whoever wants to see the steps sees some.
+template <class Query>
+bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, const Vec3d& n, Trace* trace) {
+  const SupportPoint& found = r.simplex.add([&] { return query(n); });
   const double separation = dot(found.w, n);
   if (goal.separation < 0 || !(separation > goal.separation) || trace) return false;
   r.end = GjkEnd::apart;
@@ -136,16 +136,18 @@ bool separates_at_once(GjkResult& r, const Difference& difference, const GjkGoal
 template <class Difference>
 GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
   GjkResult r;
-  if (!separates_at_once(r, difference, goal, unit(difference.center_offset()), trace))
+  const auto support = [&](const Vec3d& n) { return difference.support(n); };
+  if (!separates_at_once(r, support, goal, unit(difference.center_offset()), trace))
     gjk_onward(r, difference, goal, trace);
   return r;
 }
 
 /// From four points: that along the way from centre to centre, and three along vectors that lean from it to where that
 /// point lies. They do not wait for each other as steps do, and take the place of about three. For polyhedra, of which
-/// all points are corners.
+/// all points are corners. How far the shapes are apart along these vectors answers a goal that it meets; else it is
+/// forgotten, since the first step that ends the search proves as much along a better one.
 template <class Difference>
-GjkResult gjk_spread(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
   // Unit vectors by their parts along that way, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Of three
   // dozen sets tried the one that left the fewest steps, for random hulls of 32 points.
   constexpr double leans[3][3] = {{0.95782628522115137, 0.28734788556634541, 0},
@@ -154,14 +156,17 @@ GjkResult gjk_spread(const Difference& difference, const GjkGoal& goal, Trace* t
   using std::sqrt;
   GjkResult r;
   const Vec3d forward = unit(difference.center_offset());
-  if (separates_at_once(r, difference, goal, forward, trace)) return r;
+  const auto first_support = [&](const Vec3d& n) { return difference.first_support(n); };
+  const auto support = [&](const Vec3d& n) { return difference.support(n); };
+  if (separates_at_once(r, first_support, goal, forward, trace)) return r;
+  difference.place();
   Vec3d u, v;
   tangents_at(forward, u, v);
   const double x = dot(r.simplex.w(0), u), y = dot(r.simplex.w(0), v), beside = sqrt(x * x + y * y);
   const double c = beside > 0 ? x / beside : 1, s = beside > 0 ? y / beside : 0;
   for (const auto& [ahead, toward, across] : leans) {
     const Vec3d n = forward * ahead + u * (c * toward - s * across) + v * (s * toward + c * across);
-    if (separates_at_once(r, difference, goal, n, trace)) return r;
+    if (separates_at_once(r, support, goal, n, trace)) return r;
     const Vec3d& found = r.simplex.points.back().w;
     if (trace) trace_step(r.simplex, n, dot(found, n), length(found), *trace);
     if (r.simplex.repeats()) r.simplex.points.pop_back();

@@ -17,10 +17,23 @@ struct HullPair {
   Vec3d translation;
 };
 
+/// B's vertices in A's frame: queries that read them turn neither a direction nor a point, of which they would wait for
+/// one after the other.
+struct PlacedVertices {
+  static constexpr std::size_t room = 2 * VertexBlock::size;
+  alignas(64) double x[room], y[room], z[room];
+  VertexBlock turned[2];  ///< without the translation, rounded
+};
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The point of the difference that lies least far along a direction.
-    template <class T> void hull_support(const HullPair<T>& hulls, const Vec3d& direction, SupportPoint& point);)
+    template <class T> void hull_support(const HullPair<T>& hulls, const Vec3d& direction, SupportPoint& point);
+    /// Costs as much as two or three queries.
+    template <class T> void place_vertices(const HullPair<T>& hulls, PlacedVertices& placed);
+    /// As `hull_support`, to the last bit.
+    template <class T> void placed_support(const HullPair<T>& hulls, const PlacedVertices& placed,
+                                           const Vec3d& direction, SupportPoint& point);)
 // clang-format on
 
 template <class T>
@@ -29,13 +42,24 @@ class HullDifference {
   /// Both hulls have blocks.
   HullDifference(const HullData<T>& a, const HullData<T>& b, const Posed& b_in_a)
       : hulls_{scanned(a), scanned(b), rotation_matrix(b_in_a.rotation), b_in_a.translation},
-        support_(kernel()),
         size_(static_cast<double>(greatest(a.extent, b.extent))),
         reach_(size_ + max_abs(b_in_a.translation)) {}
 
+  /// For the one question that most often tells that two hulls are apart.
+  SupportPoint first_support(const Vec3d& direction) const {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_support<T>);
+    SupportPoint point;
+    kernel(hulls_, direction, point);
+    return point;
+  }
+  /// Before all other questions.
+  void place() {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), place_vertices<T>);
+    kernel(hulls_, placed_);
+  }
   SupportPoint support(const Vec3d& direction) const {
     SupportPoint point;
-    support_(hulls_, direction, point);
+    support_(hulls_, placed_, direction, point);
     return point;
   }
   const Vec3d& center_offset() const { return hulls_.translation; }
@@ -43,15 +67,16 @@ class HullDifference {
   double reach() const { return reach_; }
 
  private:
-  using Support = void (*)(const HullPair<T>&, const Vec3d&, SupportPoint&);
+  using Support = void (*)(const HullPair<T>&, const PlacedVertices&, const Vec3d&, SupportPoint&);
   static Support kernel() {
-    static const Support chosen = GRAZE_KERNEL(chosen_isa(), hull_support<T>);
+    static const Support chosen = GRAZE_KERNEL(chosen_isa(), placed_support<T>);
     return chosen;
   }
 
   HullPair<T> hulls_;
-  Support support_;
+  Support support_ = kernel();
   double size_, reach_;
+  PlacedVertices placed_;
 };
 
 }  // namespace graze

@@ -114,21 +114,31 @@ template <class T, class S>
   return best;
 }
 
+[[gnu::always_inline]] inline bool several(std::uint32_t bits) { return (bits & (bits - 1)) != 0; }
+[[gnu::always_inline]] inline std::uint32_t first_of(std::uint32_t bits) {
+  return static_cast<std::uint32_t>(__builtin_ctz(bits));
+}
+
 template <std::size_t Blocks, class T, class S>
-[[gnu::always_inline]] inline std::uint32_t scan_blocks(const ScannedHull<T>& hull, const Vec3<S>& direction) {
+[[gnu::always_inline]] inline std::uint32_t highest_of(const ScannedHull<T>& hull, const Vec3<S>& direction) {
   const Vec3<float> d = cast<float>(direction);
   const Places<Blocks> places(hull.blocks, d);
   const float slack = scan_slack * hull.extent * max_abs(d) + scan_floor;
   // What is not known to be lower may be the one: also where overflow has left no number.
-  const std::uint32_t candidates = places.not_less(places.most() - slack) & all_vertices(hull);
-  if ((candidates & (candidates - 1)) == 0) [[likely]]
-    return static_cast<std::uint32_t>(__builtin_ctz(candidates));
-  return furthest_among(hull, candidates, direction);
+  return places.not_less(places.most() - slack) & all_vertices(hull);
+}
+/// The bits of the vertices of which rounding does not tell which lies furthest along a direction; most often one.
+template <class T, class S>
+[[gnu::always_inline]] inline std::uint32_t highest(const ScannedHull<T>& hull, const Vec3<S>& direction) {
+  return hull.count > VertexBlock::size ? highest_of<2>(hull, direction) : highest_of<1>(hull, direction);
 }
 
 template <class T, class S>
 [[gnu::always_inline]] inline std::uint32_t scan(const ScannedHull<T>& hull, const Vec3<S>& direction) {
-  return hull.count > VertexBlock::size ? scan_blocks<2>(hull, direction) : scan_blocks<1>(hull, direction);
+  const std::uint32_t candidates = highest(hull, direction);
+  if (!several(candidates)) [[likely]]
+    return first_of(candidates);
+  return furthest_among(hull, candidates, direction);
 }
 
 }  // namespace graze::GRAZE_ISA

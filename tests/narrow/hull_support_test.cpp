@@ -53,6 +53,11 @@ TYPED_TEST(HullDifferences, AreThoseOfTheirCores) {
         EXPECT_EQ(found.a, expected.a);
         EXPECT_EQ(found.b, expected.b);
         EXPECT_EQ(found.w, expected.w);
+        PlacedVertices placed;
+        GRAZE_KERNEL(level, place_vertices<T>)(pair, placed);
+        GRAZE_KERNEL(level, placed_support<T>)(pair, placed, direction, found);
+        EXPECT_EQ(found.a, expected.a);
+        EXPECT_EQ(found.b, expected.b);
       }
     }
   }
@@ -65,7 +70,7 @@ TYPED_TEST(HullDifferences, AreAsFarFromFourPointsAsFromOne) {
   for (int i = 0; i < 500; ++i) {
     const TwoHulls<T> two(random);
     if (!two.scanned()) continue;
-    const HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
+    HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
     const GjkGoal goal{1e-13 * difference.size()};
     const GjkResult one = gjk(two.cores, goal), four = gjk_spread(difference, goal);
     EXPECT_EQ(one.end == GjkEnd::touching, four.end == GjkEnd::touching);
