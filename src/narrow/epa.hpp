@@ -7,6 +7,7 @@
 // `upper` is good and only its proof is missing.
 #pragma once
 
+#include "narrow/epa_result.hpp"
 #include "narrow/gjk.hpp"
 #include "narrow/polytope.hpp"
 
@@ -16,12 +17,6 @@ inline constexpr int epa_expansions = 240;
 /// Bounds of the final slide; its clearance is far above rounding, and small so that few steps are needed.
 inline constexpr int slide_steps = 256;
 inline constexpr double slide_stretch = 65536, slide_clearance = 1.0 / 64;
-
-struct EpaResult {
-  Vec3d normal;         ///< unit, from A to B
-  Vec3d a, b;           ///< the deepest points: b - a = -upper * normal up to the tolerance
-  double lower, upper;  ///< bounds of the depth; about zero where the cores merely touch
-};
 
 /// A difference whose B is moved aside.
 template <class Difference>

@@ -3,7 +3,7 @@
 #include "narrow/direct_depth.hpp"
 #include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
-#include "narrow/hull_support.hpp"
+#include "narrow/hull_depth.hpp"
 #include "narrow/pairs/box_distance.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "shape/expect_faces.hpp"
@@ -71,6 +71,23 @@ GjkResult search(HullDifference<T>& difference, const GjkGoal& goal, Trace* trac
   return gjk_spread(difference, goal, trace);
 }
 
+template <class Difference>
+EpaResult depth_of(const Difference& difference, const Simplex& start, double goal, Trace* trace) {
+  return epa(difference, start, goal, trace);
+}
+/// On lanes, unless the general EPA has to.
+template <class T>
+EpaResult depth_of(const HullDifference<T>& difference, const Simplex& start, double goal, Trace* trace) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_depth<T>);
+  const double noise = rounding * difference.reach();
+  EpaResult found;
+  const bool proven =
+      start.size() == 4 && kernel(difference.hulls(), difference.placed(), start.points.data(), noise, goal, found);
+  if (proven && !trace) return found;
+  const EpaResult stepped = epa(difference, start, goal, trace);  // or the picture
+  return proven ? found : stepped;
+}
+
 template <class T, class Difference>
 GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, Difference& difference, double noise, double limit,
                             Trace* trace) {
@@ -92,7 +109,7 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, Difference& di
     expect_faces(a);
     expect_faces(b);
   }
-  const EpaResult e = epa(difference, g.simplex, depth_goal * difference.size() + noise, trace);
+  const EpaResult e = depth_of(difference, g.simplex, depth_goal * difference.size() + noise, trace);
   return judged(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
 }
 

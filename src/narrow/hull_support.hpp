@@ -62,6 +62,8 @@ class HullDifference {
     support_(hulls_, placed_, direction, point);
     return point;
   }
+  const HullPair<T>& hulls() const { return hulls_; }
+  const PlacedVertices& placed() const { return placed_; }
   const Vec3d& center_offset() const { return hulls_.translation; }
   double size() const { return size_; }
   double reach() const { return reach_; }

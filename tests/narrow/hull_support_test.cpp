@@ -1,11 +1,13 @@
 // Two small hulls by the kernel that scans both: what any two cores give, at every level of the instruction set; and
-// GJK from four points against GJK from one.
+// GJK from four points against GJK from one; and their depth on lanes against that of the general EPA.
 #include "narrow/hull_support.hpp"
 
 #include <gtest/gtest.h>
 
 #include "common/specimen.hpp"
+#include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
+#include "narrow/hull_depth.hpp"
 
 namespace graze::testing {
 namespace {
@@ -88,6 +90,45 @@ TYPED_TEST(HullDifferences, AreAsFarFromFourPointsAsFromOne) {
   }
   EXPECT_GT(touching, 20);
   EXPECT_GT(apart, 20);
+}
+
+TYPED_TEST(HullDifferences, AreAsDeepOnLanesAsByOneFacetAfterTheOther) {
+  using T = TypeParam;
+  Random random(3);
+  int enclosed = 0, proven = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const TwoHulls<T> two(random);
+    if (!two.scanned()) continue;
+    HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
+    const double tolerance = 1e-11 * difference.size(), noise = rounding * difference.reach();
+    const GjkResult g = gjk_spread(difference, {tolerance});
+    if (g.end != GjkEnd::touching || g.simplex.size() < 4) continue;
+    const EpaResult expected = epa(difference, g.simplex, tolerance);
+    std::vector<EpaResult> at_levels;
+    for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+      EpaResult found;
+      if (!isa_available(level)) continue;
+      if (GRAZE_KERNEL(level, hull_depth<T>)(difference.hulls(), difference.placed(), g.simplex.points.data(), noise,
+                                             tolerance, found))
+        at_levels.push_back(found);
+    }
+    ++enclosed;
+    if (at_levels.empty()) continue;
+    ++proven;
+    for (const EpaResult& found : at_levels) {
+      EXPECT_EQ(found.upper, at_levels[0].upper);
+      EXPECT_EQ(found.lower, at_levels[0].lower);
+      EXPECT_EQ(found.normal, at_levels[0].normal);
+      EXPECT_EQ(found.a, at_levels[0].a);
+      EXPECT_EQ(found.b, at_levels[0].b);
+      EXPECT_NEAR(found.upper, expected.upper, 2 * tolerance);
+      EXPECT_LE(found.upper - found.lower, tolerance);
+      EXPECT_NEAR(dot(two.cores.support(found.normal).w, found.normal), -found.upper, tolerance);
+      EXPECT_LE(length(found.b - found.a + found.normal * found.upper), 100 * tolerance);
+    }
+  }
+  EXPECT_GT(enclosed, 50);
+  EXPECT_GE(proven, enclosed * 9 / 10);
 }
 
 }  // namespace

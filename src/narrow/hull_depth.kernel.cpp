@@ -1,0 +1,53 @@
+#include "narrow/hull_depth.hpp"
+
+#include <limits>
+
+#include "narrow/hull_scan.hpp"
+#include "narrow/lane_polytope.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+/// Of hulls so small or large that the squares of their facets' areas might not be numbers the general EPA tells.
+constexpr double least_noise = 1e-40, most_noise = 1e40;
+
+}  // namespace
+
+template <class T>
+[[gnu::flatten]] bool hull_depth(const HullPair<T>& hulls, const PlacedVertices& placed,
+                                 const SupportPoint* tetrahedron, double noise, double tolerance, EpaResult& r) {
+  if (!(noise > least_noise && noise < most_noise)) return false;
+  LanePolytope polytope(noise);
+  polytope.begin(tetrahedron);
+  r.upper = std::numeric_limits<double>::infinity();
+  std::size_t deepest = 0;
+  while (polytope.has_room()) {
+    const std::size_t facet = polytope.nearest_open();
+    r.lower = polytope.open(facet);
+    if (r.lower == std::numeric_limits<double>::infinity()) return false;
+    if (r.upper - r.lower <= tolerance) {
+      const Vec3d outward = polytope.normal(deepest);
+      r.lower = least(r.lower, r.upper);
+      r.normal = -outward;
+      return polytope.witness(outward, deepest, r.a, r.b);
+    }
+    const Vec3d normal = polytope.normal(facet);
+    const SupportPoint& found = polytope.next_point() = support_of(hulls, placed, -normal);
+    const double depth = dot(found.w, normal);
+    deepest = depth < r.upper ? facet : deepest;
+    r.upper = least(r.upper, depth);
+    if (depth - polytope.offset(facet) <= noise)
+      polytope.close(facet);  // a facet of the difference itself
+    else if (!polytope.expand())
+      return false;
+  }
+  return false;
+}
+
+template bool hull_depth(const HullPair<float>&, const PlacedVertices&, const SupportPoint*, double, double,
+                         EpaResult&);
+template bool hull_depth(const HullPair<double>&, const PlacedVertices&, const SupportPoint*, double, double,
+                         EpaResult&);
+
+}  // namespace graze::GRAZE_ISA
