@@ -22,7 +22,7 @@ inline constexpr int newton_steps = 8;
 template <class T>
 class Side {
  public:
-  Side(const Shape<T>& shape, const Posed& pose) : shape_(shape), pose_(pose) {
+  Side(const Shape<T>& shape, const Posed& pose) : shape_(shape), pose_(pose), turn_(rotation_matrix(pose.rotation)) {
     shape.visit([&](const auto& c) {
       radius_ = static_cast<double>(rounding_radius(c, shape.margin()));
       size_ = static_cast<double>(c.core_extent()) + radius_;
@@ -40,13 +40,13 @@ class Side {
   bool round_side() const { return shape_.template as<Cylinder<T>>() != nullptr; }
 
   Vec3d core_support(const Vec3d& direction) const {
-    return transform(pose_, ShapeCore<T>(shape_).core_support(rotate(conjugate(pose_.rotation), direction)));
+    return placed(ShapeCore<T>(shape_).core_support(transposed_times(turn_, direction)));
   }
   /// The support face, leaning little from the direction; with `sides`, of a shape with flat sides the one that leans
   /// least.
   PlacedFace face(const Vec3d& direction, bool sides = false) const {
     Face<T> face;
-    const Vec3<T> local = cast<T>(rotate(conjugate(pose_.rotation), direction));
+    const Vec3<T> local = cast<T>(transposed_times(turn_, direction));
     shape_.visit([&](const auto& c) {
       using C = std::decay_t<decltype(c)>;
       if constexpr (requires { c.core_face(local, face, T()); })
@@ -54,11 +54,11 @@ class Side {
       else if constexpr (BoundedConvex<C>)
         c.core_face(local, face);
     });
-    PlacedFace placed;
-    placed.id = face.id;
-    for (const Vec3<T>& v : face.vertices) placed.vertices.push_back(transform(pose_, cast<double>(v)));
-    for (const std::uint32_t id : face.ids) placed.ids.push_back(id);
-    return placed;
+    PlacedFace there;
+    there.id = face.id;
+    for (const Vec3<T>& v : face.vertices) there.vertices.push_back(placed(cast<double>(v)));
+    for (const std::uint32_t id : face.ids) there.ids.push_back(id);
+    return there;
   }
   /// How far beyond a place on the face the surface lies, along the unit vector `outward`; nothing where it passes by.
   std::optional<double> rise(const RoundedFace& face, const Vec3d& from, const Vec3d& outward) const {
@@ -68,12 +68,14 @@ class Side {
   }
 
  private:
+  Vec3d placed(const Vec3d& point) const { return turn_ * point + pose_.translation; }
+
   /// Newton's method on the distance to the core, which is convex along the line. A face of a curved core is a polygon
   /// inscribed in the rim, or one line of the side, and the surface bulges out between their balls; of a hull, another
   /// face may stand out beyond a sharp corner.
   double around_core(const Vec3d& from, const Vec3d& outward, double rise) const {
     const Shape<T> point = Sphere<T>(T(0));
-    const Vec3d local = inverse_transform(pose_, from), direction = rotate(conjugate(pose_.rotation), outward);
+    const Vec3d local = transposed_times(turn_, from - pose_.translation), direction = transposed_times(turn_, outward);
     for (int i = 0; i < newton_steps; ++i) {
       const auto core = general_distance(shape_, point, Posed{local + direction * rise, {}}, nullptr).core;
       const double short_of = radius_ - core.distance, slope = dot(core.normal, direction);
@@ -85,6 +87,7 @@ class Side {
 
   const Shape<T>& shape_;
   Posed pose_;
+  Mat3d turn_;
   double radius_ = 0, size_ = 0;
   bool flat_sided_ = false;
   bool whole_ = false;  ///< nothing of the rounded core stands out over the edges of its rounded face

@@ -43,9 +43,10 @@ bool on_surfaces(const FaceContact& c, const Side<T>& a, const RoundedFace& face
   const Vec3d across = c.b - c.a - normal * apart;
   on_a = c.a;
   Vec3d from_b = c.b;
-  const double beside = length(across), smaller = smaller_size(a, b);
-  if (beside > on_surface * smaller) {
-    if (!(radii > 0) && !((a.round_side() || b.round_side()) && beside <= on_side * smaller)) return false;
+  const double beside = length_squared(across), smaller = smaller_size(a, b);
+  const auto beside_by_more = [&](double share) { return beside > share * smaller * (share * smaller); };
+  if (beside_by_more(on_surface)) {
+    if (!(radii > 0) && !((a.round_side() || b.round_side()) && !beside_by_more(on_side))) return false;
     const double share = radii > 0 ? a.radius() / radii : a.round_side() ? 1 : 0;
     on_a += across * share;
     from_b -= across * (1 - share);
@@ -75,6 +76,8 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
   lay_over(face_a, face_b, normal, faces);
   const RoundedFace rounded_a(face_a, normal, a.radius()), rounded_b(face_b, -normal, b.radius());
   const T together = tolerance<T> * static_cast<T>(smaller_size(a, b));
+  const Mat3d turn = rotation_matrix(frame.rotation);
+  const auto in_world = [&](const Vec3d& p) { return cast<T>(turn * p + frame.translation); };
   double nearest = std::numeric_limits<double>::infinity();
   for (const FaceContact& c : faces) {
     Vec3d on_a, on_b;
@@ -82,10 +85,9 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
     const double apart = dot(on_b - on_a, normal);
     nearest = std::min(nearest, apart);
     if (apart > limit) continue;
-    add_point<T>({cast<T>(transform(frame, on_a)), cast<T>(transform(frame, on_b)), static_cast<T>(apart), c.feature},
-                 together, manifold);
+    add_point<T>({in_world(on_a), in_world(on_b), static_cast<T>(apart), c.feature}, together, manifold);
   }
-  manifold.normal = cast<T>(rotate(frame.rotation, normal));
+  manifold.normal = cast<T>(turn * normal);
   return nearest;
 }
 
@@ -151,7 +153,7 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
                       const Distance<T>& d, Manifold<T>& manifold) {
   const Posed frame = in_double(pose_a);
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
-  const Vec3d closest_normal = normalized(rotate(conjugate(frame.rotation), cast<double>(d.normal)));
+  const Vec3d closest_normal = unit(rotate(conjugate(frame.rotation), cast<double>(d.normal)));
   const double distance = static_cast<double>(d.distance);
   const PlacedFace closest_a = side_a.face(closest_normal, true), closest_b = side_b.face(-closest_normal, true);
   if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
