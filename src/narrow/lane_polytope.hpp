@@ -119,7 +119,7 @@ class LanePolytope {
 void LanePolytope::begin(const SupportPoint* t) {
   const Vec3d& p = t[0].w;
   const bool turned = dot(t[3].w - p, cross(t[1].w - p, t[2].w - p)) > 0;  // so that 0, 1, 2 is counter-clockwise
-  for (const std::size_t i : {0, turned ? 2 : 1, turned ? 1 : 2, 3}) {
+  for (const unsigned i : {0u, turned ? 2u : 1u, turned ? 1u : 2u, 3u}) {
     point_[count_] = by_parts(t[i]);
     take_point();
   }
