@@ -176,13 +176,14 @@ std::size_t LanePolytope::nearest_open() const {
   for (std::size_t i = lanes; i < count; i += lanes) all_least = least(all_least, Doubles::load(open_ + i));
   const Doubles nearest(least_lane(all_least));
   // Where it stands is looked for in a whole word's facets: no processor foresees in which of them.
-  for (std::size_t first = 0;; first += word) {
+  for (std::size_t first = 0; first < count; first += word) {
     std::uint64_t bits = 0;
     for (std::size_t i = first; i < count && i < first + word; i += lanes)
       bits |= static_cast<std::uint64_t>(Chosen<double>::at_most(Doubles::load(open_ + i), nearest).bits())
               << (i - first);
     if (bits != 0) return first + static_cast<std::size_t>(__builtin_ctzll(bits));
   }
+  return 0;
 }
 
 /// Notes which facets see a point, and drops them.
