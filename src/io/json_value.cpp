@@ -73,6 +73,9 @@ class Scan {
 }  // namespace
 
 Json parse_json(std::string_view text) {
+  // The parser would take it for the end of the text, whatever follows.
+  if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+    throw InvalidValue("", "one JSON object", "a zero byte behind " + std::to_string(zero) + " others");
   const Scan scan(text);
   const std::string_view checked = scan.result();
   try {

@@ -227,6 +227,14 @@ TEST(Protocol, AnEndlessIntervalOfATraceSaysSo) {
   EXPECT_EQ(answer["trace"]["axes"][0]["b"], Json::parse(R"([0.0, "infinity"])"));
 }
 
+TEST(Protocol, AZeroByteIsAnErrorWhateverFollowsIt) {
+  using namespace std::string_literals;
+  EXPECT_EQ(error("{\"id\": 1}\0query: \"\0 e\"\0}"s), "expected one JSON object, got a zero byte behind 9 others");
+  EXPECT_EQ(error("{\"id\": 1}\0"s), "expected one JSON object, got a zero byte behind 9 others");
+  EXPECT_EQ(error("\0"s), "expected one JSON object, got a zero byte behind 0 others");
+  EXPECT_EQ(error("{\"id\": \"\0\"}"s), "expected one JSON object, got a zero byte behind 8 others");
+}
+
 TEST(Protocol, DeepNestingIsAnErrorAndNotACrash) {
   EXPECT_EQ(error(std::string(1000000, '[')), "expected JSON nested at most 2000 deep, got deeper nesting");
   std::string shape = R"({"type": "sphere"})";
