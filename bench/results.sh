@@ -41,6 +41,7 @@ if [[ $quick == yes ]]; then
   broad=(--frames 5 --largest 10000)
   uneven=(--frames 5 --largest 1000)
   rays=(--rays 20000)
+  single_rays=(--rays 20000 --rounds 5)
   casts=(--pairs 500 --largest 10000)
   compare=(--quick)
 else
@@ -52,12 +53,13 @@ else
   broad=(--frames 9 --largest 100000)
   uneven=(--frames 9 --largest 10000)
   rays=()
+  single_rays=()
   casts=()
   compare=()
 fi
 [[ -z $poses ]] || pile+=(--poses "$poses")
 
-steps=9
+steps=10
 step=0
 # run NAME PROGRAM OPTIONS...: its output to $work/NAME.md
 run() {
@@ -77,6 +79,7 @@ run world world "${world[@]}"
 run broad broad "${broad[@]}" --scene 'coherent|tenth|teleport|spread|clustered'
 run uneven broad "${uneven[@]}" --scene uneven
 run rays rays "${rays[@]}"
+run ray_shapes ray_shapes "${single_rays[@]}"
 run casts casts "${casts[@]}"
 run compare compare "${compare[@]}" --brief
 run example example --pairs 1000 --repetitions 3 --only 'box-box overlap' --libraries 'bounds|graze'
@@ -138,6 +141,14 @@ TEXT
 
 `ratio` and `differ` are against Embree's robust mode: what its rate is of that one's, and how many first hits are
 elsewhere. Graze is watertight as that one is, and computes in double.
+
+## Rays at single shapes
+
+Rays that come from all sides at one turned shape: nanoseconds a ray, one at a time and all of them in a batch.
+
+TEXT
+  cat "$work/ray_shapes.md"
+  cat <<'TEXT'
 
 ## Casts
 
