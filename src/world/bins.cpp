@@ -1,6 +1,7 @@
 #include "graze/world/bins.hpp"
 
 #include <array>
+#include <utility>
 
 namespace graze {
 
@@ -17,21 +18,29 @@ void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, 
 
   const std::uint8_t* const type = out.types.data();
   const auto bin = [&](const IdPair& p) { return type[p.a] * types + type[p.b]; };
-  // In two arrays by turns: a pair of the same bin as the last one need not wait for that one's count.
-  std::array<std::uint32_t, types * types> next{}, odd{};
-  for (std::size_t i = 0; i < pairs.size(); ++i) ++(i % 2 == 0 ? next : odd)[bin(pairs[i])];
+  // Several parts of the pairs by turns, each with counts of its own: a pair of the same bin as the last one need not
+  // wait for that one's count.
+  constexpr std::size_t parts = 4;
+  std::array<std::array<std::uint32_t, types * types>, parts> next{};
+  const std::size_t length = pairs.size() / parts;
+  const auto each = [&](const auto& f) {
+    for (std::size_t i = 0; i < length; ++i)
+      for (std::size_t part = 0; part < parts; ++part) f(part, part * length + i);
+    for (std::size_t i = parts * length; i < pairs.size(); ++i) f(parts - 1, i);
+  };
+  each([&](std::size_t part, std::size_t i) { ++next[part][bin(pairs[i])]; });
   out.bins.clear();
   std::uint32_t sum = 0;
-  for (std::size_t b = 0; b < next.size(); ++b) {
+  for (std::size_t b = 0; b < types * types; ++b) {
     const std::uint32_t first = sum;
-    sum += next[b] + odd[b];
-    next[b] = first;
+    for (auto& of_part : next) sum += std::exchange(of_part[b], sum);
     if (sum > first)
       out.bins.push_back({static_cast<std::uint8_t>(b / types), static_cast<std::uint8_t>(b % types), first, sum});
   }
 
   out.order.resize(pairs.size());
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) out.order[next[bin(pairs[i])]++] = i;
+  each(
+      [&](std::size_t part, std::size_t i) { out.order[next[part][bin(pairs[i])]++] = static_cast<std::uint32_t>(i); });
 }
 
 template void bin_pairs(std::span<const IdPair>, std::span<const Shape<float>>, Bins&);

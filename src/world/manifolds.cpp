@@ -101,8 +101,7 @@ bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
   begin_blocks(alone ? 1 : tasks, alone);
   for_each_chunk(alone ? serial : executor, pairs_.size(), pairs_per_task,
                  [&](std::size_t begin, std::size_t end, std::size_t task) {
-                   find_some(bodies, std::span(bins_.order).subspan(begin, end - begin),
-                             alone ? 0 : static_cast<std::uint32_t>(task));
+                   find_some(bodies, begin, end, alone ? 0 : static_cast<std::uint32_t>(task));
                  });
   gather(alone ? 1 : tasks, alone, executor);
   return true;
@@ -130,14 +129,30 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one;
-/// so are those whose contacts what stands beside may change. Pairs of the same kinds follow each other.
+/// The pairs in the places `begin` to `end` of the bins' order, kind by kind.
 template <class T>
-void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
+void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::size_t begin, std::size_t end,
                                   std::uint32_t block) {
   static constexpr Routes<T> routes;
   Waiting<T> waiting;
+  const auto ends_before = [](std::size_t place, const Bin& bin) { return place < bin.end; };
+  auto bin = std::upper_bound(bins_.bins.begin(), bins_.bins.end(), begin, ends_before);
+  for (; bin != bins_.bins.end() && bin->begin < end; ++bin) {
+    const std::uint8_t queue = routes(bin->type_a, bin->type_b);
+    waiting.route = route_of(queue);
+    waiting.turned = is_turned(queue);
+    const std::size_t first = std::max<std::size_t>(begin, bin->begin), last = std::min<std::size_t>(end, bin->end);
+    find_of_a_kind(bodies, std::span(bins_.order).subspan(first, last - first), waiting, block);
+  }
+}
+
+/// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one;
+/// so are those whose contacts what stands beside may change.
+template <class T>
+void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
+                                       Waiting<T>& waiting, std::uint32_t block) {
   Run kept;
+  const bool together = waiting.route != Route::none;
   const Pose<T>* const poses = bodies.poses().data();
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (k + ahead < places.size()) fetch(bodies, pairs_[places[k + ahead]].b);
@@ -150,29 +165,19 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::span<const s
       keep_last(place, kept, block);
       continue;
     }
-    const std::uint8_t queue = routes(bins_.types[pair.a], bins_.types[pair.b]);
-    const Route route = route_of(queue);
-    const bool turned = is_turned(queue);
-    if (route == Route::none || !a.concrete || !b.concrete || (either & trigger) != 0) {
+    if (!together || !a.concrete || !b.concrete || (either & trigger) != 0) {
       copy_last(kept, block);
       find_one(bodies, place, block);
       continue;
     }
-    if (route != waiting.route || turned != waiting.turned) {
-      copy_last(kept, block);
-      find_together(bodies, waiting, block);
-      waiting.route = route;
-      waiting.turned = turned;
-    }
     const T margin = least(a.margin, b.margin);
     waiting.places[waiting.count] = place;
-    waiting.pairs[waiting.count++] = turned
+    waiting.pairs[waiting.count++] = waiting.turned
                                          ? PairRef<T>{b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}
                                          : PairRef<T>{a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin};
   }
   copy_last(kept, block);
   find_together(bodies, waiting, block);
-  for (const std::uint32_t place : places) found_[block].contacts += results_[place].touches();
 }
 
 /// Fetches what a pair asks of a body. Pairs are sorted by the first of their two, so the second is the one that may
@@ -184,10 +189,12 @@ void ManifoldFinder<T>::fetch(const BodyArrays<T>& bodies, std::uint32_t i) cons
   __builtin_prefetch(bodies.shapes().data() + i);
 }
 
-/// Where what is found of a pair from now on stands.
+/// Of a pair that touches: where what is found of it from now on stands.
 template <class T>
 typename ManifoldFinder<T>::Result& ManifoldFinder<T>::begin(std::uint32_t place, std::uint32_t block) {
-  return results_[place] = {block, static_cast<std::uint32_t>(found_[block].manifolds.size()), 0, 0};
+  Found& found = found_[block];
+  ++found.contacts;
+  return results_[place] = {block, static_cast<std::uint32_t>(found.manifolds.size()), 0, 0};
 }
 
 template <class T>
@@ -302,13 +309,14 @@ template <class T>
 void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block) {
   const IdPair pair = pairs_[place];
   Found& found = found_[block];
-  Result& result = begin(place, block);
   const std::size_t first_point = found.points.size();
   found.composite.clear();
   const T distance = any_contacts<T>(bodies.shapes()[pair.a], bodies.poses()[pair.a], bodies.shapes()[pair.b],
                                      bodies.poses()[pair.b], margin_of(pair), found.composite, nullptr, beside(pair));
-  result.overlap = distance <= T(0);
-  if (!result.overlap && found.composite.empty()) return keep_apart(place);
+  const bool overlap = distance <= T(0);
+  if (!overlap && found.composite.empty()) return keep_apart(place);
+  Result& result = begin(place, block);
+  result.overlap = overlap;
   for (const Manifold<T>& m : found.composite) {
     found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
                                static_cast<std::uint32_t>(m.points.size())});
@@ -326,6 +334,7 @@ void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t b
     results_[place] = {};
     return;
   }
+  ++found_[block].contacts;
   const ContactPair<T>& last = last_.pairs[contact];
   if (last.manifold_count != 0) {
     if (last.first_manifold != run.end) {

@@ -117,7 +117,9 @@ class ManifoldFinder {
   bool ground_pairs_differ() const;
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
   Surroundings<T> beside(const IdPair& pair) const;
-  void find_some(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, std::uint32_t block);
+  void find_some(const BodyArrays<T>& bodies, std::size_t begin, std::size_t end, std::uint32_t block);
+  void find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, Waiting<T>& waiting,
+                      std::uint32_t block);
   void find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, std::uint32_t block);
   void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
   void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
