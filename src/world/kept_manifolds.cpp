@@ -153,8 +153,9 @@ void ManifoldFinder<T>::gather_pairs() {
     const Result& r = results_[i];
     now_.pairs[place] = {pairs_[i].a, pairs_[i].b, r.overlap != 0, found_[r.block].first_manifold + r.first_manifold,
                          r.manifold_count};
-    contact_[i] = r.touches() ? place : apart;
-    place += r.touches();
+    const std::uint32_t touches = r.touches();
+    contact_[i] = apart ^ ((apart ^ place) & (0 - touches));  // the place or `apart`, without a jump
+    place += touches;
   }
 }
 
