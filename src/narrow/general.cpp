@@ -96,7 +96,7 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, Difference& di
   const GjkResult g = search(difference, goal, trace);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
-  if (g.end != GjkEnd::touching && g.lower > 0) {
+  if (g.end != GjkEnd::touching && g.tells_normal()) {
     if (trace) trace->reason = "the cores are apart: the nearest point of their difference is not the origin";
     return judged(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()), g.upper - g.lower,
                   noise);

@@ -29,6 +29,10 @@ struct GjkResult {
   Vec3d nearest;    ///< of the difference, to the origin: b - a of the closest points
   Vec3d normal;     ///< unit: the direction of `nearest`, or an earlier one along which the shapes are further apart
   double lower = 0, upper = 0;
+
+  /// Whether the shapes are known to be about as far apart along `normal` as they are: of two that are as good as
+  /// touching, the way from point to point may be any.
+  bool tells_normal() const { return lower > upper / 2; }
 };
 
 /// What a caller wants to know, and so when GJK may stop.
@@ -79,8 +83,8 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
     r.lower = greatest(r.lower, separation);
     if (trace) trace_step(r.simplex, direction, r.lower, r.upper, *trace);
     if (goal.separation >= 0 && r.lower > goal.separation) return ended(GjkEnd::apart);
-    // Within the tolerance and known to be apart, or within rounding of it.
-    if (r.upper - r.lower <= goal.tolerance && (r.lower > 0 || r.upper - separation <= touching))
+    // Within the tolerance and known to be apart along a normal that tells how far, or within rounding of it.
+    if (r.upper - r.lower <= goal.tolerance && (r.tells_normal() || r.upper - separation <= touching))
       return ended(GjkEnd::apart);
     if (r.simplex.repeats()) return ended(GjkEnd::stalled);
 

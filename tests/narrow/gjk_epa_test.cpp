@@ -131,6 +131,24 @@ TEST(Trace, AskingForItChangesNoBit) {
 }
 
 // A support function that breaks its promise costs a bounded number of calls and gives finite numbers.
+// The rim of a cylinder on the rim of a cone: the search may end at points some rounding apart, along any way.
+TEST(Gjk, ATouchHasANormalAlongWhichTheShapesTouch) {
+  const Shaped cylinder = Cylinder<double>(0.5, 1), cone = Cylinder<double>(0.5, 1, 0);
+  const Posed at_cylinder{{1, -0.5, 1}, normalized(Quatd{1, 0, -1, 0})};
+  const Posed at_cone{{2, 0, 1}, normalized(Quatd{1, 0, 1, 0})};
+  const auto reach = [](const Shaped& shape, const Posed& pose, const Vec3d& n) {
+    return dot(transform(pose, support(shape, rotate(conjugate(pose.rotation), n))), n);
+  };
+  const auto check = [&](const Shaped& a, const Posed& pose_a, const Shaped& b, const Posed& pose_b) {
+    const Distance<double> d = distance(a, pose_a, b, pose_b);
+    EXPECT_NEAR(d.distance, 0, 1e-12);
+    EXPECT_NEAR(reach(a, pose_a, d.normal), dot(d.a, d.normal), 1e-6);
+    EXPECT_NEAR(reach(b, pose_b, -d.normal), -dot(d.b, d.normal), 1e-6);
+  };
+  check(cylinder, at_cylinder, cone, at_cone);
+  check(cone, at_cone, cylinder, at_cylinder);
+}
+
 TEST(Gjk, BrokenSupportFunctionsEndAllTheSame) {
   struct Broken final : SupportFunction<double> {
     mutable std::uint64_t state = 1;
