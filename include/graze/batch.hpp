@@ -102,11 +102,12 @@ class Batch {
   std::size_t size_;
 };
 
-/// `overlap` of each pair: 1 or 0. Kernels: box with box, sphere with sphere.
+/// `overlap` of each pair: 1 or 0. Kernels: spheres, capsules and boxes with each other; these and triangles with
+/// half-spaces.
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 
-/// `distance` of each pair. Kernels: spheres, capsules and boxes with each other.
+/// `distance` of each pair. Kernels: spheres, capsules and boxes with each other; these and triangles with half-spaces.
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 

@@ -122,17 +122,17 @@ Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T margin) {
   return {core_of(rectangle), margin};
 }
 
-/// Spheres and even capsules with each other, and spheres with boxes: what `round_pair` answers for.
+/// Spheres and even capsules with each other, and spheres with boxes, which `round_pair` answers for: calls the macro
+/// `f(A, B)` for each.
+#define GRAZE_FOR_ROUND_PAIRS(f) f(Sphere, Sphere) f(Sphere, Capsule) f(Sphere, Box) f(Capsule, Capsule)
+
 template <class A, class B>
 inline constexpr bool is_round_pair = false;
-template <class T>
-inline constexpr bool is_round_pair<Sphere<T>, Sphere<T>> = true;
-template <class T>
-inline constexpr bool is_round_pair<Sphere<T>, Capsule<T>> = true;
-template <class T>
-inline constexpr bool is_round_pair<Capsule<T>, Capsule<T>> = true;
-template <class T>
-inline constexpr bool is_round_pair<Sphere<T>, Box<T>> = true;
+#define GRAZE_ROUND_PAIR(A, B)                                                                                         \
+  template <class T>                                                                                                   \
+  inline constexpr bool is_round_pair<A<T>, B<T>> = true;
+GRAZE_FOR_ROUND_PAIRS(GRAZE_ROUND_PAIR)
+#undef GRAZE_ROUND_PAIR
 
 /// Adds the rounding radii and takes the answer from A's frame to the world.
 template <class T>

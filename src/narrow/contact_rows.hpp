@@ -102,8 +102,7 @@ template <class T>
   put_points<T>(found, touching, to.first_point + counts.touching, to.manifolds + counts.touching,
                 to.points + counts.touching);
   counts.touching += static_cast<std::uint32_t>(count_bits(touching));
-  for (std::uint32_t i = 0; unknown != 0; ++i, unknown >>= 1)
-    if ((unknown & 1) != 0) to.unknown[counts.unknown++] = static_cast<std::uint8_t>(first + i);
+  append_places(unknown, first, to.unknown, counts.unknown);
 }
 
 }  // namespace graze::GRAZE_ISA

@@ -32,6 +32,8 @@ template <class S>
 struct TriangleCore {
   Vec3<S> point[3];
 };
+/// The half-space y <= 0, which is all in its pose.
+struct PlaneCore {};
 /// An `AxisCore` where a pose puts it.
 template <class S>
 struct TurnedAxis {

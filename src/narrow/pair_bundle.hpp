@@ -42,11 +42,9 @@ template <class T, class Row>
   return Rounded<TriangleCore<Lanes<T>>, Lanes<T>>{{{{n[0], n[1], n[2]}, {n[3], m[0], m[1]}, {m[2], m[3], last[0]}}},
                                                    Lanes<T>(0)};
 }
-/// A half-space is all in its pose.
-struct Nothing {};
 template <class T, class Row>
-[[gnu::always_inline]] inline Nothing load(const Row&, const HalfSpace<T>*) {
-  return {};
+[[gnu::always_inline]] inline auto load(const Row&, const HalfSpace<T>*) {
+  return Rounded<PlaneCore, Lanes<T>>{{}, Lanes<T>(0)};
 }
 template <class T, class Row>
 [[gnu::always_inline]] inline Pose<Lanes<T>> load(const Row& row, const Pose<T>*) {
@@ -104,15 +102,6 @@ template <class T, class S>
 [[gnu::always_inline]] inline Vec3<T> lane(const Vec3<S>& v, int i) {
   return {static_cast<T>(v.x[i]), static_cast<T>(v.y[i]), static_cast<T>(v.z[i])};
 }
-/// Writes the lanes that hold a pair, of distances or of those of cores.
-template <class T, class D>
-[[gnu::always_inline]] inline void put(const D& d, std::size_t count, Distance<T>* to) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const int i = static_cast<int>(k);
-    to[k] = {static_cast<T>(d.distance[i]), lane<T>(d.normal, i), lane<T>(d.a, i), lane<T>(d.b, i)};
-  }
-}
-
 /// Writes the points that were found of a bundle, the `first`-th pair's on, to a block of them.
 template <class T, class Found>
 [[gnu::always_inline]] inline void put(const Found& found, std::size_t first, std::size_t count,

@@ -105,11 +105,8 @@ GRAZE_DECLARE_KERNEL(
     /// The axis of one pair of boxes, and its points where it is within its margin: whether it is. Of boxes that are not
     /// regular too, and the points are not known.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
-    /// The distances of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even.
-    /// There is room for `bundled(count)`, all of which may be written.
-    template <class A, class B, class T> void round_distances(const PairRef<T>* pairs, std::size_t count,
-                                                              Distance<T>* distances);
-    /// The contacts of the same pairs; capsules with a length. There is as much room.
+    /// The contacts of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even and with
+    /// a length. There is room for `bundled(count)`, all of which may be written.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings);
     /// The same of pairs in rows, of any capsules and boxes. `turned`: A is the second of the two for whoever asks.
@@ -123,17 +120,21 @@ GRAZE_DECLARE_KERNEL(
     /// The points of up to `block_pairs` balls, even capsules with a length, or boxes on half-spaces, all without a
     /// margin.
     template <class A, class T> void rests(const PairRef<T>* pairs, std::size_t count, RestBlock<T>& points);
-    /// The distances of boxes or even capsules, which come first, from boxes, all without a margin; whether they are
-    /// proven: 1 or 0.
-    template <class A, class B, class T> void box_distances(const PairRef<T>* pairs, std::size_t count,
-                                                            Distance<T>* distances, std::uint8_t* proven);
-    /// Whether spheres touch: 1 or 0.
-    template <class T> void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
-    /// Whether boxes touch: 1 or 0, or 2 where one is not regular.
-    template <class T> void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch);
-    /// The same two of pairs in rows, of any boxes; 2 of those that it does not answer for. There are `bundled(count)`
-    /// rows to read.
-    template <class A, class T> void row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch);)
+    /// The distances of pairs in rows, of those that `is_round_pair` names and of balls, capsules, boxes and triangles
+    /// with half-spaces. `turned`: A is the second of the two for whoever asks. There are `bundled(count)` rows to read.
+    /// Returns how many it does not answer for, whose places it writes to `unknown`.
+    template <class A, class B, class T> std::uint32_t row_distances(const PairRows<T>& rows, std::size_t count,
+                                                                     bool turned, Distance<T>* distances,
+                                                                     std::uint8_t* unknown);
+    /// Whether the same pairs, and boxes, touch: 1 or 0.
+    template <class A, class B, class T> std::uint32_t row_overlaps(const PairRows<T>& rows, std::size_t count,
+                                                                    std::uint8_t* touch, std::uint8_t* unknown);
+    /// Both of boxes or capsules, which come first, with boxes, in double.
+    template <class A, class B, class T> std::uint32_t box_row_distances(const PairRows<T>& rows, std::size_t count,
+                                                                         bool turned, Distance<T>* distances,
+                                                                         std::uint8_t* unknown);
+    template <class T> std::uint32_t capsule_box_row_overlaps(const PairRows<T>& rows, std::size_t count,
+                                                              std::uint8_t* touch, std::uint8_t* unknown);)
 // clang-format on
 
 }  // namespace graze

@@ -10,12 +10,29 @@
 
 namespace graze::GRAZE_ISA {
 
-/// The lanes' shapes, and in which lanes they are such that kernels take them: 1 or 0.
+/// The lanes' shapes, and in which lanes they are such that kernels take them.
 template <class Core, class S>
 struct RowShapes {
   Rounded<Core, S> shapes;
-  S regular;
+  typename S::Mask regular;
 };
+
+/// The lanes of a mask that are set, as bits.
+template <class M>
+[[gnu::always_inline]] inline std::uint32_t bits_of(const M& mask) {
+  if constexpr (requires { set_lanes(mask); }) {
+    return set_lanes(mask);
+  } else {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < M::lanes; ++i) bits |= static_cast<std::uint32_t>(mask[i]) << i;
+    return bits;
+  }
+}
+/// All set.
+template <class S>
+[[gnu::always_inline]] inline typename S::Mask everywhere() {
+  return {~typename S::BitVector{}};
+}
 
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Sphere<T>*) {
@@ -23,7 +40,7 @@ template <class T>
   static_assert(sizeof(Sphere<T>) == 4 * sizeof(T));
   S n[4];
   load_rows<4, 0, T>(from, n);
-  return RowShapes<PointCore<S>, S>{{{{n[0], n[1], n[2]}}, n[3]}, S(1)};
+  return RowShapes<PointCore<S>, S>{{{{n[0], n[1], n[2]}}, n[3]}, everywhere<S>()};
 }
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Capsule<T>*) {
@@ -31,7 +48,7 @@ template <class T>
   static_assert(sizeof(Capsule<T>) == 3 * sizeof(T));
   S n[3];
   load_rows<3, 0, T>(from, n);
-  return RowShapes<AxisCore<S>, S>{{{n[0]}, n[1]}, select((n[0] > S(0)) & (n[1] == n[2]), S(1), S(0))};
+  return RowShapes<AxisCore<S>, S>{{{n[0]}, n[1]}, (n[0] > S(0)) & (n[1] == n[2])};
 }
 template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Box<T>*) {
@@ -40,7 +57,24 @@ template <class T>
   S n[3];
   load_rows<3, 0, T>(from, n);
   const Vec3<S> half{n[0], n[1], n[2]};
-  return RowShapes<BoxCore<S>, S>{{{half}, S(0)}, select(regular_box(half), S(1), S(0))};
+  return RowShapes<BoxCore<S>, S>{{{half}, S(0)}, regular_box(half)};
+}
+
+template <class T>
+[[gnu::always_inline]] inline auto load_rows(const void* from, const Triangle<T>*) {
+  using S = Lanes<T>;
+  static_assert(sizeof(Triangle<T>) == 9 * sizeof(T));
+  S n[4], m[4], last[1];
+  load_rows<9, 0, T>(from, n);
+  load_rows<9, 4, T>(from, m);
+  load_rows<9, 8, T>(from, last);
+  return RowShapes<TriangleCore<S>, S>{{{{{n[0], n[1], n[2]}, {n[3], m[0], m[1]}, {m[2], m[3], last[0]}}}, S(0)},
+                                       everywhere<S>()};
+}
+template <class T>
+[[gnu::always_inline]] inline auto load_rows(const void*, const HalfSpace<T>*) {
+  using S = Lanes<T>;
+  return RowShapes<PlaneCore, S>{{{}, S(0)}, everywhere<S>()};
 }
 
 /// Whether it does not matter how the lanes' shapes are turned.
@@ -83,9 +117,16 @@ struct RowBundle {
         pose_a(load_rows(rows.pose_a + first, centred(a.shapes))),
         pose_b(load_rows(rows.pose_b + first, centred(b.shapes))) {}
 
-  /// In which lanes both shapes are such that kernels take them: 1 or 0.
-  [[gnu::always_inline]] S regular() const { return a.regular * b.regular; }
+  /// In which lanes both shapes are such that kernels take them.
+  [[gnu::always_inline]] typename S::Mask regular() const { return a.regular & b.regular; }
 };
+
+/// Writes the places of the lanes whose bits are set, of which the first lane's is `first`.
+[[gnu::always_inline]] inline void append_places(std::uint32_t bits, std::size_t first, std::uint8_t* places,
+                                                 std::uint32_t& count) {
+  for (; bits != 0; ++first, bits >>= 1)
+    if ((bits & 1) != 0) places[count++] = static_cast<std::uint8_t>(first);
+}
 
 /// The bits of the lanes that hold a pair where so many are left.
 template <class T>

@@ -57,85 +57,126 @@ Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
 
 namespace {
 
-/// Whether pairs touch whose sides are both arrays of A; `single(i)` answers for those that kernels do not take.
-template <class A, class T, class Single>
-void overlap_rows(const Batch<T>& batch, std::uint8_t* touch, const Single& single) {
-  constexpr std::uint8_t unknown = 2;
-  const auto kernel = GRAZE_KERNEL(chosen_isa(), row_overlaps<A, T>);
-  visit_rows<A, A>(batch, false, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-    kernel(rows, count, touch + first);
-    std::uint8_t all = 0;
-    for (std::size_t i = first; i < first + count; ++i) all |= touch[i];
-    for (std::size_t i = first; all >= unknown && i < first + count; ++i)
-      if (touch[i] == unknown) single(i);
+/// The kernel that tells whether pairs of A and B touch.
+template <class A, class B, class T>
+auto overlap_kernel() {
+  if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
+    return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
+  else
+    return GRAZE_KERNEL(chosen_isa(), row_overlaps<A, B, T>);
+}
+/// And the one for their distances.
+template <class A, class B, class T>
+auto distance_kernel() {
+  if constexpr (std::is_same_v<B, Box<T>> && !is_round_pair<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), box_row_distances<A, B, T>);
+  else
+    return GRAZE_KERNEL(chosen_isa(), row_distances<A, B, T>);
+}
+
+/// A query that has one answer for each pair.
+template <class T>
+struct Overlaps {
+  using Answer = std::uint8_t;
+  const Batch<T>& batch;
+
+  template <class A, class B>
+  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>>;
+  Answer single(std::size_t i) const {
+    return ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
+  }
+  template <class A, class B>
+  std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool, Answer* to, std::uint8_t* unknown) const {
+    return overlap_kernel<A, B, T>()(rows, count, to, unknown);
+  }
+};
+template <class T>
+struct Distances {
+  using Answer = Distance<T>;
+  const Batch<T>& batch;
+
+  template <class A, class B>
+  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>>;
+  Answer single(std::size_t i) const {
+    return ask(batch, i, [](const auto&... pair) { return distance(pair...); });
+  }
+  template <class A, class B>
+  std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool turned, Answer* to, std::uint8_t* unknown) const {
+    return distance_kernel<A, B, T>()(rows, count, turned, to, unknown);
+  }
+};
+
+/// Calls `f` with the kinds of a route where the query has a kernel for them.
+template <class Query, class T, class F>
+constexpr void with_kernel_kinds(Route route, const F& f) {
+  with_kinds<T>(route, [&]<class A, class B>() {
+    if constexpr (Query::template has_kernel<A, B>) f.template operator()<A, B>();
   });
+}
+
+/// For which routes it has.
+template <class Query, class T>
+struct KernelRoutes {
+  bool has[route_count + 1]{};
+  constexpr KernelRoutes() {
+    for (std::size_t i = 0; i < route_count; ++i)
+      with_kernel_kinds<Query, T>(static_cast<Route>(i), [this, i]<class A, class B>() { has[i] = true; });
+  }
+  constexpr bool operator()(Route route) const { return has[static_cast<std::size_t>(route)]; }
+};
+
+/// The answers of a batch whose sides are of one kind each: kernels write them where they are to stand.
+template <class Query, class T>
+void answer_rows(const Query& query, std::uint8_t queue, typename Query::Answer* answers) {
+  const bool turned = is_turned(queue);
+  with_kernel_kinds<Query, T>(route_of(queue), [&]<class A, class B>() {
+    visit_rows<A, B>(query.batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+      std::uint8_t unknown[row_chunk];
+      const std::uint32_t left = query.template many<A, B>(rows, count, turned, answers + first, unknown);
+      for (std::uint32_t k = 0; k < left; ++k) answers[first + unknown[k]] = query.single(first + unknown[k]);
+    });
+  });
+}
+
+/// Those of the pairs of a queue.
+template <class Query, class T>
+void answer_queue(const Query& query, Route route, bool turned, const Queue<T>& queue,
+                  typename Query::Answer* answers) {
+  with_kernel_kinds<Query, T>(route, [&]<class A, class B>() {
+    const QueueRows<A, B, T> copies(queue);
+    std::array<typename Query::Answer, row_chunk> found;
+    std::uint8_t unknown[row_chunk];
+    const std::uint32_t left = query.template many<A, B>(copies.rows(), queue.count, turned, found.data(), unknown);
+    for (std::size_t k = 0; k < queue.count; ++k) answers[queue.places[k]] = found[k];
+    for (std::uint32_t k = 0; k < left; ++k) answers[queue.places[unknown[k]]] = query.single(queue.places[unknown[k]]);
+  });
+}
+
+/// The answers of all pairs of a batch. Kernels tell themselves which pairs they do not answer for.
+template <class Query, class T>
+void answer(const Query& query, const Batch<T>& batch, std::vector<typename Query::Answer>& answers) {
+  answers.resize(batch.size());
+  static constexpr KernelRoutes<Query, T> has_kernel;
+  const std::uint8_t queue = even_queue(batch);
+  if (has_kernel(route_of(queue))) return answer_rows<Query, T>(query, queue, answers.data());
+  visit_batch(
+      batch, T(0), has_kernel, [](Route) { return true; },
+      [&](Route route, bool turned, const Queue<T>& waiting) {
+        answer_queue<Query, T>(query, route, turned, waiting, answers.data());
+      },
+      [&](std::size_t i) { answers[i] = query.single(i); });
 }
 
 }  // namespace
 
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
-  touch.resize(batch.size());
-  const auto single = [&](std::size_t i) {
-    touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
-  };
-  const Route route_of_all = route_of(even_queue(batch));
-  if (route_of_all == Route::sphere_sphere) return overlap_rows<Sphere<T>>(batch, touch.data(), single);
-  if (route_of_all == Route::box_box) return overlap_rows<Box<T>>(batch, touch.data(), single);
-  const Isa level = chosen_isa();
-  visit_batch(
-      batch, T(0), [](Route route) { return route == Route::sphere_sphere || route == Route::box_box; }, true,
-      [&](Route route, bool, const Queue<T>& queue) {
-        std::array<std::uint8_t, box_chunk> found;
-        const auto kernel = route == Route::sphere_sphere ? GRAZE_KERNEL(level, sphere_overlaps<T>)
-                                                          : GRAZE_KERNEL(level, box_overlaps<T>);
-        kernel(queue.pairs.data(), queue.count, found.data());
-        // Not asked of the queue each time: what is written could for all the compiler knows be part of it.
-        const std::size_t count = queue.count, *const places = queue.places.data();
-        std::uint8_t* const to = touch.data();
-        std::uint8_t all = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-          to[places[k]] = found[k];
-          all |= found[k];
-        }
-        for (std::size_t k = 0; all > 1 && k < count; ++k)
-          if (found[k] > 1) single(places[k]);
-      },
-      single);
+  answer(Overlaps<T>{batch}, batch, touch);
 }
 
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
-  distances.resize(batch.size());
-  const Isa level = chosen_isa();
-  const auto single = [&](std::size_t i) {
-    distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
-  };
-  visit_batch(
-      batch, T(0), [](Route route) { return route <= Route::box_box; }, false,
-      [&](Route route, bool turned, const Queue<T>& queue) {
-        std::array<Distance<T>, bundled(box_chunk)> found;
-        std::array<std::uint8_t, box_chunk> proven;
-        const auto ask_kernel = [&]<class A, class B>() {
-          if constexpr (is_round_pair<A, B>) {
-            GRAZE_KERNEL(level, round_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data());
-            proven.fill(1);
-          } else {
-            GRAZE_KERNEL(level, box_distances<A, B, T>)(queue.pairs.data(), queue.count, found.data(), proven.data());
-          }
-        };
-        if (route == Route::box_box)
-          ask_kernel.template operator()<Box<T>, Box<T>>();
-        else
-          with_round_kinds<T>(route, ask_kernel);
-        for (std::size_t k = 0; k < queue.count; ++k) {
-          if (proven[k])
-            distances[queue.places[k]] = turned ? mirrored(found[k]) : found[k];
-          else
-            single(queue.places[k]);
-        }
-      },
-      single);
+  answer(Distances<T>{batch}, batch, distances);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

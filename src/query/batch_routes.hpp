@@ -9,6 +9,7 @@
 
 #include "graze/batch.hpp"
 #include "narrow/box_batch.hpp"
+#include "narrow/closed_form.hpp"
 #include "narrow/pair_kernels.hpp"
 
 namespace graze {
@@ -24,10 +25,11 @@ enum class Route : std::uint8_t {
   sphere_half_space,
   capsule_half_space,
   box_half_space,
+  triangle_half_space,
   box_triangle,
   none
 };
-inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none), round_route_count = 5;
+inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none);
 
 /// A route, and whether a pair has to be turned round for it, as one number.
 constexpr std::uint8_t queue_of(Route route, bool turned) {
@@ -37,22 +39,35 @@ constexpr std::uint8_t queue_of(Route route, bool turned) {
 constexpr Route route_of(std::uint8_t queue) { return static_cast<Route>(queue / 2); }
 constexpr bool is_turned(std::uint8_t queue) { return queue % 2 != 0; }
 
+/// Calls `f` with the two kinds of a route as its template's arguments.
+template <class T, class F>
+constexpr void with_kinds(Route route, const F& f) {
+  switch (route) {
+  case Route::sphere_sphere: return f.template operator()<Sphere<T>, Sphere<T>>();
+  case Route::sphere_capsule: return f.template operator()<Sphere<T>, Capsule<T>>();
+  case Route::sphere_box: return f.template operator()<Sphere<T>, Box<T>>();
+  case Route::capsule_capsule: return f.template operator()<Capsule<T>, Capsule<T>>();
+  case Route::capsule_box: return f.template operator()<Capsule<T>, Box<T>>();
+  case Route::box_box: return f.template operator()<Box<T>, Box<T>>();
+  case Route::sphere_half_space: return f.template operator()<Sphere<T>, HalfSpace<T>>();
+  case Route::capsule_half_space: return f.template operator()<Capsule<T>, HalfSpace<T>>();
+  case Route::box_half_space: return f.template operator()<Box<T>, HalfSpace<T>>();
+  case Route::triangle_half_space: return f.template operator()<Triangle<T>, HalfSpace<T>>();
+  case Route::box_triangle: return f.template operator()<Box<T>, Triangle<T>>();
+  case Route::none: break;
+  }
+}
+
 /// The queues for two kinds.
 template <class T>
 class Routes {
  public:
   constexpr Routes() {
     for (std::uint8_t& queue : queues_) queue = queue_of(Route::none, false);
-    add<Sphere<T>, Sphere<T>>(Route::sphere_sphere);
-    add<Sphere<T>, Capsule<T>>(Route::sphere_capsule);
-    add<Sphere<T>, Box<T>>(Route::sphere_box);
-    add<Capsule<T>, Capsule<T>>(Route::capsule_capsule);
-    add<Capsule<T>, Box<T>>(Route::capsule_box);
-    add<Box<T>, Box<T>>(Route::box_box);
-    add<Sphere<T>, HalfSpace<T>>(Route::sphere_half_space);
-    add<Capsule<T>, HalfSpace<T>>(Route::capsule_half_space);
-    add<Box<T>, HalfSpace<T>>(Route::box_half_space);
-    add<Box<T>, Triangle<T>>(Route::box_triangle);
+    for (std::size_t i = 0; i < route_count; ++i) {
+      const auto route = static_cast<Route>(i);
+      with_kinds<T>(route, [this, route]<class A, class B>() { add<A, B>(route); });
+    }
   }
   constexpr std::uint8_t operator()(std::size_t kind_a, std::size_t kind_b) const {
     return queues_[kind_a * Shape<T>::count + kind_b];
@@ -68,22 +83,13 @@ class Routes {
   std::uint8_t queues_[Shape<T>::count * Shape<T>::count]{};
 };
 
-/// Calls `f` with the two kinds of a route for round shapes as its template's arguments.
+/// The same of a route for round shapes.
 template <class T, class F>
 void with_round_kinds(Route route, const F& f) {
-  switch (route) {
-  case Route::sphere_sphere: return f.template operator()<Sphere<T>, Sphere<T>>();
-  case Route::sphere_capsule: return f.template operator()<Sphere<T>, Capsule<T>>();
-  case Route::sphere_box: return f.template operator()<Sphere<T>, Box<T>>();
-  case Route::capsule_capsule: return f.template operator()<Capsule<T>, Capsule<T>>();
-  case Route::capsule_box: return f.template operator()<Capsule<T>, Box<T>>();
-  case Route::box_box:
-  case Route::sphere_half_space:
-  case Route::capsule_half_space:
-  case Route::box_half_space:
-  case Route::box_triangle:
-  case Route::none: break;
-  }
+  with_kinds<T>(route, [&]<class A, class B>() {
+    if constexpr (is_round_pair<A, B> || (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>))
+      f.template operator()<A, B>();
+  });
 }
 
 /// Whether a route is one for what rests on half-spaces.
@@ -92,9 +98,9 @@ constexpr bool is_rest(Route route) { return route >= Route::sphere_half_space &
 /// Calls `f` with the kind of what rests as its template's argument.
 template <class T, class F>
 void with_resting_kind(Route route, const F& f) {
-  if (route == Route::sphere_half_space) return f.template operator()<Sphere<T>>();
-  if (route == Route::capsule_half_space) return f.template operator()<Capsule<T>>();
-  if (route == Route::box_half_space) return f.template operator()<Box<T>>();
+  with_kinds<T>(route, [&]<class A, class B>() {
+    if constexpr (std::is_same_v<B, HalfSpace<T>> && !std::is_same_v<A, Triangle<T>>) f.template operator()<A>();
+  });
 }
 
 /// Pairs that wait for a kernel, with their places in the batch: what is loaded for one kernel is near when the next
@@ -226,15 +232,15 @@ void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, bool
 }
 
 /// Goes through the batch: `run(route, turned, queue)` asks a kernel that `wanted` names, `single(i)` about one pair.
-/// With `boxes_told` the kernel for boxes is given those that are not regular too, and tells which these are.
-template <class T, class Wanted, class Run, class Single>
-void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, bool boxes_told, Run&& run, Single&& single) {
+/// The kernel for a route that `told` names is given pairs that are not regular too, and tells which these are.
+template <class T, class Wanted, class Told, class Run, class Single>
+void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, const Told& told, Run&& run, Single&& single) {
   static constexpr Routes<T> routes;
   const Bodies<T>&a = batch.a(), &b = batch.b();
   if (batch.size() > 0 && a.one_kind() && b.one_kind()) {
     const std::uint8_t number = routes(a.kind(0), b.kind(0));
     if (route_of(number) != Route::none && wanted(route_of(number)))
-      return visit_even_batch(batch, margin, number, boxes_told && route_of(number) == Route::box_box, run, single);
+      return visit_even_batch(batch, margin, number, told(route_of(number)), run, single);
     for (std::size_t i = 0; i < batch.size(); ++i) single(i);
     return;
   }
@@ -253,8 +259,7 @@ void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, bool box
       continue;
     }
     const void *shape_a = a.concrete(p.a), *shape_b = b.concrete(p.b);
-    const bool told = boxes_told && route_of(number) == Route::box_box;
-    if (!told && (!regular<T>(kind_a, shape_a) || !regular<T>(kind_b, shape_b))) {
+    if (!told(route_of(number)) && (!regular<T>(kind_a, shape_a) || !regular<T>(kind_b, shape_b))) {
       single(i);
       continue;
     }

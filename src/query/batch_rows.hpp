@@ -1,4 +1,5 @@
-// The pairs of a batch whose sides are of one kind each, some after the other, as rows for kernels.
+// Pairs as rows for kernels: those of a batch whose sides are of one kind each, some after the other, and those that
+// wait in a queue.
 //
 // Guarantee: there are always as many rows to read as lanes take. The bodies' own are read where pairs stand in their
 // order, but for the last few; what is copied is near when it is read. Nothing is allocated.
@@ -85,6 +86,29 @@ void visit_rows(const Batch<T>& batch, bool turned, const Ask& ask) {
         first, count);
   }
 }
+
+/// The shapes and poses of a queue, copied.
+template <class A, class B, class T>
+class QueueRows {
+ public:
+  explicit QueueRows(const Queue<T>& queue) {
+    for (std::size_t k = 0; k < bundled(queue.count); ++k) {
+      const PairRef<T>& pair = queue.pairs[std::min(k, queue.count - 1)];
+      std::memcpy(a_ + k * sizeof(A), pair.a, sizeof(A));
+      std::memcpy(b_ + k * sizeof(B), pair.b, sizeof(B));
+      std::memcpy(poses_a_ + k * sizeof(Pose<T>), pair.pose_a, sizeof(Pose<T>));
+      std::memcpy(poses_b_ + k * sizeof(Pose<T>), pair.pose_b, sizeof(Pose<T>));
+    }
+  }
+  PairRows<T> rows() const {
+    return {a_, b_, reinterpret_cast<const Pose<T>*>(poses_a_), reinterpret_cast<const Pose<T>*>(poses_b_)};
+  }
+
+ private:
+  alignas(A) std::byte a_[row_chunk * sizeof(A)];
+  alignas(B) std::byte b_[row_chunk * sizeof(B)];
+  alignas(Pose<T>) std::byte poses_a_[row_chunk * sizeof(Pose<T>)], poses_b_[row_chunk * sizeof(Pose<T>)];
+};
 
 /// The queue of a batch whose sides are of one kind each, as `Routes` has it; that of no route for any other.
 template <class T>

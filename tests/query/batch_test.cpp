@@ -188,6 +188,8 @@ struct Rows {
   std::vector<Sphere<T>> centred, balls;
   std::vector<Capsule<T>> capsules;
   std::vector<Box<T>> boxes;
+  std::vector<Triangle<T>> triangles;
+  std::vector<HalfSpace<T>> planes;
   std::vector<IdPair> pairs;
 
   explicit Rows(std::uint32_t count, Random& random) {
@@ -198,7 +200,14 @@ struct Rows {
       centred.emplace_back(T(0.4));
       balls.emplace_back(T(0.3), i % 2 == 0 ? Vec3<T>{} : cast<T>(random_vector(random, 0.5f)));
       capsules.emplace_back(T(i % 7 == 0 ? 0.0 : 0.6), T(0.2));
-      boxes.emplace_back(cast<T>(abs(random_vector(random, 0.5f)) + Vec3f{0.1f, 0.1f, 0.1f}));
+      boxes.emplace_back(cast<T>(abs(random_vector(random, 0.5f)) + Vec3f{0.1f, 0.1f, i % 5 == 0 ? 1e-8f : 0.1f}));
+      const Vec3<T> corner = cast<T>(random_vector(random, 0.5f)), side = cast<T>(random_vector(random, 0.5f));
+      // Some slivers and points.
+      triangles.emplace_back(corner, corner + side,
+                             corner + (i % 7 == 0   ? side
+                                       : i % 7 == 1 ? side * T(0.5)
+                                                    : cast<T>(random_vector(random, 0.5f))));
+      planes.emplace_back();
       pairs.push_back({static_cast<std::uint32_t>(random() % count), static_cast<std::uint32_t>(random() % count)});
     }
   }
@@ -207,7 +216,8 @@ struct Rows {
     return {std::span<const C>(shapes), std::span<const Pose<T>>(poses)};
   }
   void expect_all_same() const {
-    const Bodies<T> sides[] = {bodies(centred), bodies(balls), bodies(capsules), bodies(boxes)};
+    const Bodies<T> sides[] = {bodies(centred), bodies(balls),     bodies(capsules),
+                               bodies(boxes),   bodies(triangles), bodies(planes)};
     const std::vector<Sphere<T>> one{Sphere<T>(T(0.5))};
     const Bodies<T> single(std::span<const Sphere<T>>(one), std::span<const Pose<T>>(poses).first(1));
     for (const Bodies<T>& a : sides) {

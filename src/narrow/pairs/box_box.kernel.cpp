@@ -1,6 +1,5 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_manifold.hpp"
-#include "narrow/pairs/box_overlap.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -74,24 +73,10 @@ template <class T>
   return true;
 }
 
-template <class T>
-[[gnu::flatten]] void box_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
-  using S = Lanes<T>;
-  for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
-    const Boxes<T> bundle(pairs + first, count - first);
-    const BoxRows<S> boxes = box_rows(bundle);
-    const auto apart = boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)));
-    T found[Boxes<T>::lanes];
-    select(regular(bundle), select(apart, S(0), S(1)), S(2)).store(found);
-    for (std::size_t i = 0; i < bundle.count; ++i) touch[first + i] = static_cast<std::uint8_t>(found[i]);
-  }
-}
-
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
   template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, BoxPointBlock<T>&);                    \
-  template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);                                        \
-  template void box_overlaps(const PairRef<T>*, std::size_t, std::uint8_t*);
+  template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -1,6 +1,7 @@
 // Boxes, and capsules as boxes that are only long, a register of pairs at a time in double.
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/capsule_box_contact.hpp"
+#include "narrow/row_answers.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -27,74 +28,118 @@ template <std::size_t part, class L>
   found = box_distance(a, b);
 }
 
-/// As many pairs of a bundle as a register holds in double, with their distances.
-struct Part {
-  std::size_t first, count;
-  PlacedBox<S> a, b;
-  BoxDistance<S> found;
-};
-template <std::size_t part, class Pairs, class F>
-[[gnu::always_inline]] inline void visit_part(const Pairs& p, const F& f) {
-  constexpr std::size_t lanes = lanes_of<double>, first = part * lanes;
-  if (p.count <= first) return;
-  Part of{first,
-          p.count - first < lanes ? p.count - first : lanes,
-          in_double<part>(placed_box(p.a, p.pose_a)),
-          in_double<part>(placed_box(p.b, p.pose_b)),
-          {}};
-  answer(of.a, of.b, of.found);
-  f(of, lanes_in_double<part>(p.margin));
+/// How many parts of that size a bundle has.
+template <class T>
+inline constexpr std::size_t parts_of = sizeof(double) / sizeof(T);
+
+/// Calls `f(part)` for the number of each part, a constant, that holds some of `count` pairs.
+template <class T, class F>
+void visit_parts(std::size_t count, const F& f) {
+  f(std::integral_constant<std::size_t, 0>());
+  if constexpr (parts_of<T> == 2)
+    if (count > static_cast<std::size_t>(lanes_of<double>)) f(std::integral_constant<std::size_t, 1>());
 }
 
-/// Calls `f(part, margins, number of its first pair)`.
-template <class A, class B, class T, class F>
-[[gnu::always_inline]] inline void visit_parts(const PairRef<T>* pairs, std::size_t count, const F& f) {
-  using Pairs = PairBundle<A, B, T>;
-  for (std::size_t begin = 0; begin < count; begin += Pairs::lanes) {
-    const Pairs p(pairs + begin, count - begin);
-    const auto placed = [&](const Part& part, const S& margin) { f(part, margin, begin + part.first); };
-    visit_part<0>(p, placed);
-    if constexpr (sizeof(T) == 4) visit_part<1>(p, placed);
-  }
+/// Numbers of all parts, rounded to T.
+[[gnu::always_inline]] inline Lanes<double> joined(const Lanes<double> (&parts)[1]) { return parts[0]; }
+template <std::size_t... I>
+[[gnu::always_inline]] inline Lanes<float> joined(const Lanes<double> (&parts)[2], std::index_sequence<I...>) {
+  using Half = typename gathering::FloatVector<lanes_of<double>>::type;
+  return Lanes<float>::of(__builtin_shufflevector(__builtin_convertvector(parts[0].v, Half),
+                                                  __builtin_convertvector(parts[1].v, Half), I...));
+}
+[[gnu::always_inline]] inline Lanes<float> joined(const Lanes<double> (&parts)[2]) {
+  return joined(parts, std::make_index_sequence<lanes_of<float>>());
+}
+
+/// The distances of a bundle, and in which lanes they are known.
+template <class T>
+struct BundleDistances {
+  CoreDistance<Lanes<T>> at;
+  typename Lanes<T>::Mask known;
+};
+template <class A, class B, class T>
+BundleDistances<T> distances_of(const RowBundle<A, B, T>& p, std::size_t count) {
+  BoxDistance<S> found[parts_of<T>]{};
+  const auto a = placed_box(p.a.shapes, p.pose_a), b = placed_box(p.b.shapes, p.pose_b);
+  visit_parts<T>(count, [&](auto part) { answer(in_double<part>(a), in_double<part>(b), found[part]); });
+  const auto number = [&](const auto& of) {
+    S parts[parts_of<T>];
+    for (std::size_t i = 0; i < parts_of<T>; ++i) parts[i] = of(found[i]);
+    return joined(parts);
+  };
+  const auto vector = [&](auto member) {
+    return Vec3<Lanes<T>>{number([=](const BoxDistance<S>& d) { return (d.at.*member).x; }),
+                          number([=](const BoxDistance<S>& d) { return (d.at.*member).y; }),
+                          number([=](const BoxDistance<S>& d) { return (d.at.*member).z; })};
+  };
+  const S none(0), one(1);
+  return {{number([](const BoxDistance<S>& d) { return d.at.distance; }), vector(&Distance<S>::normal),
+           vector(&Distance<S>::a), vector(&Distance<S>::b)},
+          (number([&](const BoxDistance<S>& d) { return select(d.proven, one, none); }) > Lanes<T>(0)) & p.regular()};
 }
 
 }  // namespace
 
 template <class A, class B, class T>
-[[gnu::flatten]] void box_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances,
-                                    std::uint8_t* proven) {
-  visit_parts<A, B>(pairs, count, [&](const Part& part, const S&, std::size_t begin) {
-    put(part.found.at, part.count, distances + begin);
-    for (std::size_t k = 0; k < part.count; ++k) proven[begin + k] = part.found.proven[static_cast<int>(k)];
-  });
+[[gnu::flatten]] std::uint32_t box_row_distances(const PairRows<T>& rows, std::size_t count, bool turned,
+                                                 Distance<T>* distances, std::uint8_t* unknown) {
+  const auto write = [=](const RowBundle<A, B, T>& pairs, std::size_t filled, std::size_t first) {
+    const BundleDistances<T> found = distances_of(pairs, filled);
+    put(turned ? mirrored(found.at) : found.at, filled, distances + first);
+    return found.known;
+  };
+  return answer_rows<A, B>(rows, count, unknown, write);
+}
+
+template <class T>
+[[gnu::flatten]] std::uint32_t capsule_box_row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch,
+                                                        std::uint8_t* unknown) {
+  const auto write = [=](const RowBundle<Capsule<T>, Box<T>, T>& pairs, std::size_t filled, std::size_t first) {
+    const BundleDistances<T> found = distances_of(pairs, filled);
+    put_bytes<T>((found.at.distance <= Lanes<T>(0)).bits & 1, filled, touch + first);
+    return found.known;
+  };
+  return answer_rows<Capsule<T>, Box<T>>(rows, count, unknown, write);
 }
 
 template <class T>
 [[gnu::flatten]] void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts,
                                            Meeting* meetings) {
-  visit_parts<Capsule<T>, Box<T>>(pairs, count, [&](const Part& part, const S& margin, std::size_t begin) {
-    const RoundContact<S> c = capsule_box_contact(part.a, part.b, part.found, before_rounding<T>(margin));
-    const S place = feature_place(c);
-    for (std::size_t k = 0; k < part.count; ++k) {
-      const int i = static_cast<int>(k);
-      const T distance = static_cast<T>(c.at.distance[i]);
-      contacts[begin + k] = {{lane<T>(c.at.a, i), lane<T>(c.at.b, i), distance,
-                              ids_with_box.of[static_cast<std::size_t>(place[i])], T(0.5)},
-                             lane<T>(c.at.normal, i)};
-      meetings[begin + k] = c.known[i] == 0                       ? Meeting::unknown
-                            : distance <= pairs[begin + k].margin ? Meeting::touching
-                                                                  : Meeting::apart;
-    }
-  });
+  using Pairs = PairBundle<Capsule<T>, Box<T>, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    visit_parts<T>(p.count, [&](auto part) {
+      const PlacedBox<S> a = in_double<part>(placed_box(p.a, p.pose_a)), b = in_double<part>(placed_box(p.b, p.pose_b));
+      BoxDistance<S> found;
+      answer(a, b, found);
+      const RoundContact<S> c = capsule_box_contact(a, b, found, before_rounding<T>(lanes_in_double<part>(p.margin)));
+      const S place = feature_place(c);
+      const std::size_t begin = first + part * lanes_of<double>, end = first + p.count;
+      for (std::size_t k = begin; k < end && k < begin + lanes_of<double>; ++k) {
+        const int i = static_cast<int>(k - begin);
+        const T distance = static_cast<T>(c.at.distance[i]);
+        contacts[k] = {{lane<T>(c.at.a, i), lane<T>(c.at.b, i), distance,
+                        ids_with_box.of[static_cast<std::size_t>(place[i])], T(0.5)},
+                       lane<T>(c.at.normal, i)};
+        meetings[k] = c.known[i] == 0               ? Meeting::unknown
+                      : distance <= pairs[k].margin ? Meeting::touching
+                                                    : Meeting::apart;
+      }
+    });
+  }
 }
 
 #define GRAZE_INSTANTIATE(A, T)                                                                                        \
-  template void box_distances<A<T>, Box<T>>(const PairRef<T>*, std::size_t, Distance<T>*, std::uint8_t*);
+  template std::uint32_t box_row_distances<A<T>, Box<T>>(const PairRows<T>&, std::size_t, bool, Distance<T>*,          \
+                                                         std::uint8_t*);
 GRAZE_INSTANTIATE(Box, float)
 GRAZE_INSTANTIATE(Box, double)
 GRAZE_INSTANTIATE(Capsule, float)
 GRAZE_INSTANTIATE(Capsule, double)
 #undef GRAZE_INSTANTIATE
+template std::uint32_t capsule_box_row_overlaps(const PairRows<float>&, std::size_t, std::uint8_t*, std::uint8_t*);
+template std::uint32_t capsule_box_row_overlaps(const PairRows<double>&, std::size_t, std::uint8_t*, std::uint8_t*);
 template void capsule_box_contacts(const PairRef<float>*, std::size_t, PointContact<float>*, Meeting*);
 template void capsule_box_contacts(const PairRef<double>*, std::size_t, PointContact<double>*, Meeting*);
 

@@ -21,13 +21,44 @@ S lowest_by_radius(const Vec3<S>& half, const Pose<S>& pose) {
   return pose.translation.y - dot(abs(m.row[1]), half);
 }
 
-/// The half-space y <= 0 is A; the other shape's core is seen from it.
-template <class C, class T>
-CoreDistance<T> half_space_distance(const C& b, const Pose<T>& b_in_a) {
-  const Vec3<T> up{T(0), T(1), T(0)};
-  const Vec3<T> down_in_b = rotate(conjugate(b_in_a.rotation), -up);
-  const Vec3<T> lowest = transform(b_in_a, b.core_support(down_in_b));
-  return {lowest.y, up, {lowest.x, T(0), lowest.z}, lowest};
+// The point of a core that lies furthest along a direction, as `core_support` of the shape that it is left of gives it.
+template <class C, class S>
+Vec3<S> furthest_along(const C& concrete, const Vec3<S>& direction) {
+  return concrete.core_support(direction);
+}
+template <class S>
+Vec3<S> furthest_along(const PointCore<S>& core, const Vec3<S>&) {
+  return core.point;
+}
+template <class S>
+Vec3<S> furthest_along(const AxisCore<S>& core, const Vec3<S>& direction) {
+  return {S(0), select(direction.y < S(0), -core.half_height, core.half_height), S(0)};
+}
+template <class S>
+Vec3<S> furthest_along(const BoxCore<S>& core, const Vec3<S>& direction) {
+  const auto side = [](const S& half, const S& along) { return select(along < S(0), -half, half); };
+  return {side(core.half.x, direction.x), side(core.half.y, direction.y), side(core.half.z, direction.z)};
+}
+template <class S>
+Vec3<S> furthest_along(const TriangleCore<S>& core, const Vec3<S>& direction) {
+  Vec3<S> best = core.point[0];
+  S most = dot(best, direction);
+  for (std::size_t i = 1; i < 3; ++i) {
+    const S along = dot(core.point[i], direction);
+    const auto further = along > most;
+    best = select(further, core.point[i], best);
+    most = select(further, along, most);
+  }
+  return best;
+}
+
+/// The half-space y <= 0 is A; the other shape's core is seen from it. Across lanes too, of cores.
+template <class C, class S>
+CoreDistance<S> half_space_distance(const C& b, const Pose<S>& b_in_a) {
+  const Vec3<S> up{S(0), S(1), S(0)};
+  const Vec3<S> down_in_b = rotate(conjugate(b_in_a.rotation), -up);
+  const Vec3<S> lowest = transform(b_in_a, furthest_along(b, down_in_b));
+  return {lowest.y, up, {lowest.x, S(0), lowest.z}, lowest};
 }
 
 /// The gap between the half-space y <= 0 and another that faces it, whose surface stands at height `offset` along its

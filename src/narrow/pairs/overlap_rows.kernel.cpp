@@ -1,39 +1,60 @@
-// Whether pairs in rows touch: balls, and boxes.
+// Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles.
 #include "narrow/pairs/box_overlap.hpp"
-#include "narrow/pairs/sphere_sphere.hpp"
-#include "narrow/row_bundle.hpp"
-
-#include "narrow/closed_form.hpp"
+#include "narrow/pairs/row_distance.hpp"
+#include "narrow/row_answers.hpp"
 
 namespace graze::GRAZE_ISA {
 
-/// 1 in the lanes that touch, 0 in the others; 2 where that is not known.
-template <class A, class T>
-[[gnu::flatten]] void row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch) {
+namespace {
+
+/// Which lanes touch, and in which that is known.
+template <class S>
+struct Touching {
+  typename S::Mask touch, known;
+};
+
+template <class A, class B, class T>
+Touching<Lanes<T>> touching(const RowBundle<A, B, T>& p) {
+  return {distance_of(p).distance <= Lanes<T>(0), p.regular()};
+}
+template <class T>
+Touching<Lanes<T>> touching(const RowBundle<Sphere<T>, Sphere<T>, T>& p) {
+  const auto pair = round_pair(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b);
+  return {spheres_overlap(pair.a.point, pair.radius_a, pair.b.point, pair.radius_b), p.regular()};
+}
+template <class T>
+Touching<Lanes<T>> touching(const RowBundle<Box<T>, Box<T>, T>& p) {
   using S = Lanes<T>;
-  constexpr std::size_t lanes = lanes_of<T>;
-  for (std::size_t first = 0; first < count; first += lanes) {
-    const RowBundle<A, A, T> p(rows, first);
-    typename S::BitVector touching;
-    if constexpr (std::is_same_v<A, Sphere<T>>) {
-      const auto pair = round_pair(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b);
-      touching = spheres_overlap(pair.a.point, pair.radius_a, pair.b.point, pair.radius_b).bits & 1;
-    } else {
-      const BoxRows<S> boxes(Several<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
-                             Several<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
-      const auto apart = boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)));
-      const auto irregular = p.regular() < S(1);
-      touching = (~(apart.bits | irregular.bits) & 1) | (irregular.bits & 2);
-    }
-    put_bytes<T>(touching, least(lanes, count - first), touch + first);
-  }
+  const BoxRows<S> boxes(Several<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
+                         Several<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
+  return {!boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b))), p.regular()};
 }
 
-#define GRAZE_INSTANTIATE(A)                                                                                           \
-  template void row_overlaps<A<float>>(const PairRows<float>&, std::size_t, std::uint8_t*);                            \
-  template void row_overlaps<A<double>>(const PairRows<double>&, std::size_t, std::uint8_t*);
-GRAZE_INSTANTIATE(Sphere)
-GRAZE_INSTANTIATE(Box)
+}  // namespace
+
+template <class A, class B, class T>
+[[gnu::flatten]] std::uint32_t row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch,
+                                            std::uint8_t* unknown) {
+  const auto write = [touch](const RowBundle<A, B, T>& pairs, std::size_t filled, std::size_t first) {
+    const Touching<Lanes<T>> found = touching(pairs);
+    put_bytes<T>(found.touch.bits & 1, filled, touch + first);
+    return found.known;
+  };
+  return answer_rows<A, B>(rows, count, unknown, write);
+}
+
+#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
+  template std::uint32_t row_overlaps<A<T>, B<T>>(const PairRows<T>&, std::size_t, std::uint8_t*, std::uint8_t*);
+#define GRAZE_INSTANTIATE(A, B)                                                                                        \
+  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
+  GRAZE_INSTANTIATE_FOR(A, B, double)
+GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
+GRAZE_INSTANTIATE(Box, Box)
+GRAZE_INSTANTIATE(Sphere, HalfSpace)
+GRAZE_INSTANTIATE(Capsule, HalfSpace)
+GRAZE_INSTANTIATE(Box, HalfSpace)
+GRAZE_INSTANTIATE(Triangle, HalfSpace)
 #undef GRAZE_INSTANTIATE
+#undef GRAZE_INSTANTIATE_FOR
 
 }  // namespace graze::GRAZE_ISA

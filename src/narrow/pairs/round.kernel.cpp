@@ -42,34 +42,7 @@ template <class T>
   }
 }
 
-/// The same of distances.
-template <class T>
-[[gnu::always_inline]] inline void put_all(const CoreDistance<Lanes<T>>& d, Distance<T>* to) {
-  if constexpr (sizeof(T) == 4) {
-    using Found = Distance<T>;
-    static_assert(sizeof(Found) == 48 && offsetof(Found, normal) == 4 && offsetof(Found, a) == 16 &&
-                  offsetof(Found, b) == 28 && offsetof(Found, error) == 44 && static_cast<int>(Status::converged) == 0);
-    char* const rows = reinterpret_cast<char*>(to);
-    const Lanes<T> converged(T(0)), error(T(0));
-    scatter(d.distance, d.normal.x, d.normal.y, d.normal.z, rows, sizeof *to);
-    scatter(d.a.x, d.a.y, d.a.z, d.b.x, rows + 16, sizeof *to);
-    scatter(d.b.y, d.b.z, converged, error, rows + 32, sizeof *to);
-  } else {
-    GRAZE_ISA::put(d, static_cast<std::size_t>(lanes_of<T>), to);
-  }
-}
-
 }  // namespace
-
-template <class A, class B, class T>
-[[gnu::flatten]] void round_distances(const PairRef<T>* pairs, std::size_t count, Distance<T>* distances) {
-  using Pairs = PairBundle<A, B, T>;
-  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
-    const Pairs p(pairs + first, count - first);
-    const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    put_all<T>(pair.in_world(pair.core(pair.nearest())), distances + first);
-  }
-}
 
 template <class A, class B, class T>
 [[gnu::flatten]] void round_contacts(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts,
@@ -93,30 +66,12 @@ template <class A, class B, class T>
   }
 }
 
-template <class T>
-[[gnu::flatten]] void sphere_overlaps(const PairRef<T>* pairs, std::size_t count, std::uint8_t* touch) {
-  using Pairs = PairBundle<Sphere<T>, Sphere<T>, T>;
-  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
-    const Pairs p(pairs + first, count - first);
-    const auto pair = round_pair(p.a, p.pose_a, p.b, p.pose_b);
-    const auto touching = spheres_overlap(pair.a.point, p.a.radius, pair.b.point, p.b.radius);
-    for (std::size_t i = 0; i < p.count; ++i) touch[first + i] = touching[static_cast<int>(i)];
-  }
-}
-
-template void sphere_overlaps(const PairRef<float>*, std::size_t, std::uint8_t*);
-template void sphere_overlaps(const PairRef<double>*, std::size_t, std::uint8_t*);
-#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
-  template void round_distances<A<T>, B<T>>(const PairRef<T>*, std::size_t, Distance<T>*);                             \
-  template void round_contacts<A<T>, B<T>>(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*);
 #define GRAZE_INSTANTIATE(A, B)                                                                                        \
-  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
-  GRAZE_INSTANTIATE_FOR(A, B, double)
-GRAZE_INSTANTIATE(Sphere, Sphere)
-GRAZE_INSTANTIATE(Sphere, Capsule)
-GRAZE_INSTANTIATE(Sphere, Box)
-GRAZE_INSTANTIATE(Capsule, Capsule)
+  template void round_contacts<A<float>, B<float>>(const PairRef<float>*, std::size_t, PointContact<float>*,           \
+                                                   Meeting*);                                                          \
+  template void round_contacts<A<double>, B<double>>(const PairRef<double>*, std::size_t, PointContact<double>*,       \
+                                                     Meeting*);
+GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
 #undef GRAZE_INSTANTIATE
-#undef GRAZE_INSTANTIATE_FOR
 
 }  // namespace graze::GRAZE_ISA

@@ -55,7 +55,7 @@ template <class A, class B, class T>
     const std::uint32_t near = Chosen<T>::at_most(c.at.distance, S(margin)).bits() & filled_lanes<T>(count - first);
     std::uint32_t touching = near, unknown = 0;
     if constexpr (!std::is_same_v<A, Sphere<T>> || !std::is_same_v<B, Sphere<T>>) {
-      const std::uint32_t regular = Chosen<T>::not_less(p.regular(), S(1)).bits();
+      const std::uint32_t regular = bits_of(p.regular());
       touching &= Chosen<T>::not_less(c.known, S(1)).bits() & regular;
       unknown = (near & ~touching) | (~regular & filled_lanes<T>(count - first));
     }
@@ -74,10 +74,7 @@ template <class A, class B, class T>
 #define GRAZE_INSTANTIATE(A, B)                                                                                        \
   GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
   GRAZE_INSTANTIATE_FOR(A, B, double)
-GRAZE_INSTANTIATE(Sphere, Sphere)
-GRAZE_INSTANTIATE(Sphere, Capsule)
-GRAZE_INSTANTIATE(Sphere, Box)
-GRAZE_INSTANTIATE(Capsule, Capsule)
+GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
 #undef GRAZE_INSTANTIATE
 #undef GRAZE_INSTANTIATE_FOR
 
