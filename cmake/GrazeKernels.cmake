@@ -16,6 +16,12 @@ if(EMSCRIPTEN)
 endif()
 set(graze_flags_avx2 -march=x86-64-v3)
 set(graze_flags_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ fuses products with sums and differences in turns where it joins scalars to vectors by itself, whatever
+  # -ffp-contract says (GCC bug 106902).
+  list(APPEND graze_flags_avx2 -fno-tree-slp-vectorize)
+  list(APPEND graze_flags_avx512 -fno-tree-slp-vectorize)
+endif()
 
 function(graze_kernels target)
   string(REPLACE "," ";" graze_sanitizers "${GRAZE_SANITIZE}")
