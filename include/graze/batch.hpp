@@ -103,7 +103,8 @@ class Batch {
 };
 
 /// `overlap` of each pair: 1 or 0. Kernels: spheres, capsules and boxes with each other; these and triangles with
-/// half-spaces.
+/// half-spaces; cylinders, cones and ellipsoids with each other and with spheres, capsules, boxes, rectangles, segments
+/// and triangles; triangles with each other and with boxes and rectangles.
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 

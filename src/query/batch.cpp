@@ -5,6 +5,7 @@
 #include <string>
 
 #include "narrow/closed_form.hpp"
+#include "query/batch_portals.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
@@ -152,10 +153,11 @@ void answer_queue(const Query& query, Route route, bool turned, const Queue<T>& 
   });
 }
 
-/// The answers of all pairs of a batch. Kernels tell themselves which pairs they do not answer for.
-template <class Query, class T>
-void answer(const Query& query, const Batch<T>& batch, std::vector<typename Query::Answer>& answers) {
-  answers.resize(batch.size());
+/// The answers of all pairs of a batch, for which there is room. Kernels tell themselves which pairs they do not answer
+/// for; `other(i)` answers for a pair of kinds that have none.
+template <class Query, class T, class Other>
+void answer(const Query& query, const Batch<T>& batch, std::vector<typename Query::Answer>& answers,
+            const Other& other) {
   static constexpr KernelRoutes<Query, T> has_kernel;
   const std::uint8_t queue = even_queue(batch);
   if (has_kernel(route_of(queue))) return answer_rows<Query, T>(query, queue, answers.data());
@@ -164,19 +166,25 @@ void answer(const Query& query, const Batch<T>& batch, std::vector<typename Quer
       [&](Route route, bool turned, const Queue<T>& waiting) {
         answer_queue<Query, T>(query, route, turned, waiting, answers.data());
       },
-      [&](std::size_t i) { answers[i] = query.single(i); });
+      other);
 }
 
 }  // namespace
 
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch) {
-  answer(Overlaps<T>{batch}, batch, touch);
+  touch.resize(batch.size());
+  const Overlaps<T> query{batch};
+  Portals portals(batch, touch.data(), [&](std::size_t i) { return query.single(i); });
+  answer(query, batch, touch, [&](std::size_t i) { portals.add(i); });
+  portals.finish();
 }
 
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances) {
-  answer(Distances<T>{batch}, batch, distances);
+  distances.resize(batch.size());
+  const Distances<T> query{batch};
+  answer(query, batch, distances, [&](std::size_t i) { distances[i] = query.single(i); });
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
