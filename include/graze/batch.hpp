@@ -103,17 +103,18 @@ class Batch {
 };
 
 /// `overlap` of each pair: 1 or 0. Kernels: spheres, capsules and boxes with each other; these and triangles with
-/// half-spaces; cylinders, cones and ellipsoids with each other and with spheres, capsules, boxes, rectangles, segments
-/// and triangles; triangles with each other and with boxes and rectangles.
+/// half-spaces; spheres and capsules with triangles; cylinders, cones and ellipsoids with each other and with spheres,
+/// capsules, boxes, rectangles, segments and triangles; triangles with each other and with boxes and rectangles.
 template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 
-/// `distance` of each pair. Kernels: spheres, capsules and boxes with each other; these and triangles with half-spaces.
+/// `distance` of each pair. Kernels: spheres, capsules and boxes with each other; these and triangles with half-spaces;
+/// spheres and capsules with triangles.
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
 /// `contacts` of each pair up to `margin` >= 0 apart. Kernels: spheres, capsules and boxes with each other and with
-/// half-spaces; box with triangle.
+/// half-spaces, and with triangles.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 

@@ -134,6 +134,14 @@ inline constexpr bool is_round_pair = false;
 GRAZE_FOR_ROUND_PAIRS(GRAZE_ROUND_PAIR)
 #undef GRAZE_ROUND_PAIR
 
+/// Spheres and even capsules with triangles.
+template <class A, class B>
+inline constexpr bool is_round_and_triangle = false;
+template <class T>
+inline constexpr bool is_round_and_triangle<Sphere<T>, Triangle<T>> = true;
+template <class T>
+inline constexpr bool is_round_and_triangle<Capsule<T>, Triangle<T>> = true;
+
 /// Adds the rounding radii and takes the answer from A's frame to the world.
 template <class T>
 Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {

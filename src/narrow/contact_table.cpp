@@ -10,10 +10,9 @@
 #include "narrow/pairs/box_contacts.hpp"
 #include "narrow/pairs/box_triangle_contacts.hpp"
 #include "narrow/pairs/capsule_box_contact.hpp"
-#include "narrow/pairs/capsule_triangle.hpp"
 #include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
-#include "narrow/pairs/sphere_triangle.hpp"
+#include "narrow/pairs/round_triangle_contact.hpp"
 
 namespace graze {
 

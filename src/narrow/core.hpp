@@ -27,7 +27,7 @@ template <class S>
 struct BoxCore {
   Vec3<S> half;
 };
-/// No closed form is written for it.
+/// Of a triangle, which has routines of its own.
 template <class S>
 struct TriangleCore {
   Vec3<S> point[3];

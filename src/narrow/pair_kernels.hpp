@@ -134,7 +134,19 @@ GRAZE_DECLARE_KERNEL(
                                                                          bool turned, Distance<T>* distances,
                                                                          std::uint8_t* unknown);
     template <class T> std::uint32_t capsule_box_row_overlaps(const PairRows<T>& rows, std::size_t count,
-                                                              std::uint8_t* touch, std::uint8_t* unknown);)
+                                                              std::uint8_t* touch, std::uint8_t* unknown);
+    /// Contacts, distances and overlaps, as those above, of balls or capsules with triangles, in double. `unknown`: also
+    /// those that the general path has to answer for.
+    template <class A, class T> void round_triangle_contacts(const PairRef<T>* pairs, std::size_t count,
+                                                             PointContact<T>* contacts, Meeting* meetings);
+    template <class A, class T> void round_triangle_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
+                                                                 bool turned, const ContactRows<T>& to,
+                                                                 RowCounts& found);
+    template <class A, class T> std::uint32_t round_triangle_row_distances(const PairRows<T>& rows, std::size_t count,
+                                                                           bool turned, Distance<T>* distances,
+                                                                           std::uint8_t* unknown);
+    template <class A, class T> std::uint32_t round_triangle_row_overlaps(const PairRows<T>& rows, std::size_t count,
+                                                                          std::uint8_t* touch, std::uint8_t* unknown);)
 // clang-format on
 
 }  // namespace graze

@@ -1,5 +1,5 @@
-// Contacts of many pairs that touch in one point: balls and capsules with each other and with boxes, by the kernels for
-// them.
+// Contacts of many pairs that touch in one point: balls and capsules with each other, with boxes and with triangles, by
+// the kernels for them.
 //
 // Guarantee: for each pair what `convex_contacts` answers, bit for bit.
 #pragma once
@@ -14,6 +14,8 @@ template <class A, class B, class T>
 auto round_kernel() {
   if constexpr (is_round_pair<A, B>)
     return GRAZE_KERNEL(chosen_isa(), round_contacts<A, B, T>);
+  else if constexpr (std::is_same_v<B, Triangle<T>>)
+    return GRAZE_KERNEL(chosen_isa(), round_triangle_contacts<A, T>);
   else
     return GRAZE_KERNEL(chosen_isa(), capsule_box_contacts<T>);
 }
@@ -24,8 +26,8 @@ PointContact<T> mirrored(const PointContact<T>& c) {
 }
 
 /// Asks about up to `most_chunk` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
-/// further apart than their margins; for the others `touching(i, contact)`, or, where their faces may give two points,
-/// `unknown(i)`.
+/// further apart than their margins; for the others `touching(i, contact)`, or, where their faces may give two points or
+/// the general path has to answer, `unknown(i)`.
 template <class A, class B, class T, class Apart, class Touching, class Unknown>
 void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                           const Unknown& unknown) {

@@ -63,6 +63,8 @@ template <class A, class B, class T>
 auto overlap_kernel() {
   if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
     return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
+  else if constexpr (is_round_and_triangle<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), round_triangle_row_overlaps<A, T>);
   else
     return GRAZE_KERNEL(chosen_isa(), row_overlaps<A, B, T>);
 }
@@ -71,6 +73,8 @@ template <class A, class B, class T>
 auto distance_kernel() {
   if constexpr (std::is_same_v<B, Box<T>> && !is_round_pair<A, B>)
     return GRAZE_KERNEL(chosen_isa(), box_row_distances<A, B, T>);
+  else if constexpr (is_round_and_triangle<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), round_triangle_row_distances<A, T>);
   else
     return GRAZE_KERNEL(chosen_isa(), row_distances<A, B, T>);
 }
@@ -82,7 +86,7 @@ struct Overlaps {
   const Batch<T>& batch;
 
   template <class A, class B>
-  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>>;
+  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>> || is_round_and_triangle<A, B>;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   }
@@ -97,7 +101,7 @@ struct Distances {
   const Batch<T>& batch;
 
   template <class A, class B>
-  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>>;
+  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>> || is_round_and_triangle<A, B>;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return distance(pair...); });
   }

@@ -239,13 +239,21 @@ class Together {
 };
 
 /// Whether there is a kernel for the contacts of pairs in rows.
-constexpr bool has_rows(Route route) { return route < Route::capsule_box; }
+constexpr bool has_rows(Route route) { return route < Route::box_box && route != Route::capsule_box; }
+
+template <class A, class B, class T>
+auto row_kernel() {
+  if constexpr (is_round_pair<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), round_row_contacts<A, B, T>);
+  else
+    return GRAZE_KERNEL(chosen_isa(), round_triangle_row_contacts<A, T>);
+}
 
 template <class T>
 void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Writer<T>& writer, OneByOne<T>& single) {
   with_round_kinds<T>(route_of(queue), [&]<class A, class B>() {
-    if constexpr (is_round_pair<A, B>) {
-      const auto kernel = GRAZE_KERNEL(chosen_isa(), round_row_contacts<A, B, T>);
+    if constexpr (is_round_pair<A, B> || is_round_and_triangle<A, B>) {
+      const auto kernel = row_kernel<A, B, T>();
       const bool turned = is_turned(queue);
       visit_rows<A, B>(batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
         std::uint8_t unknown[row_chunk];

@@ -21,6 +21,8 @@ enum class Route : std::uint8_t {
   sphere_box,
   capsule_capsule,
   capsule_box,
+  sphere_triangle,
+  capsule_triangle,
   box_box,
   sphere_half_space,
   capsule_half_space,
@@ -48,6 +50,8 @@ constexpr void with_kinds(Route route, const F& f) {
   case Route::sphere_box: return f.template operator()<Sphere<T>, Box<T>>();
   case Route::capsule_capsule: return f.template operator()<Capsule<T>, Capsule<T>>();
   case Route::capsule_box: return f.template operator()<Capsule<T>, Box<T>>();
+  case Route::sphere_triangle: return f.template operator()<Sphere<T>, Triangle<T>>();
+  case Route::capsule_triangle: return f.template operator()<Capsule<T>, Triangle<T>>();
   case Route::box_box: return f.template operator()<Box<T>, Box<T>>();
   case Route::sphere_half_space: return f.template operator()<Sphere<T>, HalfSpace<T>>();
   case Route::capsule_half_space: return f.template operator()<Capsule<T>, HalfSpace<T>>();
@@ -87,7 +91,8 @@ class Routes {
 template <class T, class F>
 void with_round_kinds(Route route, const F& f) {
   with_kinds<T>(route, [&]<class A, class B>() {
-    if constexpr (is_round_pair<A, B> || (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>))
+    if constexpr (is_round_pair<A, B> || (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>) ||
+                  is_round_and_triangle<A, B>)
       f.template operator()<A, B>();
   });
 }

@@ -2,9 +2,14 @@
 // against themselves, since what contacts, distances and overlaps say has to be the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
+#include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
+#include "narrow/round_batch.hpp"
 
 namespace graze::testing {
 namespace {
@@ -73,6 +78,56 @@ void expect_as_in_general(unsigned seed, double near) {
 TEST(CapsuleTriangle, IsAsInGeneral) {
   expect_as_in_general<float>(1, 2e-6);
   expect_as_in_general<double>(2, 1e-11);
+}
+
+/// Many pairs by pointers: what the kernels tell of each is what the pair alone has, and they leave few to it.
+template <class T, class A>
+void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
+  Random random(3);
+  std::vector<Triangle<T>> triangles;
+  std::vector<Pose<T>> poses;
+  const auto vector = [&] { return cast<T>(random_vector(random, 1)); };
+  for (std::size_t i = 0; i < 2 * rounds.size(); ++i) {
+    triangles.emplace_back(vector(), vector(), vector());
+    poses.push_back({vector() * T(0.5), normalized(cast<T>(random_rotation(random)))});
+  }
+  std::vector<PairRef<T>> pairs;
+  for (std::size_t i = 0; i < rounds.size(); ++i)
+    pairs.push_back({&rounds[i], &triangles[i], &poses[2 * i], &poses[2 * i + 1], T(0.05)});
+  std::size_t unknown = 0, touching = 0;
+  for (std::size_t first = 0; first < pairs.size(); first += most_chunk) {
+    const PairRef<T>* const chunk = pairs.data() + first;
+    const auto alone = [&](std::size_t i, Manifold<T>& found) {
+      return convex_contacts<T>(Shape<T>(*static_cast<const A*>(chunk[i].a)), *chunk[i].pose_a,
+                                Shape<T>(*static_cast<const Triangle<T>*>(chunk[i].b)), *chunk[i].pose_b,
+                                chunk[i].margin, found, nullptr);
+    };
+    visit_round_contacts<A, Triangle<T>>(
+        chunk, std::min(most_chunk, pairs.size() - first),
+        [&](std::size_t i) {
+          Manifold<T> found;
+          EXPECT_GT(alone(i, found), chunk[i].margin);
+        },
+        [&](std::size_t i, const PointContact<T>& contact) {
+          Manifold<T> found;
+          alone(i, found);
+          ASSERT_EQ(found.points.size(), 1u);
+          EXPECT_EQ(found.normal, contact.normal);
+          const ContactPoint<T>&p = found.points[0], &q = contact.point;
+          EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
+          ++touching;
+        },
+        [&](std::size_t) { ++unknown; });
+  }
+  EXPECT_GT(touching, rounds.size() / 8);
+  EXPECT_LT(unknown, most_unknown);
+}
+
+TEST(CapsuleTriangle, ManyAtOnceAreAsEachAlone) {
+  expect_as_alone<float>(std::vector<Sphere<float>>(1000, Sphere<float>(0.4f)), 10);
+  expect_as_alone<double>(std::vector<Sphere<double>>(1000, Sphere<double>(0.4)), 10);
+  expect_as_alone<float>(std::vector<Capsule<float>>(1000, Capsule<float>(0.8f, 0.25f)), 300);
+  expect_as_alone<double>(std::vector<Capsule<double>>(1000, Capsule<double>(0.8, 0.25)), 300);
 }
 
 TEST(CapsuleTriangle, NearestIsAnEndOrTheSide) {

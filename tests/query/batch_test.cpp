@@ -237,6 +237,59 @@ TEST(Batch, TakesRowsOfAnyLength) {
   for (const std::uint32_t count : {1u, 3u, 16u, 21u}) Rows<double>(count, random).expect_all_same();
 }
 
+/// Balls and capsules at triangles, of all sizes, some far away. Among them are points, slivers, segments, radii and
+/// heights of zero, tapered capsules, and shapes that touch a triangle exactly, stand or lie on it or cut it.
+template <class T>
+struct RoundsAndTriangles {
+  std::vector<Sphere<T>> balls;
+  std::vector<Capsule<T>> capsules;
+  std::vector<Triangle<T>> triangles;
+  std::vector<Pose<T>> at, triangles_at;
+  std::vector<IdPair> pairs;
+
+  explicit RoundsAndTriangles(std::uint32_t count, Random& random) {
+    static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1e2f, 1e4f};
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const float scale = scales[i % 5];
+      const auto vector = [&](float reach) { return cast<T>(random_vector(random, reach * scale)); };
+      const Vec3<T> away = i % 10 == 5 ? vector(1e4f) : Vec3<T>{}, p = vector(1);
+      Vec3<T> q = vector(1), r = vector(1);
+      if (i % 16 == 1) q = p;
+      if (i % 16 == 2) q = r = p;
+      if (i % 16 == 3) r = p + (q - p) * T(1.0 / 3) + vector(1) * T(std::exp2(-uniform(random, 0, 40)));
+      triangles.emplace_back(p, q, r);
+      const T radius = i % 11 == 0 ? T(0) : T(scale) * T(uniform(random, 0.1f, 0.6f)),
+              height = i % 13 == 0 ? T(0) : T(scale) * T(uniform(random, 0.1f, 2));
+      balls.emplace_back(radius, i % 4 == 0 ? vector(0.5f) : Vec3<T>{});
+      capsules.emplace_back(height, radius, i % 17 == 0 ? radius / 2 : radius);
+      const Quat<T> turn = i % 3 == 0 ? Quat<T>{} : cast<T>(random_rotation(random));
+      triangles_at.push_back({away, turn});
+      // Over the triangle's middle, and just its radius away, or anywhere.
+      const Vec3<T> n = rotate(turn, normalized(cross(q - p, r - p))), middle = rotate(turn, (p + q + r) * T(1.0 / 3));
+      const bool exact = i % 6 == 0;
+      at.push_back({exact ? away + middle + n * radius : away + vector(i % 6 == 1 ? 0.01f : 0.8f),
+                    i % 6 < 2 ? turn : cast<T>(random_rotation(random))});
+      pairs.push_back({static_cast<std::uint32_t>(random() % count), static_cast<std::uint32_t>(random() % count)});
+    }
+  }
+  void expect_all_same() const {
+    const std::span<const Pose<T>> poses(at);
+    const Bodies<T> flats{std::span<const Triangle<T>>(triangles), std::span<const Pose<T>>(triangles_at)};
+    for (const Bodies<T>& rounds : {Bodies<T>(std::span<const Sphere<T>>(balls), poses),
+                                    Bodies<T>(std::span<const Capsule<T>>(capsules), poses)}) {
+      expect_same(Batch<T>(rounds, flats), T(0));
+      expect_same(Batch<T>(flats, rounds), T(0.05));
+      expect_same(Batch<T>(rounds, flats, pairs), T(1e3));
+    }
+  }
+};
+
+TEST(Batch, TakesRoundShapesAndTriangles) {
+  Random random(8);
+  for (const std::uint32_t count : {1u, 3u, 9u, 300u}) RoundsAndTriangles<float>(count, random).expect_all_same();
+  for (const std::uint32_t count : {1u, 5u, 300u}) RoundsAndTriangles<double>(count, random).expect_all_same();
+}
+
 TEST(Batch, GivesTheGoldenBits) {
   EXPECT_EQ(hash_of_a_long_run<float>(), golden_bits<float>);
   EXPECT_EQ(hash_of_a_long_run<double>(), golden_bits<double>);

@@ -1,4 +1,5 @@
 // Boxes, and capsules as boxes that are only long, a register of pairs at a time in double.
+#include "narrow/in_double.hpp"
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/capsule_box_contact.hpp"
 #include "narrow/row_answers.hpp"
@@ -10,46 +11,14 @@ namespace {
 using S = Lanes<double>;
 
 template <std::size_t part, class L>
-[[gnu::always_inline]] inline Vec3<S> vector_in_double(const Vec3<L>& v) {
-  return {lanes_in_double<part>(v.x), lanes_in_double<part>(v.y), lanes_in_double<part>(v.z)};
-}
-template <std::size_t part, class L>
 [[gnu::always_inline]] inline PlacedBox<S> in_double(const PlacedBox<L>& box) {
-  const Quat<L>& q = box.pose.rotation;
-  return {vector_in_double<part>(box.half),
-          lanes_in_double<part>(box.radius),
-          {vector_in_double<part>(box.pose.translation),
-           {lanes_in_double<part>(q.x), lanes_in_double<part>(q.y), lanes_in_double<part>(q.z),
-            lanes_in_double<part>(q.w)}}};
+  return {GRAZE_ISA::in_double<part>(box.half), lanes_in_double<part>(box.radius),
+          GRAZE_ISA::in_double<part>(box.pose)};
 }
 
 /// Compiled once for all.
 [[gnu::noinline, gnu::flatten]] void answer(const PlacedBox<S>& a, const PlacedBox<S>& b, BoxDistance<S>& found) {
   found = box_distance(a, b);
-}
-
-/// How many parts of that size a bundle has.
-template <class T>
-inline constexpr std::size_t parts_of = sizeof(double) / sizeof(T);
-
-/// Calls `f(part)` for the number of each part, a constant, that holds some of `count` pairs.
-template <class T, class F>
-void visit_parts(std::size_t count, const F& f) {
-  f(std::integral_constant<std::size_t, 0>());
-  if constexpr (parts_of<T> == 2)
-    if (count > static_cast<std::size_t>(lanes_of<double>)) f(std::integral_constant<std::size_t, 1>());
-}
-
-/// Numbers of all parts, rounded to T.
-[[gnu::always_inline]] inline Lanes<double> joined(const Lanes<double> (&parts)[1]) { return parts[0]; }
-template <std::size_t... I>
-[[gnu::always_inline]] inline Lanes<float> joined(const Lanes<double> (&parts)[2], std::index_sequence<I...>) {
-  using Half = typename gathering::FloatVector<lanes_of<double>>::type;
-  return Lanes<float>::of(__builtin_shufflevector(__builtin_convertvector(parts[0].v, Half),
-                                                  __builtin_convertvector(parts[1].v, Half), I...));
-}
-[[gnu::always_inline]] inline Lanes<float> joined(const Lanes<double> (&parts)[2]) {
-  return joined(parts, std::make_index_sequence<lanes_of<float>>());
 }
 
 /// The distances of a bundle, and in which lanes they are known.

@@ -9,16 +9,9 @@
 #include "narrow/pairs/box_manifold.hpp"
 #include "narrow/pairs/box_triangle.hpp"
 #include "narrow/pairs/triangle_outline.hpp"
+#include "narrow/pairs/triangle_parts.hpp"
 
 namespace graze {
-
-/// What of a triangle a part names: a vertex, the edge between the two others and 3 before it, its front and its back.
-inline constexpr int edge_part = 3, front_part = 6, back_part = 7;
-inline constexpr std::uint16_t triangle_features[] = {
-    static_cast<std::uint16_t>(vertex_feature(0)),  static_cast<std::uint16_t>(vertex_feature(1)),
-    static_cast<std::uint16_t>(vertex_feature(2)),  static_cast<std::uint16_t>(edge_feature(1, 2)),
-    static_cast<std::uint16_t>(edge_feature(0, 2)), static_cast<std::uint16_t>(edge_feature(0, 1)),
-    static_cast<std::uint16_t>(face_feature(0)),    static_cast<std::uint16_t>(face_feature(1))};
 
 namespace detail {
 

@@ -14,6 +14,7 @@
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
+#include "narrow/pairs/triangle_parts.hpp"
 
 namespace graze {
 
@@ -165,33 +166,30 @@ S ball_weight(const S& radius_a, const S& radius_b) {
 /// inline: kernels of different levels share nothing.
 struct RoundFeatureIds {
   std::uint32_t of[std::size(round_features) * box_part_count];
-  constexpr explicit RoundFeatureIds(bool with_box) : of{} {
+  template <std::size_t size>
+  constexpr explicit RoundFeatureIds(const std::uint16_t (&parts_b)[size]) : of{} {
     for (std::size_t i = 0; i < std::size(round_features); ++i)
       for (std::size_t j = 0; j < box_part_count; ++j)
-        of[i * box_part_count + j] = feature_id(
-            round_features[i], with_box ? box_features.of[j] : round_features[j % std::size(round_features)]);
+        of[i * box_part_count + j] = feature_id(round_features[i], parts_b[j % size]);
   }
 };
-static constexpr RoundFeatureIds ids_with_round(false), ids_with_box(true);
+static constexpr RoundFeatureIds ids_with_round(round_features), ids_with_box(box_features.of),
+    ids_with_triangle(triangle_features);
 template <class B, class T>
 constexpr const RoundFeatureIds& round_feature_ids() {
-  return std::is_same_v<B, Box<T>> ? ids_with_box : ids_with_round;
+  return std::is_same_v<B, Box<T>> ? ids_with_box : std::is_same_v<B, Triangle<T>> ? ids_with_triangle : ids_with_round;
 }
 /// The names of the parts of one shape, a table that fits registers.
-struct RoundPartNames {
-  std::uint32_t of[16];
-  constexpr RoundPartNames() : of{} {
-    for (std::size_t i = 0; i < std::size(round_features); ++i) of[i] = round_features[i];
+template <std::size_t room>
+struct PartNames {
+  std::uint32_t of[room];
+  template <std::size_t size>
+  constexpr explicit PartNames(const std::uint16_t (&names)[size]) : of{} {
+    for (std::size_t i = 0; i < size; ++i) of[i] = names[i];
   }
 };
-struct BoxPartNames {
-  std::uint32_t of[64];
-  constexpr BoxPartNames() : of{} {
-    for (std::size_t i = 0; i < box_part_count; ++i) of[i] = box_features.of[i];
-  }
-};
-static constexpr RoundPartNames round_part_names{};
-static constexpr BoxPartNames box_part_names{};
+static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
+static constexpr PartNames<64> box_part_names(box_features.of);
 /// The place of that of two shapes, exact in any number.
 template <class S>
 S feature_place(const RoundContact<S>& c) {

@@ -1,17 +1,17 @@
-// A triangle as points and segments look at it, in double: what of it is nearest, and its name.
+// A triangle as points and segments look at it, across lanes: what of it is nearest, and its name.
 //
-// Guarantee: an answer is given only where rounding leaves its direction known; else nothing. The nearest place is
-// right to the rounding of the coordinates, the direction to six digits, over the face to all.
+// Guarantee: an answer is `known` only where rounding leaves its direction known. Then the nearest place is right to the
+// rounding of the coordinates, the direction to six digits, over the face to all. In every lane the bits that a triangle
+// alone gives. For double: the bounds are of its digits.
 #pragma once
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "graze/geometry.hpp"
-#include "graze/shape/triangle.hpp"
-#include "narrow/features.hpp"
+#include "narrow/core.hpp"
 #include "narrow/outline.hpp"
+#include "narrow/pairs/triangle_parts.hpp"
 
 namespace graze {
 
@@ -23,145 +23,182 @@ inline constexpr double thinnest_triangle = 1.0 / 1024;
 /// face has a normal of its own: one rounding tells on which side the point is.
 inline constexpr double roundings_off_edge = 1e6;
 
-/// A point and the place of a triangle nearest to it.
+/// A point and the place of a triangle nearest to it. Of no meaning where it is not known.
+template <class S>
 struct NearTriangle {
-  Vec3d place, outward;  ///< outward: the unit vector from the place to the point
-  double distance;
+  Vec3<S> place, outward;  ///< outward: the unit vector from the place to the point
+  S distance;
+  decltype(S() < S()) known;
 };
+template <class M, class S>
+NearTriangle<S> select(const M& condition, const NearTriangle<S>& yes, const NearTriangle<S>& no) {
+  NearTriangle<S> near{select(condition, yes.place, no.place), select(condition, yes.outward, no.outward),
+                       select(condition, yes.distance, no.distance), no.known};
+  near.known = select(condition, yes.known, no.known);
+  return near;
+}
 
 /// The same of a segment.
+template <class S>
 struct SegmentNearTriangle {
-  NearTriangle at;
-  double along;  ///< where on the segment, of its length
+  NearTriangle<S> at;
+  S along;  ///< where on the segment, of its length
 };
 
 /// A triangle with what its questions share.
+template <class S>
 class SidedTriangle {
+  using Mask = decltype(S() < S());
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
  public:
-  template <class T>
-  explicit SidedTriangle(const Triangle<T>& triangle)
-      : point_{cast<double>(triangle.point(0)), cast<double>(triangle.point(1)), cast<double>(triangle.point(2))},
+  explicit SidedTriangle(const TriangleCore<S>& of)
+      : point_{of.point[0], of.point[1], of.point[2]},
         along_{point_[1] - point_[0], point_[2] - point_[1], point_[0] - point_[2]},
         squared_{length_squared(along_[0]), length_squared(along_[1]), length_squared(along_[2])},
         across_(cross(along_[0], along_[1])),
         area_squared_(length_squared(across_)) {}
 
-  bool thin() const {
+  /// Whether it is not too thin to be asked what follows.
+  Mask regular() const {
     // A guard of double's range: below this, of sides of 1e-50, the products of five lengths, which tell the sides, run
     // out of digits. How thin a triangle may be, `thinnest_triangle` tells.
     constexpr double least_area_squared = 1e-200;
-    const double longest = greatest(squared_[0], greatest(squared_[1], squared_[2]));
-    return !(area_squared_ > least_area_squared &&
-             area_squared_ > thinnest_triangle * thinnest_triangle * longest * longest);
+    const S longest = greatest(squared_[0], greatest(squared_[1], squared_[2]));
+    return (area_squared_ > S(least_area_squared)) &
+           (area_squared_ > S(thinnest_triangle * thinnest_triangle) * longest * longest);
   }
   /// Of its points from the origin of its frame.
-  double extent() const {
-    return std::sqrt(
-        greatest(length_squared(point_[0]), greatest(length_squared(point_[1]), length_squared(point_[2]))));
+  S extent() const {
+    using std::sqrt;
+    return sqrt(greatest(length_squared(point_[0]), greatest(length_squared(point_[1]), length_squared(point_[2]))));
   }
 
-  /// Of one that is not thin; nothing where `noise`, the rounding of the coordinates, hides the direction.
-  std::optional<NearTriangle> nearest_to(const Vec3d& p, double noise) const {
+  /// Not known where `noise`, the rounding of the coordinates, hides the direction.
+  NearTriangle<S> nearest_to(const Vec3<S>& p, const S& noise) const {
+    using std::sqrt;
     // What is nearest lies on one of the edges that the point is beyond, or else below it (Ericson 2005, section
     // 5.1.5).
-    double least_squared = std::numeric_limits<double>::infinity();
-    Vec3d best{};
+    S least_squared(infinity);
+    Vec3<S> best{S(0), S(0), S(0)};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3d from = p - point_[i];
-      if (dot(cross(across_, along_[i]), from) >= 0) continue;
-      const double t = clamp(dot(from, along_[i]) / squared_[i], 0.0, 1.0);
-      const Vec3d place = t < 1 ? point_[i] + along_[i] * t : point_[i == 2 ? 0 : i + 1];
-      const double squared = length_squared(p - place);
-      if (!(squared < least_squared)) continue;
-      least_squared = squared;
-      best = place;
+      const Vec3<S> from = p - point_[i];
+      const Mask beyond = dot(side(i), from) < S(0);
+      if (!any(beyond)) continue;
+      const S t = clamp(dot(from, along_[i]) / squared_[i], S(0), S(1));
+      const Vec3<S> place = select(t < S(1), point_[i] + along_[i] * t, point_[next(i)]);
+      const S squared = length_squared(p - place);
+      const Mask nearer = beyond & (squared < least_squared);
+      least_squared = select(nearer, squared, least_squared);
+      best = select(nearer, place, best);
     }
-    if (least_squared == std::numeric_limits<double>::infinity()) return below(p, noise);
-    const double distance = std::sqrt(least_squared);
-    if (!(distance > roundings_off_edge * noise)) return std::nullopt;
-    return NearTriangle{best, (p - best) / distance, distance};
+    const Mask inside = least_squared == S(infinity);
+    if (all(inside)) return below(p, noise);
+    const S distance = sqrt(least_squared);
+    const NearTriangle<S> of_edge{best, (p - best) / distance, distance, distance > S(roundings_off_edge) * noise};
+    return any(inside) ? select(inside, below(p, noise), of_edge) : of_edge;
   }
 
-  /// Where a segment comes nearest to an edge, if a plane between the two shows that nothing is nearer.
-  std::optional<SegmentNearTriangle> nearest_across(const Segment<double>& s, double noise) const {
-    double least_squared = std::numeric_limits<double>::infinity(), along = 0;
-    Vec3d place{}, from{};
+  /// Where a segment from `start` along `d`, which is not zero, comes nearest to an edge, known if a plane between the
+  /// two shows that nothing is nearer.
+  SegmentNearTriangle<S> nearest_across(const Vec3<S>& start, const Vec3<S>& d, const S& noise) const {
+    using std::sqrt;
+    const S per_squared = S(1) / length_squared(d);
+    S least_squared(infinity), along(0);
+    Vec3<S> place{S(0), S(0), S(0)}, to = place;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Segment<double> edge{point_[i], point_[i == 2 ? 0 : i + 1]};
-      const auto [at, on_edge] = closest_parameters(s, edge);
-      const Vec3d p = point_at(s, at), q = point_at(edge, on_edge);
-      const double squared = length_squared(p - q);
-      if (!(squared < least_squared)) continue;
-      least_squared = squared;
-      along = at;
-      from = p;
-      place = q;
+      // Of an edge that the segment is nowhere beyond, no such plane passes.
+      const Vec3<S> r = start - point_[i];
+      const S from_start = dot(side(i), r);
+      const Mask beyond = least(from_start, from_start + dot(side(i), d)) < S(0);
+      if (!any(beyond)) continue;
+      // Where the lines are nearest, clamped; what is nearest to that on the edge, clamped; and to that on the segment
+      // (Ericson 2005, section 5.1.9). By a cross product, which loses no digits where they are near parallel.
+      const Vec3<S>& e = along_[i];
+      const Vec3<S> n = cross(d, e);
+      const S nn = length_squared(n), at_line = clamp(dot(cross(e, r), n) / select(nn > S(0), nn, S(1)), S(0), S(1)),
+              on_edge = clamp(dot(e, r + d * at_line) / squared_[i], S(0), S(1));
+      const Vec3<S> between = r - e * on_edge;
+      const S at = clamp(-dot(d, between) * per_squared, S(0), S(1));
+      const Vec3<S> gap = between + d * at;
+      const S squared = length_squared(gap);
+      const Mask nearer = beyond & (squared < least_squared);
+      least_squared = select(nearer, squared, least_squared);
+      along = select(nearer, at, along);
+      to = select(nearer, gap, to);
+      place = select(nearer, point_[i] + e * on_edge, place);
     }
-    const double distance = std::sqrt(least_squared);
-    if (!(distance > roundings_off_edge * noise)) return std::nullopt;
-    const Vec3d outward = (from - place) / distance;
-    const double highest = greatest(dot(point_[0] - place, outward),
-                                    greatest(dot(point_[1] - place, outward), dot(point_[2] - place, outward))),
-                 lowest = least(dot(s.a - from, outward), dot(s.b - from, outward));
-    if (highest > noise || lowest < -noise) return std::nullopt;
-    return SegmentNearTriangle{{place, outward, distance}, along};
+    const S distance = sqrt(least_squared);
+    const Vec3<S> outward = to / distance;
+    const auto above = [&](const Vec3<S>& p) { return dot(p - place, outward); };
+    const S highest = greatest(above(point_[0]), greatest(above(point_[1]), above(point_[2]))),
+            lowest = least(above(start), above(start + d)) - distance;
+    const Mask known = (distance > S(roundings_off_edge) * noise) & (highest <= noise) & (lowest >= -noise);
+    return {{place, outward, distance, known}, along};
   }
 
-  /// The name of what a place on the triangle lies on, for contacts whose normal is `outward`, off the triangle: as the
-  /// general path names it, which sees the whole triangle unless that leans further than `side_lean`.
-  std::uint32_t feature(const Vec3d& place, const Vec3d& outward) const {
-    const double facing = dot(across_, outward);
-    const bool whole = facing * facing >= (1 - side_lean<double> * side_lean<double>)*area_squared_;
-    double seen[3], nearest_squared = same_place * same_place;
-    bool on[3];
-    if (whole) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double rise = dot(along_[i], outward);
-        seen[i] = squared_[i] - rise * rise;
-      }
-      nearest_squared *= least(seen[0], least(seen[1], seen[2]));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double turned = dot(cross(along_[i], place - point_[i]), outward), inside = facing > 0 ? turned : -turned;
-        on[i] = inside <= 0 || inside * inside <= nearest_squared * seen[i];
-      }
-      if (!(on[0] || on[1] || on[2])) return face_feature(facing > 0 ? 0 : 1);
-    } else {
-      // On the edge that it is nearest to, or at an end of that.
-      const std::size_t edge = nearest_edge(place), next = edge == 2 ? 0 : edge + 1;
-      for (const std::size_t end : {edge, next})
-        if (length_squared(place - point_[end]) <= nearest_squared * squared_[edge])
-          return vertex_feature(static_cast<std::uint32_t>(end));
-      for (std::size_t i = 0; i < 3; ++i) on[i] = i == edge;
-    }
-    if (on[0] && on[1]) return vertex_feature(1);
-    if (on[1] && on[2]) return vertex_feature(2);
-    if (on[2] && on[0]) return vertex_feature(0);
-    return on[0] ? edge_feature(0, 1) : on[1] ? edge_feature(1, 2) : edge_feature(0, 2);
+  /// The number of the part that a place on the triangle lies on, for contacts whose normal is `outward`, off the
+  /// triangle: as the general path names it, which sees the whole triangle unless that leans further than `side_lean`.
+  S part(const Vec3<S>& place, const Vec3<S>& outward) const {
+    const S facing = dot(across_, outward);
+    const Mask whole = facing * facing >= S(1 - side_lean<double> * side_lean<double>) * area_squared_;
+    if (all(whole)) return part_of_face(place, outward, facing);
+    const S of_edge = part_of_edge(place);
+    return any(whole) ? select(whole, part_of_face(place, outward, facing), of_edge) : of_edge;
   }
 
  private:
-  std::optional<NearTriangle> below(const Vec3d& p, double noise) const {
-    const Vec3d normal = across_ / std::sqrt(area_squared_);
-    const double height = dot(p - point_[0], normal), distance = std::abs(height);
-    if (!(distance > noise)) return std::nullopt;
-    return NearTriangle{p - normal * height, height > 0 ? normal : -normal, distance};
+  static constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
+  /// The part of an edge: that between the two others than the vertex before it.
+  static S edge_from(std::size_t i) { return S(static_cast<double>(edge_part + (i + 2) % 3)); }
+
+  /// Across an edge, in the triangle's plane, inward.
+  Vec3<S> side(std::size_t i) const { return cross(across_, along_[i]); }
+  NearTriangle<S> below(const Vec3<S>& p, const S& noise) const {
+    using std::abs;
+    using std::sqrt;
+    const Vec3<S> normal = across_ / sqrt(area_squared_);
+    const S height = dot(p - point_[0], normal), distance = abs(height);
+    return {p - normal * height, select(height > S(0), normal, -normal), distance, distance > noise};
   }
-  std::size_t nearest_edge(const Vec3d& place) const {
-    std::size_t nearest = 0;
-    double least_squared = std::numeric_limits<double>::infinity();
+  S part_of_face(const Vec3<S>& place, const Vec3<S>& outward, const S& facing) const {
+    S seen[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      const double squared = length_squared(cross(along_[i], place - point_[i])) / squared_[i];
-      if (!(squared < least_squared)) continue;
-      least_squared = squared;
-      nearest = i;
+      const S rise = dot(along_[i], outward);
+      seen[i] = squared_[i] - rise * rise;
     }
-    return nearest;
+    const S nearest_squared = S(same_place * same_place) * least(seen[0], least(seen[1], seen[2]));
+    const auto on_edge = [&](std::size_t i) -> Mask {
+      const S turned = dot(cross(along_[i], place - point_[i]), outward),
+              inside = select(facing > S(0), turned, -turned);
+      return (inside <= S(0)) | (inside * inside <= nearest_squared * seen[i]);
+    };
+    const Mask on0 = on_edge(0), on1 = on_edge(1), on2 = on_edge(2);
+    const S face = select(facing > S(0), S(front_part), S(back_part));
+    if (!any(on0 | on1 | on2)) return face;
+    const S beside_0 = select(on1, S(1), select(on2, S(0), edge_from(0))), beside_1 = select(on2, S(2), edge_from(1));
+    return select(on0, beside_0, select(on1, beside_1, select(on2, edge_from(2), face)));
+  }
+  /// That of the edge that it is nearest to, or of an end of that.
+  S part_of_edge(const Vec3<S>& place) const {
+    S least_squared(infinity), part(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const S squared = length_squared(cross(along_[i], place - point_[i])) / squared_[i],
+              near = S(same_place * same_place) * squared_[i];
+      const auto at_end = [&](std::size_t end) -> Mask { return length_squared(place - point_[end]) <= near; };
+      const Mask nearer = squared < least_squared;
+      const auto number = [](std::size_t vertex) { return S(static_cast<double>(vertex)); };
+      const S here = select(at_end(i), number(i), select(at_end(next(i)), number(next(i)), edge_from(i)));
+      least_squared = select(nearer, squared, least_squared);
+      part = select(nearer, here, part);
+    }
+    return part;
   }
 
-  Vec3d point_[3], along_[3];  ///< along: the edge from a point to the next
-  double squared_[3];          ///< of the edges
-  Vec3d across_;               ///< as long as twice the area, to the front
-  double area_squared_;        ///< of four times the square of the area
+  Vec3<S> point_[3], along_[3];  ///< along: the edge from a point to the next
+  S squared_[3];                 ///< of the edges
+  Vec3<S> across_;               ///< as long as twice the area, to the front
+  S area_squared_;               ///< of four times the square of the area
 };
 
 }  // namespace graze

@@ -1,115 +1,119 @@
-// Sphere against triangle: the nearest point of the triangle to the centre, in double.
+// Sphere against triangle: the nearest point of the triangle to the centre, across lanes, in double.
 //
-// Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches.
-// Nothing is answered where the centre lies about on the triangle, and of slivers: the general path does that.
+// Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches, of
+// one pair or of many. It is not known where the centre lies about on the triangle, and of slivers: the general path
+// answers then.
 #pragma once
 
 #include <cmath>
 #include <optional>
 
 #include "graze/query.hpp"
-#include "narrow/features.hpp"
+#include "narrow/closed_form.hpp"
+#include "narrow/flatten.hpp"
 #include "narrow/minkowski.hpp"
 #include "narrow/pairs/sided_triangle.hpp"
 #include "narrow/relative_frame.hpp"
-#include "shape/rounding.hpp"
 
 namespace graze {
 
 /// A triangle and a shape of a round core, in a frame at the round one's origin along the world's axes.
-template <class T>
+template <class S>
 struct RoundAndTriangle {
-  SidedTriangle triangle;
-  Mat3d turn;             ///< of the triangle
-  Vec3d origin, between;  ///< of that frame in the world, and from the triangle's origin to there
-  double radius_round, radius_triangle;
-  double noise;  ///< what rounding may do to a distance: `noise_of`
+  SidedTriangle<S> triangle;
+  Mat3<S> turn;             ///< of the triangle
+  Vec3<S> origin, between;  ///< of that frame in the world, and from the triangle's origin to there
+  S radius_round, radius_triangle;
+  S noise;  ///< what rounding may do to a distance: `noise_of`
 
-  RoundAndTriangle(T radius, double extent, const Pose<T>& pose, const Triangle<T>& of, T margin_triangle,
-                   const Pose<T>& pose_triangle)
-      : triangle(of),
-        turn(rotation_of(cast<double>(pose_triangle.rotation))),
-        origin(cast<double>(pose.translation)),
-        between(origin - cast<double>(pose_triangle.translation)),
-        radius_round(static_cast<double>(radius)),
-        radius_triangle(static_cast<double>(margin_triangle)),
-        noise(rounding * (greatest(extent + radius_round, triangle.extent() + radius_triangle) + max_abs(between))) {}
-
-  Vec3d seen_by_triangle(const Vec3d& p) const { return transposed_times(turn, p + between); }
-  std::optional<NearTriangle> nearest_to(const Vec3d& p) const {
-    return triangle.nearest_to(seen_by_triangle(p), noise);
+  /// `extent`: of the round one's core.
+  RoundAndTriangle(const S& radius, const S& extent, const Pose<S>& pose, const Rounded<TriangleCore<S>, S>& of,
+                   const Pose<S>& pose_triangle)
+      : triangle(of.core),
+        turn(rotation_of(pose_triangle.rotation)),
+        origin(pose.translation),
+        between(origin - pose_triangle.translation),
+        radius_round(radius),
+        radius_triangle(of.radius),
+        noise(S(rounding) * (greatest(extent + radius_round, triangle.extent() + radius_triangle) + max_abs(between))) {
   }
+
+  Vec3<S> seen_by_triangle(const Vec3<S>& p) const { return transposed_times(turn, p + between); }
+  NearTriangle<S> nearest_to(const Vec3<S>& p) const { return triangle.nearest_to(seen_by_triangle(p), noise); }
   /// Of the rounded shapes, of which the cores are nearest at `p`, and where the triangle has it.
-  Distance<T> in_world(const Vec3d& p, const NearTriangle& near) const {
-    const double radii = radius_round + radius_triangle;
+  CoreDistance<S> in_world(const Vec3<S>& p, const NearTriangle<S>& near) const {
+    using std::abs;
+    const S radii = radius_round + radius_triangle;
     // A distance that rounding cannot tell from none is none: they touch.
-    const double apart = std::abs(near.distance - radii) <= noise ? radii : near.distance;
-    const Vec3d normal = -(turn * near.outward);
-    Distance<T> d;
-    d.distance = static_cast<T>(apart - radii);
-    d.normal = cast<T>(normal);
-    d.a = cast<T>(origin + (p + normal * radius_round));
-    d.b = cast<T>(origin + (p + normal * (apart - radius_triangle)));
-    return d;
+    const S apart = select(abs(near.distance - radii) <= noise, radii, near.distance);
+    const Vec3<S> normal = -(turn * near.outward);
+    return {apart - radii, normal, origin + (p + normal * radius_round),
+            origin + (p + normal * (apart - radius_triangle))};
   }
 };
 
-/// The answers of a pair of such a shape and a triangle, where they are `known`.
+/// A ball and a triangle. All but what is known has a meaning only where that is.
+template <class S>
+class BallAndTriangle {
+  using Mask = decltype(S() < S());
+
+ public:
+  BallAndTriangle(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose,
+                  const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle)
+      : pair_(ball.radius, length(ball.core.point), pose, triangle, pose_triangle) {
+    const Mask regular = pair_.triangle.regular();
+    if (!any(regular)) return;
+    // The same bits without the question, since zeros lose their sign: most balls are about their origins.
+    if (!is_origin(ball.core.point)) center_ = rotation_of(pose.rotation) * ball.core.point + center_;
+    near_ = pair_.nearest_to(center_);
+    near_.known = near_.known & regular;
+  }
+
+  Mask known() const { return near_.known; }
+  CoreDistance<S> distance() const { return pair_.in_world(center_, near_); }
+  /// Whether they touch in one point at most.
+  Mask one_point() const { return near_.known; }
+  /// What touches, of the ball and of the triangle.
+  S part() const { return S(0); }
+  S triangle_part() const { return pair_.triangle.part(near_.place, near_.outward); }
+
+ private:
+  RoundAndTriangle<S> pair_;
+  Vec3<S> center_{S(0), S(0), S(0)};
+  NearTriangle<S> near_{};
+};
+
+/// A triangle with its margin in double, as pairs are asked about.
+template <class T>
+Rounded<TriangleCore<double>, double> rounded_in_double(const Triangle<T>& triangle, T margin) {
+  return {{{cast<double>(triangle.point(0)), cast<double>(triangle.point(1)), cast<double>(triangle.point(2))}},
+          static_cast<double>(margin)};
+}
+
+/// The pair of a round shape and a triangle with their margins.
+template <class T>
+BallAndTriangle<double> with_triangle(const Sphere<T>& ball, T margin, const Pose<T>& pose, const Triangle<T>& triangle,
+                                      T margin_triangle, const Pose<T>& pose_triangle) {
+  const auto of = rounded_core(ball, margin);
+  return {{cast<double>(of.core), static_cast<double>(of.radius)},
+          cast<double>(pose),
+          rounded_in_double(triangle, margin_triangle),
+          cast<double>(pose_triangle)};
+}
+
+/// Nothing where it is not known.
 template <class T, class Pair>
 std::optional<Distance<T>> distance_of(const Pair& pair) {
   if (!pair.known()) return std::nullopt;
-  return pair.distance();
-}
-template <class T, class Pair>
-std::optional<T> contact_of(const Pair& pair, T margin, Manifold<T>& manifold) {
-  if (!pair.known()) return std::nullopt;
-  const Distance<T> d = pair.distance();
-  if (d.distance <= margin && !pair.one_point()) return std::nullopt;
-  manifold.normal = d.normal;
-  if (d.distance <= margin) manifold.points.push_back({d.a, d.b, d.distance, pair.feature(), T(0.5)});
-  return d.distance;
-}
-
-/// A ball and a triangle.
-template <class T>
-class BallAndTriangle {
- public:
-  BallAndTriangle(const Sphere<T>& ball, T margin, const Pose<T>& pose, const Triangle<T>& triangle, T margin_triangle,
-                  const Pose<T>& pose_triangle)
-      : pair_(rounding_radius(ball, margin), static_cast<double>(ball.core_extent()), pose, triangle, margin_triangle,
-              pose_triangle) {
-    if (pair_.triangle.thin()) return;
-    const Vec3d own = cast<double>(ball.center());
-    if (own != Vec3d{}) center_ = rotation_of(cast<double>(pose.rotation)) * own;
-    near_ = pair_.nearest_to(center_);
-  }
-
-  bool known() const { return near_.has_value(); }
-  /// Only where it is known, as what follows.
-  Distance<T> distance() const { return pair_.in_world(center_, *near_); }
-  bool one_point() const { return true; }
-  std::uint32_t feature() const {
-    return feature_id(vertex_feature(0), pair_.triangle.feature(near_->place, near_->outward));
-  }
-
- private:
-  RoundAndTriangle<T> pair_;
-  Vec3d center_{};
-  std::optional<NearTriangle> near_{};
-};
-
-template <class T>
-std::optional<Distance<T>> own_distance(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
-                                        const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle) {
-  return distance_of<T>(BallAndTriangle<T>(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle));
+  const CoreDistance<double> d = pair.distance();
+  return Distance<T>{static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
 }
 
 template <class T>
-std::optional<T> own_contacts(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
-                              const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
-                              Manifold<T>& manifold) {
-  return contact_of<T>(BallAndTriangle<T>(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle),
-                       margin, manifold);
+GRAZE_FLATTEN std::optional<Distance<T>> own_distance(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
+                                                      const Triangle<T>& triangle, T margin_triangle,
+                                                      const Pose<T>& pose_triangle) {
+  return distance_of<T>(with_triangle(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle));
 }
 
 }  // namespace graze
