@@ -68,6 +68,23 @@ struct BoxPoints {
   }
 };
 
+/// The same with the two in each other's place, where they are `turned`.
+template <class T>
+struct TurnedPoints {
+  const BoxPoints<T>& points;
+  bool turned;
+
+  template <class Points>
+  std::size_t append(Points& to) const {
+    const std::size_t first = to.size(), count = points.append(to);
+    for (std::size_t i = first; turned && i < first + count; ++i) {
+      ContactPoint<T>& point = to[i];
+      point = mirrored(point);
+    }
+    return count;
+  }
+};
+
 /// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
 /// that touch fill several blocks.
 inline constexpr std::size_t box_chunk = 128;

@@ -198,21 +198,10 @@ class Together {
     visit_triangle_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
         [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
-          touching(queue.places[k], distance, turned ? -normal : normal, Turned{points, turned});
+          touching(queue.places[k], distance, turned ? -normal : normal, TurnedPoints<T>{points, turned});
         },
         [&](std::size_t k) { single_(queue.places[k]); });
   }
-  /// Points of two bodies that may stand the other way round.
-  struct Turned {
-    const BoxPoints<T>& points;
-    bool turned;
-    template <class Points>
-    std::size_t append(Points& to) const {
-      const std::size_t first = to.size(), count = points.append(to);
-      for (std::size_t i = first; turned && i < first + count; ++i) to[i] = mirrored(to[i]);
-      return count;
-    }
-  };
   template <class Points>
   void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
     writer_.begin(pair, distance <= T(0));
@@ -278,8 +267,7 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   if (has_rows(route_of(queue))) return contacts_of_rows(batch, queue, margin, writer, single);
   Together<T> together(writer, single);
   visit_batch(
-      batch, margin, [](Route route) { return route != Route::triangle_half_space; },
-      [](Route route) { return route == Route::box_box; }, together, single);
+      batch, margin, has_contacts, [](Route route) { return route == Route::box_box; }, together, single);
 }
 
 template void contacts(const Batch<float>&, float, BatchContacts<float>&);

@@ -117,10 +117,14 @@ struct Queue {
   std::size_t count = 0;
 };
 
+/// Whether there is a kernel for the contacts of a route.
+constexpr bool has_contacts(Route route) { return route != Route::none && route != Route::triangle_half_space; }
+
 /// The kinds whose pairs a world puts together for kernels.
 template <class C, class T>
-inline constexpr bool has_route = std::is_same_v<C, Sphere<T>> || std::is_same_v<C, Capsule<T>> ||
-                                  std::is_same_v<C, Box<T>> || std::is_same_v<C, HalfSpace<T>>;
+inline constexpr bool has_route =
+    std::is_same_v<C, Sphere<T>> || std::is_same_v<C, Capsule<T>> || std::is_same_v<C, Box<T>> ||
+    std::is_same_v<C, HalfSpace<T>> || std::is_same_v<C, Triangle<T>>;
 
 /// Whether a concrete shape is what kernels take for its kind: a capsule even and with a length, a box with a length
 /// along every side.
