@@ -5,6 +5,7 @@
 #include "mid/internal_edges.hpp"
 #include "mid/piece_pairs.hpp"
 #include "mid/spanning_points.hpp"
+#include "mid/triangles_together.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
 
@@ -86,47 +87,86 @@ T size_about_origin(const Shape<T>& shape) {
   });
 }
 
-/// By themselves, so that two convex shapes do not pay for what only composites need.
+/// What is found of the contacts of two shapes, piece by piece.
 template <class T>
-[[gnu::noinline]] T composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                       const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds, Trace* trace,
-                                       const Surroundings<T>& beside) {
+struct TouchingPieces {
+  const Part<T>&a, &b;  ///< the whole shapes
+  const Surroundings<T>& beside;
+  T margin;
+  bool singly;  ///< without kernels
+  ManifoldGroups<T> groups;
+  DecidingPair<T> deciding;
   T least_distance = infinity<T>;
-  Manifold<T> instead;
-  const std::size_t first = manifolds.size();
-  ManifoldGroups<T> groups(manifolds);
-  DecidingPair<T> deciding(trace);
-  auto touch = [&](const Part<T>& pa, const Part<T>& pb) {
+  Manifold<T> instead = {};  ///< what is left where nothing else is
+
+  void operator()(const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
-    manifold.piece_a = pa.number;
-    manifold.piece_b = pb.number;
-    const T distance = convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr);
+    take(pa, pb, convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr), manifold);
+  }
+  void operator()(const TriangleRun<T>& run) {
+    const auto alone = [&](std::size_t i) {
+      if (run.question.may_reach(run.corners(i), margin)) run.with_pair(i, *this);
+    };
+    if (singly || run.count < few)
+      for (std::size_t i = 0; i < run.count; ++i) alone(i);
+    else
+      visit_run_contacts(
+          run, margin,
+          [&](std::size_t i, T distance, Manifold<T>& manifold) {
+            run.with_pair(i, [&](const Part<T>& pa, const Part<T>& pb) { take(pa, pb, distance, manifold); });
+          },
+          alone);
+  }
+
+ private:
+  static constexpr std::size_t few = 3;  ///< fewer triangles are asked as quickly one by one
+
+  /// The manifold of a pair of pieces, and their distance.
+  void take(const Part<T>& pa, const Part<T>& pb, T distance, Manifold<T>& manifold) {
     if (from_behind(pa, manifold.normal) || from_behind(pb, -manifold.normal)) return;
     deciding.offer(distance, pa, pb);
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
-    const Settled<T> settled =
-        settle_normal<T>({a, pose_a, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
-                         {b, pose_b, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch}, margin, manifold, distance);
+    manifold.piece_a = pa.number;
+    manifold.piece_b = pb.number;
+    const Settled<T> settled = settle_normal<T>({a.shape, a.pose, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
+                                                {b.shape, b.pose, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch},
+                                                margin, manifold, distance);
     if (nearest) instead = settled.instead;
     if (!settled.manifold.points.empty()) groups.add(settled.manifold);
-  };
-  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {margin, nullptr, true}, PairVisitor<T>(touch));
-  groups.finish();
+  }
+};
+
+/// By themselves, so that two convex shapes do not pay for what only composites need.
+template <class T>
+[[gnu::noinline]] T composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                       const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds, Trace* trace,
+                                       const Surroundings<T>& beside) {
+  const std::size_t first = manifolds.size();
+  const Part<T> whole_a{a, pose_a}, whole_b{b, pose_b};
+  TouchingPieces<T> found{whole_a,
+                          whole_b,
+                          beside,
+                          margin,
+                          trace || !(margin >= T(0)),
+                          ManifoldGroups<T>(manifolds),
+                          DecidingPair<T>(trace)};
+  visit_convex_pairs<T>(whole_a, whole_b, {margin, nullptr, true}, PairVisitor<T>(found));
+  found.groups.finish();
   // What touches is not left without a point.
-  if (manifolds.size() == first && !instead.points.empty()) manifolds.push_back(instead);
+  if (manifolds.size() == first && !found.instead.points.empty()) manifolds.push_back(found.instead);
   const T size = least(size_about_origin(a), size_about_origin(b));
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
   if (trace && manifolds.size() == first) {
     any_distance(a, pose_a, b, pose_b, trace);
   } else {
-    deciding.explain(a, b, [&](const auto& pa, const auto& qa, const auto& pb, const auto& qb, Trace* asked) {
+    found.deciding.explain(a, b, [&](const auto& pa, const auto& qa, const auto& pb, const auto& qb, Trace* asked) {
       Manifold<T> manifold;
       convex_contacts(pa, qa, pb, qb, margin, manifold, asked);
     });
   }
-  return least_distance;
+  return found.least_distance;
 }
 
 /// A convex pair's where the list is full: nothing is allocated unless the pair touches.

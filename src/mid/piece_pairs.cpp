@@ -1,6 +1,7 @@
 #include "mid/piece_pairs.hpp"
 
 #include "mid/near_convex.hpp"
+#include "mid/triangles_together.hpp"
 
 namespace graze {
 
@@ -40,6 +41,32 @@ bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Nearness<T>&
   return whole;
 }
 
+/// The triangles whose bounds come near a body, shown as runs.
+template <class T>
+bool visit_runs(TriangleRun<T>& run, const Nearness<T>& limit, const PairVisitor<T>& f) {
+  const auto near = [&](const Aabb<T>& box) { return run.question(box) <= run.question.key(limit()); };
+  const auto show = [&] {
+    const bool whole = f(run);
+    run.count = 0;
+    return whole;
+  };
+  bool whole = true;
+  with_surface(run.surface.shape, [&](const auto& surface) {
+    const auto add = [&](const Corners<T>& corners, std::uint32_t number) {
+      run.add(corners, number);
+      return run.count < run.most || show();
+    };
+    if (run.patch)
+      whole = run.patch->each(near, [&](std::uint32_t i) { return add(surface.triangle(i), i); });
+    else
+      whole = visit(surface.hierarchy(), run.question, limit, [&](std::uint32_t i) {
+        const Corners<T> corners = surface.triangle(i);
+        return !near(bounds_of(corners)) || add(corners, i);
+      });
+  });
+  return whole && (run.count == 0 || show());
+}
+
 /// The triangles of `opened`, a mesh or height field, that come near the convex and bounded `other`. By itself:
 /// compounds within compounds have no room for its question and patch at each level.
 template <class T>
@@ -54,8 +81,12 @@ template <class T>
     if (has_patch) piece.patch = &patch;
     return is_a ? f(piece, other) : f(other, piece);
   };
-  if (!has_patch) return visit_pieces(opened.shape, opened.pose, question, limit, visit_piece);
   const auto near = [&](const Aabb<T>& box) { return question(box) <= question.key(limit()); };
+  if (f.takes_runs() && meets_runs(other.shape)) {
+    TriangleRun<T> run(opened, other, is_a, has_patch ? &patch : nullptr, question);
+    return visit_runs(run, limit, f);
+  }
+  if (!has_patch) return visit_pieces(opened.shape, opened.pose, question, limit, visit_piece);
   return patch.each(near, [&](std::uint32_t i) {
     return visit_near_triangle<T>(mesh->data(), i, opened.pose, question, limit(), visit_piece);
   });

@@ -39,9 +39,13 @@ struct Nearness {
   T operator()() const { return distance; }
 };
 
+template <class T>
+struct TriangleRun;  // triangles_together.hpp
+
 /// Whom the pairs are shown to: somebody's function, called as `f(part_a, part_b)`, which may return false to end the
-/// visit. Known by its address alone, so that the descent is compiled once and not for each function; such a call costs
-/// two nanoseconds where a pair costs hundreds.
+/// visit; if it can also be called as `f(run)`, triangles that there are kernels for are shown several at a time. Known
+/// by its address alone, so that the descent is compiled once and not for each function; such a call costs two
+/// nanoseconds where a pair costs hundreds.
 template <class T>
 class PairVisitor {
  public:
@@ -49,13 +53,19 @@ class PairVisitor {
   requires(!std::same_as<F, PairVisitor>) explicit PairVisitor(F& f)
       : function_(&f), call_([](void* function, const Part<T>& a, const Part<T>& b) {
           return go_on(*static_cast<F*>(function), a, b);
-        }) {}
+        }) {
+    if constexpr (std::invocable<F&, const TriangleRun<T>&>)
+      call_run_ = [](void* function, const TriangleRun<T>& run) { return go_on(*static_cast<F*>(function), run); };
+  }
 
   bool operator()(const Part<T>& a, const Part<T>& b) const { return call_(function_, a, b); }
+  bool takes_runs() const { return call_run_ != nullptr; }
+  bool operator()(const TriangleRun<T>& run) const { return call_run_(function_, run); }
 
  private:
   void* function_;
   bool (*call_)(void*, const Part<T>&, const Part<T>&);
+  bool (*call_run_)(void*, const TriangleRun<T>&) = nullptr;
 };
 
 /// Shows the visitor all pairs of convex pieces that may be near enough; returns whether it went to the end.

@@ -25,14 +25,14 @@ PointContact<T> mirrored(const PointContact<T>& c) {
   return {mirrored(c.point), -c.normal};
 }
 
-/// Asks about up to `most_chunk` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
+/// Asks about up to `most` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
 /// further apart than their margins; for the others `touching(i, contact)`, or, where their faces may give two points or
 /// the general path has to answer, `unknown(i)`.
-template <class A, class B, class T, class Apart, class Touching, class Unknown>
+template <class A, class B, std::size_t most = most_chunk, class T, class Apart, class Touching, class Unknown>
 void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
                           const Unknown& unknown) {
-  PointContact<T> contacts[bundled(most_chunk)];
-  Meeting meetings[bundled(most_chunk)];
+  PointContact<T> contacts[bundled(most)];
+  Meeting meetings[bundled(most)];
   round_kernel<A, B, T>()(pairs, count, contacts, meetings);
   for (std::size_t i = 0; i < count; ++i) {
     if (meetings[i] == Meeting::touching)
