@@ -84,6 +84,9 @@ void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
   const std::size_t count = manifolds.size() - first;
   if (count < 2) return;
   const std::vector<std::size_t> leader = detail::leaders(std::span<const Manifold<T>>(manifolds).subspan(first));
+  std::size_t different = 0;
+  while (different < count && leader[different] == different) ++different;
+  if (different == count) return;
   // The members of each group, one behind the other.
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});

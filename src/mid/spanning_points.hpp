@@ -5,9 +5,9 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
 #include "graze/query.hpp"
+#include "graze/small_vector.hpp"
 #include "mid/piece_of.hpp"
 
 namespace graze {
@@ -26,21 +26,26 @@ T turn(const FlatPoint<T>& a, const FlatPoint<T>& b, const FlatPoint<T>& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// Room for those of nearly all manifolds.
+template <class T>
+using FlatPoints = SmallVector<FlatPoint<T>, 16>;
+
 /// The corners of the convex hull, counter-clockwise; what is within `noise` (an area) of an edge is no corner.
 /// Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions".
 template <class T>
-std::vector<FlatPoint<T>> hull_of(std::vector<FlatPoint<T>> points, T noise) {
+FlatPoints<T> hull_of(FlatPoints<T> points, T noise) {
   std::sort(points.begin(), points.end(),
             [](const auto& p, const auto& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
-  std::vector<FlatPoint<T>> hull;
+  FlatPoints<T> hull;
   const auto chain = [&](const FlatPoint<T>& p, std::size_t least_size) {
-    while (hull.size() > least_size && turn(hull[hull.size() - 2], hull.back(), p) <= noise) hull.pop_back();
+    while (hull.size() > least_size && turn(hull[hull.size() - 2], hull.back(), p) <= noise)
+      hull.truncate(hull.size() - 1);
     hull.push_back(p);
   };
   for (const auto& p : points) chain(p, 1);
   const std::size_t lower = hull.size();
-  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) chain(*p, lower);
-  hull.pop_back();  // the first point again
+  for (std::size_t i = points.size() - 1; i-- > 0;) chain(points[i], lower);
+  hull.truncate(hull.size() - 1);  // the first point again
   return hull;
 }
 
@@ -68,7 +73,7 @@ void keep_spanning(Manifold<T>& manifold, T size) {
   if (manifold.points.size() < 3) return;
   const Vec3<T> n = manifold.normal, u = normalized(any_perpendicular(n)), v = cross(n, u);
   const Vec3<T> origin = manifold.points[0].a;
-  std::vector<detail::FlatPoint<T>> flat;
+  detail::FlatPoints<T> flat;
   T reach(0);
   for (std::size_t i = 0; i < manifold.points.size(); ++i) {
     const Vec3<T> d = manifold.points[i].a - origin;
@@ -79,7 +84,8 @@ void keep_spanning(Manifold<T>& manifold, T size) {
   const T noise = tolerance<T> * reach + T(64) * std::numeric_limits<T>::epsilon() * max_abs(origin);
   const auto hull = detail::hull_of(flat, noise * reach);
   if (hull.size() < 2) return;
-  std::vector<char> keep(manifold.points.size(), 0);
+  SmallVector<char, 16> keep;
+  for (std::size_t i = 0; i < flat.size(); ++i) keep.push_back(0);
   for (const auto& corner : hull) keep[corner.index] = 1;
   // The distance between the corners: in the triangle, of the fan about the first, that the direction to a point meets.
   const auto distance = [&](std::size_t i) { return manifold.points[hull[i].index].distance; };
