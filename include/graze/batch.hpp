@@ -114,7 +114,7 @@ template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
 /// `contacts` of each pair up to `margin` >= 0 apart. Kernels: spheres, capsules and boxes with each other and with
-/// half-spaces, and with triangles.
+/// triangles; all of these with half-spaces.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 

@@ -121,6 +121,10 @@ template <class T>
 Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T margin) {
   return {core_of(rectangle), margin};
 }
+template <class T>
+Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T margin) {
+  return {{{triangle.point(0), triangle.point(1), triangle.point(2)}}, margin};
+}
 
 /// Spheres and even capsules with each other, and spheres with boxes, which `round_pair` answers for: calls the macro
 /// `f(A, B)` for each.

@@ -12,6 +12,7 @@
 // The special pairs, one line each. A pair without a line here takes the general path.
 #include "narrow/pairs/box_distance.hpp"
 #include "narrow/pairs/box_overlap.hpp"
+#include "narrow/pairs/box_triangle_overlap.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/capsule_triangle.hpp"
@@ -171,6 +172,16 @@ GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const 
   return std::nullopt;
 }
 
+/// Nothing where the axes do not tell.
+template <class T>
+GRAZE_FLATTEN std::optional<bool> axes_overlap(const Box<T>& box, const Triangle<T>& triangle, const Body<T>& a,
+                                               const Body<T>& b) {
+  if (a.shape.margin() != T(0) || b.shape.margin() != T(0)) return std::nullopt;
+  const BoxTouchesTriangle<T> found(core_of(box), a.pose, rounded_core(triangle, T(0)).core, b.pose);
+  if (!found.known) return std::nullopt;
+  return found.touch;
+}
+
 template <class A, class B, class T>
 bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   constexpr bool unbounded = std::is_same_v<B, HalfSpace<T>>;
@@ -191,6 +202,10 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
     if constexpr (Boxes<A, B, T>) {
       if (trace) trace->method = "separating axes";
       if (const auto touch = boxes_overlap(ca, cb, a, b, false)) return *touch;
+    }
+    if constexpr (std::is_same_v<A, Box<T>> && std::is_same_v<B, Triangle<T>>) {
+      if (trace) trace->method = "separating axes";
+      if (const auto touch = axes_overlap(ca, cb, a, b)) return *touch;
     }
     const bool touch = general_overlap(a.shape, b.shape, relative_in_double(a.pose, b.pose),
                                        static_cast<double>(ra) + static_cast<double>(rb), trace);

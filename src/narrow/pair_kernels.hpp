@@ -117,8 +117,8 @@ GRAZE_DECLARE_KERNEL(
     /// As `round_contacts`, of capsules with boxes.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
                                                  PointContact<T>* contacts, Meeting* meetings);
-    /// The points of up to `block_pairs` balls, even capsules with a length, or boxes on half-spaces, all without a
-    /// margin.
+    /// The points of up to `block_pairs` balls, even capsules with a length, boxes or triangles on half-spaces, all
+    /// without a margin.
     template <class A, class T> void rests(const PairRef<T>* pairs, std::size_t count, RestBlock<T>& points);
     /// The distances of pairs in rows, of those that `is_round_pair` names and of balls, capsules, boxes and triangles
     /// with half-spaces. `turned`: A is the second of the two for whoever asks. There are `bundled(count)` rows to read.
@@ -126,7 +126,7 @@ GRAZE_DECLARE_KERNEL(
     template <class A, class B, class T> std::uint32_t row_distances(const PairRows<T>& rows, std::size_t count,
                                                                      bool turned, Distance<T>* distances,
                                                                      std::uint8_t* unknown);
-    /// Whether the same pairs, and boxes, touch: 1 or 0.
+    /// Whether the same pairs, boxes, and boxes with triangles touch: 1 or 0.
     template <class A, class B, class T> std::uint32_t row_overlaps(const PairRows<T>& rows, std::size_t count,
                                                                     std::uint8_t* touch, std::uint8_t* unknown);
     /// Both of boxes or capsules, which come first, with boxes, in double.

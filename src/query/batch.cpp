@@ -86,7 +86,7 @@ struct Overlaps {
   const Batch<T>& batch;
 
   template <class A, class B>
-  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>> || is_round_and_triangle<A, B>;
+  static constexpr bool has_kernel = true;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   }

@@ -1,4 +1,4 @@
-// Contacts of boxes and triangles against the naive separating-axis test in extended precision: whether they touch, how
+// Contacts and overlaps of boxes and triangles against the naive separating-axis test in extended precision: whether they touch, how
 // deep, and points on both surfaces; thin triangles, seen from the side, and far from their origins too.
 #include <algorithm>
 #include <cmath>
@@ -54,6 +54,7 @@ void check(const PlacedSpecimen& a, const PlacedSpecimen& b, const reference::Ax
   const auto depth = static_cast<double>(truth.depth);
   if (std::abs(depth) <= allowed) return;
   ASSERT_EQ(touch, truth.overlap) << describe(a) << "\n" << describe(b);
+  ASSERT_EQ(overlap(sa, pa, sb, pb), truth.overlap) << describe(a) << "\n" << describe(b);
   ASSERT_EQ(manifolds.size(), truth.overlap ? 1u : 0u) << describe(a) << "\n" << describe(b);
   if (!touch) return;
   ++compared;

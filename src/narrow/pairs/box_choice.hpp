@@ -155,20 +155,20 @@ inline constexpr T smallest_length = sizeof(T) == 4 ? T(1e-7) : T(1e-70);
 template <class T>
 inline constexpr T largest_length = sizeof(T) == 4 ? T(1e9) : T(1e70);
 
+/// Whether lengths from `low` to `high` are such, of a pair, of lanes or of three at once.
+template <class T, class Lengths>
+auto regular_lengths(const Lengths& low, const Lengths& high) {
+  return (low > Lengths(smallest_length<T>)) & (high < Lengths(largest_length<T>));
+}
 /// Whether a box is one that these answer for: with a length along every side that is neither too large nor too small.
 template <class S>
 auto regular_box(const Vec3<S>& half) {
-  using T = typename LaneOf<S>::type;
-  return (least(half.x, least(half.y, half.z)) > S(smallest_length<T>)) & (max_abs(half) < S(largest_length<T>));
+  return regular_lengths<typename LaneOf<S>::type>(least(half.x, least(half.y, half.z)), max_abs(half));
 }
-
-/// Whether both are.
+/// Whether both are, of a single pair.
 template <class S>
 bool regular_boxes(const BoxRows<S>& p) {
-  using T = typename LaneOf<S>::type;
-  using Row = Several<S, 3>;
-  return !any(!((least(p.half_a, p.half_b) > Row(S(smallest_length<T>))) &
-                (greatest(p.half_a, p.half_b) < Row(S(largest_length<T>)))));
+  return !any(!regular_lengths<S>(least(p.half_a, p.half_b), greatest(p.half_a, p.half_b)));
 }
 
 /// The shape as such a box, without rounding; null if it is not.

@@ -1,5 +1,6 @@
 // Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles.
 #include "narrow/pairs/box_overlap.hpp"
+#include "narrow/pairs/box_triangle_overlap.hpp"
 #include "narrow/pairs/row_distance.hpp"
 #include "narrow/row_answers.hpp"
 
@@ -30,6 +31,12 @@ Touching<Lanes<T>> touching(const RowBundle<Box<T>, Box<T>, T>& p) {
   return {!boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b))), p.regular()};
 }
 
+template <class T>
+Touching<Lanes<T>> touching(const RowBundle<Box<T>, Triangle<T>, T>& p) {
+  const BoxTouchesTriangle<Lanes<T>> found(p.a.shapes.core, p.pose_a, p.b.shapes.core, p.pose_b);
+  return {found.touch, found.known};
+}
+
 }  // namespace
 
 template <class A, class B, class T>
@@ -50,6 +57,7 @@ template <class A, class B, class T>
   GRAZE_INSTANTIATE_FOR(A, B, double)
 GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
 GRAZE_INSTANTIATE(Box, Box)
+GRAZE_INSTANTIATE(Box, Triangle)
 GRAZE_INSTANTIATE(Sphere, HalfSpace)
 GRAZE_INSTANTIATE(Capsule, HalfSpace)
 GRAZE_INSTANTIATE(Box, HalfSpace)
