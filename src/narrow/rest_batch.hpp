@@ -10,6 +10,7 @@
 #include "narrow/box_batch.hpp"
 #include "narrow/pairs/box_rest.hpp"
 #include "narrow/pairs/round_rest.hpp"
+#include "narrow/pairs/triangle_rest.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -29,6 +30,13 @@ T points_together(const Box<T>& box, T) {
   const Vec3<T>& half = box.half_extents();
   const T together = tolerance<T> * length(half);
   return least(half.x, least(half.y, half.z)) > together ? T(0) : together;
+}
+
+template <class T>
+T points_together(const Triangle<T>& triangle, T) {
+  const T together = tolerance<T> * triangle.core_extent();
+  const auto side = [&](std::size_t i, std::size_t j) { return length(triangle.point(i) - triangle.point(j)); };
+  return least(side(0, 1), least(side(1, 2), side(2, 0))) > T(2) * together ? T(0) : together;
 }
 
 /// Calls `f(point)` for the points in the slots of one pair, the body before the half-space, but the later of two at

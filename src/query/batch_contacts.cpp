@@ -267,7 +267,7 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   if (has_rows(route_of(queue))) return contacts_of_rows(batch, queue, margin, writer, single);
   Together<T> together(writer, single);
   visit_batch(
-      batch, margin, has_contacts, [](Route route) { return route == Route::box_box; }, together, single);
+      batch, margin, [](Route) { return true; }, [](Route route) { return route == Route::box_box; }, together, single);
 }
 
 template void contacts(const Batch<float>&, float, BatchContacts<float>&);

@@ -98,13 +98,13 @@ void with_round_kinds(Route route, const F& f) {
 }
 
 /// Whether a route is one for what rests on half-spaces.
-constexpr bool is_rest(Route route) { return route >= Route::sphere_half_space && route <= Route::box_half_space; }
+constexpr bool is_rest(Route route) { return route >= Route::sphere_half_space && route <= Route::triangle_half_space; }
 
 /// Calls `f` with the kind of what rests as its template's argument.
 template <class T, class F>
 void with_resting_kind(Route route, const F& f) {
   with_kinds<T>(route, [&]<class A, class B>() {
-    if constexpr (std::is_same_v<B, HalfSpace<T>> && !std::is_same_v<A, Triangle<T>>) f.template operator()<A>();
+    if constexpr (std::is_same_v<B, HalfSpace<T>>) f.template operator()<A>();
   });
 }
 
@@ -116,9 +116,6 @@ struct Queue {
   std::array<std::size_t, box_chunk> places;
   std::size_t count = 0;
 };
-
-/// Whether there is a kernel for the contacts of a route.
-constexpr bool has_contacts(Route route) { return route != Route::none && route != Route::triangle_half_space; }
 
 /// The kinds whose pairs a world puts together for kernels.
 template <class C, class T>
@@ -262,13 +259,13 @@ void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, const To
     const IdPair p = batch[i];
     const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
     const std::uint8_t number = routes(kind_a, kind_b);
-    if (route_of(number) == Route::none || !wanted(route_of(number)) || a.margin(p.a) != T(0) ||
-        b.margin(p.b) != T(0)) {
+    const Route route = route_of(number);
+    if (route == Route::none || !wanted(route) || a.margin(p.a) != T(0) || b.margin(p.b) != T(0)) {
       single(i);
       continue;
     }
     const void *shape_a = a.concrete(p.a), *shape_b = b.concrete(p.b);
-    if (!told(route_of(number)) && (!regular<T>(kind_a, shape_a) || !regular<T>(kind_b, shape_b))) {
+    if (!told(route) && (!regular<T>(kind_a, shape_a) || !regular<T>(kind_b, shape_b))) {
       single(i);
       continue;
     }

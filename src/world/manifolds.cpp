@@ -113,7 +113,7 @@ void ManifoldFinder<T>::keep_axes_where_of_use() {
   if (keeps_axes_) return;
   static constexpr Routes<T> routes;
   keeps_axes_ = std::any_of(bins_.bins.begin(), bins_.bins.end(),
-                            [](const Bin& bin) { return !has_contacts(route_of(routes(bin.type_a, bin.type_b))); });
+                            [](const Bin& bin) { return route_of(routes(bin.type_a, bin.type_b)) == Route::none; });
   if (keeps_axes_) axes_.assign(pairs_.size(), {});
 }
 
@@ -152,7 +152,7 @@ template <class T>
 void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                        Waiting<T>& waiting, std::uint32_t block) {
   Run kept;
-  const bool together = has_contacts(waiting.route);
+  const bool together = waiting.route != Route::none;
   const Pose<T>* const poses = bodies.poses().data();
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (k + ahead < places.size()) fetch(bodies, pairs_[places[k + ahead]].b);

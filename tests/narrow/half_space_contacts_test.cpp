@@ -1,4 +1,4 @@
-// Boxes, balls and capsules on half-spaces: the routines of their own against the general path in double, which answers
+// Boxes, triangles, balls and capsules on half-spaces: the routines of their own against the general path in double, which answers
 // wherever an explanation is asked for.
 #include <gtest/gtest.h>
 
@@ -15,6 +15,19 @@ template <class T>
 Shape<T> random_resting_shape(int i, Random& random) {
   const Vec3f size = abs(random_vector(random, 1.0f)) + Vec3f{0.05f, 0.05f, 0.05f};
   if (i % 4 == 0) return Shape<T>(Sphere<T>(T(size.x), cast<T>(random_vector(random, 0.2f))), T(i % 8 == 0 ? 0.1 : 0));
+  if (i % 16 == 3) {
+    // Slivers, sides of no length and points too.
+    const Vec3<T> a = cast<T>(random_vector(random, 0.5f)), b = a + cast<T>(random_vector(random, 1.0f));
+    return Triangle<T>(a, i % 80 == 3 ? a : b,
+                       i % 48 == 3    ? a
+                       : i % 48 == 19 ? (a + b) * T(0.5)
+                                      : a + cast<T>(random_vector(random, 1.0f)));
+  }
+  if (i % 16 == 7) {
+    // Lies, where what it is turned by does not lean.
+    const T y(random_vector(random, 0.5f).y);
+    return Triangle<T>({T(0), y, T(size.x)}, {T(size.y), y, T(0)}, {T(-size.z), y, T(-size.y)});
+  }
   if (i % 4 == 1) return Shape<T>(Capsule<T>(T(size.x), T(size.y)), T(i % 8 == 1 ? 0.1 : 0));
   return Box<T>(cast<T>(i % 16 == 2 ? Vec3f{size.x, 0, size.z} : size));
 }
@@ -32,7 +45,7 @@ template <class T>
 void expect_as_in_double(unsigned seed, double tolerance_of_size) {
   Random random(seed);
   int compared = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < 8000; ++i) {
     const Shape<T> shape = random_resting_shape<T>(i, random), plane(HalfSpace<T>(), T(i % 5 == 0 ? 0.2 : 0));
     const Pose<T> ground{cast<T>(random_vector(random, 3.0f)), normalized(cast<T>(random_rotation(random)))};
     const Quat<T> lean = normalized(cast<T>(random_lean(i, random)));
@@ -82,7 +95,7 @@ TEST(HalfSpaceContacts, AreThoseOfTheGeneralPath) {
   expect_as_in_double<double>(2, 1e-10);
 }
 
-TEST(HalfSpaceContacts, OfAFaceThatTouchesAreItsFourCorners) {
+TEST(HalfSpaceContacts, OfAFaceThatTouchesAreAllItsCorners) {
   Random random(3);
   for (int i = 0; i < 1000; ++i) {
     // Turned with its ground, so that rounding alone lifts one of its corners or the other.
@@ -92,6 +105,13 @@ TEST(HalfSpaceContacts, OfAFaceThatTouchesAreItsFourCorners) {
     contacts<double>(Box<double>({1, 1, 1}), box, HalfSpace<double>(), ground, 1e-14, found);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].points.size(), 4u);
+
+    const Posed flat = compose(ground, Posed{{0.3, 0, 0.2}, {}});
+    found.clear();
+    contacts<double>(Triangle<double>({0, 0, 1}, {1, 0, -1}, {-1, 0, -1}), flat, HalfSpace<double>(), ground, 1e-14,
+                     found);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].points.size(), 3u);
   }
 }
 

@@ -1,4 +1,4 @@
-// Boxes, balls and even capsules on a half-space: the points that `rest` finds, as a manifold.
+// Boxes, triangles, balls and even capsules on a half-space: the points that `rest` finds, as a manifold.
 //
 // Guarantee: the distance is that of `distance`, bit for bit; the points are those that the general path gives, up to
 // rounding, under the same names. Nothing is answered for other shapes.
@@ -43,6 +43,15 @@ std::optional<T> own_contacts(const Box<T>& box, T margin_box, const Pose<T>& po
                               T margin_plane, const Pose<T>& pose_plane, T margin, Manifold<T>& manifold) {
   if (margin_box != T(0)) return std::nullopt;
   return resting_contacts(box, margin_box, pose_box, margin_plane, pose_plane, margin, manifold);
+}
+
+/// The same of a triangle.
+template <class T>
+std::optional<T> own_contacts(const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle,
+                              const HalfSpace<T>&, T margin_plane, const Pose<T>& pose_plane, T margin,
+                              Manifold<T>& manifold) {
+  if (margin_triangle != T(0)) return std::nullopt;
+  return resting_contacts(triangle, margin_triangle, pose_triangle, margin_plane, pose_plane, margin, manifold);
 }
 
 }  // namespace graze

@@ -13,6 +13,8 @@ template <class T>
 inline constexpr std::size_t rest_points_of<Sphere<T>> = 1;
 template <class T>
 inline constexpr std::size_t rest_points_of<Capsule<T>> = 2;
+template <class T>
+inline constexpr std::size_t rest_points_of<Triangle<T>> = 3;
 
 /// The points of contact; which of the slots hold one is another matter in every lane.
 template <class S>

@@ -1,6 +1,7 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_rest.hpp"
 #include "narrow/pairs/round_rest.hpp"
+#include "narrow/pairs/triangle_rest.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -33,6 +34,7 @@ template <class A, class T>
 GRAZE_INSTANTIATE(Sphere)
 GRAZE_INSTANTIATE(Capsule)
 GRAZE_INSTANTIATE(Box)
+GRAZE_INSTANTIATE(Triangle)
 #undef GRAZE_INSTANTIATE
 
 }  // namespace graze::GRAZE_ISA
