@@ -92,19 +92,24 @@ template <class A, class B, class T>
 class QueueRows {
  public:
   explicit QueueRows(const Queue<T>& queue) {
-    for (std::size_t k = 0; k < bundled(queue.count); ++k) {
-      const PairRef<T>& pair = queue.pairs[std::min(k, queue.count - 1)];
-      std::memcpy(a_ + k * sizeof(A), pair.a, sizeof(A));
-      std::memcpy(b_ + k * sizeof(B), pair.b, sizeof(B));
-      std::memcpy(poses_a_ + k * sizeof(Pose<T>), pair.pose_a, sizeof(Pose<T>));
-      std::memcpy(poses_b_ + k * sizeof(Pose<T>), pair.pose_b, sizeof(Pose<T>));
-    }
+    copy<sizeof(A)>(queue, &PairRef<T>::a, a_);
+    copy<sizeof(B)>(queue, &PairRef<T>::b, b_);
+    copy<sizeof(Pose<T>)>(queue, &PairRef<T>::pose_a, poses_a_);
+    copy<sizeof(Pose<T>)>(queue, &PairRef<T>::pose_b, poses_b_);
   }
   PairRows<T> rows() const {
     return {a_, b_, reinterpret_cast<const Pose<T>*>(poses_a_), reinterpret_cast<const Pose<T>*>(poses_b_)};
   }
 
  private:
+  /// What one of a pair's pointers points to, of all; rows that are left over repeat the last.
+  template <std::size_t size, class Member>
+  static void copy(const Queue<T>& queue, Member member, std::byte* to) {
+    const std::size_t count = queue.count, all = bundled(count);
+    for (std::size_t k = 0; k < count; ++k) std::memcpy(to + k * size, queue.pairs[k].*member, size);
+    for (std::size_t k = count; k < all; ++k) std::memcpy(to + k * size, queue.pairs[count - 1].*member, size);
+  }
+
   alignas(A) std::byte a_[row_chunk * sizeof(A)];
   alignas(B) std::byte b_[row_chunk * sizeof(B)];
   alignas(Pose<T>) std::byte poses_a_[row_chunk * sizeof(Pose<T>)], poses_b_[row_chunk * sizeof(Pose<T>)];
