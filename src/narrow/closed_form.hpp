@@ -164,6 +164,12 @@ Distance<T> mirrored(Distance<T> d) {
   return d;
 }
 
+/// How far apart two may be and yet be within the margin once the distance is rounded to T.
+template <class T, class S>
+S before_rounding(const S& margin) {
+  return margin * S(1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+}
+
 /// An answer that was computed in double.
 template <class T>
 Distance<T> rounded(const Distance<double>& d) {

@@ -13,6 +13,7 @@
 #include "narrow/pairs/half_space_contacts.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 #include "narrow/pairs/round_triangle_contact.hpp"
+#include "narrow/pairs/triangle_triangle.hpp"
 
 namespace graze {
 
@@ -58,6 +59,8 @@ constexpr Routine<T> routine_of() {
   using CB = std::variant_alternative_t<B, ShapeList<T>>;
   if constexpr (A > B)
     return &mirrored_contacts<T>;
+  else if constexpr (std::is_same_v<CA, Triangle<T>> && std::is_same_v<CB, Triangle<T>>)
+    return &triangle_pair_contacts<T>;
   else if constexpr (HasOwnContacts<CA, CB, T>)
     return &pair_contacts<CA, CB, T>;
   else

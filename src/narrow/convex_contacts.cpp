@@ -185,6 +185,18 @@ const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
   return axes.edge.separation > face.separation + face_preference * smaller ? axes.edge : face;
 }
 
+/// The points of faces that meet along an axis; false, with none, where the faces miss what is nearest.
+template <class T>
+bool lay_faces(const Side<T>& a, const Side<T>& b, const MeetingFaces& faces, T margin, const Posed& frame,
+               Manifold<T>& manifold) {
+  const double nearest =
+      add_points(a, faces.a, b, faces.b, faces.normal, furthest_kept(a, b, margin, faces.distance), frame, manifold);
+  const double allowed = faces.apart ? laid_slack * faces.noise : face_preference * smaller_size(a, b);
+  if (nearest <= faces.distance + allowed && !manifold.points.empty() && (!faces.apart || faces.best)) return true;
+  manifold.points.clear();
+  return false;
+}
+
 /// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
 /// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
 /// nearest that no axis belongs to, or when the faces miss what is nearest.
@@ -206,16 +218,15 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
     return static_cast<T>(distance);
   }
 
-  const double smaller = smaller_size(side_a, side_b);
-  const SeparatingAxis& axis = chosen_axis(axes, smaller);
-  const double nearest = add_points(side_a, pair.face_a(axis.normal), side_b, pair.face_b(axis.normal), axis.normal,
-                                    furthest_kept(side_a, side_b, margin, distance), frame, manifold);
-  const bool apart = best.separation > noise;
-  const double allowed = apart ? laid_slack * noise : face_preference * smaller;
-  if (!(nearest <= distance + allowed) || manifold.points.empty() || (apart && &axis != &best)) {
-    manifold.points.clear();
-    return std::nullopt;
-  }
+  const SeparatingAxis& axis = chosen_axis(axes, smaller_size(side_a, side_b));
+  const MeetingFaces faces{axis.normal,
+                           pair.face_a(axis.normal),
+                           pair.face_b(axis.normal),
+                           &axis == &best,
+                           distance,
+                           best.separation > noise,
+                           noise};
+  if (!lay_faces(side_a, side_b, faces, margin, frame, manifold)) return std::nullopt;
   if (trace) trace->winner = pair.name(axis);
   if (trace && &axis != &best)
     trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
@@ -271,6 +282,14 @@ T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
 }
 
 template <class T>
+void contacts_of_faces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                       const MeetingFaces& faces, const Distance<T>& d, Manifold<T>& manifold) {
+  const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
+  if (!lay_faces(side_a, side_b, faces, margin, in_double(pose_a), manifold))
+    bounded_contacts(a, pose_a, b, pose_b, margin, d, manifold);
+}
+
+template <class T>
 void contacts_along(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                     const Vec3<T>& normal, T margin, Manifold<T>& manifold) {
   if (against_order(a, b)) {
@@ -294,6 +313,10 @@ template void contacts_along(const Shape<float>&, const Pose<float>&, const Shap
                              const Vec3<float>&, float, Manifold<float>&);
 template void contacts_along(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
                              const Vec3<double>&, double, Manifold<double>&);
+template void contacts_of_faces(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
+                                const MeetingFaces&, const Distance<float>&, Manifold<float>&);
+template void contacts_of_faces(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
+                                double, const MeetingFaces&, const Distance<double>&, Manifold<double>&);
 template float general_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
                                 Manifold<float>&, Trace*);
 template double general_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,

@@ -48,6 +48,12 @@ std::optional<Distance<T>> own_distance_of(const A& ca, const Body<T>& a, const 
   return own_distance(ca, a.shape.margin(), a.pose, cb, b.shape.margin(), b.pose);
 }
 
+/// One that tells whether they touch sooner than how far apart they are.
+template <class A, class B, class T>
+concept OwnOverlap = requires(const A& a, const B& b, T margin, const Pose<T>& pose) {
+  own_overlap(a, margin, pose, b, margin, pose);
+};
+
 template <class T>
 Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, T limit, Trace* trace) {
   const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
@@ -196,7 +202,10 @@ bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
     return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
   } else {
-    if constexpr (OwnDistance<A, B, T>) {
+    if constexpr (OwnOverlap<A, B, T>) {
+      if (trace) trace->method = "closed form";
+      if (const auto own = own_overlap(ca, a.shape.margin(), a.pose, cb, b.shape.margin(), b.pose)) return *own;
+    } else if constexpr (OwnDistance<A, B, T>) {
       if (trace) trace->method = "closed form";
       if (const auto own = own_distance_of(ca, a, cb, b)) return own->distance <= T(0);
     }

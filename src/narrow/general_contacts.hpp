@@ -4,6 +4,7 @@
 
 #include "graze/query.hpp"
 #include "narrow/features.hpp"
+#include "narrow/manifold.hpp"
 
 namespace graze {
 
@@ -12,6 +13,21 @@ namespace graze {
 template <class T>
 T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold, Trace* trace);
+
+/// The faces of two shapes with flat sides that meet along an axis, in the frame of A.
+struct MeetingFaces {
+  Vec3d normal;  ///< of the axis, unit, from A to B
+  PlacedFace a, b;
+  bool best;        ///< no other axis shows a larger separation
+  double distance;  ///< signed, of the rounded shapes along the best axis
+  bool apart;       ///< the cores are, by that axis
+  double noise;     ///< what rounding may do to a separation
+};
+
+/// The points of two such shapes whose closest points are known too, which tell where the faces miss what is nearest.
+template <class T>
+void contacts_of_faces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                       const MeetingFaces& faces, const Distance<T>& d, Manifold<T>& manifold);
 
 /// The same contacts with the shapes in each other's place.
 template <class T>

@@ -53,6 +53,12 @@ template <class S>
 struct TriangleChoice;  // pairs/box_triangle.hpp
 template <class S>
 struct BoxManifold;  // pairs/box_manifold.hpp
+template <class S>
+struct PlacedTriangle;  // pairs/triangle_triangle_distance.hpp
+template <class S>
+struct TriangleDistance;
+template <class S>
+struct TriangleAxes;
 
 /// The points of contact of up to `block_pairs` pairs of boxes, or of boxes and triangles; see `BoxManifold`. A number
 /// of a pair stands at the pair's place in each array.
@@ -146,7 +152,17 @@ GRAZE_DECLARE_KERNEL(
                                                                            bool turned, Distance<T>* distances,
                                                                            std::uint8_t* unknown);
     template <class A, class T> std::uint32_t round_triangle_row_overlaps(const PairRows<T>& rows, std::size_t count,
-                                                                          std::uint8_t* touch, std::uint8_t* unknown);)
+                                                                          std::uint8_t* touch, std::uint8_t* unknown);
+    /// Both of triangles, in double.
+    template <class T> std::uint32_t triangle_row_distances(const PairRows<T>& rows, std::size_t count, bool turned,
+                                                            Distance<T>* distances, std::uint8_t* unknown);
+    template <class T> std::uint32_t triangle_row_overlaps(const PairRows<T>& rows, std::size_t count,
+                                                           std::uint8_t* touch, std::uint8_t* unknown);
+    /// Which pairs of triangles without a margin are known to be further apart than is asked of them: 1 or 0.
+    template <class T> void triangle_pairs_apart(const PairRef<T>* pairs, std::size_t count, std::uint8_t* apart);
+    /// One pair of triangles: see `meet_triangles`.
+    void triangle_pair(const PlacedTriangle<double>& a, const PlacedTriangle<double>& b, double enough,
+                       TriangleDistance<double>& found, TriangleAxes<double>* axes);)
 // clang-format on
 
 }  // namespace graze

@@ -61,7 +61,9 @@ namespace {
 /// The kernel that tells whether pairs of A and B touch.
 template <class A, class B, class T>
 auto overlap_kernel() {
-  if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
+  if constexpr (std::is_same_v<A, Triangle<T>> && std::is_same_v<B, Triangle<T>>)
+    return GRAZE_KERNEL(chosen_isa(), triangle_row_overlaps<T>);
+  else if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
     return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
   else if constexpr (is_round_and_triangle<A, B>)
     return GRAZE_KERNEL(chosen_isa(), round_triangle_row_overlaps<A, T>);
@@ -71,7 +73,9 @@ auto overlap_kernel() {
 /// And the one for their distances.
 template <class A, class B, class T>
 auto distance_kernel() {
-  if constexpr (std::is_same_v<B, Box<T>> && !is_round_pair<A, B>)
+  if constexpr (std::is_same_v<A, Triangle<T>> && std::is_same_v<B, Triangle<T>>)
+    return GRAZE_KERNEL(chosen_isa(), triangle_row_distances<T>);
+  else if constexpr (std::is_same_v<B, Box<T>> && !is_round_pair<A, B>)
     return GRAZE_KERNEL(chosen_isa(), box_row_distances<A, B, T>);
   else if constexpr (is_round_and_triangle<A, B>)
     return GRAZE_KERNEL(chosen_isa(), round_triangle_row_distances<A, T>);
@@ -101,7 +105,8 @@ struct Distances {
   const Batch<T>& batch;
 
   template <class A, class B>
-  static constexpr bool has_kernel = !std::is_same_v<B, Triangle<T>> || is_round_and_triangle<A, B>;
+  static constexpr bool has_kernel =
+      !std::is_same_v<B, Triangle<T>> || is_round_and_triangle<A, B> || std::is_same_v<A, Triangle<T>>;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return distance(pair...); });
   }

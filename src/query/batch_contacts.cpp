@@ -3,6 +3,7 @@
 #include "graze/batch.hpp"
 #include "narrow/rest_batch.hpp"
 #include "narrow/round_batch.hpp"
+#include "narrow/triangle_batch.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
@@ -173,6 +174,8 @@ class Together {
       with_resting_kind<T>(route, [&]<class A>() { rests<A>(turned, queue); });
     else if (route == Route::box_triangle)
       triangles(turned, queue);
+    else if (route == Route::triangle_triangle)
+      triangle_pairs(queue);
     else
       round(route, turned, queue);
   }
@@ -200,6 +203,11 @@ class Together {
         [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
           touching(queue.places[k], distance, turned ? -normal : normal, TurnedPoints<T>{points, turned});
         },
+        [&](std::size_t k) { single_(queue.places[k]); });
+  }
+  void triangle_pairs(const Queue<T>& queue) {
+    visit_triangle_pair_contacts(
+        queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
         [&](std::size_t k) { single_(queue.places[k]); });
   }
   template <class Points>

@@ -29,6 +29,7 @@ enum class Route : std::uint8_t {
   box_half_space,
   triangle_half_space,
   box_triangle,
+  triangle_triangle,
   none
 };
 inline constexpr std::size_t route_count = static_cast<std::size_t>(Route::none);
@@ -58,6 +59,7 @@ constexpr void with_kinds(Route route, const F& f) {
   case Route::box_half_space: return f.template operator()<Box<T>, HalfSpace<T>>();
   case Route::triangle_half_space: return f.template operator()<Triangle<T>, HalfSpace<T>>();
   case Route::box_triangle: return f.template operator()<Box<T>, Triangle<T>>();
+  case Route::triangle_triangle: return f.template operator()<Triangle<T>, Triangle<T>>();
   case Route::none: break;
   }
 }

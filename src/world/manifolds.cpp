@@ -10,6 +10,7 @@
 #include "narrow/convex_pair.hpp"
 #include "narrow/rest_batch.hpp"
 #include "narrow/round_batch.hpp"
+#include "narrow/triangle_batch.hpp"
 #include "query/batch_routes.hpp"
 
 namespace graze {
@@ -258,6 +259,8 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
           many(i, distance, waiting.turned ? -normal : normal, TurnedPoints<T>{points, waiting.turned});
         },
         singly);
+  } else if (waiting.route == Route::triangle_triangle) {
+    visit_triangle_pair_contacts(pairs, count, none, singly);
   } else if (is_rest(waiting.route)) {
     with_resting_kind<T>(waiting.route, [&]<class A>() {
       visit_rest_contacts<A>(

@@ -9,12 +9,6 @@
 
 namespace graze {
 
-/// How far apart two may be and yet be within the margin once the distance is rounded to T.
-template <class T, class S>
-S before_rounding(const S& margin) {
-  return margin * S(1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
-}
-
 /// What `at` is where: only for capsules with a length, and boxes with one along every side. Up to `limit` apart it is
 /// asked whether the side lies on the box.
 template <class S>

@@ -10,6 +10,7 @@
 
 #include "graze/query.hpp"
 #include "narrow/closed_form.hpp"
+#include "narrow/pair_kernels.hpp"
 #include "narrow/pairs/triangle_triangle_distance.hpp"
 
 namespace graze {
@@ -21,17 +22,37 @@ PlacedTriangle<double> placed_triangle(const Triangle<T>& triangle, T margin, co
           cast<double>(pose)};
 }
 
-/// `triangle_distance` of one pair.
-TriangleDistance<double> distance_of_triangles(const PlacedTriangle<double>& a, const PlacedTriangle<double>& b,
-                                               double enough);
+/// See `triangle_distance`.
+template <class T>
+TriangleDistance<double> distance_of_triangles(const Triangle<T>& a, T margin_a, const Pose<T>& pose_a,
+                                               const Triangle<T>& b, T margin_b, const Pose<T>& pose_b, double enough) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair);
+  TriangleDistance<double> found;
+  kernel(placed_triangle(a, margin_a, pose_a), placed_triangle(b, margin_b, pose_b), enough, found, nullptr);
+  return found;
+}
 
 template <class T>
 std::optional<Distance<T>> own_distance(const Triangle<T>& a, T margin_a, const Pose<T>& pose_a, const Triangle<T>& b,
                                         T margin_b, const Pose<T>& pose_b) {
-  const auto found = distance_of_triangles(placed_triangle(a, margin_a, pose_a), placed_triangle(b, margin_b, pose_b),
-                                           std::numeric_limits<double>::infinity());
+  const auto found =
+      distance_of_triangles(a, margin_a, pose_a, b, margin_b, pose_b, std::numeric_limits<double>::infinity());
   if (!found.proven) return std::nullopt;
   return rounded<T>(found.at);
 }
+
+template <class T>
+std::optional<bool> own_overlap(const Triangle<T>& a, T margin_a, const Pose<T>& pose_a, const Triangle<T>& b,
+                                T margin_b, const Pose<T>& pose_b) {
+  const auto found = distance_of_triangles(a, margin_a, pose_a, b, margin_b, pose_b, 0);
+  if (!found.proven) return std::nullopt;
+  return static_cast<T>(found.at.distance) <= T(0);
+}
+
+/// The contacts of two shapes that are triangles; returns their signed distance, or where nothing is within the margin a
+/// lower bound that exceeds it.
+template <class T>
+T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                         Manifold<T>& manifold);
 
 }  // namespace graze

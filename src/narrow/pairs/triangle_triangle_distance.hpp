@@ -4,18 +4,15 @@
 // direction parts them by more, and the two points, which lie on the triangles, are no further apart. In every lane the
 // bits that the pair gives alone. Slivers are never proven.
 //
-// The difference of two triangles has facets of two kinds: a triangle and a corner of the other, or two edges. Of those
-// that meet, the facet nearest to the origin tells the depth (for triangles of one plane the plane itself, along which
-// they are zero deep). Of those that are apart, what is nearest is a facet too, which shows the whole distance as a gap,
-// or else an edge or a corner and a corner (Ericson 2005, "Real-time collision detection", section 5.1.10). Each answer
-// proves itself: its points are as far apart as the triangles are along its normal.
+// Of triangles that meet, the facet of their difference nearest to the origin tells the depth: a corner in front of a
+// face, or two edges that cross (for triangles of one plane that plane, along which they are zero deep). Of those that
+// are apart, such a facet may show the whole distance as a gap; else a corner and an edge, or two corners, are nearest
+// (Ericson 2005, "Real-time collision detection", section 5.1.10). Each answer proves itself: its points are as far
+// apart as the triangles are along its normal.
 #pragma once
 
 #include "graze/query.hpp"
-#include "narrow/flatten.hpp"
-#include "narrow/one_of_three.hpp"
-#include "narrow/pairs/box_triangle.hpp"
-#include "narrow/pairs/sided_triangle.hpp"
+#include "narrow/pairs/triangle_triangle_axes.hpp"
 
 namespace graze {
 
@@ -34,74 +31,13 @@ struct TriangleDistance {
 
   Distance<S> at;
   Mask proven;
-  Mask beyond;  ///< further apart than was asked for: the distance is a lower bound, and there are no points
+  Mask beyond;  ///< further apart than was asked for: the distance is a lower bound, and the points mean nothing
 };
 
 namespace detail {
 
 /// Roundings of a coordinate by which a point may miss what it is said to lie on.
 inline constexpr double triangle_slack = 16;
-/// Lengths between these have tenth powers, which products of two edges and squares of gaps along them are made of.
-inline constexpr double least_triangle = 1e-25, largest_triangle = 1e25;
-/// Two edges are parallel if the square of the sine between them is less: its direction is rounding.
-inline constexpr double parallel_sides =
-    4096 * std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
-
-/// One of the three that `which` names.
-template <class S>
-Vec3<S> picked(const OneOfThree<S>& which, const OfCorners<S>& v) {
-  return which.pick(of_corner(v, 0), of_corner(v, 1), of_corner(v, 2));
-}
-template <class S>
-S picked(const OneOfThree<S>& which, const Several<S, 3>& v) {
-  return which.pick(v[0], v[1], v[2]);
-}
-
-/// One of the two in the frame of A.
-template <class S>
-struct FlatTriangle {
-  using Three = Several<S, 3>;
-
-  OfCorners<S> point, edge;  ///< an edge leads from its corner to the next
-  OfCorners<S> outward;      ///< unit, across the edges in the triangle's plane
-  Three squared, per;        ///< of the edges' lengths, and one over that
-  Vec3<S> across, normal;    ///< across: as long as twice the area; normal: unit
-  decltype(S() < S()) regular;
-
-  FlatTriangle(const OfCorners<S>& points, const OfCorners<S>& edges) : point(points), edge(edges) {
-    using std::sqrt;
-    using T = typename LaneOf<S>::type;
-    constexpr T thin = static_cast<T>(thinnest_triangle * thinnest_triangle);
-    const S vanishing(std::numeric_limits<T>::min());
-    squared = length_squared(edge);
-    across = cross(of_corner(edge, 0), of_corner(edge, 1));
-    const S longest = greatest_of(squared), area = length_squared(across);
-    regular = (area > longest * longest * S(thin)) & (longest > S(T(least_triangle * least_triangle))) &
-              (longest < S(T(largest_triangle * largest_triangle)));
-    per = Three(S(1)) / greatest(squared, Three(vanishing));
-    normal = across * (S(1) / sqrt(greatest(area, vanishing)));
-    outward = cross(edge, for_corners(normal)) * sqrt(per);
-  }
-};
-
-/// Two triangles in the frame of A.
-template <class S>
-struct TwoTriangles {
-  using Three = Several<S, 3>;
-
-  FlatTriangle<S> a, b;
-  S noise;  ///< what rounding may do to a distance
-
-  /// From a corner of A to B's three, or of B to A's.
-  OfCorners<S> to_b(int i) const { return b.point - for_corners(of_corner(a.point, i)); }
-  OfCorners<S> to_a(int j) const { return a.point - for_corners(of_corner(b.point, j)); }
-  /// How far apart they are along a unit vector from A to B.
-  S gap_along(const Vec3<S>& n) const {
-    const Three m_a = dot(for_corners(n), for_corners(of_corner(a.point, 0)) - a.point),
-                m_b = dot(for_corners(n), to_b(0));
-    return least_of(m_a) + least_of(m_b);
-  }
-};
 
 /// What is nearest of the two, or deepest.
 template <class S>
@@ -110,140 +46,94 @@ struct NearestOfTriangles {
   CoreDistance<S> core;
   Mask proven;
 
-  void otherwise(const NearestOfTriangles& next) {
-    const Mask take = next.proven & (!proven);
-    core = select(take, next.core, core);
+  void otherwise(const CoreDistance<S>& next, const Mask& next_proven) {
+    const Mask take = next_proven & (!proven);
+    core = select(take, next, core);
     proven = proven | take;
   }
+  void otherwise(const NearestOfTriangles& next) { otherwise(next.core, next.proven); }
 };
-
-/// How one triangle sees the corners of the other.
-template <class S>
-struct SeenFromFace {
-  using Three = Several<S, 3>;
-
-  S separation;  ///< along its normal
-  S toward;      ///< 1 if the other is on the normal's side, else -1
-  S beside;      ///< the largest separation across one of its edges, in its plane
-  Three height;  ///< of the other's corners on that side, in so far as they are over it; else infinite
-
-  template <class To>
-  SeenFromFace(const FlatTriangle<S>& face, const To& to, const S& slack) {
-    using T = typename LaneOf<S>::type;
-    const Three along = dot(for_corners(face.normal), to(0));
-    const S above = least_of(along), below = -greatest_of(along);
-    separation = greatest(above, below);
-    toward = select(above < below, S(-1), S(1));
-    Three furthest(S(-std::numeric_limits<T>::infinity()));
-    beside = S(-std::numeric_limits<T>::infinity());
-    for (int i = 0; i < 3; ++i) {
-      const Three out = dot(for_corners(of_corner(face.outward, i)), to(i));
-      furthest = greatest(furthest, out);
-      beside = greatest(beside, least_of(out));
-    }
-    height = select(furthest <= Three(slack), along * Three(toward), Three(S(std::numeric_limits<T>::infinity())));
-  }
-  /// The corner that is nearest to the face over it.
-  OneOfThree<S> nearest_corner() const {
-    const auto first = (height[0] <= height[1]) & (height[0] <= height[2]);
-    return OneOfThree<S>::of(first, (!first) & (height[1] <= height[2]));
-  }
-  S lowest() const { return least_of(height); }
-};
-
-/// Where two lines are nearest to each other: `from` + `e` s and, by `r` further, + `f` t.
-template <class V>
-struct NearestOnLines {
-  V s, t;
-  NearestOnLines(const Vec3<V>& e, const Vec3<V>& f, const Vec3<V>& r, const Vec3<V>& product, const V& per) {
-    s = dot(cross(r, f), product) * per;
-    t = dot(cross(r, e), product) * per;
-  }
-};
-
-/// The best product of two edges: its unit vector from A to B, and which edges.
-template <class S>
-struct EdgeAxis {
-  Vec3<S> normal;
-  OneOfThree<S> a, b;
-};
-
-template <class S>
-EdgeAxis<S> best_edge_axis(const TwoTriangles<S>& p) {
-  using std::sqrt;
-  using T = typename LaneOf<S>::type;
-  using Three = Several<S, 3>;
-  // An edge of A is one place along its products, 0 here, and A's other corner another; and so for B, beyond the two
-  // edges' own separation. Separations are compared by their squares with their signs, a product each in place of a root.
-  const Three zero(S(0)), of_a = -dot(for_corners(p.a.across), p.b.edge), of_b = dot(for_corners(p.b.across), p.a.edge),
-                          low_a = least(of_a, zero), high_a = greatest(of_a, zero), low_b = least(of_b, zero),
-                          high_b = greatest(of_b, zero);
-  Three gap(S(-std::numeric_limits<T>::infinity())), squared(S(1)), number(S(0)), toward(S(1));
-  for (int i = 0; i < 3; ++i) {
-    const OfCorners<S> product = cross(for_corners(of_corner(p.a.edge, i)), p.b.edge);
-    const Three length = length_squared(product), between = dot(product, p.to_b(i)),
-                above = between + Three(low_b[i]) - high_a, below = low_a - (between + Three(high_b[i])),
-                apart = greatest(above, below), squares = apart * abs(apart);
-    const auto better =
-        (length > p.b.squared * Three(p.a.squared[i] * S(T(parallel_sides)))) & (squares * squared > gap * length);
-    gap = select(better, squares, gap);
-    squared = select(better, length, squared);
-    number = select(better, Three(S(T(i))), number);
-    toward = select(better, select(above < below, Three(S(-1)), Three(S(1))), toward);
-  }
-  S best = gap[0], over = squared[0], j(0), i = number[0], side = toward[0];
-  for (int k = 1; k < 3; ++k) {
-    const auto better = gap[k] * over > best * squared[k];
-    best = select(better, gap[k], best);
-    over = select(better, squared[k], over);
-    j = select(better, S(T(k)), j);
-    i = select(better, number[k], i);
-    side = select(better, toward[k], side);
-  }
-  const OneOfThree<S> a(i), b(j);
-  const Vec3<S> product = cross(picked(a, p.a.edge), picked(b, p.b.edge));
-  return {product * (side / sqrt(over)), a, b};
-}
 
 /// Whether a place on an edge, as a part of it, lies on it, but for `slack` squared.
 template <class V>
 auto on_edge(const V& place, const V& squared, const V& slack_squared) {
   using std::abs;
-  const V beyond = greatest(abs(place - V(0.5)) - V(0.5), V(0.0));
+  const V half(0.5), beyond = greatest(abs(place - half) - half, V(0.0));
   return beyond * beyond * squared <= slack_squared;
 }
 
-/// By the two edges of an axis, where those cross as seen along it.
-template <class S>
-NearestOfTriangles<S> at_edges(const TwoTriangles<S>& p, const EdgeAxis<S>& axis, const S& separation, const S& slack) {
-  const Vec3<S> e = picked(axis.a, p.a.edge), f = picked(axis.b, p.b.edge), from = picked(axis.a, p.a.point),
-                to = picked(axis.b, p.b.point), product = cross(e, f);
+/// Where two lines are nearest to each other, as parts of `e` and `f`, the second beginning by `r` from the first.
+template <class V>
+struct NearestOnLines {
+  V s, t;
+  NearestOnLines(const Vec3<V>& e, const Vec3<V>& f, const Vec3<V>& r, const Vec3<V>& product, const V& per)
+      : s(dot(cross(r, f), product) * per), t(dot(cross(r, e), product) * per) {}
+};
+
+/// By two edges that cross as seen along an axis.
+template <class Row, class S>
+NearestOfTriangles<S> at_edges(const TwoTriangles<Row>& p, const EdgeNumbers<S>& numbers, const Vec3<S>& normal,
+                               const S& separation, const S& slack_squared) {
   using T = typename LaneOf<S>::type;
-  const S least_square(std::numeric_limits<T>::min()), slack_squared = slack * slack;
-  const NearestOnLines<S> on(e, f, to - from, product, S(1) / greatest(length_squared(product), least_square));
-  const Vec3<S> q = from + e * on.s, r = to + f * on.t;
-  const decltype(S() < S()) met = on_edge(on.s, picked(axis.a, p.a.squared), slack_squared) &
-                                  on_edge(on.t, picked(axis.b, p.b.squared), slack_squared) &
-                                  (length_squared(r - q - axis.normal * separation) <= slack_squared);
-  return {{separation, axis.normal, q, r}, met};
+  const OneOfThree<S> i(numbers.a), j(numbers.b);
+  const Vec3<S> e = picked(i, p.a.edge), f = picked(j, p.b.edge), from = picked(i, p.a.point),
+                to = picked(j, p.b.point), product = cross(e, f);
+  const NearestOnLines<S> on(e, f, to - from, product,
+                             S(1) / greatest(length_squared(product), S(std::numeric_limits<T>::min())));
+  const Vec3<S> a = from + e * on.s, b = to + f * on.t;
+  const decltype(S() < S()) met = on_edge(on.s, picked(i, p.a.squared), slack_squared) &
+                                  on_edge(on.t, picked(j, p.b.squared), slack_squared) &
+                                  (length_squared(b - a - normal * separation) <= slack_squared);
+  return {{separation, normal, a, b}, met};
+}
+
+/// Two edges that cross as seen along an axis, any: what tells where the two planes are parallel and no corner of either
+/// lies over the other.
+template <class Row, class S>
+EdgeNumbers<S> crossing_edges(const TwoTriangles<Row>& p, const Vec3<S>& normal, const S& separation,
+                              const S& slack_squared) {
+  using T = typename LaneOf<S>::type;
+  const Row one(S(1)), infinity(S(std::numeric_limits<T>::infinity())), allowed(slack_squared);
+  Row least_missed = infinity, number(S(0));
+  for (int i = 0; i < 3; ++i) {
+    const CornerRows<Row> e = to_all<Row>(corner_of(p.a.edge, i)), r = p.to_b(i), product = cross(e, p.b.edge);
+    const Row squared_a(p.a.squared[i]), length = length_squared(product);
+    const auto distinct = length > p.b.squared * squared_a * Row(S(T(parallel_sides)));
+    const NearestOnLines<Row> on(e, p.b.edge, r, product, one / select(distinct, length, one));
+    const auto met = distinct & on_edge(on.s, squared_a, allowed) & on_edge(on.t, p.b.squared, allowed);
+    const Row missed =
+        select(met, length_squared(r + p.b.edge * on.t - e * on.s - to_all<Row>(normal * separation)), infinity);
+    number = select(missed < least_missed, Row(S(T(i))), number);
+    least_missed = least(least_missed, missed);
+  }
+  S missed = least_missed[0], i = number[0], j(0);
+  for (int k = 1; k < 3; ++k) {
+    const auto better = least_missed[k] < missed;
+    missed = select(better, least_missed[k], missed);
+    i = select(better, number[k], i);
+    j = select(better, S(T(k)), j);
+  }
+  return {i, j};
 }
 
 /// By a corner of either and an edge, or a corner, of the other. Triangles that are apart.
-template <class S>
-NearestOfTriangles<S> at_corners(const TwoTriangles<S>& p, const S& slack) {
-  using std::abs, std::sqrt;
+template <class Row, class S>
+NearestOfTriangles<S> at_corners(const TwoTriangles<Row>& p, const S& slack) {
+  using std::sqrt;
   using T = typename LaneOf<S>::type;
-  using Three = Several<S, 3>;
-  const Three zero(S(0)), one(S(1));
-  Three least_squared(S(std::numeric_limits<T>::infinity())), number(S(0));
+  const Row zero(S(0)), one(S(1)), per_a = p.a.per(), per_b = p.b.per();
+  Row least_squared(S(std::numeric_limits<T>::infinity())), number(S(0));
   for (int i = 0; i < 3; ++i) {
-    const OfCorners<S> r = p.to_b(i), e = for_corners(of_corner(p.a.edge, i));
-    const Three on_a = least(greatest(dot(e, r) * Three(p.a.per[i]), zero), one),
-                on_b = least(greatest(-(dot(p.b.edge, r) * p.b.per), zero), one);
-    const Three to_edge_a = length_squared(r - e * on_a), to_edge_b = length_squared(r + p.b.edge * on_b);
-    const Three of_b = select(to_edge_b < to_edge_a, Three(S(T(i + 3))), Three(S(T(i))));
-    const Three nearer = least(to_edge_a, to_edge_b);
-    number = select(nearer < least_squared, of_b, number);
+    const CornerRows<Row> r = p.to_b(i);
+    const Row whole = length_squared(r), along_a = dot(to_all<Row>(corner_of(p.a.edge, i)), r),
+              along_b = -dot(p.b.edge, r);
+    const auto from_edge = [&](const Row& along, const Row& squared, const Row& per) {
+      const Row place = least(greatest(along * per, zero), one);
+      return whole + place * (place * squared - (along + along));
+    };
+    const Row of_a = from_edge(along_a, Row(p.a.squared[i]), Row(per_a[i])),
+              of_b = from_edge(along_b, p.b.squared, per_b), nearer = least(of_a, of_b);
+    number = select(nearer < least_squared, select(of_b < of_a, Row(S(T(i + 3))), Row(S(T(i)))), number);
     least_squared = least(least_squared, nearer);
   }
   S nearest = least_squared[0], which = number[0], j(0);
@@ -258,8 +148,7 @@ NearestOfTriangles<S> at_corners(const TwoTriangles<S>& p, const S& slack) {
   const Vec3<S> corner_a = picked(of_a, p.a.point), corner_b = picked(of_b, p.b.point),
                 edge = select(edge_of_b, picked(of_b, p.b.edge), picked(of_a, p.a.edge)),
                 from = select(edge_of_b, corner_b, corner_a), corner = select(edge_of_b, corner_a, corner_b);
-  const S per = select(edge_of_b, picked(of_b, p.b.per), picked(of_a, p.a.per));
-  const S place = dot(corner - from, edge) * per;
+  const S per = select(edge_of_b, picked(of_b, per_b), picked(of_a, per_a)), place = dot(corner - from, edge) * per;
   const auto within = (place > S(0)) & (place < S(1));
   const Vec3<S> on = from + edge * least(greatest(place, S(0)), S(1));
   Vec3<S> off = corner - on;
@@ -268,136 +157,193 @@ NearestOfTriangles<S> at_corners(const TwoTriangles<S>& p, const S& slack) {
   const S distance = sqrt(length_squared(off)), scale = S(1) / select(distance > S(0), distance, S(1));
   const Vec3<S> normal = off * select(edge_of_b, -scale, scale);
   const decltype(S() < S()) proven =
-      (distance > slack * S(T(roundings_off_edge / triangle_slack))) & (p.gap_along(normal) >= distance - slack);
+      (distance > p.noise * S(T(roundings_off_edge))) & (p.gap_along(normal) >= distance - slack);
   return {{distance, normal, select(edge_of_b, corner, on), select(edge_of_b, on, corner)}, proven};
 }
 
-/// By any two edges that cross as seen along an axis: what tells where the two planes are parallel and no corner of
-/// either lies over the other.
-template <class S>
-NearestOfTriangles<S> at_crossing(const TwoTriangles<S>& p, const Vec3<S>& normal, const S& separation,
-                                  const S& slack) {
+/// Apart by more than `enough`, which is not negative, along what leads from the middle of A to that of B.
+template <class Row, class S>
+NearestOfTriangles<S> beyond_middles(const TwoTriangles<Row>& p, const S& enough) {
+  using std::sqrt;
   using T = typename LaneOf<S>::type;
-  using Three = Several<S, 3>;
-  const S slack_squared = slack * slack;
-  const Three allowed(slack_squared);
-  Three least_missed(S(std::numeric_limits<T>::infinity())), number(S(0));
-  const Three infinite = least_missed;
-  for (int i = 0; i < 3; ++i) {
-    const OfCorners<S> e = for_corners(of_corner(p.a.edge, i)), r = p.to_b(i), product = cross(e, p.b.edge);
-    const Three squared_a(p.a.squared[i]), length = length_squared(product);
-    const auto distinct = length > p.b.squared * squared_a * Three(S(T(parallel_sides)));
-    const NearestOnLines<Three> on(e, p.b.edge, r, product, Three(S(1)) / select(distinct, length, Three(S(1))));
-    const Three missed = length_squared(r + p.b.edge * on.t - e * on.s - for_corners(normal * separation));
-    const auto met = distinct & on_edge(on.s, squared_a, allowed) & on_edge(on.t, p.b.squared, allowed);
-    const Three counted = select(met, missed, infinite);
-    number = select(counted < least_missed, Three(S(T(i))), number);
-    least_missed = least(least_missed, counted);
-  }
-  S missed = least_missed[0], i = number[0], j(0);
-  for (int k = 1; k < 3; ++k) {
-    const auto better = least_missed[k] < missed;
-    missed = select(better, least_missed[k], missed);
-    i = select(better, number[k], i);
-    j = select(better, S(T(k)), j);
-  }
-  return at_edges(p, {normal, OneOfThree<S>(i), OneOfThree<S>(j)}, separation, slack);
+  const auto sum = [](const Row& r) { return r[0] + r[1] + r[2]; };
+  const CornerRows<Row> r = p.b.point - p.a.point;
+  const Vec3<S> along{sum(r.x), sum(r.y), sum(r.z)};
+  const S gap = p.gap_along(along), squared = length_squared(along);
+  const decltype(S() < S()) beyond = (gap > S(0)) & (gap * gap > enough * enough * squared);
+  if (!any(beyond)) return {{gap, along, {}, {}}, beyond};
+  const S scale = S(1) / sqrt(greatest(squared, S(std::numeric_limits<T>::min())));
+  return {{gap * scale, along * scale, {}, {}}, beyond};
 }
 
 /// What is nearest. Where they are apart by more than `enough` along an axis, that one: with no points, `beyond`.
-template <class S, class M>
-NearestOfTriangles<S> nearest_of_triangles(const TwoTriangles<S>& p, const S& enough, M& beyond) {
+template <class Row, class S, class M>
+NearestOfTriangles<S> nearest_of_triangles(const TwoTriangles<Row>& p, const S& enough, M& beyond) {
+  using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
-  using Mask = decltype(S() < S());
-  const S slack = p.noise * S(T(triangle_slack));
-  const SeenFromFace<S> from_a(
-      p.a, [&](int i) { return p.to_b(i); }, slack),
-      from_b(
-          p.b, [&](int j) { return p.to_a(j); }, slack);
-  const Vec3<S> normal_a = p.a.normal * from_a.toward, normal_b = p.b.normal * -from_b.toward;
-  const Mask by_b = from_b.separation > from_a.separation;
+  NearestOfTriangles<S> nearest{};
+  if (any(enough < S(std::numeric_limits<T>::infinity()))) {
+    nearest = beyond_middles(p, enough);
+    beyond = nearest.proven;
+    if (all(beyond)) return nearest;
+  }
+  const S slack = p.noise * S(T(triangle_slack)), slack_squared = slack * slack;
+  const auto to_b = [&](int i) { return p.to_b(i); };
+  const auto to_a = [&](int j) { return p.to_a(j); };
+  const SeenFromPlane<Row> plane_a(p.a, to_b), plane_b(p.b, to_a);
+  const Vec3<S> normal_a = p.a.normal * plane_a.toward, normal_b = p.b.normal * -plane_b.toward;
+  const M by_b = plane_b.separation > plane_a.separation;
   Vec3<S> normal = select(by_b, normal_b, normal_a);
-  S best = greatest(from_a.separation, from_b.separation);
-  beyond = best > enough;
-  NearestOfTriangles<S> nearest{{best, normal, {}, {}}, beyond};
+  S best = greatest(plane_a.separation, plane_b.separation);
+  const auto look_beyond = [&](const S& separation, const Vec3<S>& along) {
+    const M further = (separation > enough) & (!nearest.proven);
+    nearest.otherwise({separation, along, {}, {}}, further);
+    beyond = beyond | further;
+  };
+  look_beyond(best, normal);
   if (all(beyond)) return nearest;
 
-  const EdgeAxis<S> edges = best_edge_axis(p);
-  const S edge = p.gap_along(edges.normal);
-  const Mask by_edge = edge > best;
-  normal = select(by_edge, edges.normal, normal);
-  best = greatest(best, edge);
-  const Mask now = (edge > enough) & (!beyond);
-  nearest.otherwise({{edge, edges.normal, {}, {}}, now});
-  beyond = beyond | now;
-  if (all(beyond)) return nearest;
-
-  // In the plane of either: what keeps triangles of one plane apart.
-  best = greatest(best, greatest(from_a.beside, from_b.beside));
-  const S about = best - p.noise;
-  const Vec3<S> over_a = picked(from_a.nearest_corner(), p.b.point),
-                over_b = picked(from_b.nearest_corner(), p.a.point);
-  const Mask on_a = (from_a.separation >= about) & (from_a.lowest() <= from_a.separation + slack),
-             on_b = (from_b.separation >= about) & (from_b.lowest() <= from_b.separation + slack);
-  nearest.otherwise({{best, normal_a, over_a - normal_a * best, over_a}, on_a});
-  nearest.otherwise({{best, normal_b, over_b, over_b + normal_b * best}, on_b});
-  NearestOfTriangles<S> of_edges = at_edges(p, edges, best, slack);
-  of_edges.proven = of_edges.proven & (edge >= about);
-  nearest.otherwise(of_edges);
+  // What a face keeps apart: a corner over it, if that is nearest, or what is nearest without a face.
+  const SeenFromFace<Row> face_a(p.a, plane_a, to_b, slack_squared), face_b(p.b, plane_b, to_a, slack_squared);
+  const Vec3<S> over_a = picked(face_a.corner, p.b.point), over_b = picked(face_b.corner, p.a.point);
+  const M low_a = least_of(face_a.height) <= plane_a.separation + slack,
+          low_b = least_of(face_b.height) <= plane_b.separation + slack, apart = best > p.noise;
+  const auto at_faces = [&](const S& separation, const M& by_face_a, const M& by_face_b) {
+    nearest.otherwise({separation, normal_a, over_a - normal_a * separation, over_a}, by_face_a & low_a);
+    nearest.otherwise({separation, normal_b, over_b, over_b + normal_b * separation}, by_face_b & low_b);
+  };
+  at_faces(best, apart & (!by_b), apart & by_b);
   if (all(nearest.proven)) return nearest;
   nearest.otherwise(at_corners(p, slack));
   if (all(nearest.proven)) return nearest;
-  nearest.otherwise(at_crossing(p, normal, best, slack));
+
+  const EdgeAxis<S> edges = best_edge_axis(p);
+  S edge = edges.axis.separation;
+  normal = select(edge > best, edges.axis.normal, normal);
+  best = greatest(best, edge);
+  look_beyond(edge, edges.axis.normal);
+  // In the plane of either: what keeps triangles of one plane apart.
+  const S beside = greatest(face_a.beside, face_b.beside), beside_by = sqrt(abs(beside));
+  best = greatest(best, select(beside < S(0), -beside_by, beside_by));
+  const S about = best - p.noise;
+  at_faces(best, plane_a.separation >= about, plane_b.separation >= about);
+  if (all(nearest.proven)) return nearest;
+  // The edges of the best product; then any that cross.
+  Vec3<S> along = edges.axis.normal;
+  EdgeNumbers<S> numbers = edges.numbers;
+  for (int round = 0; round < 2; ++round) {
+    const NearestOfTriangles<S> crossing = at_edges(p, numbers, along, best, slack_squared);
+    const M proven = edge >= about;
+    nearest.otherwise(crossing.core, crossing.proven & proven);
+    if (round == 1 || all(nearest.proven)) break;
+    numbers = crossing_edges(p, normal, best, slack_squared);
+    along = normal;
+    edge = best;
+  }
   return nearest;
 }
 
 }  // namespace detail
 
-/// Further apart than `enough` along an axis they need not be measured: `beyond`. Of infinitely far all are.
-template <class S>
-GRAZE_FLATTEN TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b,
-                                                    const S& enough) {
-  using std::abs, std::sqrt;
+/// Two triangles in a frame at A's origin along the world's axes: an answer in it has only to move.
+template <class Row, class S>
+TwoTriangles<Row> two_triangles(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b) {
+  using std::sqrt;
   using T = typename LaneOf<S>::type;
-  using Three = Several<S, 3>;
-  const auto corners = [](const TriangleCore<S>& t) -> OfCorners<S> {
-    const Vec3<S>* p = t.point;
-    return {Three(p[0].x, p[1].x, p[2].x), Three(p[0].y, p[1].y, p[2].y), Three(p[0].z, p[1].z, p[2].z)};
+  const auto turned = [](const PlacedTriangle<S>& t) -> CornerRows<Row> {
+    const Mat3<S> turn = rotation_of(t.pose.rotation);
+    const Mat3<Row> rotation{{to_all<Row>(turn.row[0]), to_all<Row>(turn.row[1]), to_all<Row>(turn.row[2])}};
+    return rotation * corner_rows<Row>(t.core.point[0], t.core.point[1], t.core.point[2]);
   };
-  // Differences of corners keep their digits wherever a triangle lies in its own frame.
-  const auto edges = [](const TriangleCore<S>& t) -> OfCorners<S> {
-    const Vec3<S> u = t.point[1] - t.point[0], v = t.point[2] - t.point[1], w = t.point[0] - t.point[2];
-    return {Three(u.x, v.x, w.x), Three(u.y, v.y, w.y), Three(u.z, v.z, w.z)};
+  const auto size = [](const CornerRows<Row>& points, const S& radius) {
+    return sqrt(greatest_of(length_squared(points))) + radius;
   };
-  const Mat3<S> turn = rotation_of(a.pose.rotation);
-  const RelativeFrame<S> b_in_a = relative_frame(a.pose, turn, b.pose);
-  const Vec3<S>* row = b_in_a.rotation.row;
-  const Mat3<Three> rotation{{for_corners(row[0]), for_corners(row[1]), for_corners(row[2])}};
-  const OfCorners<S> points_a = corners(a.core), points_b = corners(b.core);
-  const S extent_a = sqrt(greatest_of(length_squared(points_a))),
-          extent_b = sqrt(greatest_of(length_squared(points_b))),
-          size = greatest(extent_a + a.radius, extent_b + b.radius) + max_abs(b_in_a.translation),
-          radii = a.radius + b.radius;
-  const detail::TwoTriangles<S> pair{
-      detail::FlatTriangle<S>(points_a, edges(a.core)),
-      detail::FlatTriangle<S>(rotation * points_b + for_corners(b_in_a.translation), rotation * edges(b.core)),
-      S(box_rounding<T>) * size};
-  TriangleDistance<S> found;
+  const Vec3<S> between = b.pose.translation - a.pose.translation;
+  const CornerRows<Row> points_a = turned(a), points_b = turned(b);
+  TwoTriangles<Row> pair{FlatTriangle<Row>(points_a),
+                         FlatTriangle<Row>(points_b + to_all<Row>(between)),
+                         size(points_a, a.radius),
+                         size(points_b, b.radius),
+                         S(0),
+                         {}};
+  const S largest = greatest(pair.size_a, pair.size_b) + max_abs(between);
+  pair.noise = S(box_rounding<T>) * largest;
+  pair.regular = pair.a.regular & pair.b.regular & (largest < S(T(largest_triangle)));
+  return pair;
+}
+
+/// Further apart than `enough`, which is not negative, they need not be measured; infinity measures all. `origin`: of
+/// the frame, in the world.
+template <class Row, class S>
+TriangleDistance<S> triangle_distance(const TwoTriangles<Row>& pair, const S& radius_a, const S& radius_b,
+                                      const Vec3<S>& origin, const S& enough) {
+  using std::abs;
+  using T = typename LaneOf<S>::type;
+  const S radii = radius_a + radius_b;
+  TriangleDistance<S> found{};
   const detail::NearestOfTriangles<S> nearest =
       detail::nearest_of_triangles(pair, enough + radii + pair.noise, found.beyond);
   const CoreDistance<S>& core = nearest.core;
-  const auto regular = pair.a.regular & pair.b.regular & (size < S(T(detail::largest_triangle)));
-  found.proven = nearest.proven & regular;
-  found.beyond = found.beyond & regular;
+  found.proven = nearest.proven & pair.regular;
+  found.beyond = found.beyond & pair.regular;
   // What rounding cannot tell from touching touches. Half of the answer on each side of the middle of the two points,
   // so that b - a = distance * normal to the last bits.
   const S distance = select(abs(core.distance - radii) <= pair.noise, radii, core.distance),
           half = distance * S(T(0.5));
-  const Vec3<S> middle = (core.a + core.b) * S(T(0.5));
+  const Vec3<S> middle = origin + (core.a + core.b) * S(T(0.5));
   found.at.distance = distance - radii;
-  found.at.normal = turn * core.normal;
-  found.at.a = a.pose.translation + turn * (middle + core.normal * (a.radius - half));
-  found.at.b = a.pose.translation + turn * (middle + core.normal * (half - b.radius));
+  found.at.normal = core.normal;
+  found.at.a = middle + core.normal * (radius_a - half);
+  found.at.b = middle + core.normal * (half - radius_b);
+  return found;
+}
+template <class Row, class S>
+TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough) {
+  return triangle_distance(two_triangles<Row>(a, b), a.radius, b.radius, a.pose.translation, enough);
+}
+
+/// What the contacts of a pair are found by: the best of the axes of faces, a triangle's normal or what leads across an
+/// edge of it in its plane, and the best product of edges; along the world's axes.
+template <class S>
+struct TriangleAxes {
+  TriangleAxis<S> face, edge;
+  S smaller;  ///< the size of the smaller triangle
+  S noise;    ///< what rounding may do to a separation
+};
+
+namespace detail {
+
+/// Of a single pair.
+template <class Row, class To>
+auto best_face_axis(const FlatTriangle<Row>& face, const To& to) {
+  using std::sqrt;
+  using S = typename RowOf<Row>::Number;
+  const SeenFromPlane<Row> plane(face, to);
+  TriangleAxis<S> best{plane.separation, face.normal * plane.toward};
+  const CornerRows<Row> outward = cross(face.edge, to_all<Row>(face.normal)) * sqrt(face.per());
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<S> across = corner_of(outward, i);
+    const S separation = least_of(dot(to_all<Row>(across), to(i)));
+    if (separation > best.separation) best = {separation, across};
+  }
+  return best;
+}
+
+}  // namespace detail
+
+/// The distance of a single pair and, where `axes` are asked for and it is proven to be no more than `enough`, those.
+template <class Row, class S>
+TriangleDistance<S> meet_triangles(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough,
+                                   TriangleAxes<S>* axes) {
+  const TwoTriangles<Row> p = two_triangles<Row>(a, b);
+  const TriangleDistance<S> found = triangle_distance(p, a.radius, b.radius, a.pose.translation, enough);
+  if (!axes || !found.proven || found.at.distance > enough) return found;
+  const TriangleAxis<S> face_a = detail::best_face_axis(p.a, [&](int i) { return p.to_b(i); }),
+                        face_b = detail::best_face_axis(p.b, [&](int j) { return p.to_a(j); });
+  axes->face = face_b.separation > face_a.separation ? TriangleAxis<S>{face_b.separation, -face_b.normal} : face_a;
+  axes->edge = best_edge_axis(p).axis;
+  axes->smaller = least(p.size_a, p.size_b);
+  axes->noise = p.noise;
   return found;
 }
 

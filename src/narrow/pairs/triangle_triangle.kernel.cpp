@@ -1,0 +1,133 @@
+// Pairs of triangles, a register of them at a time in double, or one.
+#include "narrow/closed_form.hpp"
+#include "narrow/pair_bundle.hpp"
+#include "narrow/pairs/triangle_triangle_distance.hpp"
+#include "narrow/row_bundle.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+using S = Lanes<double>;
+constexpr std::size_t part_lanes = lanes_of<double>;
+
+template <std::size_t part, class L>
+[[gnu::always_inline]] inline Vec3<S> vector_in_double(const Vec3<L>& v) {
+  return {lanes_in_double<part>(v.x), lanes_in_double<part>(v.y), lanes_in_double<part>(v.z)};
+}
+template <std::size_t part, class L>
+[[gnu::always_inline]] inline PlacedTriangle<S> in_double(const TriangleCore<L>& core, const Pose<L>& pose) {
+  const Quat<L>& q = pose.rotation;
+  return {{{vector_in_double<part>(core.point[0]), vector_in_double<part>(core.point[1]),
+            vector_in_double<part>(core.point[2])}},
+          S(0),
+          {vector_in_double<part>(pose.translation),
+           {lanes_in_double<part>(q.x), lanes_in_double<part>(q.y), lanes_in_double<part>(q.z),
+            lanes_in_double<part>(q.w)}}};
+}
+
+/// Compiled once for all.
+[[gnu::noinline, gnu::flatten]] void answer(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough,
+                                            TriangleDistance<S>& found) {
+  found = triangle_distance<Several<S, 3>>(a, b, enough);
+}
+
+/// Triangles in lanes, in place.
+template <class L>
+struct LaneTriangles {
+  const TriangleCore<L>&a, &b;
+  const Pose<L>&pose_a, &pose_b;
+};
+/// As many of the first `count` pairs at a time as a register holds in double. `enough`: how far apart a lane's pair
+/// need not be measured. Calls `f(distances, number of the first pair, how many)`.
+template <class L, class F>
+[[gnu::always_inline]] inline void visit_parts(const LaneTriangles<L>& of, const L& enough, std::size_t count,
+                                               const F& f) {
+  const auto visit_part = [&]<std::size_t part>() __attribute__((always_inline)) {
+    constexpr std::size_t first = part * part_lanes;
+    if (count <= first) return;
+    TriangleDistance<S> found;
+    answer(in_double<part>(of.a, of.pose_a), in_double<part>(of.b, of.pose_b), lanes_in_double<part>(enough), found);
+    f(found, first, count - first < part_lanes ? count - first : part_lanes);
+  };
+  visit_part.template operator()<0>();
+  if constexpr (sizeof(typename L::Lane) == 4) visit_part.template operator()<1>();
+}
+
+/// The same of pairs in rows.
+template <class T, class F>
+[[gnu::always_inline]] inline void visit_rows(const PairRows<T>& rows, std::size_t count, const Lanes<T>& enough,
+                                              const F& f) {
+  constexpr std::size_t lanes = lanes_of<T>;
+  for (std::size_t begin = 0; begin < count; begin += lanes) {
+    const RowBundle<Triangle<T>, Triangle<T>, T> p(rows, begin);
+    visit_parts(
+        LaneTriangles<Lanes<T>>{p.a.shapes.core, p.b.shapes.core, p.pose_a, p.pose_b}, enough,
+        least(lanes, count - begin),
+        [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size)
+            __attribute__((always_inline)) { f(found, begin + first, size); });
+  }
+}
+
+}  // namespace
+
+[[gnu::flatten]] void triangle_pair(const PlacedTriangle<double>& a, const PlacedTriangle<double>& b, double enough,
+                                    TriangleDistance<double>& found, TriangleAxes<double>* axes) {
+  using Row = std::conditional_t<register_bytes >= 32, FourWide<double>, Several<double, 3>>;
+  found = meet_triangles<Row>(a, b, enough, axes);
+}
+
+/// `turned` changes nothing: both sides are of one kind.
+template <class T>
+[[gnu::flatten]] std::uint32_t triangle_row_distances(const PairRows<T>& rows, std::size_t count, bool,
+                                                      Distance<T>* distances, std::uint8_t* unknown) {
+  std::uint32_t unknown_count = 0;
+  const Lanes<T> all(std::numeric_limits<T>::infinity());
+  visit_rows(rows, count, all, [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size) {
+    const Distance<S>& d = found.at;
+    for (std::size_t k = 0; k < size; ++k) {
+      const int i = static_cast<int>(k);
+      distances[first + k] = {static_cast<T>(d.distance[i]), lane<T>(d.normal, i), lane<T>(d.a, i), lane<T>(d.b, i)};
+    }
+    append_places(bits_of(!found.proven) & filled_lanes<double>(size), first, unknown, unknown_count);
+  });
+  return unknown_count;
+}
+
+template <class T>
+[[gnu::flatten]] std::uint32_t triangle_row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch,
+                                                     std::uint8_t* unknown) {
+  std::uint32_t unknown_count = 0;
+  visit_rows(rows, count, Lanes<T>(T(0)), [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size) {
+    for (std::size_t k = 0; k < size; ++k)
+      touch[first + k] = static_cast<T>(found.at.distance[static_cast<int>(k)]) <= T(0);
+    append_places(bits_of(!found.proven) & filled_lanes<double>(size), first, unknown, unknown_count);
+  });
+  return unknown_count;
+}
+
+template <class T>
+[[gnu::flatten]] void triangle_pairs_apart(const PairRef<T>* pairs, std::size_t count, std::uint8_t* apart) {
+  using Pairs = PairBundle<Triangle<T>, Triangle<T>, T>;
+  for (std::size_t begin = 0; begin < count; begin += Pairs::lanes) {
+    const Pairs p(pairs + begin, count - begin);
+    visit_parts(LaneTriangles<Lanes<T>>{p.a.core, p.b.core, p.pose_a, p.pose_b}, p.margin, p.count,
+                [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size) {
+                  for (std::size_t k = 0; k < size; ++k) {
+                    const std::size_t pair = begin + first + k;
+                    const int i = static_cast<int>(k);
+                    apart[pair] = found.proven[i] && static_cast<T>(found.at.distance[i]) > pairs[pair].margin;
+                  }
+                });
+  }
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template std::uint32_t triangle_row_distances(const PairRows<T>&, std::size_t, bool, Distance<T>*, std::uint8_t*);   \
+  template std::uint32_t triangle_row_overlaps(const PairRows<T>&, std::size_t, std::uint8_t*, std::uint8_t*);         \
+  template void triangle_pairs_apart(const PairRef<T>*, std::size_t, std::uint8_t*);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,294 @@
+// Triangles against triangles: distances proven by a reference in extended precision, contacts against those of the
+// general path, and both against each other, since distances, overlaps and contacts have to agree on what touches.
+#include "narrow/pairs/triangle_triangle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "common/specimen.hpp"
+#include "reference/certificate.hpp"
+
+namespace graze::testing {
+namespace {
+
+struct TrianglePair {
+  Vec3f a[3], b[3];
+  Vec3f at_b{};
+  Quatf turn_a{}, turn_b{};
+
+  template <class T>
+  Triangle<T> shape_a(T scale = T(1)) const {
+    return {cast<T>(a[0]) * scale, cast<T>(a[1]) * scale, cast<T>(a[2]) * scale};
+  }
+  template <class T>
+  Triangle<T> shape_b(T scale = T(1)) const {
+    return {cast<T>(b[0]) * scale, cast<T>(b[1]) * scale, cast<T>(b[2]) * scale};
+  }
+  template <class T>
+  Pose<T> pose_a() const {
+    return {{}, normalized(cast<T>(turn_a))};
+  }
+  template <class T>
+  Pose<T> pose_b(T scale = T(1)) const {
+    return {cast<T>(at_b) * scale, normalized(cast<T>(turn_b))};
+  }
+};
+
+TrianglePair any_pair(Random& random) {
+  TrianglePair p;
+  for (Vec3f& v : p.a) v = random_vector(random, 1);
+  for (Vec3f& v : p.b) v = random_vector(random, 1);
+  p.at_b = random_vector(random, random() % 3 == 0 ? 3.0f : 0.6f);
+  p.turn_a = random_rotation(random);
+  p.turn_b = random_rotation(random);
+  return p;
+}
+
+/// Corners at half steps: edges that are parallel, corners over edges and in one place, triangles of one plane.
+TrianglePair pair_on_lattice(Random& random) {
+  TrianglePair p;
+  const auto step = [&] { return 0.5f * static_cast<float>(random() % 5); };
+  const bool level = random() % 2 == 0;
+  for (Vec3f& v : p.a) v = {step(), level ? 0 : step(), step()};
+  for (Vec3f& v : p.b) v = {step(), level ? 0 : step(), step()};
+  p.at_b = {step() - 1, level ? 0.5f * static_cast<float>(random() % 2) : 0, step() - 1};
+  return p;
+}
+
+/// About in parallel planes, near each other.
+TrianglePair level_pair(Random& random) {
+  TrianglePair p = any_pair(random);
+  for (Vec3f& v : p.a) v.y = 0;
+  for (Vec3f& v : p.b) v.y = 0;
+  const float tilt = random() % 2 == 0 ? 0 : std::pow(10.0f, uniform(random, -8, -1));
+  p.turn_a = {};
+  p.turn_b = {uniform(random, -tilt, tilt), 0, uniform(random, -tilt, tilt), 1};
+  p.at_b.y = random() % 2 == 0 ? 0 : uniform(random, -1, 1) * std::pow(10.0f, uniform(random, -6, 0));
+  return p;
+}
+
+/// Of one mesh: a shared edge, or a shared corner.
+TrianglePair neighbours(Random& random) {
+  TrianglePair p = any_pair(random);
+  p.at_b = {};
+  p.turn_b = p.turn_a;
+  p.b[0] = p.a[1];
+  if (random() % 2 == 0) p.b[1] = p.a[0];
+  return p;
+}
+
+/// An edge across an edge, a corner over a face or near a corner, closer and closer.
+TrianglePair close_pair(Random& random) {
+  TrianglePair p = any_pair(random);
+  p.at_b = {};
+  p.turn_b = p.turn_a;
+  const Vec3f off = random_vector(random, std::pow(10.0f, uniform(random, -6, -1)));
+  switch (random() % 3) {
+  case 0: p.b[0] = p.a[0] + off; break;
+  case 1: p.b[0] = (p.a[0] + p.a[1] + p.a[2]) / 3.0f + off; break;
+  default: {
+    const Vec3f along = random_vector(random, 1), middle = p.a[0] * 0.4f + p.a[1] * 0.6f;
+    p.b[0] = middle + along;
+    p.b[1] = middle - along * 0.7f + off;
+  }
+  }
+  return p;
+}
+
+/// One a hundredth of the other; both away from their own origins.
+TrianglePair unequal_pair(Random& random) {
+  TrianglePair p = any_pair(random);
+  const Vec3f away = random_vector(random, 50);
+  p.turn_b = p.turn_a;
+  p.at_b = random_vector(random, 0.5f);
+  for (Vec3f& v : p.b) v = v * 0.01f + away;
+  for (Vec3f& v : p.a) v += away;
+  return p;
+}
+
+reference::Placed in_reference(const Triangle<double>& t, const Posed& pose) {
+  const auto vector = [](const Vec3d& v) { return reference::Vector{v.x, v.y, v.z}; };
+  const Quatd& q = pose.rotation;
+  return reference::place(reference::polytope({vector(t.point(0)), vector(t.point(1)), vector(t.point(2))}),
+                          vector(pose.translation), {q.x, q.y, q.z, q.w});
+}
+
+/// How many of those that are no slivers are not known. Of what is known everything is right up to rounding.
+int unknown(TrianglePair (*make)(Random&), int count, unsigned seed) {
+  Random random(seed);
+  int missing = 0;
+  for (int i = 0; i < count; ++i) {
+    const TrianglePair p = make(random);
+    const Triangle<double> a = p.shape_a<double>(), b = p.shape_b<double>();
+    const Posed pose_a = p.pose_a<double>(), pose_b = p.pose_b<double>();
+    const auto found = own_distance(a, 0.0, pose_a, b, 0.0, pose_b);
+    if (!found) {
+      missing += !SidedTriangle(a).thin() && !SidedTriangle(b).thin();
+      continue;
+    }
+    const auto vector = [](const Vec3d& v) { return reference::Vector{v.x, v.y, v.z}; };
+    const double reach = greatest(a.core_extent(), b.core_extent()) + max_abs(pose_b.translation);
+    const reference::Answer answer{found->distance, vector(found->normal), vector(found->a), vector(found->b)};
+    const auto why_not = reference::disprove(in_reference(a, pose_a), in_reference(b, pose_b), answer,
+                                             detail::triangle_slack * box_rounding<double> * reach);
+    EXPECT_FALSE(why_not) << *why_not << " of pair " << i;
+  }
+  return missing;
+}
+
+TEST(TriangleTriangle, IsProvenAndRight) {
+  EXPECT_EQ(unknown(any_pair, 300, 1), 0);
+  EXPECT_EQ(unknown(pair_on_lattice, 300, 2), 0);
+  EXPECT_EQ(unknown(level_pair, 300, 3), 0);
+  EXPECT_EQ(unknown(neighbours, 300, 4), 0);
+  EXPECT_LE(unknown(close_pair, 300, 5), 3);  // rounding hides the direction of what is nearest
+  EXPECT_EQ(unknown(unequal_pair, 300, 6), 0);
+}
+
+TEST(TriangleTriangle, LeavesSliversToTheGeneralPath) {
+  const Triangle<double> whole({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), sliver({0, 1, 0}, {1, 1, 0}, {2, 1.0005, 0}),
+      segment({0, 1, 0}, {1, 1, 0}, {1, 1, 0}), point({0, 1, 0}, {0, 1, 0}, {0, 1, 0}),
+      tiny({0, 0, 0}, {1e-30, 0, 0}, {0, 0, 1e-30});
+  for (const auto& other : {sliver, segment, point, tiny}) {
+    EXPECT_FALSE(own_distance(whole, 0.0, {}, other, 0.0, {}));
+    EXPECT_FALSE(own_overlap(other, 0.0, {}, whole, 0.0, {}));
+  }
+  EXPECT_NEAR(distance<double>(whole, {}, sliver, {}).distance, 1, 1e-15);
+  EXPECT_NEAR(distance<double>(point, {}, whole, {}).distance, 1, 1e-15);
+  EXPECT_TRUE(overlap<double>(tiny, {}, whole, {}));
+}
+
+TEST(TriangleTriangle, KnowsWhatTouchesExactly) {
+  const Triangle<double> floor({0, 0, 0}, {4, 0, 0}, {0, 0, 4});
+  const auto apart = [&](const Triangle<double>& other) { return distance<double>(floor, {}, other, {}).distance; };
+  EXPECT_EQ(apart({{1, 0, 1}, {2, 3, 1}, {1, 3, 2}}), 0);      // a corner on the face
+  EXPECT_EQ(apart({{2, -1, -1}, {2, 1, 1}, {3, -1, -4}}), 0);  // an edge across an edge
+  EXPECT_EQ(apart({{4, 0, 0}, {5, 1, 0}, {5, 1, 1}}), 0);      // corners
+  EXPECT_EQ(apart({{1, 0, 1}, {2, 0, 1}, {1, 0, 2}}), 0);      // inside, in one plane
+  EXPECT_EQ(apart({{4, 0, 0}, {0, 0, 4}, {4, 0, 4}}), 0);      // a shared edge
+  EXPECT_EQ(apart({{5, 0, 0}, {5, 0, 4}, {9, 0, 0}}), 1);      // beside each other in one plane
+  EXPECT_EQ(apart({{1, 2, 1}, {2, 2, 1}, {1, 2, 2}}), 2);
+  EXPECT_EQ(apart({{-1, 0.5, 1}, {5, 0.5, 1}, {5, 0.5, 1.5}}), 0.5);  // edges that cross, in parallel planes
+  EXPECT_NEAR(apart({{1, -1, 1}, {1, 3, 1}, {1.5, 3, 1.5}}), -1, 1e-15);
+}
+
+template <class T>
+bool same_bits(const Distance<T>& a, const Distance<T>& b) {
+  return std::memcmp(&a.distance, &b.distance, sizeof(T)) == 0 && a.normal == b.normal && a.a == b.a && a.b == b.b;
+}
+
+TEST(TriangleTriangle, GivesTheSameBitsInLanesAndAtEveryLevel) {
+  using S = Wide<double, 2>;
+  Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    const TrianglePair pairs[2] = {i % 2 == 0 ? any_pair(random) : level_pair(random), close_pair(random)};
+    PlacedTriangle<S> a{}, b{};
+    Distance<double> single[2];
+    bool proven[2];
+    for (int k = 0; k < 2; ++k) {
+      const TrianglePair& p = pairs[k];
+      const auto of_a = placed_triangle(p.shape_a<double>(), 0.0, p.pose_a<double>()),
+                 of_b = placed_triangle(p.shape_b<double>(), 0.0, p.pose_b<double>());
+      const auto in_rows = triangle_distance<Several<double, 3>>(of_a, of_b, 1e9);
+      for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+        if (!isa_available(level)) continue;
+        TriangleDistance<double> of_level;
+        GRAZE_KERNEL(level, triangle_pair)(of_a, of_b, 1e9, of_level, nullptr);
+        ASSERT_TRUE(same_bits(in_rows.at, of_level.at));
+        ASSERT_EQ(in_rows.proven, of_level.proven);
+      }
+      single[k] = in_rows.at;
+      proven[k] = in_rows.proven;
+      const auto put = [&](PlacedTriangle<S>& to, const PlacedTriangle<double>& from) {
+        for (std::size_t n = 0; n < 3; ++n) {
+          for (std::size_t c = 0; c < 3; ++c) to.core.point[n][c].set(k, from.core.point[n][c]);
+          to.pose.translation[n].set(k, from.pose.translation[n]);
+        }
+        const Quatd& q = from.pose.rotation;
+        to.pose.rotation.x.set(k, q.x), to.pose.rotation.y.set(k, q.y), to.pose.rotation.z.set(k, q.z);
+        to.pose.rotation.w.set(k, q.w);
+      };
+      put(a, of_a);
+      put(b, of_b);
+    }
+    const auto found = triangle_distance<Several<S, 3>>(a, b, S(1e9));
+    for (int k = 0; k < 2; ++k) {
+      ASSERT_EQ(found.proven[k], proven[k]);
+      const auto lane = [&](const Vec3<S>& v) { return Vec3d{v.x[k], v.y[k], v.z[k]}; };
+      const Distance<double> of_lane{found.at.distance[k], lane(found.at.normal), lane(found.at.a), lane(found.at.b)};
+      ASSERT_TRUE(!proven[k] || same_bits(of_lane, single[k])) << i;
+    }
+  }
+}
+
+template <class T>
+bool alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double allowed) {
+  if (fast.size() != slow.size()) return false;
+  if (fast.empty()) return true;
+  if (length(fast[0].normal - slow[0].normal) > T(1e-4)) return false;
+  const auto same = [&](const ContactPoint<T>& p, const ContactPoint<T>& q) {
+    return std::abs(static_cast<double>(p.distance) - static_cast<double>(q.distance)) <= allowed &&
+           length(cast<double>(p.a - q.a)) <= allowed && length(cast<double>(p.b - q.b)) <= allowed &&
+           p.feature == q.feature;
+  };
+  return std::equal(fast[0].points.begin(), fast[0].points.end(), slow[0].points.begin(), slow[0].points.end(), same);
+}
+
+/// Distances, overlaps and contacts of one pair agree with each other; contacts with those that an explanation is of,
+/// for which the general path goes through all axes.
+template <class T>
+void expect_agreement(TrianglePair (*make)(Random&), int count, unsigned seed, double near, int most_different) {
+  Random random(seed);
+  int touching = 0, different = 0;
+  for (int i = 0; i < count; ++i) {
+    static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1e2f, 1e4f};
+    const T scale(scales[i % 5]), margin = i % 3 == 0 ? T(0) : scale * T(0.02);
+    const TrianglePair p = make(random);
+    const Shape<T> a(p.shape_a<T>(scale), i % 7 == 0 ? scale * T(0.1) : T(0)), b(p.shape_b<T>(scale));
+    const Pose<T> pose_a = p.pose_a<T>(), pose_b = p.pose_b<T>(scale);
+    const Distance<T> d = distance(a, pose_a, b, pose_b);
+    Manifolds<T> fast, slow;
+    Trace trace;
+    const bool touch = contacts(a, pose_a, b, pose_b, margin, fast);
+    ASSERT_EQ(touch, d.distance <= T(0)) << i;
+    ASSERT_EQ(touch, overlap(a, pose_a, b, pose_b)) << i;
+    ASSERT_EQ(!fast.empty(), d.distance <= margin) << i;
+    contacts(a, pose_a, b, pose_b, margin, slow, &trace);
+    different += !alike(fast, slow, near * static_cast<double>(scale));
+    touching += touch;
+  }
+  EXPECT_GT(touching, count / 50);
+  EXPECT_LE(different, most_different);  // where another axis is as good, or another point as near, up to rounding
+}
+
+TEST(TriangleTriangle, AgreesWithItselfAndInGeneral) {
+  expect_agreement<double>(any_pair, 2000, 11, 1e-11, 0);
+  expect_agreement<float>(any_pair, 2000, 12, 2e-6, 0);
+  expect_agreement<double>(level_pair, 1000, 13, 1e-6, 20);
+  expect_agreement<double>(neighbours, 1000, 14, 1e-9, 100);
+  expect_agreement<double>(pair_on_lattice, 1000, 15, 1e-9, 100);
+}
+
+/// A pair swapped, moved, turned and rescaled is the same pair.
+TEST(TriangleTriangle, DoesNotMindHowThePairIsSeen) {
+  Random random(21);
+  for (int i = 0; i < 1000; ++i) {
+    const TrianglePair p = i % 2 == 0 ? any_pair(random) : close_pair(random);
+    const Shape<double> a(p.shape_a<double>()), b(p.shape_b<double>());
+    const Posed pose_a = p.pose_a<double>(), pose_b = p.pose_b<double>();
+    const Posed elsewhere{cast<double>(random_vector(random, 100)), normalized(cast<double>(random_rotation(random)))};
+    const Distance<double> d = distance(a, pose_a, b, pose_b), swapped = distance(b, pose_b, a, pose_a),
+                           moved = distance(a, compose(elsewhere, pose_a), b, compose(elsewhere, pose_b)),
+                           doubled = distance<double>(p.shape_a(2.0), pose_a, p.shape_b(2.0), p.pose_b(2.0));
+    ASSERT_NEAR(swapped.distance, d.distance, 1e-14);
+    ASSERT_NEAR(moved.distance, d.distance, 1e-12);
+    ASSERT_EQ(doubled.distance, 2 * d.distance);
+    ASSERT_EQ(doubled.normal, d.normal);
+  }
+}
+
+}  // namespace
+}  // namespace graze::testing
