@@ -268,8 +268,8 @@ TEST(TriangleTriangle, AgreesWithItselfAndInGeneral) {
   expect_agreement<double>(any_pair, 2000, 11, 1e-11, 0);
   expect_agreement<float>(any_pair, 2000, 12, 2e-6, 0);
   expect_agreement<double>(level_pair, 1000, 13, 1e-6, 20);
-  expect_agreement<double>(neighbours, 1000, 14, 1e-9, 100);
-  expect_agreement<double>(pair_on_lattice, 1000, 15, 1e-9, 100);
+  expect_agreement<double>(neighbours, 1000, 14, 1e-9, 500);  // what share an edge touch along many axes
+  expect_agreement<double>(pair_on_lattice, 1000, 15, 1e-9, 500);
 }
 
 /// A pair swapped, moved, turned and rescaled is the same pair.

@@ -155,6 +155,7 @@ TEST(Batch, TakesOneShapeForAllAndArraysOfOneKind) {
   expect_same(Batch<float>(balls, balls), 0.01f);
   expect_same(Batch<float>(one, flats), 0.01f);
   expect_same(Batch<float>(flats, many), 0.01f);
+  expect_same(Batch<float>(flats, flats), 0.01f);
 }
 
 // Those that kernels do not take stand among those that they do, over several of their chunks.

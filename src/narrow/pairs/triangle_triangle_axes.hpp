@@ -201,10 +201,10 @@ auto best_edge_axis(const TwoTriangles<Row>& p) {
   using T = typename LaneOf<S>::type;
   // An edge of A is one place along its products, 0 here, and A's other corner another; and so for B, beyond the two
   // edges' own separation. Separations are compared by their squares with their signs, a product each in place of a root.
-  const Row zero(S(0)), of_a = -dot(to_all<Row>(p.a.across), p.b.edge), of_b = dot(to_all<Row>(p.b.across), p.a.edge),
+  const Row zero{S(0)}, of_a = -dot(to_all<Row>(p.a.across), p.b.edge), of_b = dot(to_all<Row>(p.b.across), p.a.edge),
                         low_a = least(of_a, zero), high_a = greatest(of_a, zero), low_b = least(of_b, zero),
                         high_b = greatest(of_b, zero);
-  Row gap(S(-std::numeric_limits<T>::infinity())), squared(S(1)), number(S(0)), toward(S(1));
+  Row gap{S(-std::numeric_limits<T>::infinity())}, squared{S(1)}, number{S(0)}, toward{S(1)};
   for (int i = 0; i < 3; ++i) {
     const CornerRows<Row> product = cross(to_all<Row>(corner_of(p.a.edge, i)), p.b.edge);
     const Row length = length_squared(product), between = dot(product, p.to_b(i)),

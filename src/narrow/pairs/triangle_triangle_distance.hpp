@@ -93,8 +93,8 @@ template <class Row, class S>
 EdgeNumbers<S> crossing_edges(const TwoTriangles<Row>& p, const Vec3<S>& normal, const S& separation,
                               const S& slack_squared) {
   using T = typename LaneOf<S>::type;
-  const Row one(S(1)), infinity(S(std::numeric_limits<T>::infinity())), allowed(slack_squared);
-  Row least_missed = infinity, number(S(0));
+  const Row one{S(1)}, infinity{S(std::numeric_limits<T>::infinity())}, allowed{slack_squared};
+  Row least_missed = infinity, number{S(0)};
   for (int i = 0; i < 3; ++i) {
     const CornerRows<Row> e = to_all<Row>(corner_of(p.a.edge, i)), r = p.to_b(i), product = cross(e, p.b.edge);
     const Row squared_a(p.a.squared[i]), length = length_squared(product);
@@ -121,8 +121,8 @@ template <class Row, class S>
 NearestOfTriangles<S> at_corners(const TwoTriangles<Row>& p, const S& slack) {
   using std::sqrt;
   using T = typename LaneOf<S>::type;
-  const Row zero(S(0)), one(S(1)), per_a = p.a.per(), per_b = p.b.per();
-  Row least_squared(S(std::numeric_limits<T>::infinity())), number(S(0));
+  const Row zero{S(0)}, one{S(1)}, per_a = p.a.per(), per_b = p.b.per();
+  Row least_squared{S(std::numeric_limits<T>::infinity())}, number{S(0)};
   for (int i = 0; i < 3; ++i) {
     const CornerRows<Row> r = p.to_b(i);
     const Row whole = length_squared(r), along_a = dot(to_all<Row>(corner_of(p.a.edge, i)), r),
