@@ -60,6 +60,7 @@ bool meets_runs(const Shape<T>& shape) {
 /// are passed over.
 template <class T, class Touching, class Alone>
 void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& touching, const Alone& alone) {
+  static_assert(sizeof run.corner[0] == sizeof(Triangle<T>));  // as kernels load them
   PairRef<T> pairs[TriangleRun<T>::most];
   const auto put_pairs = [&](const void* body) {
     for (std::size_t i = 0; i < run.count; ++i)
