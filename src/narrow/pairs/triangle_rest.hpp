@@ -21,7 +21,7 @@ struct LowFace {
   Mask whole, edge;  ///< all of it, or an edge at least
   S number[3];
 
-  /// `down`: unit. The lowest corner is the first of those.
+  /// `down`: unit. Of corners that are equally low the first counts.
   LowFace(const TriangleCore<S>& triangle, const Vec3<S>& down) {
     const auto& p = triangle.point;
     const S zero(0), one(1), two(2), lean(face_lean<typename LaneOf<S>::type>);
@@ -69,8 +69,8 @@ Rest<S> rest(const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose, c
   Rest<S> found;
   found.distance = transform(seen, lowest).y - plane;
   found.up = rotate(plane_pose.rotation, plane_up);
-  // What lies as near as the lowest corner up to rounding is kept with it: a face that touches touches whole.
-  // No corner is further from the origin than twice its largest coordinate.
+  // What lies as near as the lowest corner up to rounding is kept with it: a face that touches touches whole. No corner
+  // is further from the origin than twice its largest coordinate.
   const S size = greatest(max_abs(p[0]), greatest(max_abs(p[1]), max_abs(p[2]))),
           noise = S(T(2) * box_rounding<T>) * (size + max_abs(seen.translation)),
           limit = greatest(margin, found.distance + noise), lowest_along = dot(down, lowest);
