@@ -109,12 +109,12 @@ template <class T>
 void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 
 /// `distance` of each pair. Kernels: spheres, capsules and boxes with each other; these and triangles with half-spaces;
-/// spheres and capsules with triangles.
+/// spheres and capsules with triangles, and triangles with each other.
 template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
 /// `contacts` of each pair up to `margin` >= 0 apart. Kernels: spheres, capsules and boxes with each other and with
-/// triangles; all of these with half-spaces.
+/// triangles; all of these with half-spaces; triangles with each other, to tell those that are further apart.
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 

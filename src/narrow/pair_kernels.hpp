@@ -153,11 +153,9 @@ GRAZE_DECLARE_KERNEL(
                                                                            std::uint8_t* unknown);
     template <class A, class T> std::uint32_t round_triangle_row_overlaps(const PairRows<T>& rows, std::size_t count,
                                                                           std::uint8_t* touch, std::uint8_t* unknown);
-    /// Both of triangles, in double.
+    /// The distances of triangles, in double.
     template <class T> std::uint32_t triangle_row_distances(const PairRows<T>& rows, std::size_t count, bool turned,
                                                             Distance<T>* distances, std::uint8_t* unknown);
-    template <class T> std::uint32_t triangle_row_overlaps(const PairRows<T>& rows, std::size_t count,
-                                                           std::uint8_t* touch, std::uint8_t* unknown);
     /// Which pairs of triangles without a margin are known to be further apart than is asked of them: 1 or 0.
     template <class T> void triangle_pairs_apart(const PairRef<T>* pairs, std::size_t count, std::uint8_t* apart);
     /// One pair of triangles: see `meet_triangles`.

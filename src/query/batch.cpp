@@ -61,9 +61,7 @@ namespace {
 /// The kernel that tells whether pairs of A and B touch.
 template <class A, class B, class T>
 auto overlap_kernel() {
-  if constexpr (std::is_same_v<A, Triangle<T>> && std::is_same_v<B, Triangle<T>>)
-    return GRAZE_KERNEL(chosen_isa(), triangle_row_overlaps<T>);
-  else if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
+  if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
     return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
   else if constexpr (is_round_and_triangle<A, B>)
     return GRAZE_KERNEL(chosen_isa(), round_triangle_row_overlaps<A, T>);
@@ -90,7 +88,7 @@ struct Overlaps {
   const Batch<T>& batch;
 
   template <class A, class B>
-  static constexpr bool has_kernel = true;
+  static constexpr bool has_kernel = !std::is_same_v<A, Triangle<T>> || !std::is_same_v<B, Triangle<T>>;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   }

@@ -95,18 +95,6 @@ template <class T>
 }
 
 template <class T>
-[[gnu::flatten]] std::uint32_t triangle_row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch,
-                                                     std::uint8_t* unknown) {
-  std::uint32_t unknown_count = 0;
-  visit_rows(rows, count, Lanes<T>(T(0)), [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size) {
-    for (std::size_t k = 0; k < size; ++k)
-      touch[first + k] = static_cast<T>(found.at.distance[static_cast<int>(k)]) <= T(0);
-    append_places(bits_of(!found.proven) & filled_lanes<double>(size), first, unknown, unknown_count);
-  });
-  return unknown_count;
-}
-
-template <class T>
 [[gnu::flatten]] void triangle_pairs_apart(const PairRef<T>* pairs, std::size_t count, std::uint8_t* apart) {
   using Pairs = PairBundle<Triangle<T>, Triangle<T>, T>;
   for (std::size_t begin = 0; begin < count; begin += Pairs::lanes) {
@@ -124,7 +112,6 @@ template <class T>
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template std::uint32_t triangle_row_distances(const PairRows<T>&, std::size_t, bool, Distance<T>*, std::uint8_t*);   \
-  template std::uint32_t triangle_row_overlaps(const PairRows<T>&, std::size_t, std::uint8_t*, std::uint8_t*);         \
   template void triangle_pairs_apart(const PairRef<T>*, std::size_t, std::uint8_t*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
