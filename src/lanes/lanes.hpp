@@ -171,6 +171,12 @@ class Chosen {
   Mask mask_;
 };
 
+/// The bits of the lanes that hold a pair where so many are left.
+template <class T>
+[[gnu::always_inline]] inline std::uint32_t filled_lanes(std::size_t left) {
+  return left < static_cast<std::size_t>(lanes_of<T>) ? (std::uint32_t{1} << left) - 1 : Chosen<T>::all;
+}
+
 [[gnu::always_inline]] inline int count_bits(std::uint32_t bits) {
 #if defined(__POPCNT__) || !defined(__x86_64__)
   return __builtin_popcount(bits);

@@ -77,9 +77,12 @@ void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& tou
   const auto round = [&]<class C>(const C* body) {
     put_pairs(body);
     visit_round_contacts<C, Triangle<T>, TriangleRun<T>::most>(
-        pairs, run.count, apart,
+        pairs, run.count, false, apart,
         [&](std::size_t i, const PointContact<T>& c) {
           touch(i, c.point.distance, c.normal, [&](auto& points) { points.push_back(c.point); });
+        },
+        [&](std::size_t i, T distance, const Vec3<T>& normal, const SidePoints<T>& found) {
+          touch(i, distance, normal, [&](auto& points) { found.append(points); });
         },
         alone);
   };

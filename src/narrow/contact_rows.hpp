@@ -6,6 +6,7 @@
 #include "lanes/rows.hpp"
 #include "narrow/features.hpp"
 #include "narrow/pair_kernels.hpp"
+#include "narrow/pairs/side_lanes.hpp"
 #include "narrow/row_bundle.hpp"
 
 namespace graze::GRAZE_ISA {
@@ -103,6 +104,14 @@ template <class T>
                 to.points + counts.touching);
   counts.touching += static_cast<std::uint32_t>(count_bits(touching));
   append_places(unknown, first, to.unknown, counts.unknown);
+}
+
+/// Lists those of a bundle that lie.
+template <class T>
+[[gnu::always_inline]] inline void put_sides(const SideContact<Lanes<T>>& found, std::uint32_t lying, std::size_t first,
+                                             const ContactRows<T>& to, RowCounts& counts) {
+  put_sides(found, lying, to.sides + counts.sides);
+  append_places(lying, first, to.side_places, counts.sides);
 }
 
 }  // namespace graze::GRAZE_ISA

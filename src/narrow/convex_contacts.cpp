@@ -10,6 +10,7 @@
 #include "narrow/general_contacts.hpp"
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
+#include "narrow/outline.hpp"
 #include "narrow/pairs/box_choice.hpp"
 #include "narrow/polyhedral_pair.hpp"
 #include "narrow/rounded_face.hpp"
@@ -25,11 +26,7 @@ double smaller_size(const Side<T>& a, const Side<T>& b) {
   return least(a.size(), b.size());
 }
 
-/// How far a point may lie beside a sharp edge and count as on it, relative to the smaller shape: well below float's
-/// tolerance, and far above the rounding of its poses.
-constexpr double on_surface = 1e-6;
-
-/// The same for a place on the side of a cylinder, which is round across its line: a place beside the line by this much
+/// What `on_surface` is for an edge, for a place on the side of a cylinder, which is round across its line: a place beside the line by this much
 /// is off the side by half its square. A depth is right to ten digits and its normal, which tells the line, to five.
 constexpr double on_side = 2e-5;
 
@@ -73,7 +70,7 @@ template <class T>
 double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                   const Vec3d& normal, double limit, const Posed& frame, Manifold<T>& manifold) {
   FaceContacts faces;
-  lay_over(face_a, face_b, normal, faces);
+  lay_over(face_a, face_b, normal, normal_rounding<T> * (a.radius() + b.radius() + smaller_size(a, b)), faces);
   const RoundedFace rounded_a(face_a, normal, a.radius()), rounded_b(face_b, -normal, b.radius());
   const T together = tolerance<T> * static_cast<T>(smaller_size(a, b));
   const Mat3d turn = rotation_matrix(frame.rotation);

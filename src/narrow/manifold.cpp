@@ -9,10 +9,6 @@ namespace graze {
 
 namespace {
 
-/// How far beside a face an edge may lie that runs along its rim, relative to `same_place`: which side of the rim it lies
-/// on is rounding then, and may be another at each of its ends.
-constexpr double along_rim = 1e-8;
-
 using Flat = FlatPoint<double>;
 using Outline = SmallVector<Flat, 32>;
 
@@ -184,7 +180,7 @@ std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFac
   return feature_id(fa.feature(basis.flat(on_a), near), fb.feature(basis.flat(on_b), near));
 }
 
-void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, FaceContacts& contacts) {
+void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts) {
   if (a.vertices.size() < 2 || b.vertices.size() < 2) return;
   const Vec3d u = any_perpendicular(normal);
   const Basis basis{u, cross(normal, u), normal};
@@ -198,7 +194,7 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, Fac
   Outline one, other, *now = &one, *next = &other;
   for (std::size_t i = 0; i < subject.size(); ++i) one.push_back(subject[i]);
   for (std::size_t i = 0; i < clip.size() && !now->empty(); ++i)
-    if (cut(*now, clip[i], clip.next(i), subject.size() > 2, along_rim * near, *next)) std::swap(now, next);
+    if (cut(*now, clip[i], clip.next(i), subject.size() > 2, along_rim * near + beside, *next)) std::swap(now, next);
   Outline& outline = *now;
   simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });
   for (const Flat& p : outline)

@@ -29,18 +29,23 @@ struct PairRows {
   const Pose<T>*pose_a, *pose_b;
 };
 
+template <class S>
+struct SideContact;  // pairs/side_contact.hpp
+
 /// Where a kernel writes what it finds of pairs in rows: of each pair an entry, of each that touches a manifold with its
-/// point, and the places of those that it does not answer for, whose entry says that they are apart.
+/// point, and the places of those that it does not answer for, whose entry says that they are apart. So does that of
+/// pairs whose sides lie along each other, which are listed with their places.
 template <class T>
 struct ContactRows {
   typename BatchContacts<T>::Pair* pairs;
   typename BatchContacts<T>::Group* manifolds;
   ContactPoint<T>* points;
-  std::uint8_t* unknown;
+  std::uint8_t *unknown, *side_places;
+  SideContact<T>* sides;
   std::uint32_t first_manifold, first_point;  ///< the numbers that the first of these get
 };
 struct RowCounts {
-  std::uint32_t touching, unknown;
+  std::uint32_t touching, unknown, sides;
 };
 
 /// So many pairs at most are asked about at a time where the answer is a block of arrays, and so many points of each
@@ -78,8 +83,8 @@ struct PointContact {
   ContactPoint<T> point;
   Vec3<T> normal;
 };
-/// What is to be known of two shapes before their contact is read; `unknown`: their faces may give two points.
-enum class Meeting : std::uint8_t { apart, touching, unknown };
+/// What is to be known of two shapes before their contact is read; `lying`: it is the next of a list of `SideContact`.
+enum class Meeting : std::uint8_t { apart, touching, unknown, lying };
 
 /// The points of contact of up to `block_pairs` bodies on half-spaces; see `Rest`.
 template <class T>
@@ -112,9 +117,10 @@ GRAZE_DECLARE_KERNEL(
     /// regular too, and the points are not known.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
     /// The contacts of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even and with
-    /// a length. There is room for `bundled(count)`, all of which may be written.
+    /// a length. There is room for `bundled(count)`, all of which may be written; `sides` is the list of those that lie.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
-                                                             PointContact<T>* contacts, Meeting* meetings);
+                                                             PointContact<T>* contacts, Meeting* meetings,
+                                                             SideContact<T>* sides);
     /// The same of pairs in rows, of any capsules and boxes. `turned`: A is the second of the two for whoever asks.
     /// There are `bundled(count)` rows to read, and there is room for as many manifolds and points.
     template <class A, class B, class T> void round_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
@@ -122,7 +128,8 @@ GRAZE_DECLARE_KERNEL(
                                                                  RowCounts& found);
     /// As `round_contacts`, of capsules with boxes.
     template <class T> void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count,
-                                                 PointContact<T>* contacts, Meeting* meetings);
+                                                 PointContact<T>* contacts, Meeting* meetings,
+                                                 SideContact<T>* sides);
     /// The points of up to `block_pairs` balls, even capsules with a length, boxes or triangles on half-spaces, all
     /// without a margin.
     template <class A, class T> void rests(const PairRef<T>* pairs, std::size_t count, RestBlock<T>& points);

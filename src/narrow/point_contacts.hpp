@@ -33,20 +33,23 @@ template <class T>
   }
 }
 
-/// The same of a bundle of pairs of A and B, and which of them meet within the margins.
+/// The same of a bundle of pairs of A and B, and how they meet within the margins, which is returned, too.
 template <class A, class B, class T>
-[[gnu::always_inline]] inline void put_all(const RoundContact<Lanes<T>>& c, const Lanes<T>& margin,
-                                           const Lanes<T>& weight, PointContact<T>* contacts, Meeting* meetings) {
+[[gnu::always_inline]] inline Lanes<T> put_all(const RoundContact<Lanes<T>>& c, const Lanes<T>& margin,
+                                               const Lanes<T>& weight, PointContact<T>* contacts, Meeting* meetings) {
   using S = Lanes<T>;
   using Whole = typename S::BitVector;
   constexpr bool balls = std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>;
-  const S meeting = select(c.at.distance <= margin, select(c.known == S(0), S(2), S(1)), S(0));
+  // A side on a triangle is not known.
+  const S other(std::is_same_v<B, Triangle<T>> ? T(2) : T(3));
+  const S meeting = select(c.at.distance <= margin, select(c.known == S(0), other, S(1)), S(0));
   put_bytes<T>(__builtin_convertvector(meeting.v, Whole), lanes_of<T>, reinterpret_cast<std::uint8_t*>(meetings));
-  const Whole place = __builtin_convertvector(feature_place(c).v, Whole);
+  const Whole place = __builtin_convertvector(feature_place(c.part_a, c.part_b).v, Whole);
   std::uint32_t features[lanes_of<T>];
   for (std::size_t k = 0; k < lanes_of<T>; ++k)
     features[k] = balls ? ball_feature : round_feature_ids<B, T>().of[static_cast<std::size_t>(place[k])];
   put_all(c.at, features, weight, contacts);
+  return meeting;
 }
 
 }  // namespace graze::GRAZE_ISA

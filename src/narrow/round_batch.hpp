@@ -1,23 +1,25 @@
-// Contacts of many pairs that touch in one point: balls and capsules with each other, with boxes and with triangles, by
-// the kernels for them.
+// Contacts of many pairs that touch in one point, or in two where capsules lie: balls and capsules with each other, with
+// boxes and with triangles, by the kernels for them.
 //
 // Guarantee: for each pair what `convex_contacts` answers, bit for bit.
 #pragma once
 
 #include "narrow/box_batch.hpp"
-#include "narrow/closed_form.hpp"
+#include "narrow/pairs/round_contacts.hpp"
 
 namespace graze {
 
-/// The kernel for A and B.
+/// The kernel for A and B; `sides` gets those of capsules that lie, one behind the other.
 template <class A, class B, class T>
-auto round_kernel() {
+void ask_round_kernel(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts, Meeting* meetings,
+                      SideContact<T>* sides) {
+  const Isa level = chosen_isa();
   if constexpr (is_round_pair<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), round_contacts<A, B, T>);
+    GRAZE_KERNEL(level, round_contacts<A, B, T>)(pairs, count, contacts, meetings, sides);
   else if constexpr (std::is_same_v<B, Triangle<T>>)
-    return GRAZE_KERNEL(chosen_isa(), round_triangle_contacts<A, T>);
+    GRAZE_KERNEL(level, round_triangle_contacts<A, T>)(pairs, count, contacts, meetings);
   else
-    return GRAZE_KERNEL(chosen_isa(), capsule_box_contacts<T>);
+    GRAZE_KERNEL(level, capsule_box_contacts<T>)(pairs, count, contacts, meetings, sides);
 }
 
 template <class T>
@@ -25,18 +27,39 @@ PointContact<T> mirrored(const PointContact<T>& c) {
   return {mirrored(c.point), -c.normal};
 }
 
+/// Calls `lying(i, distance, normal, points)`, or `unknown(i)` where nothing is known.
+template <class A, class B, class T, class Lying, class Unknown>
+void visit_side(const SideContact<T>& found, bool turned, std::size_t i, const Lying& lying, Unknown&& unknown) {
+  if (found.filled == T(0)) return unknown(i);
+  const SidePoints<T> points{found, round_feature_ids<B, T>().of, turned};
+  lying(i, found.distance, points.normal(), points);
+}
+
+/// Room for what a kernel writes: its numbers are not set before.
+template <class Record, std::size_t size>
+union RoomFor {
+  RoomFor() {}  // NOLINT(modernize-use-equals-default): it would set them
+  Record records[size];
+};
+
 /// Asks about up to `most` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
-/// further apart than their margins; for the others `touching(i, contact)`, or, where their faces may give two points or
-/// the general path has to answer, `unknown(i)`.
-template <class A, class B, std::size_t most = most_chunk, class T, class Apart, class Touching, class Unknown>
-void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
-                          const Unknown& unknown) {
+/// further apart than their margins; for the others `touching(i, contact)`, or, where a capsule lies,
+/// `lying(i, distance, normal, points)`, the last `SidePoints`, or `unknown(i)`. `turned`: A is the second of the two for
+/// whoever asks, as the points of those that lie are told.
+template <class A, class B, std::size_t most = most_chunk, class T, class Apart, class Touching, class Lying,
+          class Unknown>
+void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, const Apart& apart,
+                          const Touching& touching, const Lying& lying, const Unknown& unknown) {
   PointContact<T> contacts[bundled(most)];
   Meeting meetings[bundled(most)];
-  round_kernel<A, B, T>()(pairs, count, contacts, meetings);
+  RoomFor<SideContact<T>, most> sides;
+  ask_round_kernel<A, B>(pairs, count, contacts, meetings, sides.records);
+  const SideContact<T>* side = sides.records;
   for (std::size_t i = 0; i < count; ++i) {
     if (meetings[i] == Meeting::touching)
       touching(i, contacts[i]);
+    else if (meetings[i] == Meeting::lying)
+      visit_side<A, B>(*side++, turned, i, lying, unknown);
     else if (meetings[i] == Meeting::unknown)
       unknown(i);
     else

@@ -58,7 +58,15 @@ template <class A, class B, class T>
   if constexpr (!std::is_same_v<A, Sphere<T>> || !std::is_same_v<B, Sphere<T>>) {
     const std::uint32_t regular = bits_of(p.regular());
     touching &= Chosen<T>::not_less(c.known, S(1)).bits() & regular;
-    unknown = (near & ~touching) | (~regular & filled);
+    unknown = ~regular & filled;
+    const std::uint32_t others = near & regular & ~touching;
+    if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Capsule<T>>) {
+      if (others != 0)
+        put_sides<T>(side_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c.at, S(margin)), others, first, to,
+                     counts);
+    } else {
+      unknown |= others;
+    }
   }
   LaneContacts<T> found{c.at, features_of<A, B, T>(c), weight};
   if (turned) found = found.mirrored();

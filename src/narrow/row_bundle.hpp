@@ -128,12 +128,6 @@ struct RowBundle {
     if ((bits & 1) != 0) places[count++] = static_cast<std::uint8_t>(first);
 }
 
-/// The bits of the lanes that hold a pair where so many are left.
-template <class T>
-[[gnu::always_inline]] inline std::uint32_t filled_lanes(std::size_t left) {
-  return left < static_cast<std::size_t>(lanes_of<T>) ? (std::uint32_t{1} << left) - 1 : Chosen<T>::all;
-}
-
 template <std::size_t N>
 struct ByteVector {
   typedef std::uint8_t type __attribute__((vector_size(N)));

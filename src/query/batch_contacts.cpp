@@ -10,6 +10,13 @@ namespace graze {
 
 namespace {
 
+/// The pairs in rows that are not answered for in their order.
+template <class T>
+struct OtherRows {
+  std::uint8_t unknown[row_chunk], side_places[row_chunk];
+  RoomFor<SideContact<T>, row_chunk> sides;
+};
+
 /// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can
 /// be written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be
 /// guessed wrong, which costs more than the writing.
@@ -29,7 +36,7 @@ class Writer {
     make_room(found_.manifolds, manifolds_ + manifolds);
     make_room(found_.points, points_ + points);
   }
-  /// Pairs and, of each that touches, the one point that it touches in; how many are unknown, which count as apart.
+  /// Pairs and, of each that touches in one, the point; how many lie or are unknown, which count as apart.
   std::size_t write(const std::size_t* places, const PointContact<T>* contacts, const Meeting* meetings,
                     std::size_t count) {
     reserve(count, count);
@@ -39,11 +46,11 @@ class Writer {
     const auto first_manifold = static_cast<std::uint32_t>(manifolds_),
                first_point = static_cast<std::uint32_t>(points_);
     std::uint32_t touching = 0;
-    std::size_t unknown = 0;
+    std::size_t others = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const PointContact<T>& contact = contacts[k];
       const bool touches = meetings[k] == Meeting::touching, overlap = contact.point.distance <= T(0);
-      unknown += meetings[k] == Meeting::unknown;
+      others += meetings[k] >= Meeting::unknown;
       pairs[places[k]] = {static_cast<bool>(touches & overlap), first_manifold + touching, touches};
       manifolds[touching] = {contact.normal, 0, 0, first_point + touching, 1};
       points[touching] = contact.point;
@@ -51,16 +58,18 @@ class Writer {
     }
     manifolds_ += touching;
     points_ += touching;
-    return unknown;
+    return others;
   }
   /// Pairs in rows from the `first`-th on: `ask(rows)` has a kernel write what it finds of them, with at most one point
   /// each, and tells how much that is.
   template <class Ask>
-  RowCounts write_rows(std::size_t first, std::uint8_t* unknown, const Ask& ask) {
+  RowCounts write_rows(std::size_t first, OtherRows<T>& others, const Ask& ask) {
     ContactRows<T> to{found_.pairs.data() + first,
                       found_.manifolds.data() + manifolds_,
                       found_.points.data() + points_,
-                      unknown,
+                      others.unknown,
+                      others.side_places,
+                      others.sides.records,
                       static_cast<std::uint32_t>(manifolds_),
                       static_cast<std::uint32_t>(points_)};
     if (manifolds_ + row_chunk <= found_.manifolds.size() && points_ + row_chunk <= found_.points.size()) {
@@ -80,6 +89,12 @@ class Writer {
   /// A pair that does not touch, until manifolds follow.
   void begin(std::size_t pair, bool overlap) {
     found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
+  }
+  /// A pair of convex shapes that touch; `points` appends its own.
+  template <class Points>
+  void touching(std::size_t pair, T distance, const Vec3<T>& normal, std::size_t most, const Points& points) {
+    begin(pair, distance <= T(0));
+    add(pair, normal, 0, 0, most, [&](auto& tail) { return points.append(tail); });
   }
   /// One more manifold of the pair that was begun last; `append(points)` writes at most `most` points behind those that
   /// are there, and returns how many.
@@ -120,16 +135,10 @@ class Writer {
     array.resize(size);
   }
 
-  template <class Record>
-  union Aside {
-    Aside() {}  // NOLINT(modernize-use-equals-default): of records it would write all
-    Record records[row_chunk];
-  };
-
   BatchContacts<T>& found_;
   std::size_t manifolds_ = 0, points_ = 0;
-  Aside<typename BatchContacts<T>::Group> manifolds_aside_;
-  Aside<ContactPoint<T>> points_aside_;
+  RoomFor<typename BatchContacts<T>::Group, row_chunk> manifolds_aside_;
+  RoomFor<ContactPoint<T>, row_chunk> points_aside_;
 };
 
 /// Asks about one pair after the other.
@@ -160,6 +169,14 @@ class OneByOne {
   Writer<T>& writer_;
   Manifolds<T> manifolds_;
 };
+
+/// Writes the pairs of a capsule that lies.
+template <class T>
+auto side_writer(Writer<T>& writer) {
+  return [&writer](std::size_t pair, T distance, const Vec3<T>& normal, const SidePoints<T>& points) {
+    writer.touching(pair, distance, normal, 2, points);
+  };
+}
 
 /// Asks the kernels about pairs put together for them.
 template <class T>
@@ -212,27 +229,31 @@ class Together {
   }
   template <class Points>
   void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
-    writer_.begin(pair, distance <= T(0));
-    writer_.add(pair, normal, 0, 0, most_box_points, [&](auto& tail) { return points.append(tail); });
+    writer_.touching(pair, distance, normal, most_box_points, points);
   }
   void round(Route route, bool turned, const Queue<T>& queue) {
     with_round_kinds<T>(route, [&]<class A, class B>() {
-      round_kernel<A, B, T>()(queue.pairs.data(), queue.count, contacts_, meetings_);
+      ask_round_kernel<A, B>(queue.pairs.data(), queue.count, contacts_, meetings_, sides_.records);
+      if (turned)
+        for (std::size_t k = 0; k < queue.count; ++k) contacts_[k] = mirrored(contacts_[k]);
+      std::size_t others = writer_.write(queue.places.data(), contacts_, meetings_, queue.count);
+      const SideContact<T>* side = sides_.records;
+      for (std::size_t k = 0; others > 0; ++k) {
+        if (meetings_[k] < Meeting::unknown) continue;
+        --others;
+        if (meetings_[k] == Meeting::unknown)
+          single_(queue.places[k]);
+        else
+          visit_side<A, B>(*side++, turned, queue.places[k], side_writer(writer_), single_);
+      }
     });
-    if (turned)
-      for (std::size_t k = 0; k < queue.count; ++k) contacts_[k] = mirrored(contacts_[k]);
-    std::size_t unknown = writer_.write(queue.places.data(), contacts_, meetings_, queue.count);
-    for (std::size_t k = 0; unknown > 0; ++k) {
-      if (meetings_[k] != Meeting::unknown) continue;
-      single_(queue.places[k]);
-      --unknown;
-    }
   }
 
   Writer<T>& writer_;
   OneByOne<T>& single_;
   PointContact<T> contacts_[bundled(box_chunk)];
   Meeting meetings_[bundled(box_chunk)];
+  RoomFor<SideContact<T>, box_chunk> sides_;
 };
 
 /// Whether there is a kernel for the contacts of pairs in rows.
@@ -253,13 +274,15 @@ void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Write
       const auto kernel = row_kernel<A, B, T>();
       const bool turned = is_turned(queue);
       visit_rows<A, B>(batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-        std::uint8_t unknown[row_chunk];
-        const RowCounts found = writer.write_rows(first, unknown, [&](const ContactRows<T>& to) {
+        OtherRows<T> others;
+        const RowCounts found = writer.write_rows(first, others, [&](const ContactRows<T>& to) {
           RowCounts all{};
           kernel(rows, count, margin, turned, to, all);
           return all;
         });
-        for (std::size_t k = 0; k < found.unknown; ++k) single(first + unknown[k]);
+        for (std::size_t k = 0; k < found.sides; ++k)
+          visit_side<A, B>(others.sides.records[k], turned, first + others.side_places[k], side_writer(writer), single);
+        for (std::size_t k = 0; k < found.unknown; ++k) single(first + others.unknown[k]);
       });
     }
   });

@@ -273,8 +273,9 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
       found_[block].points.push_back({contact.point, {}});
       keep(bodies, places[i], block, contact.point.distance <= T(0), contact.normal, 1);
     };
-    with_round_kinds<T>(waiting.route,
-                        [&]<class A, class B>() { visit_round_contacts<A, B>(pairs, count, none, one, singly); });
+    with_round_kinds<T>(waiting.route, [&]<class A, class B>() {
+      visit_round_contacts<A, B>(pairs, count, waiting.turned, none, one, many, singly);
+    });
   }
 }
 

@@ -1,7 +1,10 @@
-// Capsules that touch boxes with an end: the routine of its own against the faces, which answer wherever an explanation
-// is asked for.
+// Capsules that touch boxes with an end or lie on them: the routine of its own against the faces, which answer wherever
+// an explanation is asked for.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "by_faces.hpp"
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
 
@@ -43,6 +46,53 @@ void expect_as_by_faces(unsigned seed, double near) {
   }
   EXPECT_GT(compared, 1000);
   EXPECT_EQ(other_names, 0);
+}
+
+/// A capsule about lying on the upper side of a box: tilted by up to `tilt`, over the middle or beyond the rim, some
+/// square to the box, some along its rim, some sunk in so far that another side is nearer.
+template <class T>
+ByFaces compare_lying(unsigned seed, double tilt, double scale) {
+  Random random(seed);
+  ByFaces found;
+  const auto some = [&](double low, double high) {
+    return static_cast<double>(uniform(random, static_cast<float>(low), static_cast<float>(high)));
+  };
+  const Quatd on_its_side = Quatd::from_axis_angle({0, 0, 1}, std::acos(0.0));
+  for (int i = 0; i < 1000; ++i) {
+    const double radius = i % 5 == 0 ? 0 : some(0.01, 0.5), rounded = i % 8 == 0 ? 0.1 : 0,
+                 edges = i % 7 == 0 ? 0.1 : 0;
+    const Vec3d size{some(0.1, 2), some(0.1, 2), some(0.1, 2)};
+    Vec3d place{some(-0.7, 0.7) * size.x, size.y / 2 + radius + rounded + edges + some(-0.1, 0.02),
+                some(-0.7, 0.7) * size.z};
+    if (i % 13 == 0) place.y = some(-0.5, 0.5) * size.y;
+    if (i % 17 == 0) place.z = size.z / 2;
+    const double yaw = i % 11 == 0 ? std::acos(0.0) * (i % 4) : some(0, 6);
+    const Quatd lean = Quatd::from_axis_angle({0, 0, 1}, i % 3 == 0 ? 0 : some(-tilt, tilt));
+    const Posed ground{Vec3d{some(-1, 1), some(-1, 1), some(-1, 1)} * scale,
+                       i % 2 == 0 ? Quatd{} : normalized(cast<double>(random_rotation(random)))};
+    const Posed on{place * scale, Quatd::from_axis_angle({0, 1, 0}, yaw) * lean * on_its_side};
+    const Shape<T> capsule(Capsule<T>(T(some(0.05, 2) * scale), T(radius * scale)), T(rounded * scale));
+    const Shape<T> box(Box<T>(cast<T>(size * scale)), T(edges * scale));
+    const Pose<T> pose = cast<T>(compose(ground, on)), pose_box = cast<T>(ground);
+    const T margin = T(i % 6 == 0 ? 0 : 0.05 * scale);
+    if (i % 5 == 1)
+      found.compare(box, pose_box, capsule, pose, margin, scale);
+    else
+      found.compare(capsule, pose, box, pose_box, margin, scale);
+  }
+  return found;
+}
+
+TEST(CapsuleBoxContacts, OfThoseThatLieAreThoseOfTheFaces) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    for (const double tilt : {0.02, 0.06}) {
+      const ByFaces in_double = compare_lying<double>(3, tilt, scale), in_float = compare_lying<float>(4, tilt, scale);
+      in_double.expect_all_same(1e-9);
+      in_float.expect_all_but(3, 2e-5);
+      EXPECT_GT(in_double.two, 500);
+      EXPECT_GT(in_double.one, 60);
+    }
+  }
 }
 
 TEST(CapsuleBoxContacts, AreThoseOfTheFaces) {

@@ -291,6 +291,55 @@ TEST(Batch, TakesRoundShapesAndTriangles) {
   for (const std::uint32_t count : {1u, 5u, 300u}) RoundsAndTriangles<double>(count, random).expect_all_same();
 }
 
+/// Capsules that lie on boxes and along other capsules, some hardly and some beyond the rim, among others that stand.
+template <class T>
+void expect_same_of_lying() {
+  Random random(8);
+  std::vector<Capsule<T>> rods, others;
+  std::vector<Box<T>> boxes;
+  std::vector<Pose<T>> on, ground, beside;
+  std::vector<Shape<T>> shapes;
+  const double quarter = std::acos(0.0);
+  const auto some = [&](double low, double high) {
+    return static_cast<double>(uniform(random, static_cast<float>(low), static_cast<float>(high)));
+  };
+  for (int i = 0; i < 150; ++i) {
+    const double radius = some(0.1, 0.4), lean = some(-0.05, 0.05) + (i % 9 == 0 ? 1 : 0);
+    const Vec3d size{some(0.3, 2), some(0.3, 2), some(0.3, 2)};
+    rods.emplace_back(T(some(0.3, 1.6)), T(radius));
+    others.emplace_back(T(some(0.3, 1.6)), T(radius));
+    boxes.emplace_back(cast<T>(size));
+    const Posed floor{cast<double>(random_vector(random, 1.0f)), normalized(cast<double>(random_rotation(random)))};
+    const Quatd side =
+        Quatd::from_axis_angle({0, 1, 0}, some(0, 6)) * Quatd::from_axis_angle({0, 0, 1}, quarter + lean);
+    const Posed rod =
+        compose(floor, Posed{{some(-0.6, 0.6) * size.x, size.y / 2 + radius + some(-0.05, 0.05), 0}, side});
+    ground.push_back(cast<T>(floor));
+    on.push_back(cast<T>(rod));
+    beside.push_back(cast<T>(compose(
+        rod, Posed{{2 * radius + some(-0.05, 0.05), some(-1, 1), 0}, Quatd::from_axis_angle({1, 0, 0}, lean)})));
+    shapes.emplace_back(rods.back());
+  }
+  const std::span<const Capsule<T>> rod_span(rods), other_span(others);
+  const std::span<const Pose<T>> on_span(on), beside_span(beside), ground_span(ground);
+  const Bodies<T> a{rod_span, on_span}, b{other_span, beside_span}, c{std::span<const Box<T>>(boxes), ground_span},
+      mixed{std::span<const Shape<T>>(shapes), on_span};
+  for (const T margin : {T(0), T(0.05)})
+    for (const Batch<T>& batch : {Batch<T>(a, b), Batch<T>(b, a), Batch<T>(a, c), Batch<T>(c, a), Batch<T>(mixed, b),
+                                  Batch<T>(b, mixed), Batch<T>(mixed, c), Batch<T>(c, mixed)})
+      expect_same(batch, margin);
+  BatchContacts<T> found;
+  contacts(Batch<T>(a, c), T(0.05), found);
+  EXPECT_GT(found.points.size(), found.manifolds.size() + 80);
+  contacts(Batch<T>(a, b), T(0.05), found);
+  EXPECT_GT(found.points.size(), found.manifolds.size() + 50);
+}
+
+TEST(Batch, TakesCapsulesThatLie) {
+  expect_same_of_lying<float>();
+  expect_same_of_lying<double>();
+}
+
 TEST(Batch, GivesTheGoldenBits) {
   EXPECT_EQ(hash_of_a_long_run<float>(), golden_bits<float>);
   EXPECT_EQ(hash_of_a_long_run<double>(), golden_bits<double>);

@@ -1,7 +1,7 @@
-// A capsule and a box that touch in one point: an end of the capsule, or its side across an edge of the box.
+// A capsule and a box that touch: an end of the capsule, its side across an edge of the box, or its side on a face.
 //
-// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
-// Where the capsule's side lies on the box, which may give two points, `known` says so: the faces answer then.
+// Guarantee: in every lane the bits that the pair gives alone: the distance is that of `distance`, and the points and
+// names are those that the faces give.
 #pragma once
 
 #include "narrow/pairs/box_distance.hpp"
@@ -9,20 +9,151 @@
 
 namespace graze {
 
+/// What of the box its closest point lies on; `near_other` as for `box_part`.
+template <class S>
+S box_part_at(const PlacedBox<S>& box, const CoreDistance<S>& at, const S& near_other) {
+  const Mat3<S> turn = rotation_of(box.pose.rotation);
+  return round::box_part(box.half, transposed_times(turn, -at.normal),
+                         transposed_times(turn, at.b + at.normal * box.radius - box.pose.translation), near_other);
+}
+
 /// What `at` is where: only for capsules with a length, and boxes with one along every side. Up to `limit` apart it is
 /// asked whether the side lies on the box.
 template <class S>
 RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const BoxDistance<S>& found,
                                     const S& limit) {
-  const Vec3<S>& n = found.at.normal;
-  const Mat3<S> turn = rotation_of(box.pose.rotation);
-  const Vec3<S> core = found.at.b + n * box.radius - box.pose.translation;
-  const S up = dot(rotation_of(capsule.pose.rotation).column(1), n), lean(face_lean<typename LaneOf<S>::type>);
-  const auto lies = (up * up <= lean * lean) & (found.at.distance <= limit);
-  return {{found.at.distance, n, found.at.a, found.at.b},
-          select(up > S(0), S(1), S(0)),
-          round::box_part(box.half, transposed_times(turn, -n), transposed_times(turn, core)),
-          select(found.proven & (!lies), S(1), S(0))};
+  using T = typename LaneOf<S>::type;
+  const CoreDistance<S> at{found.at.distance, found.at.normal, found.at.a, found.at.b};
+  const S up = dot(rotation_of(capsule.pose.rotation).column(1), at.normal), lean(face_lean<T>);
+  const auto lies = (up * up <= lean * lean) & (at.distance <= limit);
+  return {at, select(up > S(0), S(1), S(0)), box_part_at(box, at, S(std::numeric_limits<T>::infinity())),
+          select(found.proven, select(lies, S(0), S(1)), S(-1))};
+}
+
+namespace round {
+
+/// A capsule before the face of a box that leans least from the normal, seen from that face: its axis comes last and
+/// points out of the box.
+template <class S>
+struct CapsuleOnFace {
+  using Mask = decltype(S() < S());
+
+  Vec3<S> half;          ///< of the box
+  Vec3<S> middle, axis;  ///< of the capsule
+  Vec3<S> toward;        ///< against the normal
+  Vec3<S> outward;       ///< of the face, in the world
+  S part;                ///< of the face
+
+  CapsuleOnFace(const PlacedBox<S>& capsule, const Vec3<S>& axis_in_world, const PlacedBox<S>& box,
+                const Vec3<S>& normal) {
+    const Mat3<S> turn = rotation_of(box.pose.rotation);
+    const Vec3<S> against = transposed_times(turn, -normal);
+    const auto face = OneOfThree<S>::longest(against);
+    const Mask positive = face.pick(against) >= S(0);
+    const S side = select(positive, S(1), S(-1));
+    const auto seen = [&](const Vec3<S>& v) {
+      const Vec3<S> t = face.turned(v);
+      return Vec3<S>{t.x, t.y, t.z * side};
+    };
+    half = face.turned(box.half);
+    middle = seen(transposed_times(turn, capsule.pose.translation - box.pose.translation));
+    axis = seen(transposed_times(turn, axis_in_world));
+    toward = seen(against);
+    outward = face.pick(turn) * side;
+    part = face_part(face, positive);
+  }
+};
+
+/// The stretch of a segment over a rectangle.
+template <class S>
+struct Stretch {
+  using Mask = decltype(S() < S());
+  S half;
+  S low, high;
+  Mask any;
+
+  explicit Stretch(const S& half_length) : half(half_length), low(-half_length), high(half_length), any(low <= high) {}
+  /// What is within `reach` of the middle of the rectangle along one of its sides: `from` is the segment's middle there,
+  /// which moves by `pace`. An end stays that is no further out than `slack`.
+  void cut(const S& from, const S& pace, const S& reach, const S& slack) {
+    using std::abs;
+    const S zero(0), inverse = S(1) / select(pace == zero, S(1), pace);
+    const S at_low = from - pace * half, at_high = from + pace * half;
+    const Mask low_out = abs(at_low) > reach + slack, high_out = abs(at_high) > reach + slack;
+    const auto crossing = [&](const S& at) {
+      return clamp((select(at > zero, reach, -reach) - from) * inverse, -half, half);
+    };
+    any = any & !(low_out & high_out & (at_low * at_high > zero));
+    low = select(low_out, greatest(low, crossing(at_low)), low);
+    high = select(high_out, least(high, crossing(at_high)), high);
+  }
+};
+
+}  // namespace round
+
+/// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T, the
+/// scalar of the shapes. `margin`: up to where contacts are wanted. Only for those within the margin of each other.
+template <class T, class S>
+SideContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const CoreDistance<S>& at,
+                            const S& margin) {
+  using std::abs, std::sqrt;
+  using Lane = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+  const S zero(0), one(1), half = capsule.half.y, radii = capsule.radius + box.radius;
+  const Vec3<S> axis = rotation_of(capsule.pose.rotation).column(1);
+  const round::CapsuleOnFace<S> on(capsule, axis, box, at.normal);
+  const Vec3<S>&h = on.half, &m = on.middle, &c = on.axis;
+
+  // As the general path does, along the face's normal where that shows about the whole distance.
+  const S size_a = half + capsule.radius, size_b = length(box.half) + box.radius, smaller = least(size_a, size_b);
+  const S nearest = at.distance - S(Lane(face_preference)) * smaller;
+  const Vec3<S> lean = on.toward - Vec3<S>{zero, zero, one};
+  const Mask by_face =
+      (m.z - abs(c.z) * half - h.z - radii >= nearest) | (max_abs(lean) <= S(Lane(normal_rounding<T>)));
+  const Vec3<S> v{select(by_face, zero, on.toward.x), select(by_face, zero, on.toward.y),
+                  select(by_face, one, on.toward.z)};
+  const S up = dot(c, v), steep = one / v.z;
+  const round::Side<S> side{half, capsule.radius, -up, one - up * up};
+  const S near = least(side.near_end(), round::near_rim(h, v)),
+          slack = S(Lane(along_rim)) * sqrt(near) + S(Lane(normal_rounding<T>)) * (radii + smaller);
+
+  const Vec3<S> down = v * steep;
+  const Vec3<S> foot = m - down * (m.z - h.z), pace = c - down * c.z;
+  round::Stretch<S> stretch(half);
+  stretch.cut(foot.x, pace.x, h.x, slack);
+  stretch.cut(foot.y, pace.y, h.y, slack);
+
+  SideContact<S> found;
+  found.distance = at.distance;
+  found.normal = select(by_face, -on.outward, at.normal);
+  const auto put = [&](typename SideContact<S>::Slot& slot, const S& along) -> Mask {
+    const S rise = side.rise(along);
+    slot.distance = (m.z + c.z * along - h.z) * steep - (rise + box.radius);
+    slot.a = capsule.pose.translation + (axis * along + found.normal * rise);
+    slot.b = slot.a + found.normal * slot.distance;
+    slot.place = feature_place(round::part_at(along, half, side.seen, near),
+                               on.part + round::rims_part(h, v, foot + pace * along, near));
+    return rise >= zero;
+  };
+  const S lean_most(static_cast<Lane>(face_lean<T>));
+  const Mask meet = stretch.any & (stretch.low <= stretch.high) & (abs(up) <= lean_most);
+  const Mask first = meet & put(found.slots[0], stretch.low), second = meet & put(found.slots[1], stretch.high);
+  const S noise = S(box_rounding<Lane>) * (size_a + size_b + abs(at.distance));
+  const Mask faces =
+      round::keep_points(found, first, second, greatest(margin, at.distance + noise), S(Lane(tolerance<T>)) * smaller,
+                         at.distance + S(Lane(face_preference)) * smaller);
+  if (!all(faces)) {
+    const S up_there = dot(axis, at.normal);
+    const round::Side<S> there{half, capsule.radius, up_there, one - up_there * up_there};
+    const Vec3<S> from_middle = at.a - at.normal * capsule.radius - capsule.pose.translation;
+    const S part_a = round::part_at(dot(from_middle, axis), half, there.seen,
+                                    least(there.near_end(), round::near_rim(h, on.toward)));
+    const S part_b = box_part_at(box, at, there.near_end());
+    round::put_closest(found, faces, at, feature_place(part_a, part_b));
+  }
+  // A rounded box is known over its face only.
+  found.filled = select(by_face | (box.radius == zero), found.filled, zero);
+  return found;
 }
 
 /// In double, as the distance.
@@ -30,13 +161,8 @@ template <class T>
 RoundContact<T> round_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& pose_a, const Rounded<BoxCore<T>, T>& b,
                               const Pose<T>& pose_b, const T& margin) {
   const auto capsule = cast<double>(placed_box(a, pose_a)), box = cast<double>(placed_box(b, pose_b));
-  const RoundContact<double> found =
-      capsule_box_contact(capsule, box, box_distance(capsule, box), before_rounding<T>(static_cast<double>(margin)));
-  const CoreDistance<double>& at = found.at;
-  return {{static_cast<T>(at.distance), cast<T>(at.normal), cast<T>(at.a), cast<T>(at.b)},
-          static_cast<T>(found.part_a),
-          static_cast<T>(found.part_b),
-          static_cast<T>(found.known)};
+  return cast<T>(
+      capsule_box_contact(capsule, box, box_distance(capsule, box), before_rounding<T>(static_cast<double>(margin))));
 }
 
 template <class T>
@@ -44,6 +170,19 @@ std::optional<T> own_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& po
                               const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   if (!round::regular(a) || !round::regular(b)) return std::nullopt;
   return round_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
+}
+
+/// Of a capsule that lies, for which `own_contacts` leaves the closest points only.
+template <class T>
+std::optional<T> lying_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
+                                const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const CoreDistance<T> at = take_closest(manifold);
+  const CoreDistance<double> closest{static_cast<double>(at.distance), cast<double>(at.normal), cast<double>(at.a),
+                                     cast<double>(at.b)};
+  const auto found = side_contact<T>(cast<double>(placed_box(rounded_core(a, margin_a), pose_a)),
+                                     cast<double>(placed_box(rounded_core(b, margin_b), pose_b)), closest,
+                                     static_cast<double>(margin));
+  return put_sides(cast<T>(found), ids_with_box, manifold);
 }
 
 }  // namespace graze

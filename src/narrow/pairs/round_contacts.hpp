@@ -1,8 +1,7 @@
-// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point,
-// without laying faces over each other; across lanes.
+// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point, or two
+// where the sides of capsules lie along each other; across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
-// Where the faces may give two points, as of capsules that are about parallel, `known` says so: the faces answer then.
 #pragma once
 
 #include <iterator>
@@ -11,6 +10,7 @@
 #include "narrow/closed_form.hpp"
 #include "narrow/pairs/box_manifold.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/side_contact.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
@@ -18,25 +18,29 @@
 
 namespace graze {
 
-/// The one point of contact of two shapes.
+/// The closest points of two shapes as their one point of contact.
 template <class S>
 struct RoundContact {
   CoreDistance<S> at;
   S part_a, part_b;  ///< of A and of B: numbers of `round_features`, of a box of `box_features`
-  S known;           ///< not 0: that is all there is
+  S known;           ///< 1: that is all there is; 0: there may be two, which `side_contact` tells; -1: nothing is known
 };
 
-/// What of a ball or a capsule a part is: a centre, or the side between the two.
+template <class T, class S>
+RoundContact<T> cast(const RoundContact<S>& c) {
+  const CoreDistance<S>& at = c.at;
+  return {{static_cast<T>(at.distance), cast<T>(at.normal), cast<T>(at.a), cast<T>(at.b)},
+          static_cast<T>(c.part_a),
+          static_cast<T>(c.part_b),
+          static_cast<T>(c.known)};
+}
+
+/// The names of the parts of a ball or a capsule.
 inline constexpr std::uint16_t round_features[] = {static_cast<std::uint16_t>(vertex_feature(0)),
                                                    static_cast<std::uint16_t>(vertex_feature(1)),
                                                    static_cast<std::uint16_t>(edge_feature(0, 1))};
-inline constexpr int side_part = 2;
 
 namespace round {
-
-/// How near the end of a side counts as that, squared, relative to the square of its length.
-template <class S>
-inline constexpr typename LaneOf<S>::type near_end = static_cast<typename LaneOf<S>::type>(same_place* same_place);
 
 /// A capsule's segment as a face seen along a unit vector: its side where that leans little from the normal plane of
 /// the axis, else an end.
@@ -66,17 +70,20 @@ struct SegmentFace {
   /// `near_squared`: how near an end counts as that.
   S part(const S& near_squared) const {
     const auto end = [](const Mask& upper) { return select(upper, S(1), S(0)); };
-    return select(side, select(beside_squared <= near_squared, end(nearer_top), S(side_part)), end(top));
+    return select(side, select(beside_squared <= near_squared, end(nearer_top), S(round::side_part)), end(top));
   }
 };
 
-/// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
+/// How near the rim of a box's face counts as that, squared, as seen along `n`. The face's axis comes last.
 template <class S>
-S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
-  const auto face = OneOfThree<S>::longest(outward);
-  const Vec3<S> n = face.turned(outward), h = face.turned(half), p = face.turned(point);
+S near_rim(const Vec3<S>& h, const Vec3<S>& n) {
+  const S one(1), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y;
+  return S(4) * S(near_end<S>) * least(h.x * h.x * seen_u, h.y * h.y * seen_v);
+}
+/// What of the face a point lies on, within that.
+template <class S>
+S rims_part(const Vec3<S>& h, const Vec3<S>& n, const Vec3<S>& p, const S& near) {
   const S one(1), zero(0), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y, facing = n.z * n.z;
-  const S near = S(4) * S(near_end<S>) * least(h.x * h.x * seen_u, h.y * h.y * seen_v);  // squared, as all of these
   const auto at = [&](const S& reach, const S& from, const S& seen_across) {
     using std::abs;
     const S beside = reach - abs(from);
@@ -84,7 +91,19 @@ S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
     return one_where<S>(on_rim) * (one + one_where<S>(from > zero));
   };
   // The rim across u runs along v.
-  return face_part(face, n.z >= zero) + S(3) * at(h.y, p.y, seen_u) + at(h.x, p.x, seen_v);
+  return S(3) * at(h.y, p.y, seen_u) + at(h.x, p.x, seen_v);
+}
+/// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
+/// `near_other`: how near counts as near on what it meets, squared.
+template <class S>
+S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point, const S& near_other) {
+  const auto face = OneOfThree<S>::longest(outward);
+  const Vec3<S> n = face.turned(outward), h = face.turned(half);
+  return face_part(face, n.z >= S(0)) + rims_part(h, n, face.turned(point), least(near_rim(h, n), near_other));
+}
+template <class S>
+S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
+  return box_part(half, outward, point, S(std::numeric_limits<typename LaneOf<S>::type>::infinity()));
 }
 
 template <class S>
@@ -102,8 +121,7 @@ void find_parts(const RoundPair<AxisCore<S>, AxisCore<S>, S>& p, const CoreDista
   using T = typename LaneOf<S>::type;
   const SegmentFace<S> a(p.a, core.normal, core.a), b(p.b, -core.normal, core.b);
   const S across = dot(cross(p.a.axis, p.b.axis), core.normal);
-  // Twice what makes two sides a face.
-  const auto parallel = across * across <= S(T(4) * face_lean<T> * face_lean<T>) * a.seen * b.seen;
+  const auto parallel = across * across <= S(face_lean<T> * face_lean<T>) * a.seen * b.seen;
   c.known = select(a.side & b.side & parallel, S(0), S(1));
   const S infinite(std::numeric_limits<T>::infinity());
   const S near =
@@ -134,6 +152,12 @@ bool regular(const Box<T>& box) {
 
 }  // namespace round
 
+/// The place of the names of two parts in `RoundFeatureIds`, exact in any number.
+template <class S>
+S feature_place(const S& part_a, const S& part_b) {
+  return part_a * S(typename LaneOf<S>::type(box_part_count)) + part_b;
+}
+
 /// Up to where contacts are wanted, `margin`, is asked of first: further apart there is but a distance and its normal.
 /// Only for capsules with a length and boxes with one along every side.
 template <class A, class B, class S>
@@ -151,6 +175,72 @@ RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, con
   RoundContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
   round::find_parts(pair, core, contact);
   return contact;
+}
+
+/// Of capsules that touch side along side: the ends of the stretch that they run along each other (`lay_over`). The
+/// margin as above; `closest` is what serves where there is no such stretch.
+template <class S>
+SideContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S>& pose_a,
+                            const Rounded<AxisCore<S>, S>& of_b, const Pose<S>& pose_b, const CoreDistance<S>& closest,
+                            const S& margin) {
+  using std::abs;
+  using T = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+  const auto pair = round_pair(of_a, pose_a, of_b, pose_b);
+  const TurnedAxis<S>&a = pair.a, &b = pair.b;
+  const Vec3<S>& n = closest.normal;
+  const S zero(0), one(1), never(-std::numeric_limits<T>::infinity()), up_a = dot(a.axis, n), up_b = dot(b.axis, n),
+                                                                       radii = pair.radii();
+  const round::Side<S> side_a{a.half, pair.radius_a, up_a, one - up_a * up_a},
+      side_b{b.half, pair.radius_b, -up_b, one - up_b * up_b};
+  const S near = least(side_a.near_end(), side_b.near_end());
+
+  // Where along A, as seen, the places along B are: at `middle` its middle, further by `slope` for each unit.
+  const Vec3<S> seen_axis = (a.axis - n * up_a) * (one / side_a.seen);
+  const S middle = dot(b.middle - a.middle, seen_axis), slope = dot(b.axis, seen_axis), inverse = one / slope;
+  const S reach = abs(slope) * b.half, from = middle - reach, to = middle + reach,
+          last = select(slope > zero, b.half, -b.half);
+  const Mask meet = (from <= a.half) & (to >= -a.half);
+
+  const S smaller = least(a.half + pair.radius_a, b.half + pair.radius_b), sharp = S(T(on_surface)) * smaller;
+  const S share = select(radii > zero, pair.radius_a / select(radii > zero, radii, one), zero);
+  SideContact<S> found;
+  found.distance = closest.distance;
+  found.normal = n;
+  const auto put = [&](typename SideContact<S>::Slot& slot, const S& on_a, const S& on_b) -> Mask {
+    // What the two axes are apart across the normal is shared, so that both points lie on the rounded sides.
+    const Vec3<S> core = a.at(on_a), gap = b.at(on_b) - core;
+    const S apart = dot(gap, n);
+    const Vec3<S> across = gap - n * apart;
+    const S beside = length_squared(across), along_a = dot(across, a.axis), along_b = dot(across, b.axis);
+    const Mask shared = beside > sharp * sharp;
+    const S to_a = select(shared, share, zero), to_b = select(shared, share - one, zero);
+    const S rise_a = side_a.rise(on_a, beside * to_a * to_a, along_a * to_a),
+            rise_b = side_b.rise(on_b, beside * to_b * to_b, along_b * to_b);
+    slot.distance = apart - (rise_a + rise_b);
+    slot.a = pair.origin + (core + across * to_a + n * rise_a);
+    slot.b = slot.a + n * slot.distance;
+    slot.place =
+        feature_place(round::part_at(on_a, a.half, side_a.seen, near), round::part_at(on_b, b.half, side_b.seen, near));
+    return meet & ((radii > zero) | (!shared)) & (rise_a > never) & (rise_b > never);
+  };
+  const Mask first = put(found.slots[0], greatest(from, -a.half),
+                         select(from > -a.half, -last, b.within((-a.half - middle) * inverse)));
+  const Mask second =
+      put(found.slots[1], least(to, a.half), select(to < a.half, last, b.within((a.half - middle) * inverse)));
+
+  const S& distance = closest.distance;
+  const S noise = S(box_rounding<T>) * (a.half + b.half + radii + abs(distance));
+  const Mask faces = round::keep_points(found, first, second, greatest(margin, distance + noise),
+                                        S(tolerance<T>) * smaller, distance + S(T(face_preference)) * smaller);
+  if (!all(faces)) {
+    const S on_a = dot(closest.a - pair.origin - n * pair.radius_a, a.axis),
+            on_b = dot(closest.b - pose_b.translation + n * pair.radius_b, b.axis);
+    round::put_closest(found, faces, closest,
+                       feature_place(round::part_at(on_a, a.half, side_a.seen, near),
+                                     round::part_at(on_b, b.half, side_b.seen, near)));
+  }
+  return found;
 }
 
 /// What touches of two balls, and where between their points the radius-weighted one lies; of other pairs it is
@@ -190,30 +280,53 @@ struct PartNames {
 };
 static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
 static constexpr PartNames<64> box_part_names(box_features.of);
-/// The place of that of two shapes, exact in any number.
-template <class S>
-S feature_place(const RoundContact<S>& c) {
-  return c.part_a * S(typename LaneOf<S>::type(box_part_count)) + c.part_b;
+
+template <class T>
+std::optional<T> put_sides(const SideContact<T>& found, const RoundFeatureIds& features, Manifold<T>& manifold) {
+  if (found.filled == T(0)) return std::nullopt;
+  const SidePoints<T> points{found, features.of, false};
+  manifold.normal = points.normal();
+  points.append(manifold.points);
+  return found.distance;
 }
 
-/// Of concrete shapes with their margins.
+/// The closest points of two shapes from the one point of a manifold, which then has none.
+template <class T>
+CoreDistance<T> take_closest(Manifold<T>& manifold) {
+  const ContactPoint<T> point = manifold.points[0];
+  manifold.points.clear();
+  return {point.distance, manifold.normal, point.a, point.b};
+}
+
+/// Of capsules that lie along each other, for which `own_contacts` leaves their closest points only.
+template <class T>
+std::optional<T> lying_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Capsule<T>& b, T margin_b,
+                                const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const CoreDistance<T> closest = take_closest(manifold);
+  return put_sides(side_contact(rounded_core(a, margin_a), pose_a, rounded_core(b, margin_b), pose_b, closest, margin),
+                   ids_with_round, manifold);
+}
+
+/// Of concrete shapes with their margins. Nothing where more is to be asked; where there may be two points, the manifold
+/// holds the closest points then.
 template <class A, class B, class T>
 std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   const auto of_a = rounded_core(a, margin_a);
   const auto of_b = rounded_core(b, margin_b);
   RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
-  if (found.known == T(0)) return std::nullopt;
+  if (found.known < T(0)) return std::nullopt;
   manifold.normal = found.at.normal;
   if (!(found.at.distance <= margin)) return found.at.distance;
   ContactPoint<T>& point = manifold.points.emplace_back();
   point.a = found.at.a;
   point.b = found.at.b;
   point.distance = found.at.distance;
-  point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found))];
+  point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
   point.weight = T(0.5);
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
     point.weight = ball_weight(of_a.radius, of_b.radius);
+  if (found.known == T(0)) return std::nullopt;
   return found.at.distance;
 }
 

@@ -8,7 +8,7 @@ template <class A, class B, class T>
                                          const ContactRows<T>& to, RowCounts& all_found) {
   using S = Lanes<T>;
   constexpr std::size_t lanes = lanes_of<T>;
-  RowCounts counts{0, 0};
+  RowCounts counts{0, 0, 0};
   for (std::size_t first = 0; first < count; first += lanes) {
     const RowBundle<A, B, T> p(rows, first);
     const RoundContact<S> c = round_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, S(margin));

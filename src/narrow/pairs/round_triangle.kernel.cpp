@@ -87,7 +87,7 @@ template <class A, class T>
 template <class A, class T>
 [[gnu::flatten]] void round_triangle_row_contacts(const PairRows<T>& rows, std::size_t count, T margin, bool turned,
                                                   const ContactRows<T>& to, RowCounts& all_found) {
-  RowCounts counts{0, 0};
+  RowCounts counts{};
   for (std::size_t first = 0; first < count; first += lanes_of<T>) {
     const TriangleRows<A, T> p(rows, first);
     put_rows(p, contacts_of<A, T>(p, Lanes<T>(margin), count - first), Lanes<T>(T(0.5)), margin, turned, first, count,

@@ -33,7 +33,8 @@ std::optional<T> contact_of(const Pair& pair, T margin, Manifold<T>& manifold) {
   const T distance = static_cast<T>(at.distance);
   if (distance <= margin) {
     if (found.known == 0) return std::nullopt;
-    const std::uint32_t feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found))];
+    const std::uint32_t feature =
+        round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
     manifold.points.push_back({cast<T>(at.a), cast<T>(at.b), distance, feature, T(0.5)});
   }
   manifold.normal = cast<T>(at.normal);
