@@ -91,8 +91,15 @@ void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& tou
   put_pairs(run.body.shape.template as<Box<T>>());
   visit_triangle_contacts(
       pairs, run.count, apart,
-      [&](std::size_t i, T distance, const Vec3<T>& normal, const BoxPoints<T>& found) {
-        touch(i, distance, normal, [&](auto& points) { found.append(points); });
+      [&](const MetPairs<T>& met) {
+        const ContactPoint<T>* from = met.points;
+        for (std::size_t k = 0; k < met.count; ++k) {
+          const std::span points(from, met.points_of(k));
+          from += points.size();
+          touch(met.place(k), met.distance(k), met.normal(k), [&](auto& to) {
+            for (const ContactPoint<T>& point : points) to.push_back(point);
+          });
+        }
       },
       alone);
 }

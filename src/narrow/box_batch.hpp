@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "narrow/features.hpp"
 #include "narrow/pair_kernels.hpp"
@@ -16,7 +17,7 @@ namespace graze {
 /// what begins with one), and returns how many. Of two of the same features the deeper one is kept. `slot(i)` gives the
 /// i-th slot of the pair, `features_b` what the parts of B name; those of A are a box's.
 template <class T, class Slot, class Points>
-std::size_t take_points(unsigned filled, const Slot& slot, const std::uint16_t* features_b, Points& points) {
+std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* features_b, Points& points) {
   using Point = std::remove_cvref_t<decltype(points[0])>;
   const std::size_t first = points.size();
   // All lie on one face of either, where features are the same just where parts are. Two parts on each that have no bit
@@ -44,46 +45,76 @@ std::size_t take_points(unsigned filled, const Slot& slot, const std::uint16_t* 
   return points.size() - first;
 }
 
-/// The points of one of the pairs of a block.
+/// Of two points of a pair in a block that have the same features keeps the deeper one, in the place of the first.
 template <class T>
-struct BoxPoints {
-  const BoxPointBlock<T>& block;
-  std::size_t pair;
-  const std::uint16_t* features_b;
-
-  /// As `take_points`.
-  template <class Points>
-  std::size_t append(Points& points) const {
-    return take_points<T>(
-        static_cast<unsigned>(block.filled[pair]),
-        [&](std::size_t i) {
-          const auto& slot = block.slots[i];
-          return BoxSlot<T>{{slot.a[0][pair], slot.a[1][pair], slot.a[2][pair]},
-                            {slot.b[0][pair], slot.b[1][pair], slot.b[2][pair]},
-                            slot.distance[pair],
-                            slot.part_a[pair],
-                            slot.part_b[pair]};
-        },
-        features_b, points);
-  }
-};
-
-/// The same with the two in each other's place, where they are `turned`.
-template <class T>
-struct TurnedPoints {
-  const BoxPoints<T>& points;
-  bool turned;
-
-  template <class Points>
-  std::size_t append(Points& to) const {
-    const std::size_t first = to.size(), count = points.append(to);
-    for (std::size_t i = first; turned && i < first + count; ++i) {
-      ContactPoint<T>& point = to[i];
-      point = mirrored(point);
+void drop_twice(PointBlock<T>& block, std::size_t pairs) {
+  ContactPoint<T>*from = block.points.row, *to = from;
+  for (std::size_t k = 0; k < pairs; ++k) {
+    ContactPoint<T>*const first = to, *const end = from + static_cast<int>(block.count[k]);
+    for (; from < end; ++from) {
+      ContactPoint<T>* const same =
+          std::find_if(first, to, [&](const ContactPoint<T>& p) { return p.feature == from->feature; });
+      if (same == to)
+        *to++ = *from;
+      else if (from->distance < same->distance)
+        *same = *from;
     }
-    return count;
+    block.count[k] = static_cast<T>(to - first);
+  }
+  block.point_count = static_cast<std::uint32_t>(to - block.points.row);
+  block.any_twice = false;
+}
+
+/// Pairs that meet, some of a block one behind the other, all of them known.
+template <class T>
+struct MetPairs {
+  const PointBlock<T>& block;
+  std::size_t first, count;       ///< of the block
+  const std::uint8_t* places;     ///< of the block's pairs, among those that were asked about
+  const T* distances;             ///< of the block's pairs
+  const ContactPoint<T>* points;  ///< of all, pair after pair
+  std::size_t point_count;
+
+  std::size_t place(std::size_t k) const { return places[first + k]; }
+  T distance(std::size_t k) const { return distances[first + k]; }
+  Vec3<T> normal(std::size_t k) const {
+    const auto& n = block.normal;
+    return {n[0][first + k], n[1][first + k], n[2][first + k]};
+  }
+  std::uint32_t points_of(std::size_t k) const {
+    return static_cast<std::uint32_t>(static_cast<int>(block.count[first + k]));
   }
 };
+
+/// Calls `met` with the pairs of a block that follow each other and are known, and `unknown(place)` for each other one,
+/// in their order.
+template <class T, class Met, class Unknown>
+void visit_block(const PointBlock<T>& block, const std::uint8_t* places, const T* distances, std::size_t count,
+                 const Met& met, const Unknown& unknown) {
+  MetPairs<T> some{block, 0, 0, places, distances, block.points.row, 0};
+  for (std::size_t k = 0; k <= count; ++k) {
+    if (k < count && block.known[k] != T(0)) {
+      ++some.count;
+      some.point_count += some.points_of(k - some.first);
+      continue;
+    }
+    if (some.count > 0) met(some);
+    if (k < count) unknown(places[k]);
+    some.first = k + 1;
+    some.count = 0;
+    some.points += std::exchange(some.point_count, 0);
+  }
+}
+
+/// Has the lines brought near that so many records will be written to when the kernel is done with the next pairs, which
+/// are likely to have as many: stores wait for no line then, of batches that are larger than the cache a seventh of the
+/// time. They may be behind the end of an array.
+template <class Record>
+void fetch_for_writing(const Record* first, std::size_t count) {
+  constexpr std::size_t line = 64;
+  const auto begin = reinterpret_cast<std::uintptr_t>(first), end = begin + count * sizeof(Record);
+  for (std::uintptr_t at = begin; at < end; at += line) __builtin_prefetch(reinterpret_cast<const void*>(at), 1);
+}
 
 /// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
 /// that touch fill several blocks.
@@ -96,16 +127,14 @@ inline constexpr std::size_t most_chunk = 2 * box_chunk;
 template <class T, class Choice>
 struct ContactKernels {
   void (*axes)(const PairRef<T>*, std::size_t, Choice*);
-  void (*points)(const PairRef<T>*, const Choice*, std::size_t, BoxPointBlock<T>&);
-  const std::uint16_t* features_b;
+  void (*points)(const PairRef<T>*, const Choice*, std::size_t, PointBlock<T>&);
 };
 
-/// Asks kernels about up to `most_chunk` pairs, in this order:
-/// `apart(i)` for those further apart than their margins; and then, in the order of the pairs,
-/// `touching(i, distance, normal, points)`, the last a `BoxPoints`, or, where their faces do not tell, `unknown(i)`.
-template <class T, class Choice, class Apart, class Touching, class Unknown>
+/// Asks kernels about up to `most_chunk` pairs: `apart(i)` for those further apart than their margins; and then, in the
+/// order of the pairs, `met(pairs)`, the `MetPairs`, for some at a time, or, where their faces do not tell, `unknown(i)`.
+template <class T, class Choice, class Apart, class Met, class Unknown>
 void visit_contacts(const ContactKernels<T, Choice>& kernels, const PairRef<T>* pairs, std::size_t count,
-                    const Apart& apart, const Touching& touching, const Unknown& unknown) {
+                    const Apart& apart, const Met& met, const Unknown& unknown) {
   Choice axes[most_chunk];
   kernels.axes(pairs, count, axes);
   // No branch that nobody foresees: places are written either way and kept or written over.
@@ -118,45 +147,38 @@ void visit_contacts(const ContactKernels<T, Choice>& kernels, const PairRef<T>* 
     apart_count += !meets;
   }
   for (std::size_t k = 0; k < apart_count; ++k) apart(apart_place[k]);
-  PairRef<T> met[block_pairs];
-  Choice met_axes[block_pairs];
-  BoxPointBlock<T> block;
+  PairRef<T> some[block_pairs];
+  Choice some_axes[block_pairs];
+  T distances[block_pairs];
+  PointBlock<T> block;
   for (std::size_t first = 0; first < met_count; first += block_pairs) {
     const std::size_t size = std::min(block_pairs, met_count - first);
     for (std::size_t k = 0; k < size; ++k) {
-      met[k] = pairs[place[first + k]];
-      met_axes[k] = axes[place[first + k]];
+      some[k] = pairs[place[first + k]];
+      some_axes[k] = axes[place[first + k]];
+      distances[k] = some_axes[k].distance;
     }
-    kernels.points(met, met_axes, size, block);
-    for (std::size_t k = 0; k < size; ++k) {
-      const std::size_t i = place[first + k];
-      if (block.known[k] == T(0)) {
-        unknown(i);
-        continue;
-      }
-      touching(i, met_axes[k].distance, Vec3<T>{block.normal[0][k], block.normal[1][k], block.normal[2][k]},
-               BoxPoints<T>{block, k, kernels.features_b});
-    }
+    kernels.points(some, some_axes, size, block);
+    if (block.any_twice) drop_twice(block, size);
+    visit_block(block, place + first, distances, size, met, unknown);
   }
 }
 
 /// The same of plain boxes (`plain_box`).
-template <class T, class Apart, class Touching, class Unknown>
-void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
+template <class T, class Apart, class Met, class Unknown>
+void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                         const Unknown& unknown) {
   const Isa level = chosen_isa();
-  visit_contacts<T, BoxChoice<T>>(
-      {GRAZE_KERNEL(level, box_axes<T>), GRAZE_KERNEL(level, box_points<T>), box_features.of}, pairs, count, apart,
-      touching, unknown);
+  visit_contacts<T, BoxChoice<T>>({GRAZE_KERNEL(level, box_axes<T>), GRAZE_KERNEL(level, box_points<T>)}, pairs, count,
+                                  apart, met, unknown);
 }
 /// And of plain boxes and triangles without a margin; slivers are `unknown`.
-template <class T, class Apart, class Touching, class Unknown>
-void visit_triangle_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Touching& touching,
+template <class T, class Apart, class Met, class Unknown>
+void visit_triangle_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                              const Unknown& unknown) {
   const Isa level = chosen_isa();
-  visit_contacts<T, TriangleChoice<T>>(
-      {GRAZE_KERNEL(level, triangle_axes<T>), GRAZE_KERNEL(level, triangle_points<T>), triangle_features}, pairs, count,
-      apart, touching, unknown);
+  visit_contacts<T, TriangleChoice<T>>({GRAZE_KERNEL(level, triangle_axes<T>), GRAZE_KERNEL(level, triangle_points<T>)},
+                                       pairs, count, apart, met, unknown);
 }
 
 }  // namespace graze

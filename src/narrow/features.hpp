@@ -27,6 +27,9 @@ constexpr std::uint32_t edge_feature(std::uint32_t vertex, std::uint32_t other) 
 }
 constexpr std::uint32_t face_feature(std::uint32_t face) { return detail::feature_of_kind(3, face); }
 
+/// Kernels number the parts of a shape, which its features name, below this.
+inline constexpr std::size_t most_parts = 64;
+
 /// One number for the features of A and B that touch: a half each, so that swapping the shapes swaps the halves.
 constexpr std::uint32_t feature_id(std::uint32_t of_a, std::uint32_t of_b) { return (of_a << 16) | of_b; }
 constexpr std::uint32_t swapped_feature_id(std::uint32_t id) { return (id << 16) | (id >> 16); }

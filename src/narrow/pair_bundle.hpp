@@ -102,24 +102,5 @@ template <class T, class S>
 [[gnu::always_inline]] inline Vec3<T> lane(const Vec3<S>& v, int i) {
   return {static_cast<T>(v.x[i]), static_cast<T>(v.y[i]), static_cast<T>(v.z[i])};
 }
-/// Writes the points that were found of a bundle, the `first`-th pair's on, to a block of them.
-template <class T, class Found>
-[[gnu::always_inline]] inline void put(const Found& found, std::size_t first, std::size_t count,
-                                       BoxPointBlock<T>& block) {
-  static_assert(sizeof found.distance / sizeof found.distance[0] == most_block_points);
-  for (std::size_t k = 0; k < 3; ++k) put(block.normal[k] + first, found.normal[k], count);
-  put(block.filled + first, found.filled, count);
-  put(block.known + first, found.known, count);
-  for (std::size_t i = 0; i < most_block_points; ++i) {
-    auto& slot = block.slots[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      put(slot.a[k] + first, found.a[k][i], count);
-      put(slot.b[k] + first, found.b[k][i], count);
-    }
-    put(slot.distance + first, found.distance[i], count);
-    put(slot.part_a + first, found.part_a[i], count);
-    put(slot.part_b + first, found.part_b[i], count);
-  }
-}
 
 }  // namespace graze::GRAZE_ISA

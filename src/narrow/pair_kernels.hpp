@@ -65,16 +65,22 @@ struct TriangleDistance;
 template <class S>
 struct TriangleAxes;
 
-/// The points of contact of up to `block_pairs` pairs of boxes, or of boxes and triangles; see `BoxManifold`. A number
-/// of a pair stands at the pair's place in each array.
+/// The points of contact of up to `block_pairs` pairs, those of a pair one behind the other, pair after pair. A number
+/// of a pair stands at the pair's place in each column. Of pairs that are not known there are no points.
 template <class T>
-struct BoxPointBlock {
+struct PointBlock {
   using Column = T[block_pairs];
-  Column normal[3];  ///< of the world
-  Column filled, known;
-  struct Slot {
-    Column a[3], b[3], distance, part_a, part_b;
-  } slots[most_block_points];
+  /// Room for what kernels write behind the last point.
+  static constexpr std::size_t room = (most_block_points + 1) * block_pairs;
+
+  Column normal[3];           ///< of the world
+  Column known, count;        ///< 1 or 0; of its points
+  std::uint32_t point_count;  ///< of all
+  bool any_twice;             ///< two points of a pair have the same features
+  union Points {
+    Points() {}  // NOLINT(modernize-use-equals-default): of points it would write all
+    ContactPoint<T> row[room];
+  } points;
 };
 
 /// The contact of two shapes that touch in one point at most.
@@ -105,11 +111,11 @@ GRAZE_DECLARE_KERNEL(
     template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes);
     /// The points of up to `block_pairs` pairs of boxes along their axes; of those within their margins or not regular.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
-                                       BoxPointBlock<T>& points);
+                                       PointBlock<T>& points);
     /// The same two of pairs of a box and a triangle.
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleChoice<T>* axes);
     template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
-                                            BoxPointBlock<T>& points);
+                                            PointBlock<T>& points);
     /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only
     /// the normal.
     template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);

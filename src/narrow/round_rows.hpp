@@ -36,7 +36,7 @@ template <class A, class B, class T>
     if constexpr (std::is_same_v<B, Sphere<T>>)
       return Whole{} + static_cast<typename Lanes<T>::Bits>(vertex_feature(0));
     else if constexpr (std::is_same_v<B, Box<T>>)
-      return named<T>(box_part_names.of, c.part_b);
+      return named<T>(box_features.of, c.part_b);
     else if constexpr (std::is_same_v<B, Triangle<T>>)
       return named<T>(triangle_part_names.of, c.part_b);
     else

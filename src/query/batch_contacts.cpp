@@ -86,6 +86,30 @@ class Writer {
     append(found_.points, points_, to.points, found.touching);
     return found;
   }
+  /// Pairs that meet, the `k`-th of them number `place(k)`, with their points.
+  template <class Place>
+  void write(const MetPairs<T>& met, bool turned, const Place& place) {
+    reserve(met.count, met.point_count);
+    ContactPoint<T>* const points = found_.points.data() + points_;
+    if (turned)
+      std::transform(met.points, met.points + met.point_count, points,
+                     [](const ContactPoint<T>& p) { return mirrored(p); });
+    else
+      std::copy_n(met.points, met.point_count, points);
+    typename BatchContacts<T>::Group* const manifolds = found_.manifolds.data() + manifolds_;
+    const auto first_manifold = static_cast<std::uint32_t>(manifolds_);
+    auto first_point = static_cast<std::uint32_t>(points_);
+    for (std::size_t k = 0; k < met.count; ++k) {
+      const std::uint32_t count = met.points_of(k);
+      found_.pairs[place(k)] = {met.distance(k) <= T(0), first_manifold + static_cast<std::uint32_t>(k), 1};
+      manifolds[k] = {turned ? -met.normal(k) : met.normal(k), 0, 0, first_point, count};
+      first_point += count;
+    }
+    manifolds_ += met.count;
+    points_ += met.point_count;
+    fetch_for_writing(points + met.point_count, met.point_count);
+    fetch_for_writing(manifolds + met.count, met.count);
+  }
   /// A pair that does not touch, until manifolds follow.
   void begin(std::size_t pair, bool overlap) {
     found_.pairs[pair] = {overlap, static_cast<std::uint32_t>(manifolds_), 0};
@@ -201,10 +225,7 @@ class Together {
   void boxes(const Queue<T>& queue) {
     visit_box_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
-          touching(queue.places[k], distance, normal, points);
-        },
-        [&](std::size_t k) { single_(queue.places[k]); });
+        [&](const MetPairs<T>& met) { write(met, false, queue); }, [&](std::size_t k) { single_(queue.places[k]); });
   }
   template <class A>
   void rests(bool turned, const Queue<T>& queue) {
@@ -217,15 +238,15 @@ class Together {
   void triangles(bool turned, const Queue<T>& queue) {
     visit_triangle_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](std::size_t k, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
-          touching(queue.places[k], distance, turned ? -normal : normal, TurnedPoints<T>{points, turned});
-        },
-        [&](std::size_t k) { single_(queue.places[k]); });
+        [&](const MetPairs<T>& met) { write(met, turned, queue); }, [&](std::size_t k) { single_(queue.places[k]); });
   }
   void triangle_pairs(const Queue<T>& queue) {
     visit_triangle_pair_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
         [&](std::size_t k) { single_(queue.places[k]); });
+  }
+  void write(const MetPairs<T>& met, bool turned, const Queue<T>& queue) {
+    writer_.write(met, turned, [&](std::size_t k) { return queue.places[met.place(k)]; });
   }
   template <class Points>
   void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {

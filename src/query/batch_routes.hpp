@@ -186,6 +186,16 @@ struct EvenRow {
   const Pose<T>* pose(std::uint32_t i) const { return poses + i * pose_stride; }
 };
 
+/// Has what kernels load of a pair brought near: they are asked when the queue is full, and the first lines come while
+/// it is filled.
+template <class T>
+void fetch(const PairRef<T>& pair) {
+  __builtin_prefetch(pair.pose_a);
+  __builtin_prefetch(pair.pose_b);
+  __builtin_prefetch(pair.a);
+  __builtin_prefetch(pair.b);
+}
+
 /// Of pairs whose kinds are the same throughout, those from `first` on, at most as many as there is room for, behind
 /// those that wait in the queue; how many.
 template <class T>
@@ -197,6 +207,7 @@ std::size_t append_even(const Batch<T>& batch, const EvenRow<T>& a, const EvenRo
     if (turned) std::swap(p.a, p.b);
     queue.pairs[begin + k] = {a.shape(p.a), b.shape(p.b), a.pose(p.a), b.pose(p.b), margin};
     queue.places[begin + k] = first + k;
+    fetch(queue.pairs[begin + k]);
   }
   queue.count += count;
   return count;

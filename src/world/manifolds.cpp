@@ -250,15 +250,22 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
     const std::size_t found = points.append(found_[block].points);
     keep(bodies, places[i], block, distance <= T(0), normal, found);
   };
+  const auto met = [&](const MetPairs<T>& some) {
+    const ContactPoint<T>* from = some.points;
+    for (std::size_t k = 0; k < some.count; ++k) {
+      const std::uint32_t size = some.points_of(k);
+      for (const ContactPoint<T>* const end = from + size; from < end; ++from)
+        found_[block].points.push_back({waiting.turned ? mirrored(*from) : *from, {}});
+      const Vec3<T> normal = some.normal(k);
+      keep(bodies, places[some.place(k)], block, some.distance(k) <= T(0), waiting.turned ? -normal : normal, size);
+    }
+    const Found& found = found_[block];
+    fetch_for_writing(found.points.data() + found.points.size(), some.point_count);
+  };
   if (waiting.route == Route::box_box) {
-    visit_box_contacts(pairs, count, none, many, singly);
+    visit_box_contacts(pairs, count, none, met, singly);
   } else if (waiting.route == Route::box_triangle) {
-    visit_triangle_contacts(
-        pairs, count, none,
-        [&](std::size_t i, T distance, const Vec3<T>& normal, const BoxPoints<T>& points) {
-          many(i, distance, waiting.turned ? -normal : normal, TurnedPoints<T>{points, waiting.turned});
-        },
-        singly);
+    visit_triangle_contacts(pairs, count, none, met, singly);
   } else if (waiting.route == Route::triangle_triangle) {
     visit_triangle_pair_contacts(pairs, count, none, singly);
   } else if (is_rest(waiting.route)) {

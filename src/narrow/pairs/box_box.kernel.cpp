@@ -1,5 +1,6 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_manifold.hpp"
+#include "narrow/point_rows.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -18,6 +19,35 @@ template <class T>
   using S = Lanes<T>;
   return {Several<S, 3>(bundle.a.core.half), PoseRows<S>(bundle.pose_a), Several<S, 3>(bundle.b.core.half),
           PoseRows<S>(bundle.pose_b)};
+}
+
+/// Writes the points of a bundle whose first pair is the `first`-th.
+template <class T, class S, class M>
+[[gnu::always_inline]] inline void put_meeting(const BoxMeeting<S>& found, const M& regular, std::size_t first,
+                                               std::size_t count, PointBlock<T>& block) {
+  using Some = Several<S, 1>;
+  const auto& corners = found.corners;
+  S filled(0);
+  for (std::size_t i = 0; i < most_box_points; ++i)
+    filled = filled + corners.as_bits(i, corners.are(i) & (Some(corners.apart[i]) <= Some(found.limit)));
+  put_pairs(found.normal, select(regular & (filled > S(0)) & found.near, S(1), S(0)), first, count, filled, block);
+  PointColumns<T, 3> columns;
+  put_together<T, 3>({corners.x, corners.y, corners.apart}, filled, columns);
+  append_points<T>(
+      columns, box_features.of, box_features.of,
+      [&](std::size_t from, LanePoints<T> & points, S & part_a, S & part_b) __attribute__((always_inline)) {
+        const auto lanes = columns.lanes_from(from);
+        const auto of_lanes = [&](const S& number) __attribute__((always_inline)) {
+          return lanes_at<T>(number, lanes);
+        };
+        points.distance = columns(2, from);
+        const auto made =
+            found.faces.each(of_lanes).at(Some(columns(0, from)), Some(columns(1, from)), Some(points.distance));
+        for (int k = 0; k < 3; ++k) points.a[k] = made.a[k][0], points.b[k] = made.b[k][0];
+        part_a = made.part_a[0];
+        part_b = made.part_b[0];
+      },
+      block);
 }
 
 }  // namespace
@@ -39,8 +69,10 @@ template <class T>
 
 template <class T>
 [[gnu::flatten]] void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
-                                 BoxPointBlock<T>& points) {
+                                 PointBlock<T>& block) {
   using S = Lanes<T>;
+  block.point_count = 0;
+  block.any_twice = false;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
     BoxChoice<S> choice;
@@ -50,11 +82,11 @@ template <class T>
       choice.distance.set(lane, of.distance);
       choice.axis.set(lane, of.axis);
     }
-    BoxManifold<S> found;
-    box_manifold(box_rows(bundle), choice, bundle.margin, PoseRows<S>(bundle.pose_a), PoseRows<S>(bundle.pose_b),
-                 found);
-    found.known = select(regular(bundle), found.known, S(0));
-    put(found, first, bundle.count, points);
+    const auto use = [&](const BoxMeeting<S>& found) __attribute__((always_inline)) {
+      put_meeting(found, regular(bundle), first, bundle.count, block);
+    };
+    with_box_meeting(box_rows(bundle), choice, bundle.margin, PoseRows<S>(bundle.pose_a), PoseRows<S>(bundle.pose_b),
+                     use);
   }
 }
 
@@ -69,13 +101,14 @@ template <class T>
   }
   choice = box_choice(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
-  box_manifold(boxes, choice, pair.margin, pose_a, pose_b, found);
+  with_box_meeting(boxes, choice, pair.margin, pose_a, pose_b,
+                   [&](const BoxMeeting<T>& meeting) { put_points(meeting, found); });
   return true;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
-  template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, BoxPointBlock<T>&);                    \
+  template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, PointBlock<T>&);                       \
   template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

@@ -44,20 +44,20 @@ struct BoxManifold {
 /// axes that follow the face's and where along the first: 0 within, 1 at the negative side, 2 at the positive.
 inline constexpr std::size_t box_part_count = 54;
 struct BoxFeatures {
-  std::uint16_t of[box_part_count];
+  std::uint32_t of[most_parts];
   constexpr BoxFeatures() : of{} {
     for (std::uint32_t part = 0; part < box_part_count; ++part) {
       const std::uint32_t face = part / 9, at_u = part % 3, at_v = part % 9 / 3;
       const std::uint32_t axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
       const std::uint32_t corner = (face % 2) << axis | std::uint32_t{at_u == 2} << u | std::uint32_t{at_v == 2} << v;
-      of[part] = static_cast<std::uint16_t>(at_u != 0 && at_v != 0 ? vertex_feature(corner)
-                                            : at_u != 0            ? edge_feature(corner, corner | 1u << v)
-                                            : at_v != 0            ? edge_feature(corner, corner | 1u << u)
-                                                                   : face_feature(face));
+      of[part] = at_u != 0 && at_v != 0 ? vertex_feature(corner)
+                 : at_u != 0            ? edge_feature(corner, corner | 1u << v)
+                 : at_v != 0            ? edge_feature(corner, corner | 1u << u)
+                                        : face_feature(face);
     }
   }
 };
-inline constexpr BoxFeatures box_features{};
+static constexpr BoxFeatures box_features;  // not inline: kernels of different levels share nothing
 
 /// The number of such a part: of a face, whose axis is the one of `axis`, at its negative side or at its positive.
 template <class Axis, class M>
@@ -71,14 +71,78 @@ Some part_along(const Some& at, const Some& rim) {
   return select(at >= rim, Some(S(2)), select(at <= -rim, Some(S(1)), Some(S(0))));
 }
 
-/// The points along the chosen axis of two boxes that are at most `margin` apart, in the world. Only for boxes within
-/// the margin of each other.
+/// What makes points of contact of places on the face that clips.
 template <class S>
-void box_manifold(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& margin, const PoseRows<S>& pose_a,
-                  const PoseRows<S>& pose_b, BoxManifold<S>& found) {
+struct BoxFaces {
+  using Condition = decltype(S() < S());
+
+  S origin[3], x[3], y[3], up[3];  ///< in the world: its box's middle, the face's sides, its middle from the box's
+  S across[3];                     ///< unit, to the other box
+  S center[2], to_uv[4];           ///< the other face's middle, and from there to units of its sides
+  S rim[2], rim_uv[2];             ///< from where on a place is at the end of a side
+  S face, other_face;              ///< the numbers of the parts
+  Condition by_b;                  ///< the face is one of B's
+
+  /// `f` of every number.
+  template <class F>
+  BoxFaces each(const F& f) const {
+    BoxFaces r;
+    const auto put = [&](const auto& from, auto& to) {
+      for (std::size_t k = 0; k < sizeof from / sizeof from[0]; ++k) to[k] = f(from[k]);
+    };
+    put(origin, r.origin), put(x, r.x), put(y, r.y), put(up, r.up), put(across, r.across);
+    put(center, r.center), put(to_uv, r.to_uv), put(rim, r.rim), put(rim_uv, r.rim_uv);
+    r.face = f(face), r.other_face = f(other_face);
+    r.by_b = f(one_where<S>(by_b)) > S(0);
+    return r;
+  }
+
+  /// Points of contact but for how far apart the boxes are there; of one place or of several.
+  template <class Some>
+  struct Points {
+    Some a[3], b[3], part_a, part_b;
+  };
+  template <class Some>
+  Points<Some> at(const Some& x_at, const Some& y_at, const Some& apart) const {
+    Points<Some> points;
+    const auto b_clips = Some::Mask::of(by_b);
+    const auto put = [&](const Some& of_clip, const Some& of_other, Some& of_a, Some& of_b) {
+      of_a = select(b_clips, of_other, of_clip);
+      of_b = select(b_clips, of_clip, of_other);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Some on_clip = Some(x[k]) * x_at + Some(y[k]) * y_at + Some(up[k]),
+                 on_other = on_clip + Some(across[k]) * apart;
+      put(Some(origin[k]) + on_clip, Some(origin[k]) + on_other, points.a[k], points.b[k]);
+    }
+    const auto part = [](const S& of_face, const Some& u, const Some& v, const S(&edge)[2]) {
+      return Some(of_face) + part_along<S>(u, Some(edge[0])) + part_along<S>(v, Some(edge[1])) * Some(S(3));
+    };
+    const Some from_x = x_at - Some(center[0]), from_y = y_at - Some(center[1]);
+    const Some u_at = from_x * Some(to_uv[0]) + from_y * Some(to_uv[1]),
+               v_at = from_x * Some(to_uv[2]) + from_y * Some(to_uv[3]);
+    put(part(face, x_at, y_at, rim), part(other_face, u_at, v_at, rim_uv), points.part_a, points.part_b);
+    return points;
+  }
+};
+
+/// Two boxes that meet: the corners of what their faces share, and what makes points of them.
+template <class S>
+struct BoxMeeting {
+  const detail::Ring<S>& corners;
+  BoxFaces<S> faces;
+  Vec3<S> normal;            ///< unit, from A to B, in the world
+  S limit;                   ///< of corners that are further apart no points are made
+  decltype(S() < S()) near;  ///< what is nearest is among the corners, or hardly nearer
+};
+
+/// Calls `f` with the `BoxMeeting` along the chosen axis, of points at most `margin` apart. Only for boxes within the
+/// margin of each other.
+template <class S, class F>
+void with_box_meeting(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& margin, const PoseRows<S>& pose_a,
+                      const PoseRows<S>& pose_b, const F& f) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
-  using Mask = decltype(S() < S());
   using Row = Several<S, 3>;
   const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b), one(1), zero(0);
   const detail::FacingBoxes<S> seen(p, choice.axis);
@@ -129,44 +193,53 @@ void box_manifold(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& marg
   const Rows<S> turn = face(transposed(
       rotation_rows(select(seen.by_b, pose_b.vector, pose_a.vector), select(seen.by_b, pose_b.w, pose_a.w))));
   const Row &wx = turn.row[0], &wy = turn.row[1], &wz = turn.row[2],
-            across = wx * spread<0>(n) + wy * spread<1>(n) + wz * spread<2>(n), up = wz * Row(height);
-  const S clip_face = face_part(face, plus[0]), other_face = face_part(other, other_plus[0]),
-          limit = greatest(margin, choice.distance + noise);
-  const FlatPoint<S> rim{half[0] - near, half[1] - near}, rim_uv{one - near * per_length.x, one - near * per_length.y};
+            across = wx * spread<0>(n) + wy * spread<1>(n) + wz * spread<2>(n), up = wz * Row(height),
+            normal = select(seen.by_b, -across, across);
+  const S allowed = S(T(face_preference)) * least(size_a, size_b);
+  BoxMeeting<S> meeting{corners,
+                        {},
+                        {normal[0], normal[1], normal[2]},
+                        greatest(margin, choice.distance + noise),
+                        nearest <= choice.distance + allowed};
+  BoxFaces<S>& points = meeting.faces;
+  for (int k = 0; k < 3; ++k) {
+    points.origin[k] = origin[k];
+    points.x[k] = wx[k];
+    points.y[k] = wy[k];
+    points.up[k] = up[k];
+    points.across[k] = across[k];
+  }
+  points.center[0] = faces.center.x, points.center[1] = faces.center.y;
+  for (int k = 0; k < 4; ++k) points.to_uv[k] = faces.to_uv[k];
+  points.rim[0] = half[0] - near, points.rim[1] = half[1] - near;
+  points.rim_uv[0] = one - near * per_length.x, points.rim_uv[1] = one - near * per_length.y;
+  points.face = face_part(face, plus[0]), points.other_face = face_part(other, other_plus[0]);
+  points.by_b = seen.by_b[0];
+  f(meeting);
+}
 
-  const Row normal = select(seen.by_b, -across, across);
-  found.normal = {normal[0], normal[1], normal[2]};
-  found.filled = zero;
+/// The points of a meeting, in the world.
+template <class S>
+void put_points(const BoxMeeting<S>& meeting, BoxManifold<S>& found) {
   using Some = typename detail::Ring<S>::Some;
-  constexpr int step = detail::Ring<S>::step;
-  const auto by_b = Some::Mask::of(seen.by_b[0]);
-  const auto part = [](const S& of_face, const Some& u, const Some& v, const FlatPoint<S>& edge) {
-    return Some(of_face) + part_along<S>(u, Some(edge.x)) + part_along<S>(v, Some(edge.y)) * Some(S(3));
-  };
-  for (std::size_t i = 0; i < corners.size(); i += step) {
-    const Some x_at = corners.some(corners.x, i), y_at = corners.some(corners.y, i),
-               apart = corners.some(corners.apart, i);
-    const auto here = corners.are(i) & (apart <= Some(limit));
+  const auto& corners = meeting.corners;
+  found.normal = meeting.normal;
+  found.filled = S(0);
+  for (std::size_t i = 0; i < corners.size(); i += detail::Ring<S>::step) {
+    const Some apart = corners.some(corners.apart, i);
+    const auto here = corners.are(i) & (apart <= Some(meeting.limit));
     if (!any(here)) continue;
-    const auto put = [&](const Some& of_clip, const Some& of_other, S* of_a, S* of_b) {
-      select(by_b, of_other, of_clip).store(of_a + i);
-      select(by_b, of_clip, of_other).store(of_b + i);
-    };
-    for (int k = 0; k < 3; ++k) {
-      const Some on_clip = Some(wx[k]) * x_at + Some(wy[k]) * y_at + Some(up[k]),
-                 on_other = on_clip + Some(across[k]) * apart;
-      put(Some(origin[k]) + on_clip, Some(origin[k]) + on_other, found.a[k], found.b[k]);
+    const auto points = meeting.faces.at(corners.some(corners.x, i), corners.some(corners.y, i), apart);
+    for (std::size_t k = 0; k < 3; ++k) {
+      points.a[k].store(found.a[k] + i);
+      points.b[k].store(found.b[k] + i);
     }
-    const Some from_x = x_at - Some(faces.center.x), from_y = y_at - Some(faces.center.y);
-    const Some u_at = from_x * Some(faces.to_uv[0]) + from_y * Some(faces.to_uv[1]),
-               v_at = from_x * Some(faces.to_uv[2]) + from_y * Some(faces.to_uv[3]);
-    put(part(clip_face, x_at, y_at, rim), part(other_face, u_at, v_at, rim_uv), found.part_a, found.part_b);
+    points.part_a.store(found.part_a + i);
+    points.part_b.store(found.part_b + i);
     apart.store(found.distance + i);
     found.filled = found.filled + corners.as_bits(i, here);
   }
-  const S allowed = S(T(face_preference)) * least(size_a, size_b);
-  const Mask known = (found.filled > zero) & (nearest <= choice.distance + allowed);
-  found.known = select(known, one, zero);
+  found.known = one_where<S>((found.filled > S(0)) & meeting.near);
 }
 
 }  // namespace graze

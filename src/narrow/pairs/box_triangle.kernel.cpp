@@ -1,5 +1,6 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_triangle_manifold.hpp"
+#include "narrow/point_rows.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -31,8 +32,10 @@ template <class T>
 
 template <class T>
 [[gnu::flatten]] void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
-                                      BoxPointBlock<T>& points) {
+                                      PointBlock<T>& block) {
   using S = Lanes<T>;
+  block.point_count = 0;
+  block.any_twice = false;
   for (std::size_t first = 0; first < count; first += Pairs<T>::lanes) {
     const Pairs<T> bundle(pairs + first, count - first);
     TriangleChoice<S> choice;
@@ -45,7 +48,20 @@ template <class T>
     const BoxAndTriangle<S> p = box_and_triangle(bundle);
     BoxManifold<S> found;
     triangle_manifold(p, TriangleDirections<S>(p), choice, bundle.margin, bundle.pose_a, found);
-    put(found, first, bundle.count, points);
+    put_pairs(found.normal, found.known, first, bundle.count, found.filled, block);
+    PointColumns<T, 9> columns;
+    put_together<T, 9>({found.a[0], found.a[1], found.a[2], found.b[0], found.b[1], found.b[2], found.distance,
+                        found.part_a, found.part_b},
+                       found.filled, columns);
+    append_points<T>(
+        columns, box_features.of, triangle_features,
+        [&](std::size_t from, LanePoints<T> & points, S & part_a, S & part_b) __attribute__((always_inline)) {
+          for (std::size_t k = 0; k < 3; ++k) points.a[k] = columns(k, from), points.b[k] = columns(3 + k, from);
+          points.distance = columns(6, from);
+          part_a = columns(7, from);
+          part_b = columns(8, from);
+        },
+        block);
   }
 }
 
@@ -65,7 +81,7 @@ template <class T>
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void triangle_axes(const PairRef<T>*, std::size_t, TriangleChoice<T>*);                                     \
   template T triangle_contact(const PairRef<T>&, BoxManifold<T>&);                                                     \
-  template void triangle_points(const PairRef<T>*, const TriangleChoice<T>*, std::size_t, BoxPointBlock<T>&);
+  template void triangle_points(const PairRef<T>*, const TriangleChoice<T>*, std::size_t, PointBlock<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

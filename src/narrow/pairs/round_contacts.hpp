@@ -256,8 +256,8 @@ S ball_weight(const S& radius_a, const S& radius_b) {
 /// inline: kernels of different levels share nothing.
 struct RoundFeatureIds {
   std::uint32_t of[std::size(round_features) * box_part_count];
-  template <std::size_t size>
-  constexpr explicit RoundFeatureIds(const std::uint16_t (&parts_b)[size]) : of{} {
+  template <class Name, std::size_t size>
+  constexpr explicit RoundFeatureIds(const Name (&parts_b)[size]) : of{} {
     for (std::size_t i = 0; i < std::size(round_features); ++i)
       for (std::size_t j = 0; j < box_part_count; ++j)
         of[i * box_part_count + j] = feature_id(round_features[i], parts_b[j % size]);
@@ -273,13 +273,12 @@ constexpr const RoundFeatureIds& round_feature_ids() {
 template <std::size_t room>
 struct PartNames {
   std::uint32_t of[room];
-  template <std::size_t size>
-  constexpr explicit PartNames(const std::uint16_t (&names)[size]) : of{} {
-    for (std::size_t i = 0; i < size; ++i) of[i] = names[i];
+  template <class Name, std::size_t size>
+  constexpr explicit PartNames(const Name (&names)[size]) : of{} {
+    for (std::size_t i = 0; i < size && i < room; ++i) of[i] = names[i];
   }
 };
 static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
-static constexpr PartNames<64> box_part_names(box_features.of);
 
 template <class T>
 std::optional<T> put_sides(const SideContact<T>& found, const RoundFeatureIds& features, Manifold<T>& manifold) {
