@@ -106,14 +106,22 @@ void visit_block(const PointBlock<T>& block, const std::uint8_t* places, const T
   }
 }
 
-/// Has the lines brought near that so many records will be written to when the kernel is done with the next pairs, which
-/// are likely to have as many: stores wait for no line then, of batches that are larger than the cache a seventh of the
-/// time. They may be behind the end of an array.
-template <class Record>
-void fetch_for_writing(const Record* first, std::size_t count) {
+/// Has the lines of so many records brought near, which may be behind the end of an array: to be read, or to be written
+/// when a kernel is done with the next pairs, which are likely to have as many. Neither waits for a line then: of batches
+/// that are larger than the cache a quarter of the time.
+template <bool to_write, class Record>
+void fetch_lines(const Record* first, std::size_t count) {
   constexpr std::size_t line = 64;
   const auto begin = reinterpret_cast<std::uintptr_t>(first), end = begin + count * sizeof(Record);
-  for (std::uintptr_t at = begin; at < end; at += line) __builtin_prefetch(reinterpret_cast<const void*>(at), 1);
+  for (std::uintptr_t at = begin; at < end; at += line) __builtin_prefetch(reinterpret_cast<const void*>(at), to_write);
+}
+template <class Record>
+void fetch_rows(const Record* first, std::size_t count) {
+  fetch_lines<false>(first, count);
+}
+template <class Record>
+void fetch_for_writing(const Record* first, std::size_t count) {
+  fetch_lines<true>(first, count);
 }
 
 /// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
@@ -123,25 +131,21 @@ inline constexpr std::size_t box_chunk = 128;
 /// half as many lanes of the last blocks empty.
 inline constexpr std::size_t most_chunk = 2 * box_chunk;
 
-/// The kernels for the contacts of one kind of pairs.
+/// A kernel for the points of contact of pairs whose axes are known.
 template <class T, class Choice>
-struct ContactKernels {
-  void (*axes)(const PairRef<T>*, std::size_t, Choice*);
-  void (*points)(const PairRef<T>*, const Choice*, std::size_t, PointBlock<T>&);
-};
+using PointKernel = void (*)(const PairRef<T>*, const Choice*, std::size_t, PointBlock<T>&);
 
-/// Asks kernels about up to `most_chunk` pairs: `apart(i)` for those further apart than their margins; and then, in the
-/// order of the pairs, `met(pairs)`, the `MetPairs`, for some at a time, or, where their faces do not tell, `unknown(i)`.
-template <class T, class Choice, class Apart, class Met, class Unknown>
-void visit_contacts(const ContactKernels<T, Choice>& kernels, const PairRef<T>* pairs, std::size_t count,
+/// Asks a kernel about up to `most_chunk` pairs, whose axes are known; `pair(i)` gives the `PairRef` of the i-th. Calls
+/// `apart(i)` for those further apart than their margins; and then, in the order of the pairs, `met(pairs)`, the
+/// `MetPairs`, for some at a time, or, where their faces do not tell, `unknown(i)`.
+template <class T, class Choice, class Pair, class Apart, class Met, class Unknown>
+void visit_contacts(PointKernel<T, Choice> points, const Pair& pair, const Choice* axes, std::size_t count,
                     const Apart& apart, const Met& met, const Unknown& unknown) {
-  Choice axes[most_chunk];
-  kernels.axes(pairs, count, axes);
   // No branch that nobody foresees: places are written either way and kept or written over.
   std::uint8_t place[most_chunk], apart_place[most_chunk];
   std::size_t met_count = 0, apart_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool meets = !(axes[i].distance > pairs[i].margin);
+    const bool meets = !(axes[i].distance > pair(i).margin);
     place[met_count] = apart_place[apart_count] = static_cast<std::uint8_t>(i);
     met_count += meets;
     apart_count += !meets;
@@ -154,11 +158,11 @@ void visit_contacts(const ContactKernels<T, Choice>& kernels, const PairRef<T>* 
   for (std::size_t first = 0; first < met_count; first += block_pairs) {
     const std::size_t size = std::min(block_pairs, met_count - first);
     for (std::size_t k = 0; k < size; ++k) {
-      some[k] = pairs[place[first + k]];
+      some[k] = pair(place[first + k]);
       some_axes[k] = axes[place[first + k]];
       distances[k] = some_axes[k].distance;
     }
-    kernels.points(some, some_axes, size, block);
+    points(some, some_axes, size, block);
     if (block.any_twice) drop_twice(block, size);
     visit_block(block, place + first, distances, size, met, unknown);
   }
@@ -169,16 +173,35 @@ template <class T, class Apart, class Met, class Unknown>
 void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                         const Unknown& unknown) {
   const Isa level = chosen_isa();
-  visit_contacts<T, BoxChoice<T>>({GRAZE_KERNEL(level, box_axes<T>), GRAZE_KERNEL(level, box_points<T>)}, pairs, count,
-                                  apart, met, unknown);
+  BoxChoice<T> axes[most_chunk];
+  GRAZE_KERNEL(level, box_axes<T>)(pairs, count, axes);
+  visit_contacts<T, BoxChoice<T>>(
+      GRAZE_KERNEL(level, box_points<T>), [&](std::size_t i) -> const PairRef<T>& { return pairs[i]; }, axes, count,
+      apart, met, unknown);
+}
+/// And of plain boxes in rows.
+template <class T, class Apart, class Met, class Unknown>
+void visit_box_contacts(const PairRows<T>& rows, std::size_t count, T margin, const Apart& apart, const Met& met,
+                        const Unknown& unknown) {
+  const Isa level = chosen_isa();
+  BoxChoice<T> axes[most_chunk];
+  GRAZE_KERNEL(level, box_row_axes<T>)(rows, count, margin, axes);
+  const auto pair = [&](std::size_t i) {
+    return PairRef<T>{static_cast<const Box<T>*>(rows.a) + i, static_cast<const Box<T>*>(rows.b) + i, rows.pose_a + i,
+                      rows.pose_b + i, margin};
+  };
+  visit_contacts<T, BoxChoice<T>>(GRAZE_KERNEL(level, box_points<T>), pair, axes, count, apart, met, unknown);
 }
 /// And of plain boxes and triangles without a margin; slivers are `unknown`.
 template <class T, class Apart, class Met, class Unknown>
 void visit_triangle_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                              const Unknown& unknown) {
   const Isa level = chosen_isa();
-  visit_contacts<T, TriangleChoice<T>>({GRAZE_KERNEL(level, triangle_axes<T>), GRAZE_KERNEL(level, triangle_points<T>)},
-                                       pairs, count, apart, met, unknown);
+  TriangleChoice<T> axes[most_chunk];
+  GRAZE_KERNEL(level, triangle_axes<T>)(pairs, count, axes);
+  visit_contacts<T, TriangleChoice<T>>(
+      GRAZE_KERNEL(level, triangle_points<T>), [&](std::size_t i) -> const PairRef<T>& { return pairs[i]; }, axes,
+      count, apart, met, unknown);
 }
 
 }  // namespace graze

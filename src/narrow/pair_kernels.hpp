@@ -109,6 +109,9 @@ constexpr std::size_t bundled(std::size_t count) { return (count + 15) / 16 * 16
 GRAZE_DECLARE_KERNEL(
     /// The axes of pairs of boxes.
     template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes);
+    /// The same of pairs in rows; there are `bundled(count)` rows to read.
+    template <class T> void box_row_axes(const PairRows<T>& rows, std::size_t count, T margin,
+                                         BoxChoice<T>* axes);
     /// The points of up to `block_pairs` pairs of boxes along their axes; of those within their margins or not regular.
     template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
                                        PointBlock<T>& points);

@@ -309,6 +309,21 @@ void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Write
   });
 }
 
+template <class T>
+void contacts_of_box_rows(const Batch<T>& batch, T margin, Writer<T>& writer, OneByOne<T>& single) {
+  visit_rows<Box<T>, Box<T>>(batch, false, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+    // The next ones, where pairs stand in their order.
+    fetch_rows(static_cast<const Box<T>*>(rows.a) + count, count);
+    fetch_rows(static_cast<const Box<T>*>(rows.b) + count, count);
+    fetch_rows(rows.pose_a + count, count);
+    fetch_rows(rows.pose_b + count, count);
+    visit_box_contacts(
+        rows, count, margin, [&](std::size_t i) { writer.begin(first + i, false); },
+        [&](const MetPairs<T>& met) { writer.write(met, false, [&](std::size_t k) { return first + met.place(k); }); },
+        [&](std::size_t i) { single(first + i); });
+  });
+}
+
 }  // namespace
 
 template <class T>
@@ -317,6 +332,7 @@ void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   OneByOne<T> single(batch, margin, writer);
   const std::uint8_t queue = even_queue(batch);
   if (has_rows(route_of(queue))) return contacts_of_rows(batch, queue, margin, writer, single);
+  if (route_of(queue) == Route::box_box) return contacts_of_box_rows(batch, margin, writer, single);
   Together<T> together(writer, single);
   visit_batch(
       batch, margin, [](Route) { return true; }, [](Route route) { return route == Route::box_box; }, together, single);

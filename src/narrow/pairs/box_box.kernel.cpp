@@ -1,6 +1,7 @@
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/box_manifold.hpp"
 #include "narrow/point_rows.hpp"
+#include "narrow/row_bundle.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -19,6 +20,15 @@ template <class T>
   using S = Lanes<T>;
   return {Several<S, 3>(bundle.a.core.half), PoseRows<S>(bundle.pose_a), Several<S, 3>(bundle.b.core.half),
           PoseRows<S>(bundle.pose_b)};
+}
+
+/// Writes the axes of a bundle.
+template <class T, class S, class M>
+[[gnu::always_inline]] inline void put_choice(const BoxChoice<S>& choice, const M& regular, std::size_t count,
+                                              BoxChoice<T>* axes) {
+  // Of others it is left to `box_points` to say that they are not known.
+  const S distance = select(regular, choice.distance, S(-std::numeric_limits<T>::infinity()));
+  for (std::size_t i = 0; i < count; ++i) axes[i] = {distance[static_cast<int>(i)], choice.axis[static_cast<int>(i)]};
 }
 
 /// Writes the points of a bundle whose first pair is the `first`-th.
@@ -54,16 +64,22 @@ template <class T, class S, class M>
 
 template <class T>
 [[gnu::flatten]] void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes) {
-  using S = Lanes<T>;
   for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
     const Boxes<T> bundle(pairs + first, count - first);
-    BoxChoice<S> choice = box_choice(box_rows(bundle), bundle.margin);
-    // Of others it is left to `box_points` to say that they are not known.
-    choice.distance = select(regular(bundle), choice.distance, S(-std::numeric_limits<T>::infinity()));
-    for (std::size_t i = 0; i < bundle.count; ++i) {
-      const int lane = static_cast<int>(i);
-      axes[first + i] = {choice.distance[lane], choice.axis[lane]};
-    }
+    put_choice(box_choice(box_rows(bundle), bundle.margin), regular(bundle), bundle.count, axes + first);
+  }
+}
+
+template <class T>
+[[gnu::flatten]] void box_row_axes(const PairRows<T>& rows, std::size_t count, T margin, BoxChoice<T>* axes) {
+  using S = Lanes<T>;
+  constexpr std::size_t lanes = lanes_of<T>;
+  for (std::size_t first = 0; first < count; first += lanes) {
+    const RowBundle<Box<T>, Box<T>, T> bundle(rows, first);
+    const BoxRows<S> boxes(Several<S, 3>(bundle.a.shapes.core.half), PoseRows<S>(bundle.pose_a),
+                           Several<S, 3>(bundle.b.shapes.core.half), PoseRows<S>(bundle.pose_b));
+    const std::size_t left = count - first;
+    put_choice(box_choice(boxes, S(margin)), bundle.regular(), left < lanes ? left : lanes, axes + first);
   }
 }
 
@@ -108,6 +124,7 @@ template <class T>
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
+  template void box_row_axes(const PairRows<T>&, std::size_t, T, BoxChoice<T>*);                                       \
   template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, PointBlock<T>&);                       \
   template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);
 GRAZE_INSTANTIATE(float)
