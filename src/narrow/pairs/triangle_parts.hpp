@@ -8,7 +8,7 @@
 namespace graze {
 
 /// What of a triangle a part names: a vertex, the edge between the two others and 3 before it, its front and its back.
-inline constexpr int edge_part = 3, front_part = 6, back_part = 7, triangle_part_count = 8;
+inline constexpr int edge_part = 3, front_part = 6, back_part = 7;
 static constexpr std::uint32_t triangle_features[most_parts] = {
     vertex_feature(0),  vertex_feature(1),  vertex_feature(2), edge_feature(1, 2),
     edge_feature(0, 2), edge_feature(0, 1), face_feature(0),   face_feature(1)};
