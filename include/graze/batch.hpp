@@ -55,9 +55,9 @@ class Bodies {
   }
   /// The rounding radius, which only a `Shape<T>` has.
   T margin(std::size_t i) const { return one_kind() ? T(0) : any(i).margin(); }
-  /// The shape as a value.
+  /// The shape as a value; where all are of one kind, lent by the concrete one.
   Shape<T> shape(std::size_t i) const { return one_kind() ? made_(concrete(i)) : any(i); }
-  /// Calls `f` with the shape, which is only copied where all are of one kind.
+  /// Calls `f` with it; it is only copied where all are of one kind.
   template <class F>
   decltype(auto) visit(std::size_t i, F&& f) const {
     return one_kind() ? f(made_(concrete(i))) : f(any(i));
@@ -126,7 +126,7 @@ Bodies<T>::Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses)
       stride_(sizeof(C)),
       size_(shapes.size() == 1 ? poses.size() : shapes.size()),
       poses_(poses),
-      made_([](const void* concrete) { return Shape<T>(*static_cast<const C*>(concrete)); }) {
+      made_([](const void* concrete) { return Shape<T>(lent(*static_cast<const C*>(concrete))); }) {
   if constexpr (!std::is_same_v<C, Shape<T>>) kind_ = detail::kind_of<C, T>();
   if (poses.size() != size_ && poses.size() != 1)
     validate::fail("poses", "as many as shapes, or one", static_cast<double>(poses.size()));

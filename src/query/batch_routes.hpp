@@ -228,10 +228,9 @@ void drop_irregular(std::size_t kind_a, std::size_t kind_b, std::size_t begin, Q
   queue.count = kept;
 }
 
-/// `visit_batch` where each side is of one kind known to the compiler: nothing about kinds is asked of a pair. `told`:
-/// the kernel itself tells which pairs are not regular.
+/// `visit_batch` where each side is of one kind known to the compiler: nothing about kinds is asked of a pair.
 template <class T, class Run, class Single>
-void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, bool told, Run&& run, Single&& single) {
+void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, Run&& run, Single&& single) {
   const bool turned = is_turned(number);
   const Bodies<T>&first = turned ? batch.b() : batch.a(), &second = turned ? batch.a() : batch.b();
   const std::size_t kind_a = first.kind(0), kind_b = second.kind(0);
@@ -241,8 +240,8 @@ void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, bool
     const std::size_t begin = queue.count;
     i += append_even(batch, a, b, i, turned, margin, queue);
     const std::size_t added = queue.count - begin;
-    if (!told && (!all_regular<T>(kind_a, added, [&](std::size_t k) { return queue.pairs[begin + k].a; }) ||
-                  !all_regular<T>(kind_b, added, [&](std::size_t k) { return queue.pairs[begin + k].b; })))
+    if (!all_regular<T>(kind_a, added, [&](std::size_t k) { return queue.pairs[begin + k].a; }) ||
+        !all_regular<T>(kind_b, added, [&](std::size_t k) { return queue.pairs[begin + k].b; }))
       drop_irregular(kind_a, kind_b, begin, queue, single);
     if (queue.count < box_chunk && i < batch.size()) continue;
     if (queue.count > 0) run(route_of(number), turned, queue);
@@ -259,7 +258,7 @@ void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, const To
   if (batch.size() > 0 && a.one_kind() && b.one_kind()) {
     const std::uint8_t number = routes(a.kind(0), b.kind(0));
     if (route_of(number) != Route::none && wanted(route_of(number)))
-      return visit_even_batch(batch, margin, number, told(route_of(number)), run, single);
+      return visit_even_batch(batch, margin, number, run, single);
     for (std::size_t i = 0; i < batch.size(); ++i) single(i);
     return;
   }

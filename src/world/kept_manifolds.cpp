@@ -12,6 +12,9 @@ namespace {
 /// What is copied takes a tenth of the time that it took to find.
 constexpr std::size_t blocks_per_task = 8;
 
+/// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
+constexpr std::size_t few_points = 16;
+
 }  // namespace
 
 /// Finds what is known of each pair from the last call: both lists are sorted.
@@ -90,6 +93,81 @@ void ManifoldFinder<T>::begin_blocks(std::size_t blocks, bool alone) {
     found_[i].manifolds.clear();
     found_[i].points.clear();
     found_[i].contacts = 0;
+  }
+}
+
+/// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
+template <class T>
+void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t block) {
+  const std::uint32_t contact = contact_[place];
+  if (contact == apart) {
+    results_[place] = {};
+    return;
+  }
+  ++found_[block].contacts;
+  const ContactPair<T>& last = last_.pairs[contact];
+  if (last.manifold_count != 0) {
+    if (last.first_manifold != run.end) {
+      copy_last(run, block);
+      run.begin = run.end = last.first_manifold;
+    }
+    run.end += last.manifold_count;
+  }
+  const std::size_t first = found_[block].manifolds.size() + (run.end - run.begin) - last.manifold_count;
+  results_[place] = {block, static_cast<std::uint32_t>(first), last.manifold_count, last.overlap};
+}
+
+/// What a pair had after the last call; its points stand one behind the other.
+template <class T>
+std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(std::uint32_t place) const {
+  const std::uint32_t contact = contact_[place];
+  if (contact >= apart) return {};
+  const auto manifolds = last_.manifolds_of(last_.pairs[contact]);
+  if (manifolds.empty()) return {};
+  const std::size_t first = manifolds.front().first_point;
+  return std::span(last_.points).subspan(first, manifolds.back().first_point + manifolds.back().point_count - first);
+}
+
+/// To points of the same features, which are single in the one manifold of two convex shapes; mostly they are the same
+/// ones in the same order.
+template <class T>
+void ManifoldFinder<T>::carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const {
+  const auto last = last_points(place);
+  std::size_t at = 0;
+  for (SolverPoint<T>& point : points) {
+    for (std::size_t tried = 0; tried < last.size(); ++tried, ++at) {
+      if (at >= last.size()) at = 0;
+      if (last[at].feature != point.feature) continue;
+      point.impulse = last[at++].impulse;
+      break;
+    }
+  }
+}
+
+/// To points of the same features; of several, which only composites have, to the nearest.
+template <class T>
+void ManifoldFinder<T>::carry_many(std::uint32_t place, std::span<SolverPoint<T>> points,
+                                   std::vector<SolverPoint<T>>& sorted) const {
+  const auto last = last_points(place);
+  const auto by_feature = [](const SolverPoint<T>& p, const SolverPoint<T>& q) { return p.feature < q.feature; };
+  const bool few = last.size() <= few_points;
+  if (!few) {
+    sorted.assign(last.begin(), last.end());
+    std::stable_sort(sorted.begin(), sorted.end(), by_feature);
+  }
+  for (SolverPoint<T>& point : points) {
+    auto candidates = last;
+    if (!few) {
+      const auto [begin, end] = std::equal_range(sorted.begin(), sorted.end(), point, by_feature);
+      candidates = std::span<const SolverPoint<T>>(sorted).subspan(static_cast<std::size_t>(begin - sorted.begin()),
+                                                                   static_cast<std::size_t>(end - begin));
+    }
+    const SolverPoint<T>* nearest = nullptr;
+    for (const SolverPoint<T>& p : candidates)
+      if (p.feature == point.feature &&
+          (!nearest || length_squared(p.a - point.a) < length_squared(nearest->a - point.a)))
+        nearest = &p;
+    if (nearest) point.impulse = nearest->impulse;
   }
 }
 

@@ -24,9 +24,6 @@ constexpr std::size_t pairs_per_task = most_chunk;
 /// Pairs ahead of the one that is looked at, of which the bodies are fetched: some hundred nanoseconds.
 constexpr std::size_t ahead = 16;
 
-/// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
-constexpr std::size_t few_points = 16;
-
 /// Pairs below which no second thread is asked for what takes each a nanosecond or two.
 constexpr std::size_t few_pairs = 4096;
 
@@ -342,81 +339,6 @@ void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_
   }
   result.manifold_count = static_cast<std::uint32_t>(found.composite.size());
   carry_many(place, std::span(found.points).subspan(first_point), found.sorted);
-}
-
-/// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
-template <class T>
-void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t block) {
-  const std::uint32_t contact = contact_[place];
-  if (contact == apart) {
-    results_[place] = {};
-    return;
-  }
-  ++found_[block].contacts;
-  const ContactPair<T>& last = last_.pairs[contact];
-  if (last.manifold_count != 0) {
-    if (last.first_manifold != run.end) {
-      copy_last(run, block);
-      run.begin = run.end = last.first_manifold;
-    }
-    run.end += last.manifold_count;
-  }
-  const std::size_t first = found_[block].manifolds.size() + (run.end - run.begin) - last.manifold_count;
-  results_[place] = {block, static_cast<std::uint32_t>(first), last.manifold_count, last.overlap};
-}
-
-/// What a pair had after the last call; its points stand one behind the other.
-template <class T>
-std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(std::uint32_t place) const {
-  const std::uint32_t contact = contact_[place];
-  if (contact >= apart) return {};
-  const auto manifolds = last_.manifolds_of(last_.pairs[contact]);
-  if (manifolds.empty()) return {};
-  const std::size_t first = manifolds.front().first_point;
-  return std::span(last_.points).subspan(first, manifolds.back().first_point + manifolds.back().point_count - first);
-}
-
-/// To points of the same features, which are single in the one manifold of two convex shapes; mostly they are the same
-/// ones in the same order.
-template <class T>
-void ManifoldFinder<T>::carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const {
-  const auto last = last_points(place);
-  std::size_t at = 0;
-  for (SolverPoint<T>& point : points) {
-    for (std::size_t tried = 0; tried < last.size(); ++tried, ++at) {
-      if (at >= last.size()) at = 0;
-      if (last[at].feature != point.feature) continue;
-      point.impulse = last[at++].impulse;
-      break;
-    }
-  }
-}
-
-/// To points of the same features; of several, which only composites have, to the nearest.
-template <class T>
-void ManifoldFinder<T>::carry_many(std::uint32_t place, std::span<SolverPoint<T>> points,
-                                   std::vector<SolverPoint<T>>& sorted) const {
-  const auto last = last_points(place);
-  const auto by_feature = [](const SolverPoint<T>& p, const SolverPoint<T>& q) { return p.feature < q.feature; };
-  const bool few = last.size() <= few_points;
-  if (!few) {
-    sorted.assign(last.begin(), last.end());
-    std::stable_sort(sorted.begin(), sorted.end(), by_feature);
-  }
-  for (SolverPoint<T>& point : points) {
-    auto candidates = last;
-    if (!few) {
-      const auto [begin, end] = std::equal_range(sorted.begin(), sorted.end(), point, by_feature);
-      candidates = std::span<const SolverPoint<T>>(sorted).subspan(static_cast<std::size_t>(begin - sorted.begin()),
-                                                                   static_cast<std::size_t>(end - begin));
-    }
-    const SolverPoint<T>* nearest = nullptr;
-    for (const SolverPoint<T>& p : candidates)
-      if (p.feature == point.feature &&
-          (!nearest || length_squared(p.a - point.a) < length_squared(nearest->a - point.a)))
-        nearest = &p;
-    if (nearest) point.impulse = nearest->impulse;
-  }
 }
 
 template class ManifoldFinder<float>;

@@ -103,7 +103,7 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
                                 chunk[i].margin, found, nullptr);
     };
     visit_round_contacts<A, Triangle<T>>(
-        chunk, std::min(most_chunk, pairs.size() - first),
+        chunk, std::min(most_chunk, pairs.size() - first), false,
         [&](std::size_t i) {
           Manifold<T> found;
           EXPECT_GT(alone(i, found), chunk[i].margin);
@@ -117,6 +117,7 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
           EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
           ++touching;
         },
+        [&](std::size_t i, T, const Vec3<T>&, const auto&) { ADD_FAILURE() << i << " lies"; },
         [&](std::size_t) { ++unknown; });
   }
   EXPECT_GT(touching, rounds.size() / 8);

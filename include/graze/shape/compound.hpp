@@ -10,6 +10,7 @@
 
 #include "graze/aabb.hpp"
 #include "graze/pose.hpp"
+#include "graze/shape/lent.hpp"
 
 namespace graze {
 
@@ -28,6 +29,7 @@ class Compound {
 
   /// At least one child, each at its pose in the compound's frame. Cost n log n. Throws `InvalidValue`.
   explicit Compound(std::vector<Placed<T>> children);
+  Compound(const Compound& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
   std::span<const Placed<T>> children() const;
   const CompoundData<T>& data() const { return *data_; }

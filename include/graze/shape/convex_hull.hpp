@@ -13,6 +13,7 @@
 #include "graze/lines.hpp"
 #include "graze/pose.hpp"
 #include "graze/shape/face.hpp"
+#include "graze/shape/lent.hpp"
 #include "graze/validate.hpp"
 
 namespace graze {
@@ -76,6 +77,7 @@ class ConvexHull {
 
   /// The hull of at least one point, up to `largest_magnitude`. Expected time n log n. Throws `InvalidValue`.
   explicit ConvexHull(std::span<const Vec3<T>> points);
+  ConvexHull(const ConvexHull& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
   const HullData<T>& data() const { return *data_; }
   T tolerance() const { return data_->tolerance; }

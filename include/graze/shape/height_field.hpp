@@ -13,6 +13,7 @@
 
 #include "graze/aabb.hpp"
 #include "graze/pose.hpp"
+#include "graze/shape/lent.hpp"
 #include "graze/shape/sides.hpp"
 #include "graze/validate.hpp"
 
@@ -37,6 +38,7 @@ class HeightField {
   /// The same with holes named apart, by a flag for each height that is not zero for a hole.
   HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, std::span<const std::uint8_t> holes,
               T spacing_x = T(1), T spacing_z = T(1), Sides sides = Sides::both);
+  HeightField(const HeightField& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
   std::size_t columns() const;
   std::size_t rows() const;

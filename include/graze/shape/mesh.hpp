@@ -13,6 +13,7 @@
 
 #include "graze/aabb.hpp"
 #include "graze/pose.hpp"
+#include "graze/shape/lent.hpp"
 #include "graze/shape/sides.hpp"
 #include "graze/validate.hpp"
 
@@ -30,6 +31,7 @@ class Mesh {
   /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a million
   /// triangles; besides points and triangles some 50 bytes for each triangle are kept. Throws `InvalidValue`.
   Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both);
+  Mesh(const Mesh& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
   std::span<const Vec3<T>> points() const;
   std::span<const Index> triangles() const;

@@ -9,6 +9,7 @@
 #include "graze/aabb.hpp"
 #include "graze/pose.hpp"
 #include "graze/shape/face.hpp"
+#include "graze/shape/lent.hpp"
 #include "graze/validate.hpp"
 
 namespace graze {
@@ -36,6 +37,8 @@ class UserConvex {
     validate::point(box.upper, "function.support(positive axes)");
     extent_ = length(greatest(abs(box.lower), abs(box.upper)));
   }
+  UserConvex(const UserConvex& lender, Lent)
+      : function_(std::shared_ptr<void>(), lender.function_.get()), extent_(lender.extent_) {}
 
   const SupportFunction<T>& function() const { return *function_; }
 

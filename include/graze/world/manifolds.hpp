@@ -5,7 +5,7 @@
 // they were one. Pairs are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair,
 // and those of one pair one behind the other. What is remembered only saves work: a pair of which neither body changed
 // keeps its manifolds, and one that was apart is tried first along the direction in which it was, but for pairs of
-// balls, capsules, boxes and half-spaces that have a kernel: those are asked about many at a time.
+// balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at a time.
 #pragma once
 
 #include <span>

@@ -69,8 +69,9 @@ Vec3<S> picked(const OneOfThree<S>& which, const CornerRows<Row>& rows) {
   return {picked(which, rows.x), picked(which, rows.y), picked(which, rows.z)};
 }
 
-/// Lengths between these have tenth powers, which products of two edges and squares of gaps along them are made of.
-inline constexpr double least_triangle = 1e-25, largest_triangle = 1e25;
+/// Longer than this, in units of the two, an edge has a tenth power, which products of two edges and squares of gaps along
+/// them are made of.
+inline constexpr double least_triangle = 1e-25;
 /// Two edges are parallel if the square of the sine between them is less: its direction is rounding.
 inline constexpr double parallel_sides =
     4096 * std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
@@ -83,7 +84,7 @@ struct FlatTriangle {
   CornerRows<Row> point, edge;  ///< an edge leads from its corner to the next
   Row squared;                  ///< of the edges' lengths
   Vec3<S> across, normal;       ///< across: as long as twice the area; normal: unit
-  decltype(S() < S()) regular;  ///< no sliver, and of such lengths
+  decltype(S() < S()) regular;  ///< no sliver, and of such a length
 
   explicit FlatTriangle(const CornerRows<Row>& points)
       : point(points), edge(CornerRows<Row>{following(points.x), following(points.y), following(points.z)} - points) {
@@ -93,8 +94,7 @@ struct FlatTriangle {
     squared = length_squared(edge);
     across = cross(corner_of(edge, 0), corner_of(edge, 1));
     const S longest = greatest_of(squared), area = length_squared(across);
-    regular = (area > longest * longest * S(thin)) & (longest > S(T(least_triangle * least_triangle))) &
-              (longest < S(T(largest_triangle * largest_triangle)));
+    regular = (area > longest * longest * S(thin)) & (longest > S(T(least_triangle * least_triangle)));
     normal = across * (S(1) / sqrt(greatest(area, S(std::numeric_limits<T>::min()))));
   }
   /// One over the squares.

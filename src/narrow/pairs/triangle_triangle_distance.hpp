@@ -13,6 +13,7 @@
 
 #include "graze/query.hpp"
 #include "narrow/pairs/triangle_triangle_axes.hpp"
+#include "narrow/power_of_two.hpp"
 
 namespace graze {
 
@@ -268,7 +269,7 @@ TwoTriangles<Row> two_triangles(const PlacedTriangle<S>& a, const PlacedTriangle
                          {}};
   const S largest = greatest(pair.size_a, pair.size_b) + max_abs(between);
   pair.noise = S(box_rounding<T>) * largest;
-  pair.regular = pair.a.regular & pair.b.regular & (largest < S(T(largest_triangle)));
+  pair.regular = pair.a.regular & pair.b.regular;
   return pair;
 }
 
@@ -297,9 +298,44 @@ TriangleDistance<S> triangle_distance(const TwoTriangles<Row>& pair, const S& ra
   found.at.b = middle + core.normal * (half - radius_b);
   return found;
 }
+
+/// Two triangles in a unit of their own, a power of two about as large as they and their distance: products of ten lengths
+/// stay within range, and answers are the same for any size of the world.
+template <class S>
+struct TrianglesInUnits {
+  S unit;
+  PlacedTriangle<S> a, b;
+
+  TrianglesInUnits(const PlacedTriangle<S>& of_a, const PlacedTriangle<S>& of_b) : a(of_a), b(of_b) {
+    const auto extent = [](const PlacedTriangle<S>& t) {
+      const Vec3<S>* const p = t.core.point;
+      return greatest(t.radius, greatest(max_abs(p[0]), greatest(max_abs(p[1]), max_abs(p[2]))));
+    };
+    const S below =
+        power_of_two_below(greatest(max_abs(b.pose.translation - a.pose.translation), greatest(extent(a), extent(b))));
+    unit = select(below > S(0), below, S(1));
+    const S per = S(1) / unit;
+    for (PlacedTriangle<S>* const t : {&a, &b}) {
+      for (Vec3<S>& point : t->core.point) point = point * per;
+      t->radius = t->radius * per;
+      t->pose.translation = t->pose.translation * per;
+    }
+  }
+
+  /// What was found, in the caller's unit.
+  TriangleDistance<S> restored(TriangleDistance<S> found) const {
+    found.at.distance = found.at.distance * unit;
+    found.at.a = found.at.a * unit;
+    found.at.b = found.at.b * unit;
+    return found;
+  }
+};
+
 template <class Row, class S>
-TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough) {
-  return triangle_distance(two_triangles<Row>(a, b), a.radius, b.radius, a.pose.translation, enough);
+TriangleDistance<S> triangle_distance(const PlacedTriangle<S>& of_a, const PlacedTriangle<S>& of_b, const S& enough) {
+  const TrianglesInUnits<S> in(of_a, of_b);
+  return in.restored(triangle_distance(two_triangles<Row>(in.a, in.b), in.a.radius, in.b.radius, in.a.pose.translation,
+                                       enough / in.unit));
 }
 
 /// What the contacts of a pair are found by: the best of the axes of faces, a triangle's normal or what leads across an
@@ -333,17 +369,21 @@ auto best_face_axis(const FlatTriangle<Row>& face, const To& to) {
 
 /// The distance of a single pair and, where `axes` are asked for and it is proven to be no more than `enough`, those.
 template <class Row, class S>
-TriangleDistance<S> meet_triangles(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough,
+TriangleDistance<S> meet_triangles(const PlacedTriangle<S>& of_a, const PlacedTriangle<S>& of_b, const S& enough,
                                    TriangleAxes<S>* axes) {
-  const TwoTriangles<Row> p = two_triangles<Row>(a, b);
-  const TriangleDistance<S> found = triangle_distance(p, a.radius, b.radius, a.pose.translation, enough);
+  const TrianglesInUnits<S> in(of_a, of_b);
+  const TwoTriangles<Row> p = two_triangles<Row>(in.a, in.b);
+  const TriangleDistance<S> found =
+      in.restored(triangle_distance(p, in.a.radius, in.b.radius, in.a.pose.translation, enough / in.unit));
   if (!axes || !found.proven || found.at.distance > enough) return found;
   const TriangleAxis<S> face_a = detail::best_face_axis(p.a, [&](int i) { return p.to_b(i); }),
                         face_b = detail::best_face_axis(p.b, [&](int j) { return p.to_a(j); });
   axes->face = face_b.separation > face_a.separation ? TriangleAxis<S>{face_b.separation, -face_b.normal} : face_a;
   axes->edge = best_edge_axis(p).axis;
-  axes->smaller = least(p.size_a, p.size_b);
-  axes->noise = p.noise;
+  axes->face.separation = axes->face.separation * in.unit;
+  axes->edge.separation = axes->edge.separation * in.unit;
+  axes->smaller = least(p.size_a, p.size_b) * in.unit;
+  axes->noise = p.noise * in.unit;
   return found;
 }
 
