@@ -72,7 +72,7 @@ class Routes {
     for (std::uint8_t& queue : queues_) queue = queue_of(Route::none, false);
     for (std::size_t i = 0; i < route_count; ++i) {
       const auto route = static_cast<Route>(i);
-      with_kinds<T>(route, [this, route]<class A, class B>() { add<A, B>(route); });
+      with_kinds<T>(route, [this, route]<class A, class B>() { this->template add<A, B>(route); });
     }
   }
   constexpr std::uint8_t operator()(std::size_t kind_a, std::size_t kind_b) const {
