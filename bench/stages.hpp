@@ -47,11 +47,7 @@ class Stages {
     });
     timed([&] { bin_pairs<T>(allowed_, bodies_.shapes(), bins_); });
     timed([&] { manifolds_.find(bodies_, allowed_, executor_); });
-    timed([&] {
-      tracker_.update<T>(
-          manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
-          [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
-    });
+    timed([&] { tracker_.update<T>(bodies_, manifolds_.contacts().pairs); });
     bodies_.settle();
     return times;
   }
@@ -67,7 +63,6 @@ class Stages {
   Bins bins_;
   ManifoldFinder<T> manifolds_;
   EventTracker tracker_;
-  std::vector<ContactEvent> events_;
 };
 
 }  // namespace graze::bench

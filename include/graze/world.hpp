@@ -60,7 +60,7 @@ class World {
   /// What the last update found. Solvers write the points' impulses.
   ContactArrays<T>& contacts() { return manifolds_.contacts(); }
   const ContactArrays<T>& contacts() const { return manifolds_.contacts(); }
-  std::span<const ContactEvent> events() const { return events_; }
+  std::span<const ContactEvent> events() const { return tracker_.events(); }
   /// What fast bodies would meet in the duration of the last update, in the order of time.
   std::span<const Impact<T>> impacts() const { return impacts_; }
 
@@ -121,7 +121,6 @@ class World {
   std::vector<IdPair> allowed_;
   ManifoldFinder<T> manifolds_;
   EventTracker tracker_;
-  std::vector<ContactEvent> events_;
   std::vector<Impact<T>> impacts_;
 };
 

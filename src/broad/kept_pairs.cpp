@@ -180,10 +180,12 @@ void KeptPairs<T>::keep_side_by_side(std::span<const Aabb<T>> boxes, const std::
     kept_counts_[task] = keep(numbers(boxes), numbers(std::span<const IdPair>(list_)) + 2 * begin, end - begin, dropped,
                               numbers(std::span(kept_)) + 2 * begin);
   });
-  out.resize(std::accumulate(kept_counts_.begin(), kept_counts_.end(), std::size_t{0}));
-  auto to = out.begin();
-  for (std::size_t task = 0; task < kept_counts_.size(); ++task)
-    to = std::copy_n(kept_.begin() + static_cast<std::ptrdiff_t>(task * pairs_per_task), kept_counts_[task], to);
+  kept_places_.resize(kept_counts_.size());
+  std::exclusive_scan(kept_counts_.begin(), kept_counts_.end(), kept_places_.begin(), std::size_t{0});
+  out.resize(kept_counts_.empty() ? 0 : kept_places_.back() + kept_counts_.back());
+  executor.run(kept_counts_.size(), [&](std::size_t task) {
+    std::copy_n(kept_.data() + task * pairs_per_task, kept_counts_[task], out.data() + kept_places_[task]);
+  });
 }
 
 /// Puts what was found where it belongs among the sorted pairs of `out`.
@@ -285,7 +287,7 @@ std::size_t KeptPairs<T>::memory() const {
   return all_.memory() + left_sweep_.memory() + found_.memory() + order_.memory() + wide_.memory() +
          (rooms_.capacity() + samples_.capacity()) * sizeof(Aabb<T>) +
          (list_.capacity() + of_left_.capacity() + inner_.capacity() + kept_.capacity()) * sizeof(IdPair) +
-         kept_counts_.capacity() * sizeof(std::size_t) + lengths_.capacity() * sizeof(T) +
+         (kept_counts_.capacity() + kept_places_.capacity()) * sizeof(std::size_t) + lengths_.capacity() * sizeof(T) +
          (left_.capacity() + apart_.capacity()) * sizeof(std::uint32_t) + has_left_.capacity() * sizeof(std::uint64_t);
 }
 

@@ -78,8 +78,8 @@ class KeptPairs {
   FoundPairs found_;
   PairOrder order_;
   std::vector<IdPair> of_left_;
-  std::vector<IdPair> kept_;              ///< by several threads, with gaps
-  std::vector<std::size_t> kept_counts_;  ///< of each task
+  std::vector<IdPair> kept_;                            ///< by several threads, with gaps
+  std::vector<std::size_t> kept_counts_, kept_places_;  ///< of each task
 };
 
 }  // namespace graze

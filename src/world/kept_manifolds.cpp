@@ -9,17 +9,15 @@ namespace graze {
 
 namespace {
 
-/// What is copied takes a tenth of the time that it took to find.
-constexpr std::size_t blocks_per_task = 8;
-
 /// Points up to which to look at all of them costs less than to sort them: all that two convex shapes have.
 constexpr std::size_t few_points = 16;
 
 }  // namespace
 
-/// Finds what is known of each pair from the last call: both lists are sorted.
+/// Finds what is known of each pair from the last call: both lists are sorted. Returns whether they differ.
 template <class T>
-void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
+bool ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
+  if (std::ranges::equal(pairs, pairs_)) return false;
   last_pairs_.swap(pairs_);
   last_contact_.swap(contact_);
   pairs_.assign(pairs.begin(), pairs.end());
@@ -37,6 +35,7 @@ void ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
     if (keeps_axes_) axes_[i] = same ? last_axes_[known] : Vec3<T>{};
     known += same;
   }
+  return true;
 }
 
 /// Whether a pair with a fixed body came or went though neither body changed: by its filters then. What the other one
@@ -81,40 +80,21 @@ void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
   });
 }
 
-/// One thread finds all manifolds one behind the other, where they stay; what several find is joined in the same order.
-template <class T>
-void ManifoldFinder<T>::begin_blocks(std::size_t blocks, bool alone) {
-  if (found_.size() < blocks) found_.resize(blocks);
-  if (alone) {
-    found_[0].manifolds.swap(now_.manifolds);
-    found_[0].points.swap(now_.points);
-  }
-  for (std::size_t i = 0; i < blocks; ++i) {
-    found_[i].manifolds.clear();
-    found_[i].points.clear();
-    found_[i].contacts = 0;
-  }
-}
-
 /// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
 template <class T>
-void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, std::uint32_t block) {
+void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, Task& task) {
   const std::uint32_t contact = contact_[place];
-  if (contact == apart) {
-    results_[place] = {};
-    return;
-  }
-  ++found_[block].contacts;
+  if (contact == apart) return;
   const ContactPair<T>& last = last_.pairs[contact];
   if (last.manifold_count != 0) {
     if (last.first_manifold != run.end) {
-      copy_last(run, block);
+      copy_last(run, task);
       run.begin = run.end = last.first_manifold;
     }
     run.end += last.manifold_count;
   }
-  const std::size_t first = found_[block].manifolds.size() + (run.end - run.begin) - last.manifold_count;
-  results_[place] = {block, static_cast<std::uint32_t>(first), last.manifold_count, last.overlap};
+  const std::size_t end = found_[task.found].manifolds.size() + (run.end - run.begin);
+  touch(place, task, end - last.manifold_count, last.manifold_count, last.overlap);
 }
 
 /// What a pair had after the last call; its points stand one behind the other.
@@ -173,68 +153,20 @@ void ManifoldFinder<T>::carry_many(std::uint32_t place, std::span<SolverPoint<T>
 
 /// Copies the manifolds of a run with their points, impulses included, which stand in the same order.
 template <class T>
-void ManifoldFinder<T>::copy_last(Run& run, std::uint32_t block) {
+void ManifoldFinder<T>::copy_last(Run& run, Task& task) {
   if (run.begin == run.end) return;
-  Found& found = found_[block];
+  Found& found = found_[task.found];
   const ContactManifold<T>&front = last_.manifolds[run.begin], &back = last_.manifolds[run.end - 1];
   const auto shift = static_cast<std::uint32_t>(found.points.size()) - front.first_point;  // modulo its range
   const auto points =
       std::span(last_.points).subspan(front.first_point, back.first_point + back.point_count - front.first_point);
-  found.points.insert(found.points.end(), points.begin(), points.end());
-  const std::size_t first = found.manifolds.size();
-  const auto manifolds = std::span(last_.manifolds).subspan(run.begin, run.end - run.begin);
-  found.manifolds.insert(found.manifolds.end(), manifolds.begin(), manifolds.end());
-  for (ContactManifold<T>& m : std::span(found.manifolds).subspan(first)) m.first_point += shift;
+  std::ranges::copy(points, found.points.extend(points.size()));
+  ContactManifold<T>* to = found.manifolds.extend(run.end - run.begin);
+  for (ContactManifold<T> m : std::span(last_.manifolds).subspan(run.begin, run.end - run.begin)) {
+    m.first_point += shift;
+    *to++ = m;
+  }
   run = {};
-}
-
-/// Lays what was found one behind the other, and the pairs in their order.
-template <class T>
-void ManifoldFinder<T>::gather(std::size_t blocks, bool alone, Executor& executor) {
-  std::uint32_t manifolds = 0, points = 0, contacts = 0;
-  for (std::size_t i = 0; i < blocks; ++i) {
-    Found& found = found_[i];
-    found.first_manifold = std::exchange(manifolds, manifolds + static_cast<std::uint32_t>(found.manifolds.size()));
-    found.first_point = std::exchange(points, points + static_cast<std::uint32_t>(found.points.size()));
-    contacts += found.contacts;
-  }
-  now_.pairs.resize(contacts);
-  if (alone) {
-    gather_pairs();
-    now_.manifolds.swap(found_[0].manifolds);
-    now_.points.swap(found_[0].points);
-    return;
-  }
-  now_.manifolds.resize(manifolds);
-  now_.points.resize(points);
-  // The pairs, which are the longest of these tasks, beside all others.
-  executor.run((blocks + blocks_per_task - 1) / blocks_per_task + 1, [&](std::size_t task) {
-    if (task == 0) return gather_pairs();
-    for (std::size_t i = (task - 1) * blocks_per_task; i < std::min(blocks, task * blocks_per_task); ++i) {
-      const Found& found = found_[i];
-      auto to = now_.manifolds.begin() + found.first_manifold;
-      for (ContactManifold<T> m : found.manifolds) {
-        m.first_point += found.first_point;
-        *to++ = m;
-      }
-      std::copy(found.points.begin(), found.points.end(), now_.points.begin() + found.first_point);
-    }
-  });
-}
-
-/// Each is written whether it touches or not, and written over by the next one: no branch would foresee which do.
-template <class T>
-void ManifoldFinder<T>::gather_pairs() {
-  const std::size_t count = now_.pairs.size();
-  std::uint32_t place = 0;
-  for (std::size_t i = 0; place < count; ++i) {
-    const Result& r = results_[i];
-    now_.pairs[place] = {pairs_[i].a, pairs_[i].b, r.overlap != 0, found_[r.block].first_manifold + r.first_manifold,
-                         r.manifold_count};
-    const std::uint32_t touches = r.touches();
-    contact_[i] = apart ^ ((apart ^ place) & (0 - touches));  // the place or `apart`, without a jump
-    place += touches;
-  }
 }
 
 template <class T>
@@ -243,9 +175,10 @@ std::size_t ManifoldFinder<T>::memory() const {
   std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) + bytes(around_) +
                     bytes(neighbours_) + bytes(last_changes_) + bytes(generations_) + bytes(found_) + bytes(pairs_) +
                     bytes(last_pairs_) + bytes(contact_) + bytes(last_contact_) + bytes(axes_) + bytes(last_axes_) +
-                    bytes(results_);
+                    bytes(tasks_) + bytes(touches_) + bytes(first_contacts_);
   for (const Found& found : found_)
-    sum += bytes(found.manifolds) + bytes(found.points) + bytes(found.composite) + bytes(found.sorted);
+    sum += found.manifolds.capacity() * sizeof(ContactManifold<T>) + found.points.capacity() * sizeof(SolverPoint<T>) +
+           bytes(found.composite) + bytes(found.sorted);
   for (const ContactArrays<T>* arrays : {&now_, &last_})
     sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
   return sum;

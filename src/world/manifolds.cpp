@@ -12,14 +12,11 @@
 #include "narrow/round_batch.hpp"
 #include "narrow/triangle_batch.hpp"
 #include "query/batch_routes.hpp"
+#include "world/shares.hpp"
 
 namespace graze {
 
 namespace {
-
-/// Pairs a task: some tens of microseconds of work, so that a thread that comes late to the last ones costs little, and
-/// as many as kernels take at a time.
-constexpr std::size_t pairs_per_task = most_chunk;
 
 /// Pairs ahead of the one that is looked at, of which the bodies are fetched: some hundred nanoseconds.
 constexpr std::size_t ahead = 16;
@@ -77,32 +74,52 @@ std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t ind
 }
 
 template <class T>
-bool ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor) {
-  const bool same_pairs = std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end());
-  if (same_pairs && bodies.unsorted_changes().empty()) return false;
+void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor,
+                             const std::function<void()>& paired) {
+  if (bodies.unsorted_changes().empty() && std::ranges::equal(pairs, pairs_)) return paired();
   SerialExecutor serial;
-  const bool alone = executor.concurrency() == 1;
+  Executor& some = pairs.size() < few_pairs ? serial : executor;
   // Three parts that know nothing of each other, the longest, which takes as long as the other two, first.
-  const auto prepare = [&](std::size_t part) {
+  bool same_pairs = false;
+  some.run(3, [&](std::size_t part) {
     if (part == 0) bin_pairs<T>(pairs, bodies.shapes(), bins_);
-    if (part == 1 && !same_pairs) remember(pairs);
+    if (part == 1) same_pairs = !remember(pairs);
     if (part == 2) look(bodies);
-  };
-  (pairs.size() < few_pairs ? serial : executor).run(3, prepare);
+  });
   keep_axes_where_of_use();
   std::swap(last_, now_);
   if (ground_ > 1) find_neighbours(bodies);
   ground_changed_ = ground_changed_ || (ground_ > 1 && !same_pairs && ground_pairs_differ());
+  find_on_threads(bodies, executor);
+  join_pairs(some);
+  join_tasks(some, paired);
+}
 
-  results_.resize(pairs_.size());
+/// The tasks of the first thread follow each other from the first one on: what it finds of them stands where it stays.
+/// All else is put there when everything is found, from wherever its thread had it.
+template <class T>
+void ManifoldFinder<T>::find_on_threads(const BodyArrays<T>& bodies, Executor& executor) {
+  static_assert(pairs_per_task <= most_chunk);
   const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
-  begin_blocks(alone ? 1 : tasks, alone);
-  for_each_chunk(alone ? serial : executor, pairs_.size(), pairs_per_task,
-                 [&](std::size_t begin, std::size_t end, std::size_t task) {
-                   find_some(bodies, begin, end, alone ? 0 : static_cast<std::uint32_t>(task));
-                 });
-  gather(alone ? 1 : tasks, alone, executor);
-  return true;
+  const std::size_t threads = std::clamp<std::size_t>(tasks, 1, executor.concurrency());
+  const std::size_t taken_by_first = threads;  // what the first thread takes of the others' tasks
+  if (found_.size() < threads + 1) found_.resize(threads + 1);
+  now_.manifolds.swap(found_[0].manifolds.room());
+  now_.points.swap(found_[0].points.room());
+  for (Found& found : found_) {
+    found.manifolds.clear();
+    found.points.clear();
+  }
+  tasks_.resize(tasks);
+  touches_.resize(tasks * pairs_per_task);
+  Shares shares(tasks, threads);
+  executor.run(threads, [&](std::size_t thread) {
+    std::size_t task = 0;
+    while (shares.take_own(thread, task)) run_task(bodies, task, thread);
+    while (shares.take_other(thread, task)) run_task(bodies, task, thread == 0 ? taken_by_first : thread);
+  });
+  now_.manifolds.swap(found_[0].manifolds.room());
+  now_.points.swap(found_[0].points.room());
 }
 
 /// Kernels do not look at an axis, and for pairs that have one it would be as much memory again as all else about them.
@@ -127,11 +144,22 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-/// The pairs in the places `begin` to `end` of the bins' order, kind by kind.
 template <class T>
-void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::size_t begin, std::size_t end,
-                                  std::uint32_t block) {
+void ManifoldFinder<T>::run_task(const BodyArrays<T>& bodies, std::size_t number, std::size_t found) {
+  const Refilled<ContactManifold<T>>& manifolds = found_[found].manifolds;
+  const Refilled<SolverPoint<T>>& points = found_[found].points;
+  Task task{.number = number, .found = found, .first_manifold = manifolds.size(), .first_point = points.size()};
+  find_some(bodies, task);
+  task.manifold_count = manifolds.size() - task.first_manifold;
+  task.point_count = points.size() - task.first_point;
+  tasks_[number] = task;
+}
+
+/// The pairs of a task, which follow each other in the bins' order, kind by kind.
+template <class T>
+void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, Task& task) {
   static constexpr Routes<T> routes;
+  const std::size_t begin = task.number * pairs_per_task, end = std::min(pairs_.size(), begin + pairs_per_task);
   Waiting<T> waiting;
   const auto ends_before = [](std::size_t place, const Bin& bin) { return place < bin.end; };
   auto bin = std::upper_bound(bins_.bins.begin(), bins_.bins.end(), begin, ends_before);
@@ -140,7 +168,7 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::size_t begin
     waiting.route = route_of(queue);
     waiting.turned = is_turned(queue);
     const std::size_t first = std::max<std::size_t>(begin, bin->begin), last = std::min<std::size_t>(end, bin->end);
-    find_of_a_kind(bodies, std::span(bins_.order).subspan(first, last - first), waiting, block);
+    find_of_a_kind(bodies, std::span(bins_.order).subspan(first, last - first), waiting, task);
   }
 }
 
@@ -148,7 +176,7 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, std::size_t begin
 /// so are those whose contacts what stands beside may change.
 template <class T>
 void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
-                                       Waiting<T>& waiting, std::uint32_t block) {
+                                       Waiting<T>& waiting, Task& task) {
   Run kept;
   const bool together = waiting.route != Route::none;
   const Pose<T>* const poses = bodies.poses().data();
@@ -160,12 +188,12 @@ void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<co
     const int either = a.traits | b.traits;
     if ((either & fresh) != 0) contact_[place] = unknown;
     if ((either & changed) == 0 && contact_[place] != unknown && !(ground_changed_ && (either & fixed) != 0)) {
-      keep_last(place, kept, block);
+      keep_last(place, kept, task);
       continue;
     }
     if (!together || !a.concrete || !b.concrete || (either & trigger) != 0) {
-      copy_last(kept, block);
-      find_one(bodies, place, block);
+      copy_last(kept, task);
+      find_one(bodies, place, task);
       continue;
     }
     const T margin = least(a.margin, b.margin);
@@ -174,8 +202,8 @@ void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<co
                                          ? PairRef<T>{b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}
                                          : PairRef<T>{a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin};
   }
-  copy_last(kept, block);
-  find_together(bodies, waiting, block);
+  copy_last(kept, task);
+  find_together(bodies, waiting, task);
 }
 
 /// Fetches what a pair asks of a body. Pairs are sorted by the first of their two, so the second is the one that may
@@ -187,17 +215,19 @@ void ManifoldFinder<T>::fetch(const BodyArrays<T>& bodies, std::uint32_t i) cons
   __builtin_prefetch(bodies.shapes().data() + i);
 }
 
-/// Of a pair that touches: where what is found of it from now on stands.
+/// Notes a pair that touches, whose manifolds stand one behind the other among what its thread found. What is known of
+/// it from the last call is forgotten.
 template <class T>
-typename ManifoldFinder<T>::Result& ManifoldFinder<T>::begin(std::uint32_t place, std::uint32_t block) {
-  Found& found = found_[block];
-  ++found.contacts;
-  return results_[place] = {block, static_cast<std::uint32_t>(found.manifolds.size()), 0, 0};
+void ManifoldFinder<T>::touch(std::uint32_t place, Task& task, std::size_t first_manifold, std::size_t manifolds,
+                              bool overlap) {
+  const auto number = static_cast<std::uint32_t>(task.number * pairs_per_task + task.contacts++);
+  touches_[number] = {static_cast<std::uint32_t>(first_manifold - task.first_manifold),
+                      static_cast<std::uint32_t>(manifolds), overlap};
+  contact_[place] = number;
 }
 
 template <class T>
 void ManifoldFinder<T>::keep_apart(std::uint32_t place) {
-  results_[place] = {};
   contact_[place] = apart;
 }
 
@@ -219,45 +249,45 @@ bool ManifoldFinder<T>::stays(const BodyArrays<T>& bodies, const IdPair& pair, c
 
 /// Notes the one manifold of a pair of convex bodies, whose points are the last ones that were found.
 template <class T>
-void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block, bool overlap,
+void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, Task& task, bool overlap,
                              const Vec3<T>& normal, std::size_t points) {
-  Found& found = found_[block];
+  Found& found = found_[task.found];
   const std::size_t first = found.points.size() - points;
-  if (!stays(bodies, pairs_[place], normal, std::span(found.points).subspan(first))) {
-    found.points.resize(first);
-    return find_composite(bodies, place, block);
+  const std::span<SolverPoint<T>> of_pair = found.points.filled().subspan(first);
+  if (!stays(bodies, pairs_[place], normal, of_pair)) {
+    found.points.shorten(first);
+    return find_composite(bodies, place, task);
   }
-  Result& result = begin(place, block);
-  result.manifold_count = 1;
-  result.overlap = overlap;
+  carry_one(place, of_pair);
+  touch(place, task, found.manifolds.size(), 1, overlap);
   found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points)});
-  carry_one(place, std::span(found.points).subspan(first));
 }
 
 /// Asks the kernel about the pairs that wait for it; then none do.
 template <class T>
-void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, std::uint32_t block) {
+void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task) {
   const PairRef<T>* const pairs = waiting.pairs;
   const std::uint32_t* const places = waiting.places;
   const std::size_t count = std::exchange(waiting.count, 0);
   if (count == 0) return;
   const auto none = [&](std::size_t i) { keep_apart(places[i]); };
-  const auto singly = [&](std::size_t i) { find_one(bodies, places[i], block); };
+  const auto singly = [&](std::size_t i) { find_one(bodies, places[i], task); };
+  Refilled<SolverPoint<T>>& to = found_[task.found].points;
   const auto many = [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& points) {
-    const std::size_t found = points.append(found_[block].points);
-    keep(bodies, places[i], block, distance <= T(0), normal, found);
+    const std::size_t found = points.append(to);
+    keep(bodies, places[i], task, distance <= T(0), normal, found);
   };
   const auto met = [&](const MetPairs<T>& some) {
     const ContactPoint<T>* from = some.points;
     for (std::size_t k = 0; k < some.count; ++k) {
       const std::uint32_t size = some.points_of(k);
-      for (const ContactPoint<T>* const end = from + size; from < end; ++from)
-        found_[block].points.push_back({waiting.turned ? mirrored(*from) : *from, {}});
+      SolverPoint<T>* p = to.extend(size);
+      for (const ContactPoint<T>* const end = from + size; from < end; ++from, ++p)
+        *p = {waiting.turned ? mirrored(*from) : *from, {}};
       const Vec3<T> normal = some.normal(k);
-      keep(bodies, places[some.place(k)], block, some.distance(k) <= T(0), waiting.turned ? -normal : normal, size);
+      keep(bodies, places[some.place(k)], task, some.distance(k) <= T(0), waiting.turned ? -normal : normal, size);
     }
-    const Found& found = found_[block];
-    fetch_for_writing(found.points.data() + found.points.size(), some.point_count);
+    fetch_for_writing(to.data() + to.size(), some.point_count);
   };
   if (waiting.route == Route::box_box) {
     visit_box_contacts(pairs, count, none, met, singly);
@@ -274,8 +304,8 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
   } else {
     const auto one = [&](std::size_t i, const PointContact<T>& found) {
       const PointContact<T> contact = waiting.turned ? mirrored(found) : found;
-      found_[block].points.push_back({contact.point, {}});
-      keep(bodies, places[i], block, contact.point.distance <= T(0), contact.normal, 1);
+      to.push_back({contact.point, {}});
+      keep(bodies, places[i], task, contact.point.distance <= T(0), contact.normal, 1);
     };
     with_round_kinds<T>(waiting.route, [&]<class A, class B>() {
       visit_round_contacts<A, B>(pairs, count, waiting.turned, none, one, many, singly);
@@ -291,7 +321,7 @@ T ManifoldFinder<T>::margin_of(const IdPair& pair) const {
 }
 
 template <class T>
-void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block) {
+void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t place, Task& task) {
   const IdPair pair = pairs_[place];
   const int either = seen_[pair.a].traits | seen_[pair.b].traits;
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
@@ -299,10 +329,9 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   if ((either & trigger) != 0) {
     const bool overlap = any_overlap<T>(a, pose_a, b, pose_b, nullptr);
     if (!overlap) return keep_apart(place);
-    begin(place, block).overlap = 1;
-    return;
+    return touch(place, task, found_[task.found].manifolds.size(), 0, true);
   }
-  if (!a.convex() || !b.convex()) return find_composite(bodies, place, block);
+  if (!a.convex() || !b.convex()) return find_composite(bodies, place, task);
   const T margin = margin_of(pair);
   Vec3<T>* const axis = keeps_axes_ ? &axes_[place] : nullptr;
   if (axis && *axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, *axis, margin)) return keep_apart(place);
@@ -312,33 +341,31 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   if (axis) *axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
   if (none && !overlap) return keep_apart(place);
   if (none) {
-    begin(place, block).overlap = 1;
-    return;
+    return touch(place, task, found_[task.found].manifolds.size(), 0, true);
   }
-  for (const ContactPoint<T>& p : manifold.points) found_[block].points.push_back({p, {}});
-  keep(bodies, place, block, overlap, manifold.normal, manifold.points.size());
+  for (const ContactPoint<T>& p : manifold.points) found_[task.found].points.push_back({p, {}});
+  keep(bodies, place, task, overlap, manifold.normal, manifold.points.size());
 }
 
 /// What consists of pieces, or meets several bodies that stand still as if they were one.
 template <class T>
-void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block) {
+void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_t place, Task& task) {
   const IdPair pair = pairs_[place];
-  Found& found = found_[block];
+  Found& found = found_[task.found];
   const std::size_t first_point = found.points.size();
   found.composite.clear();
   const T distance = any_contacts<T>(bodies.shapes()[pair.a], bodies.poses()[pair.a], bodies.shapes()[pair.b],
                                      bodies.poses()[pair.b], margin_of(pair), found.composite, nullptr, beside(pair));
   const bool overlap = distance <= T(0);
   if (!overlap && found.composite.empty()) return keep_apart(place);
-  Result& result = begin(place, block);
-  result.overlap = overlap;
+  const std::size_t first_manifold = found.manifolds.size();
   for (const Manifold<T>& m : found.composite) {
     found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
                                static_cast<std::uint32_t>(m.points.size())});
     for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
   }
-  result.manifold_count = static_cast<std::uint32_t>(found.composite.size());
-  carry_many(place, std::span(found.points).subspan(first_point), found.sorted);
+  carry_many(place, found.points.filled().subspan(first_point), found.sorted);
+  touch(place, task, first_manifold, found.composite.size(), overlap);
 }
 
 template class ManifoldFinder<float>;

@@ -10,11 +10,10 @@ void World<T>::update(T duration) {
   const std::span<const std::uint32_t> changes = bodies_.changes();
   boxes_.resize(bodies_.size());
   find_bounds<T>(bodies_.shapes(), bodies_.poses(), bodies_.margins(), changes, boxes_, *executor_);
-  manifolds_.find(bodies_, filter(candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes, *executor_)),
-                  *executor_);
-  tracker_.update<T>(
-      manifolds_.contacts().pairs, [&](std::uint32_t i) { return bodies_.id(i); },
-      [&](std::uint32_t i) { return bodies_.triggers()[i] != 0; }, events_);
+  const std::span<const IdPair> candidates =
+      candidates_.find(boxes_, bodies_.alive(), bodies_.fixed(), changes, *executor_);
+  manifolds_.find(bodies_, filter(candidates), *executor_,
+                  [&] { tracker_.update<T>(bodies_, manifolds_.contacts().pairs); });
   bodies_.settle();
   tree_revision_ = no_revision;  // what was found without the tree is not in it yet
   impacts_.clear();
@@ -46,8 +45,7 @@ std::span<const IdPair> World<T>::filter(std::span<const IdPair> candidates) {
 template <class T>
 std::size_t World<T>::memory() const {
   return bodies_.memory() + boxes_.capacity() * sizeof(Aabb<T>) + candidates_.memory() +
-         allowed_.capacity() * sizeof(IdPair) + manifolds_.memory() + tracker_.memory() +
-         events_.capacity() * sizeof(ContactEvent);
+         allowed_.capacity() * sizeof(IdPair) + manifolds_.memory() + tracker_.memory();
 }
 
 template class World<float>;

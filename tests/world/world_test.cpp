@@ -5,35 +5,19 @@
 
 #include <map>
 #include <set>
-#include <thread>
 
 #include "graze/query.hpp"
+#include "world/executors.hpp"
 #include "world/scenario.hpp"
 
 namespace graze {
 namespace {
 
+using testing::BusyExecutor;
 using testing::Random;
 using testing::Scenario;
 using testing::Snapshot;
-
-/// Cuts the tasks among threads of its own, the last task first.
-class ThreadExecutor final : public Executor {
- public:
-  explicit ThreadExecutor(std::size_t threads) : threads_(threads) {}
-  std::size_t concurrency() const override { return threads_; }
-  void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
-    std::vector<std::thread> threads;
-    for (std::size_t t = 0; t < threads_; ++t)
-      threads.emplace_back([&, t] {
-        for (std::size_t i = t; i < count; i += threads_) task(count - 1 - i);
-      });
-    for (std::thread& thread : threads) thread.join();
-  }
-
- private:
-  std::size_t threads_;
-};
+using testing::ThreadExecutor;
 
 template <class T>
 class WorldOf : public ::testing::Test {};
@@ -93,23 +77,30 @@ TYPED_TEST(WorldOf, AnswersAsEveryPairAskedByItself) {
   EXPECT_GT(touched, 100u);
 }
 
-TYPED_TEST(WorldOf, GivesTheSameBitsOnAnyNumberOfThreads) {
-  using T = TypeParam;
-  std::vector<Snapshot<T>> expected;
-  for (const std::size_t threads : {0, 1, 2, 3, 8}) {
-    ThreadExecutor executor(std::max<std::size_t>(threads, 1));
-    Scenario<T> scenario(2, 300, threads == 0 ? nullptr : &executor);
-    for (std::size_t frame = 0; frame < 6; ++frame) {
-      scenario.step(frame % 2 == 0);
-      for (SolverPoint<T>& p : scenario.world().contacts().points) p.impulse += p.a;
-      const auto now = Snapshot<T>::of(scenario.world());
-      if (threads == 0)
-        expected.push_back(now);
-      else
-        EXPECT_EQ(now, expected[frame]) << threads << " threads, frame " << frame;
-    }
+/// A scenario on an executor, or without one, whose points are pushed in every frame.
+template <class T>
+std::vector<Snapshot<T>> frames_on(Executor* executor) {
+  Scenario<T> scenario(2, 520, executor);  // thousands of pairs: every stage goes to the threads
+  std::vector<Snapshot<T>> frames;
+  for (std::size_t frame = 0; frame < 6; ++frame) {
+    scenario.step(frame % 2 == 0);
+    for (SolverPoint<T>& p : scenario.world().contacts().points) p.impulse += p.a;
+    frames.push_back(Snapshot<T>::of(scenario.world()));
   }
+  return frames;
+}
+
+TYPED_TEST(WorldOf, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const auto expected = frames_on<TypeParam>(nullptr);
   EXPECT_GT(expected.back().points.size(), 100u);
+  for (const std::size_t threads : {1, 2, 3, 8}) {
+    ThreadExecutor executor(threads);
+    EXPECT_EQ(frames_on<TypeParam>(&executor), expected) << threads << " threads";
+  }
+  for (const bool last_first : {false, true}) {
+    BusyExecutor executor(last_first);
+    EXPECT_EQ(frames_on<TypeParam>(&executor), expected) << last_first;
+  }
 }
 
 /// Two bodies by their handles.
@@ -386,54 +377,6 @@ TEST(World, ABodyDoesNotInheritTheImpulsesOfTheOneBefore) {
   world.update();
   ASSERT_FALSE(world.contacts().points.empty());
   for (const auto& p : world.contacts().points) EXPECT_EQ(p.impulse, Vec3d{});
-}
-
-/// Bullets through thin walls, past each other and at each other, against casting every pair.
-TYPED_TEST(WorldOf, FastBodiesAreToldWhatTheyWouldPassThrough) {
-  using T = TypeParam;
-  Random random(8);
-  std::size_t met = 0;
-  for (const std::size_t threads : {1, 3}) {
-    ThreadExecutor executor(threads);
-    World<T> world({}, &executor);
-    for (int i = 0; i < 60; ++i) {
-      Body<T> body = testing::random_body<T>(random, 3);
-      const bool turns = random() % 2 == 0;
-      if (body.shape.template as<HalfSpace<T>>()) continue;
-      body.fast = i % 3 == 0 && !body.fixed;
-      if (!body.fixed) body.linear = cast<T>(testing::random_vector(random, body.fast ? 40.0f : 2.0f));
-      if (!body.fixed && turns) body.angular = cast<T>(testing::random_vector(random, 2));
-      world.add(body);
-    }
-    const T duration(0.25);
-    world.update(duration);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, T> found;
-    T last(0);
-    for (const Impact<T>& impact : world.impacts()) {
-      EXPECT_GE(impact.hit.t, last);
-      last = impact.hit.t;
-      EXPECT_TRUE(found.emplace(std::pair(impact.a.index, impact.b.index), impact.hit.t).second);
-    }
-    std::size_t expected = 0;
-    const auto& bodies = world.bodies();
-    for (std::uint32_t i = 0; i < bodies.size(); ++i)
-      for (std::uint32_t j = i + 1; j < bodies.size(); ++j) {
-        if ((bodies.fast()[i] == 0 && bodies.fast()[j] == 0)) continue;
-        if (!may_collide(bodies.filters()[i], bodies.filters()[j])) continue;
-        const Body<T> a = bodies.body(bodies.id(i)), b = bodies.body(bodies.id(j));
-        const auto hit = graze::cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular},
-                                        duration, CastOptions{Separating::ignored});
-        expected += hit.has_value();
-        const auto at = found.find({i, j});
-        ASSERT_EQ(hit.has_value(), at != found.end()) << i << ' ' << j;
-        EXPECT_TRUE(!hit || hit->t == at->second);
-      }
-    EXPECT_EQ(found.size(), expected);
-    met += expected;
-    world.update();
-    EXPECT_TRUE(world.impacts().empty());
-  }
-  EXPECT_GT(met, 20u);
 }
 
 }  // namespace

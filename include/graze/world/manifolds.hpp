@@ -8,6 +8,7 @@
 // balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at a time.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "graze/executor.hpp"
 #include "graze/world/bins.hpp"
 #include "graze/world/bodies.hpp"
+#include "graze/world/refilled.hpp"
 
 namespace graze {
 
@@ -64,9 +66,12 @@ template <class T>
 class ManifoldFinder {
  public:
   /// The contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is only
-  /// asked whether it overlaps, and has no manifolds. Returns whether anything may be other than after the last call:
-  /// without a changed body and with the same pairs nothing is, and nothing is done.
-  bool find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor);
+  /// asked whether it overlaps, and has no manifolds. Where no body changed and the pairs are the same, nothing is done.
+  /// Calls `paired` once, from any thread, when those in contact stand in `contacts().pairs`; their manifolds and points
+  /// may still be put together while it runs.
+  void find(
+      const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor,
+      const std::function<void()>& paired = [] {});
 
   ContactArrays<T>& contacts() { return now_; }
   const ContactArrays<T>& contacts() const { return now_; }
@@ -76,21 +81,27 @@ class ManifoldFinder {
  private:
   /// What a candidate pair was after the last call, if not one of those in contact.
   static constexpr std::uint32_t unknown = ~std::uint32_t{0}, apart = unknown - 1;
-  /// What one or more tasks find, one behind the other.
-  struct Found {
-    std::vector<ContactManifold<T>> manifolds;
-    std::vector<SolverPoint<T>> points;
-    std::uint32_t contacts = 0;                         ///< pairs that touch
-    std::uint32_t first_manifold = 0, first_point = 0;  ///< of all, once everything is found
+  /// So many that a thread which comes late to the last task costs little, and as many as kernels take at a time.
+  static constexpr std::size_t pairs_per_task = 256;
+  /// What one thread finds, one behind the other, on lines that no other thread writes.
+  struct alignas(64) Found {
+    Refilled<ContactManifold<T>> manifolds;
+    Refilled<SolverPoint<T>> points;
     // Kept for their storage.
     Manifolds<T> composite;
     std::vector<SolverPoint<T>> sorted;
   };
-  /// Where a pair's result stands: as `ContactPair`, but within what was found with it.
-  struct Result {
-    std::uint32_t block, first_manifold, manifold_count, overlap;
-
-    bool touches() const { return (manifold_count | overlap) != 0; }
+  /// A task's pairs and where what is found of them stands: among what its thread found, and in the end.
+  struct Task {
+    std::size_t number = 0, found = 0;
+    std::size_t first_manifold = 0, manifold_count = 0, first_point = 0, point_count = 0;
+    std::size_t contacts = 0;  ///< pairs that touch
+    std::size_t to_manifold = 0, to_point = 0;
+  };
+  /// A pair that touches, as `ContactPair`, but its manifolds are counted within the task.
+  struct Touch {
+    std::uint32_t first_manifold, manifold_count;
+    bool overlap;
   };
   /// Manifolds of the last call, one behind the other, that are to be copied.
   struct Run {
@@ -111,31 +122,34 @@ class ManifoldFinder {
 
   void look(const BodyArrays<T>& bodies);
   void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
-  void remember(std::span<const IdPair> pairs);
+  bool remember(std::span<const IdPair> pairs);
   void keep_axes_where_of_use();
   void find_neighbours(const BodyArrays<T>& bodies);
   bool ground_pairs_differ() const;
   std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
   Surroundings<T> beside(const IdPair& pair) const;
-  void find_some(const BodyArrays<T>& bodies, std::size_t begin, std::size_t end, std::uint32_t block);
+  void find_some(const BodyArrays<T>& bodies, Task& task);
   void find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, Waiting<T>& waiting,
-                      std::uint32_t block);
-  void find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, std::uint32_t block);
-  void find_one(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
-  void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block);
+                      Task& task);
+  void find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task);
+  void find_one(const BodyArrays<T>& bodies, std::uint32_t place, Task& task);
+  void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, Task& task);
   bool stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,
              std::span<const SolverPoint<T>> points) const;
-  void keep_last(std::uint32_t place, Run& run, std::uint32_t block);
-  void copy_last(Run& run, std::uint32_t block);
+  void keep_last(std::uint32_t place, Run& run, Task& task);
+  void copy_last(Run& run, Task& task);
   void keep_apart(std::uint32_t place);
   void fetch(const BodyArrays<T>& bodies, std::uint32_t index) const;
-  Result& begin(std::uint32_t place, std::uint32_t block);
+  void touch(std::uint32_t place, Task& task, std::size_t first_manifold, std::size_t manifolds, bool overlap);
   T margin_of(const IdPair& pair) const;
-  void keep(const BodyArrays<T>& bodies, std::uint32_t place, std::uint32_t block, bool overlap, const Vec3<T>& normal,
+  void keep(const BodyArrays<T>& bodies, std::uint32_t place, Task& task, bool overlap, const Vec3<T>& normal,
             std::size_t points);
-  void begin_blocks(std::size_t blocks, bool alone);
-  void gather_pairs();
-  void gather(std::size_t blocks, bool alone, Executor& executor);
+  void find_on_threads(const BodyArrays<T>& bodies, Executor& executor);
+  void run_task(const BodyArrays<T>& bodies, std::size_t number, std::size_t found);
+  void join_pairs(Executor& executor);
+  void join_pairs(std::size_t begin, std::size_t end, std::uint32_t place);
+  void join_tasks(Executor& executor, const std::function<void()>& paired);
+  void join_task(const Task& task);
   void carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const;
   void carry_many(std::uint32_t place, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
   std::span<const SolverPoint<T>> last_points(std::uint32_t place) const;
@@ -150,12 +164,15 @@ class ManifoldFinder {
   std::size_t ground_ = 0;       ///< how many bodies are fixed
   bool ground_changed_ = false;  ///< some of them did
   std::vector<IdPair> pairs_, last_pairs_;
-  std::vector<std::uint32_t> contact_, last_contact_;  ///< of each pair: its place among those in contact, or as above
+  /// Of each pair: its place among those in contact, or as above; once it was looked at and until all were, its touch.
+  std::vector<std::uint32_t> contact_, last_contact_;
   /// Of each pair, in the frame of a: along it they were apart; zero for none. Only where pairs without a kernel are.
   std::vector<Vec3<T>> axes_, last_axes_;
   bool keeps_axes_ = false;
   std::vector<Found> found_;
-  std::vector<Result> results_;
+  std::vector<Task> tasks_;
+  std::vector<Touch> touches_;                 ///< room for as many of each task as it has pairs
+  std::vector<std::uint32_t> first_contacts_;  ///< of each range of pairs
   ContactArrays<T> now_, last_;
 };
 

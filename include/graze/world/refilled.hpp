@@ -1,0 +1,42 @@
+// A list that is filled anew in every update.
+//
+// Guarantee: what is appended stands one behind the other. Room that was once made stays and is not cleared, so that an
+// update that finds about as much as the last one neither allocates nor writes anything twice.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace graze {
+
+template <class E>
+class Refilled {
+ public:
+  std::size_t size() const { return size_; }
+  E* data() { return room_.data(); }
+  std::span<E> filled() { return {room_.data(), size_}; }
+  std::span<const E> filled() const { return {room_.data(), size_}; }
+
+  void clear() { size_ = 0; }
+  /// Drops what stands from `size` on.
+  void shorten(std::size_t size) { size_ = size; }
+  /// Appends `count` elements that the caller has yet to write, and returns where the first of them stands.
+  E* extend(std::size_t count) {
+    // By a sixteenth at least: what is left of the room at the end of an update may have to be cleared in the next one.
+    if (room_.size() - size_ < count) room_.resize(size_ + count + size_ / 16 + 16);
+    E* const first = room_.data() + size_;
+    size_ += count;
+    return first;
+  }
+  void push_back(const E& element) { *extend(1) = element; }
+
+  /// Where it stands, to be changed for another: what is filled goes with it.
+  std::vector<E>& room() { return room_; }
+  std::size_t capacity() const { return room_.capacity(); }
+
+ private:
+  std::vector<E> room_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace graze

@@ -1,0 +1,91 @@
+// What threads found, put one behind the other.
+#include <algorithm>
+#include <utility>
+
+#include "graze/world/manifolds.hpp"
+#include "mid/composite.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Pairs a range, and tasks that are copied at a time: some microseconds of work each.
+constexpr std::size_t pairs_per_range = 4096, tasks_per_copy = 8;
+
+}  // namespace
+
+/// The pairs that touch, in their order.
+template <class T>
+void ManifoldFinder<T>::join_pairs(Executor& executor) {
+  std::size_t manifolds = 0, points = 0;
+  for (Task& task : tasks_) {
+    task.to_manifold = std::exchange(manifolds, manifolds + task.manifold_count);
+    task.to_point = std::exchange(points, points + task.point_count);
+  }
+  now_.manifolds.resize(manifolds);
+  now_.points.resize(points);
+
+  std::uint32_t contacts = 0;
+  first_contacts_.clear();
+  const auto touches = [](std::uint32_t contact) { return contact < apart; };
+  for (std::size_t first = 0; first < pairs_.size(); first += pairs_per_range) {
+    const auto some = std::span(contact_).subspan(first, std::min(pairs_.size() - first, pairs_per_range));
+    first_contacts_.push_back(contacts);
+    contacts += static_cast<std::uint32_t>(std::ranges::count_if(some, touches));
+  }
+  now_.pairs.resize(contacts);
+  for_each_chunk(executor, pairs_.size(), pairs_per_range, [&](std::size_t begin, std::size_t end, std::size_t range) {
+    join_pairs(begin, end, first_contacts_[range]);
+  });
+}
+
+/// Those from `begin` to `end`, of which the first that touches comes to stand at `place`.
+template <class T>
+void ManifoldFinder<T>::join_pairs(std::size_t begin, std::size_t end, std::uint32_t place) {
+  // No branch would foresee which touch: each is written down, and written over by the next one where it does not.
+  std::uint32_t touching[pairs_per_range];
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    touching[count] = static_cast<std::uint32_t>(i);
+    count += contact_[i] < apart ? 1 : 0;
+  }
+  for (const std::uint32_t i : std::span(touching).first(count)) {
+    const std::uint32_t number = std::exchange(contact_[i], place);
+    const Touch& touch = touches_[number];
+    const std::size_t first = tasks_[number / pairs_per_task].to_manifold + touch.first_manifold;
+    now_.pairs[place++] = {pairs_[i].a, pairs_[i].b, touch.overlap, static_cast<std::uint32_t>(first),
+                           touch.manifold_count};
+  }
+}
+
+/// The manifolds and points, task by task; and beside that what the caller does with the pairs, which takes longer than
+/// any of the copies and is begun first.
+template <class T>
+void ManifoldFinder<T>::join_tasks(Executor& executor, const std::function<void()>& paired) {
+  const bool in_place = std::ranges::all_of(tasks_, [](const Task& task) { return task.found == 0; });
+  if (in_place) return paired();
+  executor.run(1 + (tasks_.size() + tasks_per_copy - 1) / tasks_per_copy, [&](std::size_t i) {
+    if (i == 0) return paired();
+    const std::size_t begin = (i - 1) * tasks_per_copy, end = std::min(tasks_.size(), begin + tasks_per_copy);
+    for (const Task& task : std::span(tasks_).subspan(begin, end - begin))
+      if (task.found != 0) join_task(task);
+  });
+}
+
+template <class T>
+void ManifoldFinder<T>::join_task(const Task& task) {
+  const Found& found = found_[task.found];
+  const auto shift = static_cast<std::uint32_t>(task.to_point - task.first_point);  // modulo its range
+  ContactManifold<T>* to = now_.manifolds.data() + task.to_manifold;
+  for (ContactManifold<T> m : found.manifolds.filled().subspan(task.first_manifold, task.manifold_count)) {
+    m.first_point += shift;
+    *to++ = m;
+  }
+  std::ranges::copy(found.points.filled().subspan(task.first_point, task.point_count),
+                    now_.points.data() + task.to_point);
+}
+
+template class ManifoldFinder<float>;
+template class ManifoldFinder<double>;
+
+}  // namespace graze

@@ -1,0 +1,70 @@
+// What fast bodies are told they would meet, against casting every pair.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "graze/cast.hpp"
+#include "world/executors.hpp"
+#include "world/scenario.hpp"
+
+namespace graze {
+namespace {
+
+using testing::Random;
+using testing::ThreadExecutor;
+
+template <class T>
+class Impacts : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(Impacts, Scalars);
+
+/// Bullets through thin walls, past each other and at each other.
+TYPED_TEST(Impacts, FastBodiesAreToldWhatTheyWouldPassThrough) {
+  using T = TypeParam;
+  Random random(8);
+  std::size_t met = 0;
+  for (const std::size_t threads : {1, 3}) {
+    ThreadExecutor executor(threads);
+    World<T> world({}, &executor);
+    for (int i = 0; i < 60; ++i) {
+      Body<T> body = testing::random_body<T>(random, 3);
+      const bool turns = random() % 2 == 0;
+      if (body.shape.template as<HalfSpace<T>>()) continue;
+      body.fast = i % 3 == 0 && !body.fixed;
+      if (!body.fixed) body.linear = cast<T>(testing::random_vector(random, body.fast ? 40.0f : 2.0f));
+      if (!body.fixed && turns) body.angular = cast<T>(testing::random_vector(random, 2));
+      world.add(body);
+    }
+    const T duration(0.25);
+    world.update(duration);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, T> found;
+    T last(0);
+    for (const Impact<T>& impact : world.impacts()) {
+      EXPECT_GE(impact.hit.t, last);
+      last = impact.hit.t;
+      EXPECT_TRUE(found.emplace(std::pair(impact.a.index, impact.b.index), impact.hit.t).second);
+    }
+    std::size_t expected = 0;
+    const auto& bodies = world.bodies();
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+      for (std::uint32_t j = i + 1; j < bodies.size(); ++j) {
+        if ((bodies.fast()[i] == 0 && bodies.fast()[j] == 0)) continue;
+        if (!may_collide(bodies.filters()[i], bodies.filters()[j])) continue;
+        const Body<T> a = bodies.body(bodies.id(i)), b = bodies.body(bodies.id(j));
+        const auto hit = graze::cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular},
+                                        duration, CastOptions{Separating::ignored});
+        expected += hit.has_value();
+        const auto at = found.find({i, j});
+        ASSERT_EQ(hit.has_value(), at != found.end()) << i << ' ' << j;
+        EXPECT_TRUE(!hit || hit->t == at->second);
+      }
+    EXPECT_EQ(found.size(), expected);
+    met += expected;
+    world.update();
+    EXPECT_TRUE(world.impacts().empty());
+  }
+  EXPECT_GT(met, 20u);
+}
+
+}  // namespace
+}  // namespace graze
