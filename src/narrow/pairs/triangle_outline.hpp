@@ -31,6 +31,20 @@ Corner<S> select(const M& condition, const Corner<S>& yes, const Corner<S>& no) 
   return corner;
 }
 
+/// The ring of those in slots that are corners; `apart` tells of a place how far apart the two faces are there.
+template <class S, class Apart>
+Ring<S> ring_of(const Corner<S> (&slots)[most_box_points], const Apart& apart) {
+  typename Ring<S>::All x, y, how_far;
+  decltype(S() < S()) are[most_box_points];
+  for (std::size_t i = 0; i < most_box_points; ++i) {
+    x[i] = slots[i].at.x;
+    y[i] = slots[i].at.y;
+    how_far[i] = apart(slots[i].at);
+    are[i] = slots[i].is;
+  }
+  return {x, y, how_far, are};
+}
+
 /// A vertex of the triangle as seen along the normal.
 template <class S>
 struct FlatVertex {

@@ -1,0 +1,109 @@
+// What of a triangle meets another shape along a normal, seen across it: the triangle, an edge of it or a vertex;
+// across lanes.
+//
+// Guarantee: in every lane the bits that the pair gives alone.
+#pragma once
+
+#include "narrow/pairs/triangle_outline.hpp"
+#include "narrow/pairs/triangle_parts.hpp"
+
+namespace graze::detail {
+
+/// How a triangle is seen along a normal of contact.
+template <class S>
+struct TriangleView {
+  S facing;           ///< the cosine between its front and the way to the other shape
+  FlatPoint<S> rise;  ///< its heights rise with a place by so much over `facing`
+  Vec3<S> far;        ///< how far each vertex is from the other shape
+  Vec3<S> fall;       ///< the cosine between the normal and each edge, without its sign
+  S most_fall;        ///< an edge that falls off more shows only its upper end; squared if `fall` is
+};
+
+template <class S>
+struct TriangleFace {
+  using Mask = decltype(S() < S());
+
+  FlatVertex<S> vertex[3];  ///< the triangle, counter-clockwise; an edge is from the first to the second; or the first
+  FlatSide<S> side[3];
+  Mask whole, edge, front;
+  FlatPoint<S> slope;  ///< how the vertices' `apart` changes
+
+  TriangleFace() = default;
+  TriangleFace(const FlatVertex<S> (&seen)[3], const TriangleView<S>& view, const S& rounding)
+      : vertex{seen[0], seen[1], seen[2]} {
+    using std::abs;
+    using T = typename LaneOf<S>::type;
+    whole = abs(view.facing) >= S(T(furthest_lean));
+    front = view.facing > S(0);
+    edge = whole & (!whole);
+    if (any(whole)) put_sides_in_order();
+    if (!all(whole)) choose_edge(view);
+    for (std::size_t i = 0; i < 3; ++i) side[i] = {vertex[i].at, vertex[i == 2 ? 0 : i + 1].at, rounding};
+
+    const S per_facing = S(1) / select(whole, view.facing, S(1)), squared = side[0].length_squared(),
+            rise = (vertex[1].apart - vertex[0].apart) / select(squared > S(0), squared, S(1));
+    slope = {select(whole, view.rise.x * per_facing, side[0].along.x * rise),
+             select(whole, view.rise.y * per_facing, side[0].along.y * rise)};
+  }
+
+  S apart_at(const FlatPoint<S>& p) const {
+    return vertex[0].apart + (p.x - vertex[0].at.x) * slope.x + (p.y - vertex[0].at.y) * slope.y;
+  }
+  /// The square of the shortest side; infinite of a vertex.
+  S shortest_squared() const {
+    const S infinity(std::numeric_limits<typename LaneOf<S>::type>::infinity()),
+        first = side[0].length_squared(), others = least(side[1].length_squared(), side[2].length_squared());
+    return select(whole, least(first, others), select(edge, first, infinity));
+  }
+  /// What of the triangle a point on it lies on, within `near`, which is given squared.
+  S part(const FlatPoint<S>& p, const S& near_squared) const {
+    const auto edge_across = [&](std::size_t i) { return vertex[i].number + S(edge_part); };
+    const auto on_end = [&](std::size_t i) { return distance_squared(p, vertex[i].at) <= near_squared; };
+    const Mask first_end = (!edge) | on_end(0);
+    const S of_edge = select(first_end, vertex[0].number, select(on_end(1), vertex[1].number, edge_across(2)));
+    if (!any(whole)) return of_edge;
+    const auto on_side = [&](std::size_t i) {
+      const S inside = side[i].left_of(p);
+      return (inside <= S(0)) | (inside * inside <= near_squared * side[i].length_squared());
+    };
+    const Mask on0 = on_side(0), on1 = on_side(1), on2 = on_side(2);
+    const S face = select(front, S(front_part), S(back_part)),
+            beside_0 = select(on1, vertex[1].number, select(on2, vertex[0].number, edge_across(2))),
+            beside_1 = select(on2, vertex[2].number, edge_across(0));
+    const S of_triangle = select(on0, beside_0, select(on1, beside_1, select(on2, edge_across(1), face)));
+    return select(whole, of_triangle, of_edge);
+  }
+
+ private:
+  /// Counter-clockwise, and the side of the smallest angle first: the one in the first half turn that follows one in
+  /// the second.
+  void put_sides_in_order() {
+    const Mask clockwise = whole & (cross(vertex[0].at, vertex[1].at, vertex[2].at) < S(0));
+    const FlatVertex<S> b = vertex[1], c = vertex[2];
+    vertex[1] = select(clockwise, c, b);
+    vertex[2] = select(clockwise, b, c);
+    Mask second_half[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const FlatPoint<S>&from = vertex[i].at, &to = vertex[i == 2 ? 0 : i + 1].at;
+      second_half[i] = in_second_half(FlatPoint<S>{to.x - from.x, to.y - from.y});
+    }
+    begin_with(whole & second_half[0] & (!second_half[1]), whole & second_half[1] & (!second_half[2]), vertex);
+  }
+
+  /// Seen from the side, of the two edges at the vertex nearest to the other shape the one that falls off least; if
+  /// both fall off too much, the vertex.
+  void choose_edge(const TriangleView<S>& view) {
+    const Vec3<S>& far = view.far;
+    const Mask seen = !whole, top0 = (far.x <= far.y) & (far.x <= far.z), top1 = (!top0) & (far.y <= far.z),
+               top2 = !(top0 | top1);
+    const auto top = OneOfThree<S>::of(top0, top1);
+    const S after = top.pick(view.fall), before = top.pick(view.fall.z, view.fall.x, view.fall.y);
+    edge = seen & (least(after, before) <= view.most_fall);
+    const Mask ahead = (!edge) | (after < before), back = !ahead;
+    begin_with(seen & ((top1 & ahead) | (top2 & back)), seen & ((top2 & ahead) | (top0 & back)), vertex);
+    const Mask alone = seen & (!edge);
+    vertex[1] = select(alone, vertex[0], vertex[1]);
+  }
+};
+
+}  // namespace graze::detail
