@@ -42,6 +42,9 @@ inline constexpr double spared_area = 1.0 / 40;
 /// describes better what lies there. No corner of a box leans as far from all of its three faces.
 inline constexpr double furthest_lean = 0.5;
 
+/// Faces laid over each other meet the separation along their axis within this many roundings of a coordinate.
+inline constexpr double laid_slack = 64;
+
 /// Coordinates across the normal.
 template <class T>
 struct FlatPoint {

@@ -64,6 +64,9 @@ template <class S>
 struct TriangleDistance;
 template <class S>
 struct TriangleAxes;
+template <class T>
+struct FoundTriangles;  // pairs/triangle_triangle_manifold.hpp
+struct AnswerRounding;
 
 /// The points of contact of up to `block_pairs` pairs, those of a pair one behind the other, pair after pair. A number
 /// of a pair stands at the pair's place in each column. Of pairs that are not known there are no points.
@@ -172,11 +175,19 @@ GRAZE_DECLARE_KERNEL(
     /// The distances of triangles, in double.
     template <class T> std::uint32_t triangle_row_distances(const PairRows<T>& rows, std::size_t count, bool turned,
                                                             Distance<T>* distances, std::uint8_t* unknown);
-    /// Which pairs of triangles without a margin are known to be further apart than is asked of them: 1 or 0.
-    template <class T> void triangle_pairs_apart(const PairRef<T>* pairs, std::size_t count, std::uint8_t* apart);
-    /// One pair of triangles: see `meet_triangles`.
+    /// Of pairs of triangles without a margin how far they are apart, and the points of up to `block_pairs` of those
+    /// within their margins.
+    template <class T> void triangle_pair_distances(const PairRef<T>* pairs, std::size_t count,
+                                                    FoundTriangles<T>* found);
+    template <class T> void triangle_pair_points(const PairRef<T>* pairs, const FoundTriangles<T>* found,
+                                                 std::size_t count, PointBlock<T>& points);
+    /// The distance of one pair of triangles, or that it is more than `enough`.
     void triangle_pair(const PlacedTriangle<double>& a, const PlacedTriangle<double>& b, double enough,
-                       TriangleDistance<double>& found, TriangleAxes<double>* axes);)
+                       TriangleDistance<double>& found);
+    /// The same, and of those within the margin the axes and, of triangles that are not rounded, the points.
+    void triangle_pair_contact(const PlacedTriangle<double>& a, const PlacedTriangle<double>& b, double enough,
+                               double margin, const AnswerRounding& rounding, TriangleDistance<double>& found,
+                               TriangleAxes<double>& axes, BoxManifold<double>& points);)
 // clang-format on
 
 }  // namespace graze

@@ -25,9 +25,6 @@ std::optional<BoxPair<double>> as_boxes(const Shape<T>& a, const Shape<T>& b, co
 /// sides, an edge, along both a corner.
 PlacedFace box_face(const Vec3d& half, const Vec3d& direction);
 
-/// Faces laid over each other meet the separation along their axis within this many roundings of a coordinate.
-inline constexpr double laid_slack = 64;
-
 class PolyhedralPair {
  public:
   /// Two shapes that have separating axes.

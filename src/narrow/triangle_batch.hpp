@@ -1,20 +1,23 @@
-// Contacts of many pairs of triangles: which of them are apart, by the kernel for that.
+// Contacts of many pairs of triangles, by the kernels for them.
 //
-// Guarantee: of a pair that is told apart `convex_contacts` finds no contact.
+// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
 #pragma once
 
 #include "narrow/box_batch.hpp"
+#include "narrow/pairs/triangle_triangle_manifold.hpp"
 
 namespace graze {
 
-/// Asks about up to `most_chunk` pairs of triangles without a margin, in their order: `apart(i)` for those that are known
-/// to be further apart than their margins, `unknown(i)` for the others.
-template <class T, class Apart, class Unknown>
-void visit_triangle_pair_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart,
+/// Asks about up to `most_chunk` pairs of triangles without a margin, as `visit_contacts` does.
+template <class T, class Apart, class Met, class Unknown>
+void visit_triangle_pair_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
                                   const Unknown& unknown) {
-  std::uint8_t far[most_chunk];
-  GRAZE_KERNEL(chosen_isa(), triangle_pairs_apart<T>)(pairs, count, far);
-  for (std::size_t i = 0; i < count; ++i) far[i] != 0 ? apart(i) : unknown(i);
+  const Isa level = chosen_isa();
+  FoundTriangles<T> found[most_chunk];
+  GRAZE_KERNEL(level, triangle_pair_distances<T>)(pairs, count, found);
+  visit_contacts<T, FoundTriangles<T>>(
+      GRAZE_KERNEL(level, triangle_pair_points<T>), [&](std::size_t i) -> const PairRef<T>& { return pairs[i]; }, found,
+      count, apart, met, unknown);
 }
 
 }  // namespace graze

@@ -243,7 +243,7 @@ class Together {
   void triangle_pairs(const Queue<T>& queue) {
     visit_triangle_pair_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](std::size_t k) { single_(queue.places[k]); });
+        [&](const MetPairs<T>& met) { write(met, false, queue); }, [&](std::size_t k) { single_(queue.places[k]); });
   }
   void write(const MetPairs<T>& met, bool turned, const Queue<T>& queue) {
     writer_.write(met, turned, [&](std::size_t k) { return queue.places[met.place(k)]; });

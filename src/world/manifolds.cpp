@@ -294,7 +294,7 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
   } else if (waiting.route == Route::box_triangle) {
     visit_triangle_contacts(pairs, count, none, met, singly);
   } else if (waiting.route == Route::triangle_triangle) {
-    visit_triangle_pair_contacts(pairs, count, none, singly);
+    visit_triangle_pair_contacts(pairs, count, none, met, singly);
   } else if (is_rest(waiting.route)) {
     with_resting_kind<T>(waiting.route, [&]<class A>() {
       visit_rest_contacts<A>(

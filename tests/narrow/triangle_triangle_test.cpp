@@ -10,6 +10,7 @@
 
 #include "common/specimen.hpp"
 #include "graze/batch.hpp"
+#include "narrow/pairs/triangle_triangle_manifold.hpp"
 #include "reference/certificate.hpp"
 
 namespace graze::testing {
@@ -68,6 +69,14 @@ TrianglePair level_pair(Random& random) {
   p.turn_a = {};
   p.turn_b = {uniform(random, -tilt, tilt), 0, uniform(random, -tilt, tilt), 1};
   p.at_b.y = random() % 2 == 0 ? 0 : uniform(random, -1, 1) * std::pow(10.0f, uniform(random, -6, 0));
+  return p;
+}
+
+/// Stacked: about in parallel planes, over each other, hardly apart or hardly in each other.
+TrianglePair stacked_pair(Random& random) {
+  TrianglePair p = level_pair(random);
+  p.turn_b = {uniform(random, -0.003f, 0.003f), 0, uniform(random, -0.003f, 0.003f), 1};
+  p.at_b = {uniform(random, -0.3f, 0.3f), uniform(random, -0.02f, 0.01f), uniform(random, -0.3f, 0.3f)};
   return p;
 }
 
@@ -197,7 +206,7 @@ TEST(TriangleTriangle, GivesTheSameBitsInLanesAndAtEveryLevel) {
     for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
       TriangleDistance<double> of_level;
-      GRAZE_KERNEL(level, triangle_pair)(of_a, of_b, 1e9, of_level, nullptr);
+      GRAZE_KERNEL(level, triangle_pair)(of_a, of_b, 1e9, of_level);
       ASSERT_TRUE(same_bits(in_rows.at, of_level.at));
       ASSERT_EQ(in_rows.proven, of_level.proven);
     }
@@ -220,7 +229,8 @@ bool alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double allowed) {
            length(cast<double>(p.a - q.a)) <= allowed && length(cast<double>(p.b - q.b)) <= allowed &&
            p.feature == q.feature;
   };
-  return std::equal(fast[0].points.begin(), fast[0].points.end(), slow[0].points.begin(), slow[0].points.end(), same);
+  return std::is_permutation(fast[0].points.begin(), fast[0].points.end(), slow[0].points.begin(), slow[0].points.end(),
+                             same);
 }
 
 /// Distances, overlaps and contacts of one pair agree with each other; contacts with those that an explanation is of,
@@ -254,8 +264,108 @@ TEST(TriangleTriangle, AgreesWithItselfAndInGeneral) {
   expect_agreement<double>(any_pair, 2000, 11, 1e-11, 0);
   expect_agreement<float>(any_pair, 2000, 12, 2e-6, 0);
   expect_agreement<double>(level_pair, 1000, 13, 1e-6, 20);
+  expect_agreement<double>(stacked_pair, 1000, 16, 1e-9, 20);
+  expect_agreement<float>(stacked_pair, 1000, 17, 1e-5, 20);
   expect_agreement<double>(neighbours, 1000, 14, 1e-9, 500);  // what share an edge touch along many axes
   expect_agreement<double>(pair_on_lattice, 1000, 15, 1e-9, 500);
+}
+
+/// The points that a level finds of a pair; of those that touch, how many it does not know.
+struct PointsAlone {
+  TriangleDistance<double> found;
+  TriangleAxes<double> axes;
+  BoxManifold<double> points;
+
+  PointsAlone(Isa level, const TrianglePair& p, double margin) {
+    points.filled = 0;
+    const auto a = placed_triangle(p.shape_a<double>(), 0.0, p.pose_a<double>()),
+               b = placed_triangle(p.shape_b<double>(), 0.0, p.pose_b<double>());
+    GRAZE_KERNEL(level, triangle_pair_contact)
+    (a, b, margin, margin, answer_rounding<double>(), found, axes, points);
+  }
+};
+
+int points_unknown(TrianglePair (*make)(Random&), int count, unsigned seed) {
+  Random random(seed);
+  int missing = 0, touching = 0;
+  for (int i = 0; i < count; ++i) {
+    const TrianglePair p = make(random);
+    const PointsAlone alone(Isa::baseline, p, 0.02);
+    const bool touches = alone.found.proven && alone.found.at.distance <= 0.02;
+    touching += touches;
+    missing += touches && alone.points.known == 0;
+    for (const Isa level : {Isa::avx2, Isa::avx512}) {
+      if (!isa_available(level)) continue;
+      const PointsAlone other(level, p, 0.02);
+      EXPECT_EQ(other.points.known, alone.points.known);
+      if (alone.points.known == 0) continue;
+      EXPECT_EQ(other.points.filled, alone.points.filled);
+      EXPECT_EQ(other.points.normal, alone.points.normal);
+      for (auto filled = static_cast<unsigned>(alone.points.filled); filled != 0; filled &= filled - 1) {
+        const BoxSlot<double> q = alone.points.slot(static_cast<std::size_t>(__builtin_ctz(filled))),
+                              r = other.points.slot(static_cast<std::size_t>(__builtin_ctz(filled)));
+        EXPECT_TRUE(q.a == r.a && q.b == r.b && q.distance == r.distance && q.part_a == r.part_a &&
+                    q.part_b == r.part_b);
+      }
+    }
+  }
+  EXPECT_GT(touching, count / 10);
+  return missing;
+}
+
+TEST(TriangleTriangle, FindsPointsItselfAtEveryLevel) {
+  EXPECT_LE(points_unknown(any_pair, 1000, 31), 3);
+  EXPECT_LE(points_unknown(stacked_pair, 1000, 32), 10);  // faces that miss what is nearest
+  EXPECT_LE(points_unknown(level_pair, 1000, 33), 20);
+  EXPECT_LE(points_unknown(neighbours, 500, 34), 30);  // edges that run along each other
+  EXPECT_LE(points_unknown(pair_on_lattice, 1000, 35), 5);
+}
+
+/// A batch's contacts are those of its pairs alone, to the bit and in their order.
+template <class T>
+void expect_batch_as_alone(TrianglePair (*make)(Random&), std::size_t count, unsigned seed, T margin) {
+  Random random(seed);
+  std::vector<Triangle<T>> a, b;
+  std::vector<Pose<T>> at_a, at_b;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TrianglePair p = make(random);
+    const T scale = i % 5 == 4 ? T(1e-3) : T(1);
+    a.push_back(p.shape_a<T>(scale)), at_a.push_back(p.pose_a<T>());
+    b.push_back(p.shape_b<T>(scale)), at_b.push_back(p.pose_b<T>(scale));
+  }
+  BatchContacts<T> found;
+  contacts(Batch<T>(Bodies<T>(std::span<const Triangle<T>>(a), std::span<const Pose<T>>(at_a)),
+                    Bodies<T>(std::span<const Triangle<T>>(b), std::span<const Pose<T>>(at_b))),
+           margin, found);
+  for (std::size_t i = 0; i < count; ++i) {
+    Manifolds<T> alone;
+    const bool overlap = contacts<T>(a[i], at_a[i], b[i], at_b[i], margin, alone);
+    const auto& pair = found.pairs[i];
+    ASSERT_EQ(pair.overlap, overlap) << i;
+    ASSERT_EQ(pair.manifold_count, alone.size()) << i;
+    if (alone.empty()) continue;
+    const auto& manifold = found.manifolds[pair.first_manifold];
+    ASSERT_EQ(manifold.normal, alone[0].normal) << i;
+    ASSERT_EQ(manifold.point_count, alone[0].points.size()) << i;
+    for (std::size_t k = 0; k < manifold.point_count; ++k) {
+      const ContactPoint<T>&p = found.points[manifold.first_point + k], &q = alone[0].points[k];
+      ASSERT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature &&
+                  p.weight == q.weight)
+          << i;
+    }
+  }
+}
+
+TEST(TriangleTriangle, GivesTheSameContactsInLanes) {
+  unsigned seed = 41;
+  for (const auto make : {any_pair, stacked_pair, level_pair, neighbours, pair_on_lattice, close_pair, unequal_pair}) {
+    for (const std::size_t count : {1, 3, 9, 21, 600}) {
+      expect_batch_as_alone<float>(make, count, ++seed, 0.02f);
+      expect_batch_as_alone<double>(make, count, ++seed, 0.02);
+    }
+    expect_batch_as_alone<float>(make, 300, ++seed, 0);
+    expect_batch_as_alone<double>(make, 300, ++seed, 0.5);
+  }
 }
 
 /// A pair swapped, moved, turned and rescaled is the same pair.

@@ -1,7 +1,10 @@
 #include "narrow/pairs/triangle_triangle.hpp"
 
+#include <bit>
+
 #include "narrow/general_contacts.hpp"
 #include "narrow/outline.hpp"
+#include "narrow/pairs/triangle_triangle_manifold.hpp"
 
 namespace graze {
 
@@ -39,22 +42,48 @@ PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
   return face;
 }
 
+/// Of two points of the same features the deeper one is kept.
+template <class Points>
+void take_points(const BoxManifold<double>& found, Points& points) {
+  using Point = std::remove_cvref_t<decltype(points[0])>;
+  using T = decltype(Point::distance);
+  for (auto filled = static_cast<unsigned>(found.filled); filled != 0; filled &= filled - 1) {
+    const BoxSlot<double> slot = found.slot(static_cast<std::size_t>(std::countr_zero(filled)));
+    const std::uint32_t feature = feature_id(triangle_features[static_cast<std::size_t>(slot.part_a)],
+                                             triangle_features[static_cast<std::size_t>(slot.part_b)]);
+    const Point point{cast<T>(slot.a), cast<T>(slot.b), static_cast<T>(slot.distance), feature};
+    std::size_t place = 0;
+    while (place < points.size() && points[place].feature != feature) ++place;
+    if (place == points.size())
+      points.push_back(point);
+    else if (point.distance < points[place].distance)
+      points[place] = point;
+  }
+}
+
 }  // namespace
 
 template <class T>
 T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                          Manifold<T>& manifold) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair);
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair_contact);
   const Triangle<T>&ta = *a.template as<Triangle<T>>(), &tb = *b.template as<Triangle<T>>();
   const PlacedTriangle<double> placed_a = placed_triangle(ta, a.margin(), pose_a),
                                placed_b = placed_triangle(tb, b.margin(), pose_b);
   TriangleDistance<double> found;
   TriangleAxes<double> axes;
-  kernel(placed_a, placed_b, before_rounding<T>(static_cast<double>(margin)), found, &axes);
+  BoxManifold<double> points;
+  const auto up_to = static_cast<double>(margin);
+  kernel(placed_a, placed_b, before_rounding<T>(up_to), up_to, answer_rounding<T>(), found, axes, points);
   if (!found.proven) return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr);
   const Distance<T> d = rounded<T>(found.at);
   manifold.normal = d.normal;
   if (d.distance > margin) return d.distance;
+  if (points.known != 0) {
+    manifold.normal = cast<T>(points.normal);
+    take_points(points, manifold.points);
+    return d.distance;
+  }
 
   // A face is taken before an edge that is hardly better.
   const TriangleAxis<double>&face = axes.face, &edge = axes.edge;

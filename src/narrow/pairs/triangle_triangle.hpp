@@ -28,7 +28,7 @@ TriangleDistance<double> distance_of_triangles(const Triangle<T>& a, T margin_a,
                                                const Triangle<T>& b, T margin_b, const Pose<T>& pose_b, double enough) {
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair);
   TriangleDistance<double> found;
-  kernel(placed_triangle(a, margin_a, pose_a), placed_triangle(b, margin_b, pose_b), enough, found, nullptr);
+  kernel(placed_triangle(a, margin_a, pose_a), placed_triangle(b, margin_b, pose_b), enough, found);
   return found;
 }
 

@@ -1,7 +1,7 @@
 // Pairs of triangles, a register of them at a time in double, or one.
 #include "narrow/closed_form.hpp"
 #include "narrow/pair_bundle.hpp"
-#include "narrow/pairs/triangle_triangle_distance.hpp"
+#include "narrow/pairs/triangle_lanes.hpp"
 #include "narrow/row_bundle.hpp"
 
 namespace graze::GRAZE_ISA {
@@ -10,21 +10,6 @@ namespace {
 
 using S = Lanes<double>;
 constexpr std::size_t part_lanes = lanes_of<double>;
-
-template <std::size_t part, class L>
-[[gnu::always_inline]] inline Vec3<S> vector_in_double(const Vec3<L>& v) {
-  return {lanes_in_double<part>(v.x), lanes_in_double<part>(v.y), lanes_in_double<part>(v.z)};
-}
-template <std::size_t part, class L>
-[[gnu::always_inline]] inline PlacedTriangle<S> in_double(const TriangleCore<L>& core, const Pose<L>& pose) {
-  const Quat<L>& q = pose.rotation;
-  return {{{vector_in_double<part>(core.point[0]), vector_in_double<part>(core.point[1]),
-            vector_in_double<part>(core.point[2])}},
-          S(0),
-          {vector_in_double<part>(pose.translation),
-           {lanes_in_double<part>(q.x), lanes_in_double<part>(q.y), lanes_in_double<part>(q.z),
-            lanes_in_double<part>(q.w)}}};
-}
 
 /// Compiled once for all.
 [[gnu::noinline, gnu::flatten]] void answer(const PlacedTriangle<S>& a, const PlacedTriangle<S>& b, const S& enough,
@@ -47,7 +32,8 @@ template <class L, class F>
     constexpr std::size_t first = part * part_lanes;
     if (count <= first) return;
     TriangleDistance<S> found;
-    answer(in_double<part>(of.a, of.pose_a), in_double<part>(of.b, of.pose_b), lanes_in_double<part>(enough), found);
+    answer(placed_in_double<part>(of.a, of.pose_a), placed_in_double<part>(of.b, of.pose_b),
+           lanes_in_double<part>(enough), found);
     f(found, first, count - first < part_lanes ? count - first : part_lanes);
   };
   visit_part.template operator()<0>();
@@ -71,10 +57,15 @@ template <class T, class F>
 
 }  // namespace
 
+[[gnu::noinline, gnu::flatten]] void measure(const TrianglesInUnits<double>& in, const TwoTriangles<SingleRow>& p,
+                                             double enough, TriangleDistance<double>& found) {
+  found = in.restored(triangle_distance(p, in.a.radius, in.b.radius, in.a.pose.translation, enough / in.unit));
+}
+
 [[gnu::flatten]] void triangle_pair(const PlacedTriangle<double>& a, const PlacedTriangle<double>& b, double enough,
-                                    TriangleDistance<double>& found, TriangleAxes<double>* axes) {
-  using Row = std::conditional_t<register_bytes >= 32, FourWide<double>, Several<double, 3>>;
-  found = meet_triangles<Row>(a, b, enough, axes);
+                                    TriangleDistance<double>& found) {
+  const TrianglesInUnits<double> in(a, b);
+  measure(in, two_triangles<SingleRow>(in.a, in.b), enough, found);
 }
 
 /// `turned` changes nothing: both sides are of one kind.
@@ -95,16 +86,19 @@ template <class T>
 }
 
 template <class T>
-[[gnu::flatten]] void triangle_pairs_apart(const PairRef<T>* pairs, std::size_t count, std::uint8_t* apart) {
+[[gnu::flatten]] void triangle_pair_distances(const PairRef<T>* pairs, std::size_t count, FoundTriangles<T>* found) {
   using Pairs = PairBundle<Triangle<T>, Triangle<T>, T>;
   for (std::size_t begin = 0; begin < count; begin += Pairs::lanes) {
     const Pairs p(pairs + begin, count - begin);
-    visit_parts(LaneTriangles<Lanes<T>>{p.a.core, p.b.core, p.pose_a, p.pose_b}, p.margin, p.count,
-                [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size) {
+    visit_parts(LaneTriangles<Lanes<T>>{p.a.core, p.b.core, p.pose_a, p.pose_b}, before_rounding<T>(p.margin), p.count,
+                [&](const TriangleDistance<S>& of, std::size_t first, std::size_t size) {
                   for (std::size_t k = 0; k < size; ++k) {
                     const std::size_t pair = begin + first + k;
                     const int i = static_cast<int>(k);
-                    apart[pair] = found.proven[i] && static_cast<T>(found.at.distance[i]) > pairs[pair].margin;
+                    const T distance = static_cast<T>(of.at.distance[i]);
+                    const bool told = of.proven[i] && (!of.beyond[i] || distance > pairs[pair].margin);
+                    found[pair] = {told ? distance : -std::numeric_limits<T>::infinity(),
+                                   {of.at.distance[i], lane<double>(of.at.normal, i), lane<double>(of.at.a, i), {}}};
                   }
                 });
   }
@@ -112,7 +106,7 @@ template <class T>
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template std::uint32_t triangle_row_distances(const PairRows<T>&, std::size_t, bool, Distance<T>*, std::uint8_t*);   \
-  template void triangle_pairs_apart(const PairRef<T>*, std::size_t, std::uint8_t*);
+  template void triangle_pair_distances(const PairRef<T>*, std::size_t, FoundTriangles<T>*);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -131,6 +131,10 @@ struct TriangleAxis {
   S separation;
   Vec3<S> normal;  ///< unit
 };
+template <class M, class S>
+TriangleAxis<S> select(const M& condition, const TriangleAxis<S>& yes, const TriangleAxis<S>& no) {
+  return {select(condition, yes.separation, no.separation), select(condition, yes.normal, no.normal)};
+}
 
 /// The corners of one triangle as the plane of the other sees them.
 template <class Row>

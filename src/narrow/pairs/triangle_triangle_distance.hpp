@@ -345,11 +345,14 @@ struct TriangleAxes {
   TriangleAxis<S> face, edge;
   S smaller;  ///< the size of the smaller triangle
   S noise;    ///< what rounding may do to a separation
+
+  TriangleAxes times(const S& unit) const {
+    return {{face.separation * unit, face.normal}, {edge.separation * unit, edge.normal}, smaller * unit, noise * unit};
+  }
 };
 
 namespace detail {
 
-/// Of a single pair.
 template <class Row, class To>
 auto best_face_axis(const FlatTriangle<Row>& face, const To& to) {
   using std::sqrt;
@@ -360,31 +363,20 @@ auto best_face_axis(const FlatTriangle<Row>& face, const To& to) {
   for (int i = 0; i < 3; ++i) {
     const Vec3<S> across = corner_of(outward, i);
     const S separation = least_of(dot(to_all<Row>(across), to(i)));
-    if (separation > best.separation) best = {separation, across};
+    best = select(separation > best.separation, TriangleAxis<S>{separation, across}, best);
   }
   return best;
 }
 
 }  // namespace detail
 
-/// The distance of a single pair and, where `axes` are asked for and it is proven to be no more than `enough`, those.
-template <class Row, class S>
-TriangleDistance<S> meet_triangles(const PlacedTriangle<S>& of_a, const PlacedTriangle<S>& of_b, const S& enough,
-                                   TriangleAxes<S>* axes) {
-  const TrianglesInUnits<S> in(of_a, of_b);
-  const TwoTriangles<Row> p = two_triangles<Row>(in.a, in.b);
-  const TriangleDistance<S> found =
-      in.restored(triangle_distance(p, in.a.radius, in.b.radius, in.a.pose.translation, enough / in.unit));
-  if (!axes || !found.proven || found.at.distance > enough) return found;
-  const TriangleAxis<S> face_a = detail::best_face_axis(p.a, [&](int i) { return p.to_b(i); }),
-                        face_b = detail::best_face_axis(p.b, [&](int j) { return p.to_a(j); });
-  axes->face = face_b.separation > face_a.separation ? TriangleAxis<S>{face_b.separation, -face_b.normal} : face_a;
-  axes->edge = best_edge_axis(p).axis;
-  axes->face.separation = axes->face.separation * in.unit;
-  axes->edge.separation = axes->edge.separation * in.unit;
-  axes->smaller = least(p.size_a, p.size_b) * in.unit;
-  axes->noise = p.noise * in.unit;
-  return found;
+template <class Row>
+auto triangle_axes(const TwoTriangles<Row>& p) {
+  using S = typename RowOf<Row>::Number;
+  const TriangleAxis<S> a = detail::best_face_axis(p.a, [&](int i) { return p.to_b(i); }),
+                        b = detail::best_face_axis(p.b, [&](int j) { return p.to_a(j); });
+  return TriangleAxes<S>{select(b.separation > a.separation, TriangleAxis<S>{b.separation, -b.normal}, a),
+                         best_edge_axis(p).axis, least(p.size_a, p.size_b), p.noise};
 }
 
 }  // namespace graze
