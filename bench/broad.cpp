@@ -12,8 +12,6 @@
 // tenth of the boxes, is left out.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <functional>
 #include <memory>
@@ -29,6 +27,7 @@
 #include <fcl/fcl.h>
 #endif
 
+#include "command_line.hpp"
 #include "graze/broad_phase.hpp"
 #include "graze/pairs.hpp"
 #include "random.hpp"
@@ -315,13 +314,12 @@ void run_scene(const Scene& scene, std::size_t count, std::size_t frames, std::v
 int run(int argc, char** argv) {
   std::size_t largest = 100000, frames = 9;
   std::string filter = ".*", only = ".*";
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--largest") == 0) largest = std::strtoull(argv[i + 1], nullptr, 10);
-    if (std::strcmp(argv[i], "--frames") == 0)
-      frames = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
-    if (std::strcmp(argv[i], "--filter") == 0) filter = argv[i + 1];
-    if (std::strcmp(argv[i], "--scene") == 0) only = argv[i + 1];
-  }
+  CommandLine("Broad phases side by side: update and the whole set of pairs, every frame, on one thread.")
+      .number("--largest", largest, "boxes at most")
+      .number("--frames", frames, "of which the median is taken")
+      .expression("--filter", filter, "only structures and libraries whose names match")
+      .expression("--scene", only, "only these scenes")
+      .read(argc, argv);
   const auto make = [&] {
     std::vector<Contender> all{pair_finder(),
                                pair_finder_in_double(),

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
@@ -25,6 +24,7 @@
 #endif
 
 #include "bullet_shape.hpp"
+#include "command_line.hpp"
 #include "graze/cast.hpp"
 #include "graze/world.hpp"
 #include "graze_shape.hpp"
@@ -185,13 +185,12 @@ void measure_world(std::size_t count, std::size_t rounds, double (&last)[2]) {
 
 int run(int argc, char** argv) {
   std::size_t pairs = 4000, rounds = 9, largest = 100'000;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string option = argv[i];
-    const std::size_t value = std::strtoull(argv[i + 1], nullptr, 10);
-    if (option == "--pairs") pairs = std::max<std::size_t>(1, value);
-    if (option == "--rounds") rounds = std::max<std::size_t>(1, value);
-    if (option == "--largest") largest = value;
-  }
+  CommandLine(
+      "Shapes that move along a line, one at a time on one thread, beside Bullet's methods; and casts in worlds.")
+      .number("--pairs", pairs, "pairs of a kind")
+      .number("--rounds", rounds, "of which the median is taken")
+      .number("--largest", largest, "boxes of the largest world")
+      .read(argc, argv);
   std::printf("| pair      | library           | ns     | times | > 0.1%%  | > 1%%    | meet %% |\n");
   std::printf("|-----------|-------------------|-------:|------:|--------:|--------:|-------:|\n");
   measure_pairs("box-box", Kind::box, pairs, rounds);

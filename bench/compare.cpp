@@ -5,12 +5,11 @@
 //
 //   bench_compare [--pairs N] [--repetitions N] [--filter REGEX] [--libraries REGEX] [--scale S] [--quick] [--brief]
 //                 [--write FILE]
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 
+#include "command_line.hpp"
 #include "judges.hpp"
 #include "report.hpp"
 
@@ -25,77 +24,25 @@ struct Options {
   bool brief = false;
 };
 
-constexpr const char* usage =
-    "usage: bench_compare [options]\n"
-    "  --pairs N          pairs for each pair of shapes (500)\n"
-    "  --repetitions N    of which the median is taken (9)\n"
-    "  --filter REGEX     only what matches, e.g. 'distance box,' of the names 'overlap sphere, capsule'\n"
-    "  --libraries REGEX  only these, e.g. 'graze|bullet'\n"
-    "  --scale S          multiply all lengths, e.g. 0.01 for shapes of a centimetre\n"
-    "  --quick            100 pairs, 3 repetitions\n"
-    "  --brief            only the summary\n"
-    "  --write FILE       write the tables to FILE as well\n";
-
-[[noreturn]] void refuse(const std::string& why) {
-  std::fprintf(stderr, "bench_compare: %s\n%s", why.c_str(), usage);
-  std::exit(2);
-}
-
-double positive(const std::string& option, const std::string& text) {
-  char* end = nullptr;
-  const double v = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end || !(v > 0) || !(v <= 1e9)) refuse(option + " takes a positive number, not '" + text + "'");
-  return v;
-}
-std::size_t count(const std::string& option, const std::string& text) {
-  const double v = positive(option, text);
-  if (v != std::floor(v)) refuse(option + " takes a whole number, not '" + text + "'");
-  return static_cast<std::size_t>(v);
-}
-
 Options parse(int argc, char** argv) {
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string option = argv[i];
-    if (option == "--help") {
-      std::fputs(usage, stdout);
-      std::exit(0);
-    }
-    if (option == "--brief") {
-      options.brief = true;
-      continue;
-    }
-    if (option == "--quick") {
-      options.pairs = 100;
-      options.repetitions = 3;
-      continue;
-    }
-    if (i + 1 == argc) refuse("unknown option, or nothing behind it: " + option);
-    const std::string value = argv[++i];
-    if (option == "--pairs")
-      options.pairs = count(option, value);
-    else if (option == "--repetitions")
-      options.repetitions = count(option, value);
-    else if (option == "--scale")
-      options.scale = positive(option, value);
-    else if (option == "--filter")
-      options.filter = value;
-    else if (option == "--libraries")
-      options.libraries = value;
-    else if (option == "--write")
-      options.write = value;
-    else
-      refuse("unknown option: " + option);
+  bool quick = false;
+  CommandLine("Every pair of shapes and every query, with other libraries on the same pairs: how fast, and how right.")
+      .number("--pairs", options.pairs, "pairs for each pair of shapes")
+      .number("--repetitions", options.repetitions, "of which the median is taken")
+      .expression("--filter", options.filter,
+                  "only what matches, e.g. 'distance box,' of the names 'overlap sphere, capsule'")
+      .expression("--libraries", options.libraries, "only these, e.g. 'graze|bullet'")
+      .real("--scale", options.scale, "multiply all lengths, e.g. 0.01 for shapes of a centimetre")
+      .flag("--quick", quick, "100 pairs, 3 repetitions")
+      .flag("--brief", options.brief, "only the summary")
+      .file("--write", options.write, "write the tables there as well")
+      .read(argc, argv);
+  if (quick) {
+    options.pairs = 100;
+    options.repetitions = 3;
   }
   return options;
-}
-
-std::regex expression(const std::string& option, const std::string& text) {
-  try {
-    return std::regex(text);
-  } catch (const std::regex_error&) {
-    refuse(option + " takes a regular expression, not '" + text + "'");
-  }
 }
 
 /// As a run with these options was made.
@@ -109,7 +56,7 @@ Conditions conditions_with(const Options& options) {
 }
 
 std::vector<Row> measure(const Options& options) {
-  const std::regex filter = expression("--filter", options.filter);
+  const std::regex filter(options.filter);
   std::vector<Row> rows;
   constexpr std::size_t all = kind_count * (kind_count + 1) / 2;
   std::size_t done = 0;
@@ -142,16 +89,18 @@ std::vector<Row> measure(const Options& options) {
 
 int run(int argc, char** argv) {
   const Options options = parse(argc, argv);
-  expression("--libraries", options.libraries);
   choose_peers(options.libraries);
-  if (peers().empty()) refuse("no library matches " + options.libraries);
+  if (peers().empty()) {
+    std::fprintf(stderr, "bench_compare: no library matches %s\n", options.libraries.c_str());
+    return 2;
+  }
   std::vector<Column> columns;
   for (const auto& peer : peers())
     columns.push_back({peer->name(), peer->version(), peer->single_precision(), peer->name() == "graze double"});
 
   const Quiet quiet;
   const std::vector<Row> rows = measure(options);
-  const bool resting = std::regex_search("resting boxes", expression("--filter", options.filter));
+  const bool resting = std::regex_search("resting boxes", std::regex(options.filter));
   const auto flickers = resting ? measure_flicker(10000) : std::vector<Flicker>{};
   const std::string text =
       options.brief ? summary(columns, rows, flickers) : report(conditions_with(options), columns, rows, flickers);

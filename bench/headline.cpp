@@ -12,10 +12,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <regex>
 
+#include "command_line.hpp"
 #include "headline_report.hpp"
 #include "judges.hpp"
 
@@ -124,18 +124,17 @@ bool write(const std::string& path, const std::string& text) {
 
 Options parse(int argc, char** argv) {
   Options options;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string option = argv[i], value = argv[i + 1];
-    const auto number = [&] { return std::max<std::size_t>(1, std::strtoull(value.c_str(), nullptr, 10)); };
-    if (option == "--pairs") options.pairs = number();
-    if (option == "--repetitions") options.timing.repetitions = number();
-    if (option == "--seconds") options.timing.most_seconds = std::strtod(value.c_str(), nullptr);
-    if (option == "--only") options.only = value;
-    if (option == "--libraries") options.libraries = value;
-    if (option == "--chart") options.chart = value;
-    if (option == "--short") options.brief = value;
-    if (option == "--memory") options.memory = value;
-  }
+  CommandLine(
+      "The pairs that programs ask about most, with other libraries on the same pairs: how fast, and how right.")
+      .number("--pairs", options.pairs, "pairs of a kind")
+      .number("--repetitions", options.timing.repetitions, "of which the median is taken")
+      .real("--seconds", options.timing.most_seconds, "a library that takes longer over all pairs is asked about fewer")
+      .expression("--only", options.only, "only rows whose names match, e.g. 'box-box.*contacts'")
+      .expression("--libraries", options.libraries, "only these, e.g. 'graze|ode'")
+      .file("--chart", options.chart, "draw the rows (SVG)")
+      .file("--short", options.brief, "write the short table (Markdown)")
+      .file("--memory", options.memory, "write what a pair holds and touches (Markdown)")
+      .read(argc, argv);
   return options;
 }
 

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -30,6 +29,7 @@
 #include <ode/ode.h>
 #endif
 
+#include "command_line.hpp"
 #include "graze/world.hpp"
 #include "measure.hpp"
 #include "random.hpp"
@@ -305,16 +305,18 @@ void compare_threads(const Pile& pile, std::span<const Poses, 2> poses, std::siz
 
 int run(int argc, char** argv) {
   std::size_t frames = 15;
+  std::string file;
+  CommandLine(
+      "A settled pile, every body awake: the whole update of a world, beside other libraries and on two threads.")
+      .file("--poses", file, "a pile of one's own (CSV: px,py,pz,qx,qy,qz,qw,hx,hy,hz)")
+      .number("--frames", frames, "of which the median is taken")
+      .read(argc, argv);
   std::optional<Pile> pile;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--frames") == 0)
-      frames = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
-    if (std::strcmp(argv[i], "--poses") == 0) {
-      pile = read_pile(argv[i + 1]);
-      if (!pile) {
-        std::fprintf(stderr, "%s: no lines px,py,pz,qx,qy,qz,qw,hx,hy,hz\n", argv[i + 1]);
-        return 1;
-      }
+  if (!file.empty()) {
+    pile = read_pile(file.c_str());
+    if (!pile) {
+      std::fprintf(stderr, "%s: no lines px,py,pz,qx,qy,qz,qw,hx,hy,hz\n", file.c_str());
+      return 1;
     }
   }
   if (!pile) pile = make_pyramid(5000);

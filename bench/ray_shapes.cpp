@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "graze/batch_raycast.hpp"
 #include "random.hpp"
 
@@ -81,12 +81,11 @@ void measure(const char* scalar, std::size_t count, std::size_t rounds, const st
 int run(int argc, char** argv) {
   std::size_t count = 100'000, rounds = 15;
   std::string only = ".*";
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string option = argv[i];
-    if (option == "--rays") count = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
-    if (option == "--rounds") rounds = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
-    if (option == "--only") only = argv[i + 1];
-  }
+  CommandLine("Rays at single shapes, one at a time and many at a time, on one thread.")
+      .number("--rays", count, "rays a shape")
+      .number("--rounds", rounds, "of which the median is taken")
+      .expression("--only", only, "only shapes whose names match")
+      .read(argc, argv);
   std::printf("| shape        | scalar | alone  | batch  | hit    |\n");
   std::printf("|--------------|--------|-------:|-------:|-------:|\n");
   measure<float>("float", count, rounds, std::regex(only));

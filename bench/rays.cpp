@@ -28,6 +28,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "command_line.hpp"
 #include "graze/batch_raycast.hpp"
 #include "random.hpp"
 
@@ -283,17 +284,15 @@ void measure(const char* name, const Rays& rays, float size, std::size_t rounds,
 }
 
 int run(int argc, char** argv) {
-  const char* path = nullptr;
   std::size_t count = 100'000, rounds = 9;
-  std::string only = ".*";
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string option = argv[i];
-    if (option == "--mesh") path = argv[i + 1];
-    if (option == "--rays") count = std::strtoull(argv[i + 1], nullptr, 10);
-    if (option == "--rounds") rounds = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
-    if (option == "--only") only = argv[i + 1];
-  }
-  Soup soup = path ? read_obj(path) : bumpy_torus();
+  std::string only = ".*", path;
+  CommandLine("Rays at a mesh, one at a time on one thread, beside Bullet and Embree.")
+      .file("--mesh", path, "a mesh of one's own (OBJ)")
+      .number("--rays", count, "rays of a kind")
+      .number("--rounds", rounds, "of which the median is taken")
+      .expression("--only", only, "only libraries whose names match")
+      .read(argc, argv);
+  Soup soup = !path.empty() ? read_obj(path.c_str()) : bumpy_torus();
   for (const Vec3f& p : soup.points) soup.bounds = merged(soup.bounds, Aabbf{p, p});
   if (soup.triangles.empty()) {
     std::fprintf(stderr, "bench_rays: no triangles\n");

@@ -9,10 +9,10 @@
 // installed.
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
 
+#include "command_line.hpp"
 #include "graze/world.hpp"
 #include "measure.hpp"
 #include "random.hpp"
@@ -114,13 +114,11 @@ void print(const std::vector<std::unique_ptr<Run>>& runs, std::size_t bodies) {
 
 int run(int argc, char** argv) {
   std::size_t count = 1'000'000, frames = 9, most_threads = 2;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    const std::string option = argv[i];
-    const std::size_t value = std::max<std::size_t>(1, std::strtoull(argv[i + 1], nullptr, 10));
-    if (option == "--bodies") count = value;
-    if (option == "--frames") frames = value;
-    if (option == "--largest-threads") most_threads = value;
-  }
+  CommandLine("A large world in which everything moves: one update, and what each of its stages takes.")
+      .number("--bodies", count, "boxes and spheres")
+      .number("--frames", frames, "of which the median is taken")
+      .number("--largest-threads", most_threads, "threads at most")
+      .read(argc, argv);
   std::vector<Moving> bodies = make_bodies(count);
   std::vector<std::unique_ptr<Run>> runs;
   for (std::size_t threads = 1; threads <= most_threads; threads *= 2)

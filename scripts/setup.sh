@@ -20,8 +20,8 @@ test=(libgtest-dev librapidcheck-dev)
 # oneTBB, whose adaptor is built wherever it is found and tested with the rest.
 threads=(libtbb-dev)
 
-# Google Benchmark, and the libraries that we measure ourselves against.
-bench=(libbenchmark-dev libbullet-dev libode-dev libfcl-dev libccd-dev libeigen3-dev libembree-dev)
+# Google Benchmark, what reads the options, and the libraries that we measure ourselves against.
+bench=(libbenchmark-dev libcli11-dev libbullet-dev libode-dev libfcl-dev libccd-dev libeigen3-dev libembree-dev)
 
 # libFuzzer comes with clang; its runtime is only a recommendation of the clang package, hence named here.
 fuzz=(clang libclang-rt-14-dev)
