@@ -46,6 +46,16 @@ function(graze_kernels target)
       target_compile_options(${objects} PRIVATE -fno-sanitize-address-use-after-scope
                                                 "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param asan-use-after-return=0>")
     endif()
+    # A number of a lane goes through some references before an instruction is made of it. Each is asked whether it is null
+    # and aligned, nearly all of them of what is on the stack; the address sanitizer and the hardware find those that
+    # matter. And where the references point to is worked out by solving for all of a function at once, which of one so
+    # long takes a quarter of the time: box_box.kernel.cpp took 57 seconds with both and takes 20 without.
+    if("undefined" IN_LIST graze_sanitizers)
+      target_compile_options(${objects} PRIVATE -fno-sanitize=null,alignment,object-size)
+    endif()
+    if(GRAZE_SANITIZE)
+      target_compile_options(${objects} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta>)
+    endif()
     # Last, so that it wins over a -march among the user's own flags.
     target_compile_options(${objects} PRIVATE ${graze_flags_${level}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
