@@ -220,6 +220,32 @@ inline constexpr int chosen_room = register_bytes / 4;
 #endif
 }
 
+/// The same of lanes of numbers, of which there are as many in a register.
+template <class T>
+[[gnu::always_inline]] inline void store_chosen(const Lanes<T>& v, std::uint32_t bits, T* to) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(T) == 4)
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(static_cast<__mmask16>(bits), reinterpret_cast<__m512>(v.v)));
+  else
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits), reinterpret_cast<__m512d>(v.v)));
+  return;
+#endif
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  if constexpr (sizeof(T) == 4) {
+    const __m256i places = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(chosen_places.bytes[bits])));
+    _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(reinterpret_cast<__m256>(v.v), places));
+    return;
+  }
+#endif
+  T from[lanes_of<T>];
+  v.store(from);
+  std::size_t at = 0;
+  for (int i = 0; i < lanes_of<T>; ++i) {
+    to[at] = from[i];
+    at += bits >> i & 1;
+  }
+}
+
 /// As `store_chosen`, but writes pairs: `first` and one of them.
 [[gnu::always_inline]] inline void store_chosen_pairs(std::uint32_t* to, std::uint32_t first, const std::uint32_t* from,
                                                       std::uint32_t bits) {

@@ -68,22 +68,45 @@ template <class T>
 struct FoundTriangles;  // pairs/triangle_triangle_manifold.hpp
 struct AnswerRounding;
 
-/// The points of contact of up to `block_pairs` pairs, those of a pair one behind the other, pair after pair. A number
-/// of a pair stands at the pair's place in each column. Of pairs that are not known there are no points.
+/// The contacts of up to `block_pairs` pairs: of those that are known a manifold each, and its points, those of a pair
+/// one behind the other, pair after pair.
 template <class T>
 struct PointBlock {
-  using Column = T[block_pairs];
+  using Group = typename BatchContacts<T>::Group;
   /// Room for what kernels write behind the last point.
   static constexpr std::size_t room = (most_block_points + 1) * block_pairs;
 
-  Column normal[3];           ///< of the world
-  Column known, count;        ///< 1 or 0; of its points
-  std::uint32_t point_count;  ///< of all
-  bool any_twice;             ///< two points of a pair have the same features
-  union Points {
-    Points() {}  // NOLINT(modernize-use-equals-default): of points it would write all
-    ContactPoint<T> row[room];
-  } points;
+  // Where to write to; there is room for `block_pairs` and for `room`.
+  Group* manifolds;
+  ContactPoint<T>* points;
+  std::uint32_t first_point;  ///< the number of the first of the points
+
+  std::uint32_t known;                        ///< the `k`-th pair is: bit k
+  std::uint32_t manifold_count, point_count;  ///< of all
+  bool any_twice;                             ///< two points of a pair have the same features
+};
+
+/// Pairs of boxes within their margins, as the kernel for axes hands them on to the one for points: of each number that
+/// this takes a column, in which the pairs stand one behind the other.
+template <class T>
+struct alignas(64) MetBoxes {
+  /// So many pairs are asked about at a time; of floats they, those that are left over and what kernels write behind the
+  /// last stay within the smallest cache.
+  static constexpr std::size_t most = 128, room = most + 2 * block_pairs;
+  enum Column : std::size_t {
+    half_a,
+    half_b = half_a + 3,
+    translation = half_b + 3,
+    rotation = translation + 3,
+    clipping = rotation + 9,
+    limits = clipping + 7,
+    distance = limits + 4,
+    columns
+  };
+
+  T number[columns][room];
+  std::uint32_t place[room];
+  std::size_t first = 0, count = 0;  ///< of those that wait: the one whose turn is next, and the end
 };
 
 /// The contact of two shapes that touch in one point at most.
@@ -105,20 +128,32 @@ struct RestBlock {
   } slots[4];
 };
 
+/// Has the lines of so many records brought near, which may be behind the end of an array: to be read, or to be written.
+/// Neither waits for a line then: of batches that are larger than the cache a quarter of the time.
+template <bool to_write, class Record>
+[[gnu::always_inline]] inline void fetch_lines(const Record* first, std::size_t count) {
+  constexpr std::size_t line = 64;
+  const auto begin = reinterpret_cast<std::uintptr_t>(first), end = begin + count * sizeof(Record);
+  for (std::uintptr_t at = begin; at < end; at += line) __builtin_prefetch(reinterpret_cast<const void*>(at), to_write);
+}
+
 /// `count` rounded up to what the widest registers hold.
 constexpr std::size_t bundled(std::size_t count) { return (count + 15) / 16 * 16; }
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The axes of pairs of boxes.
-    template <class T> void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes);
+    /// The axes of up to `MetBoxes::most` pairs of boxes, whose places are counted from `place` on: appends those within
+    /// their margins or not regular, and writes the places of the others to `apart`; how many. Of those in `met` only
+    /// less than a block may wait.
+    template <class T> std::size_t box_axes(const PairRef<T>* pairs, std::size_t count, std::uint32_t place,
+                                            MetBoxes<T>& met, std::uint32_t* apart);
     /// The same of pairs in rows; there are `bundled(count)` rows to read.
-    template <class T> void box_row_axes(const PairRows<T>& rows, std::size_t count, T margin,
-                                         BoxChoice<T>* axes);
-    /// The points of up to `block_pairs` pairs of boxes along their axes; of those within their margins or not regular.
-    template <class T> void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
-                                       PointBlock<T>& points);
-    /// The same two of pairs of a box and a triangle.
+    template <class T> std::size_t box_row_axes(const PairRows<T>& rows, std::size_t count, T margin,
+                                                std::uint32_t place, MetBoxes<T>& met, std::uint32_t* apart);
+    /// The points of the next `count` <= `block_pairs` of these. Behind them there are numbers for the lanes that stay
+    /// empty.
+    template <class T> void box_points(const MetBoxes<T>& met, std::size_t count, PointBlock<T>& block);
+    /// The axes of pairs of a box and a triangle, and the points of up to `block_pairs` along them.
     template <class T> void triangle_axes(const PairRef<T>* pairs, std::size_t count, TriangleChoice<T>* axes);
     template <class T> void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
                                             PointBlock<T>& points);

@@ -226,6 +226,16 @@ class PointKeys {
   T keys_[most_block_points + most + lanes];
 };
 
+/// Points ahead of those that are written, whose lines are fetched: those of the next pairs are likely to come there.
+inline constexpr std::size_t points_ahead = 64;
+
+/// Before the first bundle.
+template <class T>
+[[gnu::always_inline]] inline void clear(PointBlock<T>& block) {
+  block.known = block.manifold_count = block.point_count = 0;
+  block.any_twice = false;
+}
+
 /// Appends the points of a bundle to those of a block, as `make(columns, first)` makes them of the columns from the
 /// `first`-th point on: `LanePoints` and the numbers of their parts.
 template <class T, std::size_t width, class Make>
@@ -234,7 +244,7 @@ append_points(const PointColumns<T, width>& columns, const std::uint32_t (&featu
               const std::uint32_t (&features_b)[most_parts], const Make& make, PointBlock<T>& block) {
   using BitVector = typename Lanes<T>::BitVector;
   PointKeys<T> keys;
-  ContactPoint<T>* const to = block.points.row + block.point_count;
+  ContactPoint<T>* const to = block.points + block.point_count;
   for (std::size_t first = 0; first < columns.count; first += lanes_of<T>) {
     LanePoints<T> points;
     Lanes<T> part_a, part_b;
@@ -242,29 +252,53 @@ append_points(const PointColumns<T, width>& columns, const std::uint32_t (&featu
     const BitVector a = __builtin_convertvector(part_a.v, BitVector), b = __builtin_convertvector(part_b.v, BitVector);
     keys.put(first, Lanes<T>::of(__builtin_convertvector(columns.lanes_from(first), typename Lanes<T>::Vector)), part_a,
              part_b);
+    fetch_lines<true>(to + first + points_ahead, lanes_of<T>);
     put_rows<T>(points, feature_ids<T>(features_a, a, features_b, b), to + first);
   }
   block.point_count += static_cast<std::uint32_t>(columns.count);
   if (keys.any_twice(columns.count)) block.any_twice = true;
 }
 
-/// Writes what of the pairs of a bundle is not in their points: the `first`-th pair's on, of which there are `count`.
-/// Those that are not `known` have no points, nor have lanes without a pair: of these slots `filled` becomes empty.
+/// Writes the manifolds of a bundle of which `count` lanes are filled, the first with the block's `first`-th pair. Those
+/// that are not `known` have none and no points, nor have lanes without a pair: of these slots `filled` becomes empty.
 template <class T>
 [[gnu::always_inline]] inline void put_pairs(const Vec3<Lanes<T>>& normal, const Lanes<T>& known, std::size_t first,
                                              std::size_t count, Lanes<T>& filled, PointBlock<T>& block) {
   using S = Lanes<T>;
-  using BitVector = typename S::BitVector;
-  S there(1);
-  if (count < static_cast<std::size_t>(lanes_of<T>))
-    for (std::size_t i = count; i < static_cast<std::size_t>(lanes_of<T>); ++i) there.set(static_cast<int>(i), T(0));
-  filled = filled * known * there;
-  for (std::size_t k = 0; k < 3; ++k) normal[k].store(block.normal[k] + first);
-  known.store(block.known + first);
+  using Whole = typename S::BitVector;
+  using Group = typename BatchContacts<T>::Group;
+  const std::uint32_t here = Chosen<T>::not_less(known, S(1)).bits() & filled_lanes<T>(count);
+  const Whole chosen = lanes_with<T>(here);
   // The bits of all lanes are counted at once, by twos, by fours and by eights.
-  const BitVector bits = __builtin_convertvector(filled.v, BitVector), twos = bits - (bits >> 1 & 0x55),
-                  fours = (twos & 0x33) + (twos >> 2 & 0x33), eights = (fours + (fours >> 4)) & 0xf;
-  S::of(__builtin_convertvector(eights, typename S::Vector)).store(block.count + first);
+  const Whole bits = __builtin_convertvector(filled.v, Whole) & chosen, twos = bits - (bits >> 1 & 0x55),
+              fours = (twos & 0x33) + (twos >> 2 & 0x33), counts = (fours + (fours >> 4)) & 0xf;
+  filled = S::of(__builtin_convertvector(bits, typename S::Vector));
+  Group* to = block.manifolds + block.manifold_count;
+  std::uint32_t point = block.first_point + block.point_count;
+  if constexpr (sizeof(T) == 4) {
+    static_assert(sizeof(Group) == 28 && offsetof(Group, piece_a) == 12 && offsetof(Group, first_point) == 20);
+    const auto as_lanes = [](const Whole& whole) __attribute__((always_inline)) {
+      return S::of(reinterpret_cast<typename S::Vector>(whole));
+    };
+    const S none = as_lanes(Whole{});
+    const S group[7] = {normal.x,
+                        normal.y,
+                        normal.z,
+                        none,
+                        none,
+                        as_lanes(ones_before<T>(counts) + static_cast<std::int32_t>(point)),
+                        as_lanes(counts)};
+    store_chosen_rows(group, here, to);
+  } else {
+    for (int i = 0; i < lanes_of<T>; ++i) {
+      if ((here >> i & 1) == 0) continue;
+      const auto size = static_cast<std::uint32_t>(counts[i]);
+      *to++ = {{normal.x[i], normal.y[i], normal.z[i]}, 0, 0, point, size};
+      point += size;
+    }
+  }
+  block.known |= here << first;
+  block.manifold_count += static_cast<std::uint32_t>(count_bits(here));
 }
 
 }  // namespace graze::GRAZE_ISA

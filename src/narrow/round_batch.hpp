@@ -35,13 +35,6 @@ void visit_side(const SideContact<T>& found, bool turned, std::size_t i, const L
   lying(i, found.distance, points.normal(), points);
 }
 
-/// Room for what a kernel writes: its numbers are not set before.
-template <class Record, std::size_t size>
-union RoomFor {
-  RoomFor() {}  // NOLINT(modernize-use-equals-default): it would set them
-  Record records[size];
-};
-
 /// Asks about up to `most` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
 /// further apart than their margins; for the others `touching(i, contact)`, or, where a capsule lies,
 /// `lying(i, distance, normal, points)`, the last `SidePoints`, or `unknown(i)`. `turned`: A is the second of the two for

@@ -15,9 +15,8 @@ void visit_triangle_pair_contacts(const PairRef<T>* pairs, std::size_t count, co
   const Isa level = chosen_isa();
   FoundTriangles<T> found[most_chunk];
   GRAZE_KERNEL(level, triangle_pair_distances<T>)(pairs, count, found);
-  visit_contacts<T, FoundTriangles<T>>(
-      GRAZE_KERNEL(level, triangle_pair_points<T>), [&](std::size_t i) -> const PairRef<T>& { return pairs[i]; }, found,
-      count, apart, met, unknown);
+  visit_contacts<T, FoundTriangles<T>>(GRAZE_KERNEL(level, triangle_pair_points<T>), pairs, found, count, apart, met,
+                                       unknown);
 }
 
 }  // namespace graze

@@ -86,29 +86,32 @@ class Writer {
     append(found_.points, points_, to.points, found.touching);
     return found;
   }
+  /// Where a kernel writes a block to: to where it stays, if there is room.
+  void offer(PointBlock<T>& block) {
+    constexpr std::size_t points = PointBlock<T>::room;
+    const bool in_place =
+        manifolds_ + block_pairs <= found_.manifolds.size() && points_ + points <= found_.points.size();
+    block.manifolds = in_place ? found_.manifolds.data() + manifolds_ : manifolds_aside_.records;
+    block.points = in_place ? found_.points.data() + points_ : points_aside_.records;
+    block.first_point = static_cast<std::uint32_t>(points_);
+  }
+  /// What is found of pairs that the kernel does not know will stand among the others: these step aside.
+  void settle(PointBlock<T>& block, std::size_t count) {
+    if (block.manifold_count == count || block.points == points_aside_.records) return;
+    block.manifolds =
+        std::copy_n(block.manifolds, block.manifold_count, manifolds_aside_.records) - block.manifold_count;
+    block.points = std::copy_n(block.points, block.point_count, points_aside_.records) - block.point_count;
+  }
   /// Pairs that meet, the `k`-th of them number `place(k)`, with their points.
   template <class Place>
   void write(const MetPairs<T>& met, bool turned, const Place& place) {
-    reserve(met.count, met.point_count);
-    ContactPoint<T>* const points = found_.points.data() + points_;
-    if (turned)
-      std::transform(met.points, met.points + met.point_count, points,
-                     [](const ContactPoint<T>& p) { return mirrored(p); });
-    else
-      std::copy_n(met.points, met.point_count, points);
-    typename BatchContacts<T>::Group* const manifolds = found_.manifolds.data() + manifolds_;
+    if (met.points != found_.points.data() + points_) append(met, turned);
     const auto first_manifold = static_cast<std::uint32_t>(manifolds_);
-    auto first_point = static_cast<std::uint32_t>(points_);
-    for (std::size_t k = 0; k < met.count; ++k) {
-      const std::uint32_t count = met.points_of(k);
+    for (std::size_t k = 0; k < met.count; ++k)
       found_.pairs[place(k)] = {met.distance(k) <= T(0), first_manifold + static_cast<std::uint32_t>(k), 1};
-      manifolds[k] = {turned ? -met.normal(k) : met.normal(k), 0, 0, first_point, count};
-      first_point += count;
-    }
     manifolds_ += met.count;
     points_ += met.point_count;
-    fetch_for_writing(points + met.point_count, met.point_count);
-    fetch_for_writing(manifolds + met.count, met.count);
+    fetch_for_writing(found_.manifolds.data() + manifolds_, met.count);
   }
   /// A pair that does not touch, until manifolds follow.
   void begin(std::size_t pair, bool overlap) {
@@ -144,6 +147,24 @@ class Writer {
     void push_back(const ContactPoint<T>& p) { emplace_back() = p; }
   };
 
+  /// Those that stand elsewhere.
+  void append(const MetPairs<T>& met, bool turned) {
+    reserve(met.count, met.point_count);
+    ContactPoint<T>* const points = found_.points.data() + points_;
+    if (turned)
+      std::transform(met.points, met.points + met.point_count, points,
+                     [](const ContactPoint<T>& p) { return mirrored(p); });
+    else
+      std::copy_n(met.points, met.point_count, points);
+    fetch_for_writing(points + met.point_count, met.point_count);
+    const std::uint32_t before = static_cast<std::uint32_t>(points_) - met.manifolds->first_point;
+    typename BatchContacts<T>::Group* to = found_.manifolds.data() + manifolds_;
+    for (std::size_t k = 0; k < met.count; ++k, ++to) {
+      *to = met.manifolds[k];
+      to->first_point += before;
+      if (turned) to->normal = -to->normal;
+    }
+  }
   template <class Record>
   static void append(std::vector<Record>& array, std::size_t& used, const Record* records, std::size_t count) {
     const std::size_t over = std::min(count, array.size() - used);
@@ -162,7 +183,7 @@ class Writer {
   BatchContacts<T>& found_;
   std::size_t manifolds_ = 0, points_ = 0;
   RoomFor<typename BatchContacts<T>::Group, row_chunk> manifolds_aside_;
-  RoomFor<ContactPoint<T>, row_chunk> points_aside_;
+  RoomFor<ContactPoint<T>, std::max(row_chunk, PointBlock<T>::room)> points_aside_;
 };
 
 /// Asks about one pair after the other.
@@ -225,7 +246,8 @@ class Together {
   void boxes(const Queue<T>& queue) {
     visit_box_contacts(
         queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](const MetPairs<T>& met) { write(met, false, queue); }, [&](std::size_t k) { single_(queue.places[k]); });
+        [&](const MetPairs<T>& met) { write(met, false, queue); }, [&](std::size_t k) { single_(queue.places[k]); },
+        writer_);
   }
   template <class A>
   void rests(bool turned, const Queue<T>& queue) {
@@ -311,17 +333,16 @@ void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Write
 
 template <class T>
 void contacts_of_box_rows(const Batch<T>& batch, T margin, Writer<T>& writer, OneByOne<T>& single) {
+  const auto apart = [&](std::size_t i) { writer.begin(i, false); };
+  const auto met = [&](const MetPairs<T>& some) {
+    writer.write(some, false, [&](std::size_t k) { return some.place(k); });
+  };
+  const auto unknown = [&](std::size_t i) { single(i); };
+  MetBoxes<T> boxes;
   visit_rows<Box<T>, Box<T>>(batch, false, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-    // The next ones, where pairs stand in their order.
-    fetch_rows(static_cast<const Box<T>*>(rows.a) + count, count);
-    fetch_rows(static_cast<const Box<T>*>(rows.b) + count, count);
-    fetch_rows(rows.pose_a + count, count);
-    fetch_rows(rows.pose_b + count, count);
-    visit_box_contacts(
-        rows, count, margin, [&](std::size_t i) { writer.begin(first + i, false); },
-        [&](const MetPairs<T>& met) { writer.write(met, false, [&](std::size_t k) { return first + met.place(k); }); },
-        [&](std::size_t i) { single(first + i); });
+    visit_box_contacts(rows, count, margin, static_cast<std::uint32_t>(first), boxes, apart, met, unknown, writer);
   });
+  visit_met_boxes(boxes, true, writer, met, unknown);
 }
 
 }  // namespace

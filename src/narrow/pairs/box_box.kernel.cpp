@@ -10,37 +10,66 @@ namespace {
 template <class T>
 using Boxes = PairBundle<Box<T>, Box<T>, T>;
 
+/// Moves the pairs that wait to the front, of which there is less than a block.
 template <class T>
-[[gnu::always_inline]] inline auto regular(const Boxes<T>& bundle) {
-  return regular_box(bundle.a.core.half) & regular_box(bundle.b.core.half);
+[[gnu::always_inline]] inline void move_up(MetBoxes<T>& met) {
+  if (met.first == 0) return;
+  for (auto& column : met.number)
+    for (std::size_t i = 0; i < block_pairs; i += lanes_of<T>)
+      Lanes<T>::load(column + (met.first + i)).store(column + i);
+  std::memmove(met.place, met.place + met.first, block_pairs * sizeof met.place[0]);
+  met.count -= met.first;
+  met.first = 0;
 }
 
-template <class T>
-[[gnu::always_inline]] inline BoxRows<Lanes<T>> box_rows(const Boxes<T>& bundle) {
-  using S = Lanes<T>;
-  return {Several<S, 3>(bundle.a.core.half), PoseRows<S>(bundle.pose_a), Several<S, 3>(bundle.b.core.half),
-          PoseRows<S>(bundle.pose_b)};
-}
-
-/// Writes the axes of a bundle.
+/// The pairs of a bundle of which `filled` lanes hold one, whose places are counted from `place` on: those within their
+/// margins go to `met`, the places of the others to `apart`, and how many these are is added.
 template <class T, class S, class M>
-[[gnu::always_inline]] inline void put_choice(const BoxChoice<S>& choice, const M& regular, std::size_t count,
-                                              BoxChoice<T>* axes) {
-  // Of others it is left to `box_points` to say that they are not known.
-  const S distance = select(regular, choice.distance, S(-std::numeric_limits<T>::infinity()));
-  for (std::size_t i = 0; i < count; ++i) axes[i] = {distance[static_cast<int>(i)], choice.axis[static_cast<int>(i)]};
+void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>& pose_b, const S& margin,
+              const M& regular, std::uint32_t filled, std::uint32_t place, MetBoxes<T>& met, std::uint32_t* apart,
+              std::size_t& apart_count) {
+  using To = MetBoxes<T>;
+  using Numbers = Several<S, 1>;
+  const BoxChoice<S> choice = box_choice(p, margin);
+  const std::uint32_t meet = bits_of((!(choice.distance > margin)) | !regular) & filled, others = filled & ~meet;
+  std::uint32_t places[chosen_room];
+  for (std::uint32_t i = 0; i < chosen_room; ++i) places[i] = place + i;
+  store_chosen(apart + apart_count, places, others);
+  apart_count += static_cast<std::size_t>(count_bits(others));
+  if (meet == 0) return;
+  const std::size_t at = met.count;
+  store_chosen(met.place + at, places, meet);
+  const auto put = [&](std::size_t column, const auto& numbers) __attribute__((always_inline)) {
+    constexpr std::size_t parts = std::extent_v<decltype(numbers.part)>;
+    for (std::size_t k = 0; k < parts; ++k) store_chosen<T>(numbers.part[k], meet, met.number[column + k] + at);
+  };
+  put(To::half_a, p.half_a);
+  put(To::half_b, p.half_b);
+  put(To::translation, p.translation);
+  for (std::size_t k = 0; k < 3; ++k) put(To::rotation + 3 * k, p.rotation.row[k]);
+  const PoseRows<S> clipping =
+      select(Several<S, 3>::Mask::of(detail::face_of_b(Numbers(choice.axis)).part[0]), pose_b, pose_a);
+  put(To::clipping, clipping.translation);
+  put(To::clipping + 3, clipping.vector);
+  put(To::clipping + 6, Numbers(clipping.w.part[0]));
+  const BoxLimits<S> limits = box_limits(p, choice, margin);
+  // Of boxes that are not regular nothing is known, whatever the numbers say.
+  const S nearest = select(regular, limits.nearest, S(std::numeric_limits<T>::quiet_NaN()));
+  put(To::limits, Several<S, 4>(limits.axis, limits.noise, limits.margin, nearest));
+  put(To::distance, Numbers(choice.distance));
+  met.count += static_cast<std::size_t>(count_bits(meet));
 }
 
 /// Writes the points of a bundle whose first pair is the `first`-th.
-template <class T, class S, class M>
-[[gnu::always_inline]] inline void put_meeting(const BoxMeeting<S>& found, const M& regular, std::size_t first,
-                                               std::size_t count, PointBlock<T>& block) {
+template <class T, class S>
+[[gnu::always_inline]] inline void put_meeting(const BoxMeeting<S>& found, std::size_t first, std::size_t count,
+                                               PointBlock<T>& block) {
   using Some = Several<S, 1>;
   const auto& corners = found.corners;
   S filled(0);
   for (std::size_t i = 0; i < most_box_points; ++i)
     filled = filled + corners.as_bits(i, corners.are(i) & (Some(corners.apart[i]) <= Some(found.limit)));
-  put_pairs(found.normal, select(regular & (filled > S(0)) & found.near, S(1), S(0)), first, count, filled, block);
+  put_pairs(found.normal, select((filled > S(0)) & found.near, S(1), S(0)), first, count, filled, block);
   PointColumns<T, 3> columns;
   put_together<T, 3>({corners.x, corners.y, corners.apart}, filled, columns);
   append_points<T>(
@@ -63,46 +92,64 @@ template <class T, class S, class M>
 }  // namespace
 
 template <class T>
-[[gnu::flatten]] void box_axes(const PairRef<T>* pairs, std::size_t count, BoxChoice<T>* axes) {
-  for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
+[[gnu::flatten]] std::size_t box_axes(const PairRef<T>* pairs, std::size_t count, std::uint32_t place, MetBoxes<T>& met,
+                                      std::uint32_t* apart) {
+  using S = Lanes<T>;
+  using Row = Several<S, 3>;
+  move_up(met);
+  std::size_t apart_count = 0;
+  for (std::size_t first = 0; first < count; first += lanes_of<T>) {
     const Boxes<T> bundle(pairs + first, count - first);
-    put_choice(box_choice(box_rows(bundle), bundle.margin), regular(bundle), bundle.count, axes + first);
+    const PoseRows<S> pose_a(bundle.pose_a), pose_b(bundle.pose_b);
+    const Vec3<S>&half_a = bundle.a.core.half, &half_b = bundle.b.core.half;
+    sort_out<T>(BoxRows<S>(Row(half_a), pose_a, Row(half_b), pose_b), pose_a, pose_b, bundle.margin,
+                regular_box(half_a) & regular_box(half_b), filled_lanes<T>(count - first),
+                place + static_cast<std::uint32_t>(first), met, apart, apart_count);
   }
+  return apart_count;
 }
 
 template <class T>
-[[gnu::flatten]] void box_row_axes(const PairRows<T>& rows, std::size_t count, T margin, BoxChoice<T>* axes) {
+[[gnu::flatten]] std::size_t box_row_axes(const PairRows<T>& rows, std::size_t count, T margin, std::uint32_t place,
+                                          MetBoxes<T>& met, std::uint32_t* apart) {
   using S = Lanes<T>;
-  constexpr std::size_t lanes = lanes_of<T>;
-  for (std::size_t first = 0; first < count; first += lanes) {
+  using Row = Several<S, 3>;
+  move_up(met);
+  std::size_t apart_count = 0;
+  for (std::size_t first = 0; first < count; first += lanes_of<T>) {
     const RowBundle<Box<T>, Box<T>, T> bundle(rows, first);
-    const BoxRows<S> boxes(Several<S, 3>(bundle.a.shapes.core.half), PoseRows<S>(bundle.pose_a),
-                           Several<S, 3>(bundle.b.shapes.core.half), PoseRows<S>(bundle.pose_b));
-    const std::size_t left = count - first;
-    put_choice(box_choice(boxes, S(margin)), bundle.regular(), left < lanes ? left : lanes, axes + first);
+    fetch_rows<Box<T>, Box<T>>(rows, first + rows_ahead);
+    const PoseRows<S> pose_a(bundle.pose_a), pose_b(bundle.pose_b);
+    sort_out<T>(BoxRows<S>(Row(bundle.a.shapes.core.half), pose_a, Row(bundle.b.shapes.core.half), pose_b), pose_a,
+                pose_b, S(margin), bundle.regular(), filled_lanes<T>(count - first),
+                place + static_cast<std::uint32_t>(first), met, apart, apart_count);
   }
+  return apart_count;
 }
 
 template <class T>
-[[gnu::flatten]] void box_points(const PairRef<T>* pairs, const BoxChoice<T>* axes, std::size_t count,
-                                 PointBlock<T>& block) {
+[[gnu::flatten]] void box_points(const MetBoxes<T>& met, std::size_t count, PointBlock<T>& block) {
   using S = Lanes<T>;
-  block.point_count = 0;
-  block.any_twice = false;
-  for (std::size_t first = 0; first < count; first += Boxes<T>::lanes) {
-    const Boxes<T> bundle(pairs + first, count - first);
-    BoxChoice<S> choice;
-    for (std::size_t i = 0; i < Boxes<T>::lanes; ++i) {
-      const BoxChoice<T>& of = axes[first + (i < bundle.count ? i : bundle.count - 1)];
-      const int lane = static_cast<int>(i);
-      choice.distance.set(lane, of.distance);
-      choice.axis.set(lane, of.axis);
-    }
-    const auto use = [&](const BoxMeeting<S>& found) __attribute__((always_inline)) {
-      put_meeting(found, regular(bundle), first, bundle.count, block);
+  using Row = Several<S, 3>;
+  using From = MetBoxes<T>;
+  clear(block);
+  for (std::size_t first = 0; first < count; first += lanes_of<T>) {
+    const auto number = [&](std::size_t column) __attribute__((always_inline)) {
+      return S::load(met.number[column] + (met.first + first));
     };
-    with_box_meeting(box_rows(bundle), choice, bundle.margin, PoseRows<S>(bundle.pose_a), PoseRows<S>(bundle.pose_b),
-                     use);
+    const auto row = [&](std::size_t column) __attribute__((always_inline)) {
+      return Row(number(column), number(column + 1), number(column + 2));
+    };
+    const BoxRows<S> boxes(row(From::half_a), row(From::half_b), row(From::translation),
+                           {row(From::rotation), row(From::rotation + 3), row(From::rotation + 6)});
+    const BoxLimits<S> limits{number(From::limits), number(From::limits + 1), number(From::limits + 2),
+                              number(From::limits + 3)};
+    const PoseRows<S> clipping(row(From::clipping), row(From::clipping + 3), Row(number(From::clipping + 6)));
+    const std::size_t left = count - first, lanes = lanes_of<T>;
+    with_box_meeting(
+        boxes, limits, [&](const auto&) __attribute__((always_inline)) { return clipping; },
+        [&](const BoxMeeting<S>& found)
+            __attribute__((always_inline)) { put_meeting(found, first, left < lanes ? left : lanes, block); });
   }
 }
 
@@ -117,15 +164,16 @@ template <class T>
   }
   choice = box_choice(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
-  with_box_meeting(boxes, choice, pair.margin, pose_a, pose_b,
-                   [&](const BoxMeeting<T>& meeting) { put_points(meeting, found); });
+  with_box_meeting(
+      boxes, box_limits(boxes, choice, pair.margin), [&](const auto& by_b) { return select(by_b, pose_b, pose_a); },
+      [&](const BoxMeeting<T>& meeting) { put_points(meeting, found); });
   return true;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template void box_axes(const PairRef<T>*, std::size_t, BoxChoice<T>*);                                               \
-  template void box_row_axes(const PairRows<T>&, std::size_t, T, BoxChoice<T>*);                                       \
-  template void box_points(const PairRef<T>*, const BoxChoice<T>*, std::size_t, PointBlock<T>&);                       \
+  template std::size_t box_axes(const PairRef<T>*, std::size_t, std::uint32_t, MetBoxes<T>&, std::uint32_t*);          \
+  template std::size_t box_row_axes(const PairRows<T>&, std::size_t, T, std::uint32_t, MetBoxes<T>&, std::uint32_t*);  \
+  template void box_points(const MetBoxes<T>&, std::size_t, PointBlock<T>&);                                           \
   template bool box_contact(const PairRef<T>&, BoxChoice<T>&, BoxManifold<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

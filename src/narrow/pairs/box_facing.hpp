@@ -62,6 +62,13 @@ Several<S, 3> edges_normal(const BoxRows<S>& p, const Several<S, 3>& number) {
   return product * Row(scale * select(sum(p.translation * product) < S(0), S(-1), S(1)));
 }
 
+/// Whether an axis, by its number, is that of a face of B: B is the clipping one of the two then, else A.
+template <class S, int N>
+auto face_of_b(const Several<S, N>& number) {
+  using Numbers = Several<S, N>;
+  return (number >= Numbers(S(3))) & (number < Numbers(S(6)));
+}
+
 /// Two boxes seen from the one whose face is a rectangle along the axis, which is called the clipping one.
 template <class S>
 struct FacingBoxes {
@@ -80,7 +87,7 @@ struct FacingBoxes {
     const Row number(axis), zero(S(0)), one(S(1));
     const Mask of_edges = number >= Row(S(6));
     const bool any_edges = any(of_edges);
-    by_b = (number >= Row(S(3))) & (!of_edges);
+    by_b = face_of_b(number);
     face = AxisLast<S>::of(number - select(by_b, Row(S(3)), zero));
     Row product;
     if (any_edges) {

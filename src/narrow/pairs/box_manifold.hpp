@@ -136,16 +136,31 @@ struct BoxMeeting {
   decltype(S() < S()) near;  ///< what is nearest is among the corners, or hardly nearer
 };
 
-/// Calls `f` with the `BoxMeeting` along the chosen axis, of points at most `margin` apart. Only for boxes within the
-/// margin of each other.
-template <class S, class F>
-void with_box_meeting(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& margin, const PoseRows<S>& pose_a,
-                      const PoseRows<S>& pose_b, const F& f) {
+/// What the choice of an axis leaves to know for the points along it.
+template <class S>
+struct BoxLimits {
+  S axis;     ///< as in `BoxChoice`
+  S noise;    ///< rounding of a place
+  S margin;   ///< of corners that are further apart no points are made
+  S nearest;  ///< what is nearest is among the corners, or hardly nearer, where one of them is no further apart
+};
+template <class S>
+BoxLimits<S> box_limits(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& margin) {
+  using T = typename LaneOf<S>::type;
+  const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b),
+          allowed = S(T(face_preference)) * least(size_a, size_b);
+  return {choice.axis, noise, greatest(margin, choice.distance + noise), choice.distance + allowed};
+}
+
+/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` gives the pose of B where the mask is set, of A
+/// elsewhere. Only for boxes within the margin of each other.
+template <class S, class PoseOf, class F>
+void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const PoseOf& pose_of, const F& f) {
   using std::abs, std::sqrt;
   using T = typename LaneOf<S>::type;
   using Row = Several<S, 3>;
-  const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b), one(1), zero(0);
-  const detail::FacingBoxes<S> seen(p, choice.axis);
+  const S &noise = limits.noise, one(1), zero(0);
+  const detail::FacingBoxes<S> seen(p, limits.axis);
   const auto& face = seen.face;
   const Row &n = seen.normal, &half = seen.half;
 
@@ -189,21 +204,15 @@ void with_box_meeting(const BoxRows<S>& p, const BoxChoice<S>& choice, const S& 
   detail::drop_idle_corners(corners, near);
 
   // From the clipping box to the world.
-  const Row origin = select(seen.by_b, pose_b.translation, pose_a.translation);
-  const Rows<S> turn = face(transposed(
-      rotation_rows(select(seen.by_b, pose_b.vector, pose_a.vector), select(seen.by_b, pose_b.w, pose_a.w))));
+  const PoseRows<S> clipping = pose_of(seen.by_b);
+  const Rows<S> turn = face(transposed(clipping.rotation()));
   const Row &wx = turn.row[0], &wy = turn.row[1], &wz = turn.row[2],
             across = wx * spread<0>(n) + wy * spread<1>(n) + wz * spread<2>(n), up = wz * Row(height),
             normal = select(seen.by_b, -across, across);
-  const S allowed = S(T(face_preference)) * least(size_a, size_b);
-  BoxMeeting<S> meeting{corners,
-                        {},
-                        {normal[0], normal[1], normal[2]},
-                        greatest(margin, choice.distance + noise),
-                        nearest <= choice.distance + allowed};
+  BoxMeeting<S> meeting{corners, {}, {normal[0], normal[1], normal[2]}, limits.margin, nearest <= limits.nearest};
   BoxFaces<S>& points = meeting.faces;
   for (int k = 0; k < 3; ++k) {
-    points.origin[k] = origin[k];
+    points.origin[k] = clipping.translation[k];
     points.x[k] = wx[k];
     points.y[k] = wy[k];
     points.up[k] = up[k];

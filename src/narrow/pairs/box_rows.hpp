@@ -80,7 +80,13 @@ struct PoseRows {
       w = Row(pose.rotation.w);
     }
   }
+  PoseRows(const Row& at, const Row& of_vector, const Row& real) : translation(at), vector(of_vector), w(real) {}
   Rows<S> rotation() const { return rotation_rows(vector, w); }
+
+  friend PoseRows select(const typename Row::Mask& condition, const PoseRows& yes, const PoseRows& no) {
+    return {select(condition, yes.translation, no.translation), select(condition, yes.vector, no.vector),
+            select(condition, yes.w, no.w)};
+  }
 };
 
 /// `BoxPair` in rows.
@@ -95,6 +101,8 @@ struct BoxRows {
         half_b(p.half_b),
         translation(p.translation),
         rotation{Row(p.rotation.row[0]), Row(p.rotation.row[1]), Row(p.rotation.row[2])} {}
+  BoxRows(const Row& of_a, const Row& of_b, const Row& from_a, const Rows<S>& turn)
+      : half_a(of_a), half_b(of_b), translation(from_a), rotation(turn) {}
   /// Two boxes in place.
   BoxRows(const Row& of_a, const PoseRows<S>& a, const Row& of_b, const PoseRows<S>& b) : half_a(of_a), half_b(of_b) {
     const Row back = -a.vector;

@@ -34,8 +34,7 @@ template <class T>
 [[gnu::flatten]] void triangle_points(const PairRef<T>* pairs, const TriangleChoice<T>* axes, std::size_t count,
                                       PointBlock<T>& block) {
   using S = Lanes<T>;
-  block.point_count = 0;
-  block.any_twice = false;
+  clear(block);
   for (std::size_t first = 0; first < count; first += Pairs<T>::lanes) {
     const Pairs<T> bundle(pairs + first, count - first);
     TriangleChoice<S> choice;

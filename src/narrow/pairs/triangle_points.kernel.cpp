@@ -1,5 +1,6 @@
 // The points of contact of pairs of triangles, a register of them at a time in double, or one.
 #include "narrow/pairs/triangle_lanes.hpp"
+#include "narrow/point_rows.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -80,8 +81,7 @@ template <class T>
 [[gnu::flatten]] void triangle_pair_points(const PairRef<T>* pairs, const FoundTriangles<T>* found, std::size_t count,
                                            PointBlock<T>& block) {
   using Pairs = PairBundle<Triangle<T>, Triangle<T>, T>;
-  block.any_twice = false;
-  block.point_count = 0;
+  clear(block);
   const auto put_part = [&](const Pairs& p, std::size_t begin, auto number) {
     constexpr std::size_t part = number, first_lane = part * part_lanes;
     const std::size_t first = begin + first_lane, size = least(p.count - first_lane, part_lanes);
@@ -91,12 +91,13 @@ template <class T>
     for (std::size_t k = 0; k < size; ++k) {
       const std::size_t pair = first + k;
       const int i = static_cast<int>(k);
-      const bool known = manifold.known[i] != 0 && found[pair].distance > -std::numeric_limits<T>::infinity();
-      for (std::size_t c = 0; c < 3; ++c) block.normal[c][pair] = static_cast<T>(manifold.normal[c][i]);
-      const std::size_t points = known ? put_points<T>(manifold, i, block.points.row + block.point_count) : 0;
-      block.known[pair] = static_cast<T>(known);
-      block.count[pair] = static_cast<T>(points);
-      block.point_count += static_cast<std::uint32_t>(points);
+      if (manifold.known[i] == 0 || !(found[pair].distance > -std::numeric_limits<T>::infinity())) continue;
+      const auto normal = [&](std::size_t axis) { return static_cast<T>(manifold.normal[axis][i]); };
+      const auto points = static_cast<std::uint32_t>(put_points<T>(manifold, i, block.points + block.point_count));
+      block.known |= std::uint32_t{1} << pair;
+      block.manifolds[block.manifold_count++] = {
+          {normal(0), normal(1), normal(2)}, 0, 0, block.first_point + block.point_count, points};
+      block.point_count += points;
     }
   };
   for (std::size_t begin = 0; begin < count; begin += Pairs::lanes) {
