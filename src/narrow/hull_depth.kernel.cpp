@@ -23,25 +23,28 @@ template <class T>
   polytope.begin(tetrahedron);
   r.upper = std::numeric_limits<double>::infinity();
   std::size_t deepest = 0;
+  const auto proven = [&] {
+    const Vec3d outward = polytope.normal(deepest);
+    r.lower = least(r.lower, r.upper);
+    r.normal = -outward;
+    return polytope.witness(outward, deepest, r.a, r.b);
+  };
   while (polytope.has_room()) {
     const std::size_t facet = polytope.nearest_open();
-    r.lower = polytope.open(facet);
-    if (r.lower == std::numeric_limits<double>::infinity()) return false;
-    if (r.upper - r.lower <= tolerance) {
-      const Vec3d outward = polytope.normal(deepest);
-      r.lower = least(r.lower, r.upper);
-      r.normal = -outward;
-      return polytope.witness(outward, deepest, r.a, r.b);
-    }
-    const Vec3d normal = polytope.normal(facet);
-    const SupportPoint& found = polytope.next_point() = support_of(hulls, placed, -normal);
-    const double depth = dot(found.w, normal);
+    if (!polytope.open(facet)) return false;
+    r.lower = polytope.offset(facet);
+    if (r.upper - r.lower <= tolerance) return proven();
+    const SupportPoint& found = polytope.next_point() = support_of(hulls, placed, -polytope.outward(facet));
+    const double depth = dot(found.w, polytope.normal(facet));
     deepest = depth < r.upper ? facet : deepest;
     r.upper = least(r.upper, depth);
-    if (depth - polytope.offset(facet) <= noise)
-      polytope.close(facet);  // a facet of the difference itself
-    else if (!polytope.expand())
+    if (depth - r.lower <= noise) {
+      // A facet of the difference itself, and no other is nearer.
+      if (r.upper - r.lower <= tolerance) return proven();
+      polytope.close(facet);
+    } else if (!polytope.expand()) {
       return false;
+    }
   }
   return false;
 }
