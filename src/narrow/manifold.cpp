@@ -18,6 +18,16 @@ struct Basis {
   Vec3d point(const Flat& p, double height) const { return u * p.x + v * p.y + n * height; }
 };
 
+/// A corner of a face with the edge that begins there.
+struct FlatEdge {
+  Flat from;
+  double x, y, squared;  ///< the way to the next corner
+  std::uint32_t id;      ///< of the corner
+
+  /// Twice the area of the triangle with a point: positive where that lies to the left.
+  double left(const Flat& p) const { return x * (p.y - from.y) - y * (p.x - from.x); }
+};
+
 /// A face seen along the normal, counter-clockwise, with the height of its plane or line over any point.
 class FlatFace {
  public:
@@ -27,61 +37,69 @@ class FlatFace {
     const std::uint32_t* ids = face.ids.data();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t k = reversed ? n - 1 - i : i;
-      flat_.push_back(basis.flat(vertices[k]));
-      ids_.push_back(ids[k]);
+      FlatEdge& edge = edges_.emplace_back();
+      edge.from = basis.flat(vertices[k]);
+      edge.id = ids[k];
     }
-    if (n > 1) {
-      const Flat* flat = flat_.data();
-      for (std::size_t i = 0; i < n; ++i)
-        edges_squared_.push_back(distance_squared(flat[i], flat[i + 1 == n ? 0 : i + 1]));
+    FlatEdge* const edges = edges_.data();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Flat &from = edges[i].from, &to = edges[i + 1 == n ? 0 : i + 1].from;
+      edges[i].x = to.x - from.x;
+      edges[i].y = to.y - from.y;
+      edges[i].squared = edges[i].x * edges[i].x + edges[i].y * edges[i].y;
     }
     base_ = dot(face.vertices[reversed ? n - 1 : 0], basis.n);
     slope(basis, dot(face.vertices[reversed ? 0 : n - 1], basis.n));
   }
 
-  std::size_t size() const { return flat_.size(); }
-  const Flat& operator[](std::size_t i) const { return flat_[i]; }
-  const Flat& next(std::size_t i) const { return flat_[i + 1 == size() ? 0 : i + 1]; }
-  double height(const Flat& p) const { return base_ + slope_x_ * (p.x - flat_[0].x) + slope_y_ * (p.y - flat_[0].y); }
+  std::size_t size() const { return edges_.size(); }
+  const Flat& operator[](std::size_t i) const { return edges_[i].from; }
+  const FlatEdge& edge(std::size_t i) const { return edges_[i]; }
+  double height(const Flat& p) const {
+    const Flat& first = edges_[0].from;
+    return base_ + slope_x_ * (p.x - first.x) + slope_y_ * (p.y - first.y);
+  }
   /// Infinite of a vertex.
   double shortest_edge_squared() const {
     double shortest = std::numeric_limits<double>::infinity();
-    for (const double squared : edges_squared_) shortest = least(shortest, squared);
+    if (size() > 1)
+      for (const FlatEdge& edge : edges_) shortest = least(shortest, edge.squared);
     return shortest;
   }
 
   /// What of the face a point on it lies on, within `near`: a vertex, an edge or the face.
   std::uint32_t feature(const Flat& p, double near) const {
-    if (size() == 1) return vertex_feature(ids_[0]);
-    if (size() == 2) {
+    const std::size_t n = edges_.size();
+    const FlatEdge* const edges = edges_.data();
+    if (n == 1) return vertex_feature(edges[0].id);
+    if (n == 2) {
       for (std::size_t i = 0; i < 2; ++i)
-        if (distance_squared(p, flat_[i]) <= near * near) return vertex_feature(ids_[i]);
-      return edge_feature(ids_[0], ids_[1]);
+        if (distance_squared(p, edges[i].from) <= near * near) return vertex_feature(edges[i].id);
+      return edge_feature(edges[0].id, edges[1].id);
     }
-    const std::size_t n = size();
-    const Flat* flat = flat_.data();
-    const double* edges_squared = edges_squared_.data();
-    const auto on_edge = [&](std::size_t i) {
-      const double outside = -cross(flat[i], flat[i + 1 == n ? 0 : i + 1], p);
-      return outside >= 0 || outside * outside <= near * near * edges_squared[i];
-    };
+    // The first edge that it lies on, and whether it does on the next one or, where that is the first of all, the last.
+    std::size_t first = n;
+    bool on_next = false, on = false;
     for (std::size_t i = 0; i < n; ++i) {
-      if (!on_edge(i)) continue;
-      const std::size_t before = i == 0 ? n - 1 : i - 1, after = i + 1 == n ? 0 : i + 1;
-      if (on_edge(after)) return vertex_feature(ids_[after]);
-      return i == 0 && on_edge(before) ? vertex_feature(ids_[0]) : edge_feature(ids_[i], ids_[after]);
+      const double inside = edges[i].left(p);
+      on = (inside <= 0) | (inside * inside <= near * near * edges[i].squared);
+      on_next |= on & (first + 1 == i);
+      first = on & (first == n) ? i : first;
     }
-    return face_feature(face_.id);
+    if (first == n) return face_feature(face_.id);
+    const std::size_t after = first + 1 == n ? 0 : first + 1;
+    if (on_next) return vertex_feature(edges[after].id);
+    return first == 0 && on ? vertex_feature(edges[0].id) : edge_feature(edges[first].id, edges[after].id);
   }
 
  private:
   void slope(const Basis& basis, double last) {
     if (size() == 1) return;
     if (size() == 2) {
-      const double dx = flat_[1].x - flat_[0].x, dy = flat_[1].y - flat_[0].y, l = dx * dx + dy * dy;
-      const double rise = l > 0 ? (last - base_) / l : 0;
-      slope_x_ = rise * dx;
-      slope_y_ = rise * dy;
+      const FlatEdge& edge = edges_[0];
+      const double rise = edge.squared > 0 ? (last - base_) / edge.squared : 0;
+      slope_x_ = rise * edge.x;
+      slope_y_ = rise * edge.y;
       return;
     }
     const Vec3d m = polygon_normal(face_);
@@ -92,24 +110,23 @@ class FlatFace {
   }
 
   const PlacedFace& face_;
-  SmallVector<Flat, 16> flat_;
-  SmallVector<std::uint32_t, 16> ids_;
-  SmallVector<double, 16> edges_squared_;  ///< none of a vertex
+  SmallVector<FlatEdge, 16> edges_;
   double base_, slope_x_ = 0, slope_y_ = 0;
 };
 
-/// Keeps what lies left of the line from p to q (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an edge
+/// Keeps what lies left of the line along an edge (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an edge
 /// what lies no further to the right than `beside`.
 /// Answers whether anything was to the right: `kept` is written only then.
-bool cut(const Outline& subject, const Flat& p, const Flat& q, bool closed, double beside, Outline& kept) {
+bool cut(const Outline& subject, const FlatEdge& edge, bool closed, double beside, Outline& kept) {
   const std::size_t n = subject.size();
   const Flat* points = subject.data();
-  const double outside = closed ? 0 : -beside * std::sqrt(distance_squared(p, q));
+  const double outside = closed ? 0 : -beside * std::sqrt(edge.squared);
   SmallVector<double, 32> sides;
   bool all = true;
   for (std::size_t k = 0; k < n; ++k) {
-    sides.push_back(cross(p, q, points[k]));
-    all &= sides[k] >= outside;
+    const double side = edge.left(points[k]);
+    sides.push_back(side);
+    all &= side >= outside;
   }
   if (all) return false;
   kept.clear();
@@ -194,7 +211,7 @@ void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, dou
   Outline one, other, *now = &one, *next = &other;
   for (std::size_t i = 0; i < subject.size(); ++i) one.push_back(subject[i]);
   for (std::size_t i = 0; i < clip.size() && !now->empty(); ++i)
-    if (cut(*now, clip[i], clip.next(i), subject.size() > 2, along_rim * near + beside, *next)) std::swap(now, next);
+    if (cut(*now, clip.edge(i), subject.size() > 2, along_rim * near + beside, *next)) std::swap(now, next);
   Outline& outline = *now;
   simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });
   for (const Flat& p : outline)

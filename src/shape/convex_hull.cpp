@@ -1,6 +1,7 @@
 #include "graze/shape/convex_hull.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "graze/shape/triangle.hpp"
 #include "shape/furthest_vertex.hpp"
@@ -53,26 +54,50 @@ std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::ui
   return best;
 }
 
+/// A choice of which no compiler makes a jump: for conditions that no processor foresees.
+template <class N>
+N without_jump(bool condition, N yes, N no) {
+  using Bits = std::conditional_t<sizeof(N) == 4, std::uint32_t, std::uint64_t>;
+  const Bits chosen = Bits(0) - static_cast<Bits>(condition), other = std::bit_cast<Bits>(no);
+  return std::bit_cast<N>(other ^ ((other ^ std::bit_cast<Bits>(yes)) & chosen));
+}
+
+/// Of a hull that is scanned from where that has just read it.
+template <class T>
+Vec3<T> scanned_vertex(const HullData<T>& hull, std::uint32_t v) {
+  if constexpr (std::is_same_v<T, float>)
+    if (!hull.blocks.empty()) {
+      const VertexBlock& block = hull.blocks[v / VertexBlock::size];
+      const std::size_t k = v % VertexBlock::size;
+      return {block.x[k], block.y[k], block.z[k]};
+    }
+  return hull.vertices[v];
+}
+
 /// The vertices that lie as high along a direction as the highest, within rounding.
 template <class T>
 class HighVertices {
  public:
-  HighVertices(const HullData<T>& hull, const Vec3<T>& direction, std::uint32_t top)
-      : hull_(hull),
-        direction_(direction),
-        level_(dot(hull.vertices[top], direction) - T(64) * std::numeric_limits<T>::epsilon() * hull.extent) {
-    if constexpr (std::is_same_v<T, float>) by_bits_ = !hull.blocks.empty();
+  HighVertices(const ConvexHull<T>& hull, const Vec3<T>& direction) : hull_(hull.data()), direction_(direction) {
+    const T below = T(64) * std::numeric_limits<T>::epsilon() * hull_.extent;
+    if constexpr (std::is_same_v<T, float>) by_bits_ = !hull_.blocks.empty();
     if (by_bits_) {
-      static const auto kernel = GRAZE_KERNEL(chosen_isa(), vertices_at_least);
-      if constexpr (std::is_same_v<T, float>) bits_ = kernel(scanned(hull), direction, level_);
+      static const auto kernel = GRAZE_KERNEL(chosen_isa(), highest_vertices);
+      HighestVertices highest{};
+      if constexpr (std::is_same_v<T, float>) highest = kernel(scanned(hull_), direction, below);
+      top_ = highest.top;
+      bits_ = highest.bits;
       several_ = (bits_ & (bits_ - 1)) != 0;
     } else {
+      top_ = static_cast<std::uint32_t>(hull.support_vertex(direction));
+      level_ = dot(hull_.vertices[top_], direction) - below;
       // There is another as high only where one beside the top is.
-      const auto beside = hull.around(top);
+      const auto beside = hull_.around(top_);
       several_ = std::any_of(beside.begin(), beside.end(), [&](std::uint32_t v) { return has(v); });
     }
   }
 
+  std::uint32_t top() const { return top_; }
   bool several() const { return several_; }
   std::ptrdiff_t among(std::span<const std::uint32_t> vertices) const {
     return std::count_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return has(v); });
@@ -85,9 +110,9 @@ class HighVertices {
 
   const HullData<T>& hull_;
   Vec3<T> direction_;
-  T level_;
+  T level_ = 0;
   bool by_bits_ = false, several_ = false;
-  std::uint32_t bits_ = 0;
+  std::uint32_t top_ = 0, bits_ = 0;
 };
 
 }  // namespace
@@ -154,26 +179,27 @@ void ConvexHull<T>::core_face(const Vec3<T>& direction, Face<T>& face, T lean) c
   const HullData<T>& hull = *data_;
   face.clear();
   const Vec3<T> n = normalized(direction);
-  const auto top = static_cast<std::uint32_t>(support_vertex(n));
   const auto faces = static_cast<std::uint32_t>(hull.planes.size());
 
   // Where the direction is across an edge, its far end is as high: a face that has both is the edge's own.
-  const HighVertices<T> high(hull, n, top);
+  const HighVertices<T> high(*this, n);
+  const std::uint32_t top = high.top();
   std::uint32_t best = HullData<T>::no_face;
   std::ptrdiff_t most_tied = 0;
   T least_squared = lean * lean;
   for (const std::uint32_t f : hull.faces_at(top)) {
     const Vec3<T>& m = hull.planes[f].normal;
     const T squared_sine = length_squared(cross(m, n));
-    if (!(dot(m, n) > T(0)) || squared_sine > lean * lean) continue;
-    const auto tied = high.several() ? high.among(hull.loop(f)) : 1;
-    if (tied < most_tied || (tied == most_tied && squared_sine > least_squared)) continue;
-    most_tied = tied;
-    least_squared = squared_sine;
-    best = f;
+    const std::ptrdiff_t tied = high.several() ? high.among(hull.loop(f)) : 1;
+    // Which of them is better is anybody's guess.
+    const bool leans_little = (dot(m, n) > T(0)) & (squared_sine <= lean * lean);
+    const bool better = leans_little & ((tied > most_tied) | ((tied == most_tied) & (squared_sine <= least_squared)));
+    most_tied = without_jump(better, tied, most_tied);
+    least_squared = without_jump(better, squared_sine, least_squared);
+    best = without_jump(better, f, best);
   }
   if (best != HullData<T>::no_face) {
-    for (const std::uint32_t v : hull.loop(best)) face.push(hull.vertices[v], v);
+    for (const std::uint32_t v : hull.loop(best)) face.push(scanned_vertex(hull, v), v);
     face.id = best;
     return;
   }

@@ -41,12 +41,17 @@ ScannedHull<T> scanned(const HullData<T>& hull) {
           static_cast<float>(hull.extent)};
 }
 
+struct HighestVertices {
+  std::uint32_t top;   ///< a number
+  std::uint32_t bits;  ///< bit i of vertex i
+};
+
 // clang-format off
 GRAZE_DECLARE_KERNEL(
     /// The number of the vertex furthest along a direction.
     template <class T, class S> std::uint32_t furthest_vertex(const ScannedHull<T>& hull, const Vec3<S>& direction);
-    /// Bit i of vertex i where it lies at least `level` along a direction.
-    std::uint32_t vertices_at_least(const ScannedHull<float>& hull, const Vec3<float>& direction, float level);)
+    /// The vertex furthest along a direction, and those that lie lower by no more than `below`.
+    HighestVertices highest_vertices(const ScannedHull<float>& hull, const Vec3<float>& direction, float below);)
 // clang-format on
 
 }  // namespace graze

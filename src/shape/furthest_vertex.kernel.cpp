@@ -7,10 +7,21 @@ std::uint32_t furthest_vertex(const ScannedHull<T>& hull, const Vec3<S>& directi
   return scan(hull, direction);
 }
 
-std::uint32_t vertices_at_least(const ScannedHull<float>& hull, const Vec3<float>& direction, float level) {
-  const std::uint32_t bits = hull.count > VertexBlock::size ? Places<2>(hull.blocks, direction).not_less(level)
-                                                            : Places<1>(hull.blocks, direction).not_less(level);
-  return bits & all_vertices(hull);
+namespace {
+
+template <std::size_t Blocks>
+[[gnu::always_inline]] inline HighestVertices highest_in(const ScannedHull<float>& hull, const Vec3<float>& direction,
+                                                         float below) {
+  const Places<Blocks> places(hull.blocks, direction);
+  const float most = places.most();
+  const std::uint32_t all = all_vertices(hull);
+  return {first_of(places.not_less(most) & all), places.not_less(most - below) & all};
+}
+
+}  // namespace
+
+HighestVertices highest_vertices(const ScannedHull<float>& hull, const Vec3<float>& direction, float below) {
+  return hull.count > VertexBlock::size ? highest_in<2>(hull, direction, below) : highest_in<1>(hull, direction, below);
 }
 
 template std::uint32_t furthest_vertex(const ScannedHull<float>&, const Vec3<float>&);

@@ -106,10 +106,11 @@ template <class T, class S>
   std::uint32_t best = first();
   S most = along(best);
   for (among &= among - 1; among != 0; among &= among - 1) {
-    const S here = along(first());
-    if (!(here > most)) continue;
-    most = here;
-    best = first();
+    const std::uint32_t v = first();
+    const S here = along(v);
+    // Without a jump: which of them is further is anybody's guess.
+    best ^= (best ^ v) & (0u - static_cast<std::uint32_t>(here > most));
+    most = here > most ? here : most;
   }
   return best;
 }
