@@ -84,7 +84,7 @@ class FlatFace {
       const double inside = edges[i].left(p);
       on = (inside <= 0) | (inside * inside <= near * near * edges[i].squared);
       on_next |= on & (first + 1 == i);
-      first = on & (first == n) ? i : first;
+      first = (on & (first == n)) ? i : first;
     }
     if (first == n) return face_feature(face_.id);
     const std::size_t after = first + 1 == n ? 0 : first + 1;

@@ -15,9 +15,12 @@ namespace {
 template <class T>
 struct TwoHulls {
   explicit TwoHulls(Random& random)
-      : a(build<T>(random_specimen(Kind::hull, 1, random))),
-        b(build<T>(random_specimen(Kind::hull, 1, random))),
-        pose{cast<double>(random_vector(random, 1.5f)), normalized(cast<double>(random_rotation(random)))},
+      : TwoHulls(build<T>(random_specimen(Kind::hull, 1, random)), build<T>(random_specimen(Kind::hull, 1, random)),
+                 1.5f, random) {}
+  TwoHulls(const Shape<T>& first, const Shape<T>& second, float apart, Random& random)
+      : a(first),
+        b(second),
+        pose{cast<double>(random_vector(random, apart)), normalized(cast<double>(random_rotation(random)))},
         core_a(a),
         core_b(b),
         cores(core_a, core_b, pose) {}
@@ -92,43 +95,95 @@ TYPED_TEST(HullDifferences, AreAsFarFromFourPointsAsFromOne) {
   EXPECT_GT(apart, 20);
 }
 
-TYPED_TEST(HullDifferences, AreAsDeepOnLanesAsByOneFacetAfterTheOther) {
-  using T = TypeParam;
-  Random random(3);
+struct Compared {
   int enclosed = 0, proven = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const TwoHulls<T> two(random);
-    if (!two.scanned()) continue;
-    HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
-    const double tolerance = 1e-11 * difference.size(), noise = rounding * difference.reach();
-    const GjkResult g = gjk_spread(difference, {tolerance});
-    if (g.end != GjkEnd::touching || g.simplex.size() < 4) continue;
-    const EpaResult expected = epa(difference, g.simplex, tolerance);
-    std::vector<EpaResult> at_levels;
-    for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-      EpaResult found;
-      if (!isa_available(level)) continue;
-      if (GRAZE_KERNEL(level, hull_depth<T>)(difference.hulls(), difference.placed(), g.simplex.points.data(), noise,
-                                             tolerance, found))
-        at_levels.push_back(found);
-    }
-    ++enclosed;
-    if (at_levels.empty()) continue;
-    ++proven;
-    for (const EpaResult& found : at_levels) {
-      EXPECT_EQ(found.upper, at_levels[0].upper);
-      EXPECT_EQ(found.lower, at_levels[0].lower);
-      EXPECT_EQ(found.normal, at_levels[0].normal);
-      EXPECT_EQ(found.a, at_levels[0].a);
-      EXPECT_EQ(found.b, at_levels[0].b);
-      EXPECT_NEAR(found.upper, expected.upper, 2 * tolerance);
-      EXPECT_LE(found.upper - found.lower, tolerance);
-      EXPECT_NEAR(dot(two.cores.support(found.normal).w, found.normal), -found.upper, tolerance);
-      EXPECT_LE(length(found.b - found.a + found.normal * found.upper), 100 * tolerance);
-    }
+};
+
+/// The depth at every level against the general EPA's, where GJK leaves a tetrahedron about the origin.
+template <class T>
+void compare_depths(const TwoHulls<T>& two, Compared& compared) {
+  if (!two.scanned()) return;
+  HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
+  const double tolerance = 1e-11 * difference.size(), noise = rounding * difference.reach();
+  const GjkResult g = gjk_spread(difference, {tolerance});
+  if (g.end != GjkEnd::touching || g.simplex.size() < 4) return;
+  const EpaResult expected = epa(difference, g.simplex, tolerance);
+  std::vector<EpaResult> at_levels;
+  std::size_t levels = 0;
+  for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+    EpaResult found;
+    if (!isa_available(level)) continue;
+    ++levels;
+    if (GRAZE_KERNEL(level, hull_depth<T>)(difference.hulls(), difference.placed(), g.simplex.points.data(), noise,
+                                           tolerance, found))
+      at_levels.push_back(found);
   }
-  EXPECT_GT(enclosed, 50);
-  EXPECT_GE(proven, enclosed * 9 / 10);
+  ++compared.enclosed;
+  if (at_levels.empty()) return;
+  ++compared.proven;
+  EXPECT_EQ(at_levels.size(), levels);
+  for (const EpaResult& found : at_levels) {
+    EXPECT_EQ(found.upper, at_levels[0].upper);
+    EXPECT_EQ(found.lower, at_levels[0].lower);
+    EXPECT_EQ(found.normal, at_levels[0].normal);
+    EXPECT_EQ(found.a, at_levels[0].a);
+    EXPECT_EQ(found.b, at_levels[0].b);
+    EXPECT_NEAR(found.upper, expected.upper, 2 * tolerance);
+    EXPECT_LE(found.upper - found.lower, tolerance);
+    EXPECT_NEAR(dot(two.cores.support(found.normal).w, found.normal), -found.upper, tolerance);
+    EXPECT_LE(length(found.b - found.a + found.normal * found.upper), 100 * tolerance);
+  }
+}
+
+TYPED_TEST(HullDifferences, AreAsDeepOnLanesAsByOneFacetAfterTheOther) {
+  Random random(3);
+  Compared compared;
+  for (int i = 0; i < 1000; ++i) compare_depths(TwoHulls<TypeParam>(random), compared);
+  EXPECT_GT(compared.enclosed, 50);
+  EXPECT_GE(compared.proven, compared.enclosed * 9 / 10);
+}
+
+/// Round hulls, needles and discs about nearly one centre, whose polytopes have many points.
+TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereThePolytopeGrows) {
+  using T = TypeParam;
+  Random random(7);
+  const auto hull = [&] {
+    const float wide = uniform(random, 0.02f, 1), high = uniform(random, 0.02f, 1);
+    std::vector<Vec3<T>> points;
+    for (int k = 0; k < 32; ++k) {
+      const Vec3f p = normalized(random_vector(random, 1));
+      points.push_back(cast<T>(Vec3f{p.x * wide, p.y * high, p.z}));
+    }
+    return Shape<T>(ConvexHull<T>(std::span<const Vec3<T>>(points)));
+  };
+  Compared compared;
+  for (int i = 0; i < 500; ++i) compare_depths(TwoHulls<T>(hull(), hull(), 0.1f, random), compared);
+  EXPECT_GT(compared.enclosed, 400);
+  EXPECT_GE(compared.proven, compared.enclosed * 8 / 10);
+}
+
+/// Cones with a pebble about in their middle: an apex is seen from many facets, once in some hundred pairs from more than
+/// a register holds.
+TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereManyFacetsSeeAPoint) {
+  using T = TypeParam;
+  Random random(9);
+  const auto hull_of = [&](const std::vector<Vec3f>& around) {
+    std::vector<Vec3<T>> points;
+    for (const Vec3f& p : around) points.push_back(cast<T>(p));
+    return Shape<T>(ConvexHull<T>(std::span<const Vec3<T>>(points)));
+  };
+  Compared compared;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<Vec3f> pebble, cone{{0, uniform(random, 0.3f, 2), 0}};
+    for (int k = 0; k < 8; ++k) pebble.push_back(normalized(random_vector(random, 1)) * 0.05f);
+    for (int k = 0; k < 31; ++k) {
+      const Vec3f p = random_vector(random, 1);
+      cone.push_back(normalized(Vec3f{p.x, 0, p.z}));
+    }
+    compare_depths(TwoHulls<T>(hull_of(pebble), hull_of(cone), 0.3f, random), compared);
+  }
+  EXPECT_GT(compared.enclosed, 1000);
+  EXPECT_EQ(compared.proven, compared.enclosed);
 }
 
 }  // namespace

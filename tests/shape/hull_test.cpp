@@ -196,6 +196,15 @@ void support_is_the_scan(double scale) {
         for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512})
           if (isa_available(level)) {
             EXPECT_EQ((GRAZE_KERNEL(level, furthest_vertex<T, S>)(scanned(data), d)), expected);
+            if constexpr (std::is_same_v<T, float> && std::is_same_v<S, float>) {
+              const float below = 0.1f * data.extent * static_cast<float>(reach);
+              const HighestVertices highest = GRAZE_KERNEL(level, highest_vertices)(scanned(data), d, below);
+              EXPECT_EQ(highest.top, expected);
+              for (std::size_t v = 0; v < 32; ++v)
+                EXPECT_EQ(highest.bits >> v & 1,
+                          v < data.vertices.size() &&
+                              dot(data.vertices[v], d) >= dot(data.vertices[expected], d) - below);
+            }
           }
       }
   }
