@@ -106,12 +106,4 @@ template <class T>
   append_places(unknown, first, to.unknown, counts.unknown);
 }
 
-/// Lists those of a bundle that lie.
-template <class T>
-[[gnu::always_inline]] inline void put_sides(const SideContact<Lanes<T>>& found, std::uint32_t lying, std::size_t first,
-                                             const ContactRows<T>& to, RowCounts& counts) {
-  put_sides(found, lying, to.sides + counts.sides);
-  append_places(lying, first, to.side_places, counts.sides);
-}
-
 }  // namespace graze::GRAZE_ISA

@@ -141,6 +141,10 @@ struct CorePoints {
   Vec3<S> a, b;
 };
 
+template <class T, class S>
+CoreDistance<T> cast(const CoreDistance<S>& d) {
+  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
+}
 template <class S>
 CoreDistance<S> mirrored(const CoreDistance<S>& d) {
   return {d.distance, -d.normal, d.b, d.a};

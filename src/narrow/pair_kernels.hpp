@@ -198,7 +198,8 @@ GRAZE_DECLARE_KERNEL(
     /// Contacts, distances and overlaps, as those above, of balls or capsules with triangles, in double. `unknown`: also
     /// those that the general path has to answer for.
     template <class A, class T> void round_triangle_contacts(const PairRef<T>* pairs, std::size_t count,
-                                                             PointContact<T>* contacts, Meeting* meetings);
+                                                             PointContact<T>* contacts, Meeting* meetings,
+                                                             SideContact<T>* sides);
     template <class A, class T> void round_triangle_row_contacts(const PairRows<T>& rows, std::size_t count, T margin,
                                                                  bool turned, const ContactRows<T>& to,
                                                                  RowCounts& found);

@@ -40,9 +40,9 @@ template <class A, class B, class T>
   using S = Lanes<T>;
   using Whole = typename S::BitVector;
   constexpr bool balls = std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>;
-  // A side on a triangle is not known.
-  const S other(std::is_same_v<B, Triangle<T>> ? T(2) : T(3));
-  const S meeting = select(c.at.distance <= margin, select(c.known == S(0), other, S(1)), S(0));
+  S touching = select(c.known == S(0), S(3), S(1));
+  if constexpr (std::is_same_v<B, Triangle<T>>) touching = select(c.known < S(0), S(2), touching);
+  const S meeting = select(c.at.distance <= margin, touching, S(0));
   put_bytes<T>(__builtin_convertvector(meeting.v, Whole), lanes_of<T>, reinterpret_cast<std::uint8_t*>(meetings));
   const Whole place = __builtin_convertvector(feature_place(c.part_a, c.part_b).v, Whole);
   std::uint32_t features[lanes_of<T>];

@@ -17,7 +17,7 @@ void ask_round_kernel(const PairRef<T>* pairs, std::size_t count, PointContact<T
   if constexpr (is_round_pair<A, B>)
     GRAZE_KERNEL(level, round_contacts<A, B, T>)(pairs, count, contacts, meetings, sides);
   else if constexpr (std::is_same_v<B, Triangle<T>>)
-    GRAZE_KERNEL(level, round_triangle_contacts<A, T>)(pairs, count, contacts, meetings);
+    GRAZE_KERNEL(level, round_triangle_contacts<A, T>)(pairs, count, contacts, meetings, sides);
   else
     GRAZE_KERNEL(level, capsule_box_contacts<T>)(pairs, count, contacts, meetings, sides);
 }

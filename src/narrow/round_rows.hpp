@@ -46,10 +46,11 @@ template <class A, class B, class T>
 }
 
 /// Writes the lanes that hold a pair, of which the first is the `first`-th of `count`, and adds to the counts.
-template <class A, class B, class T>
-[[gnu::always_inline]] inline void put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c,
-                                            const Lanes<T>& weight, T margin, bool turned, std::size_t first,
-                                            std::size_t count, const ContactRows<T>& to, RowCounts& counts) {
+/// `put_lying(bits, sides)` writes what it finds of those that may lie, one behind the other.
+template <class A, class B, class T, class PutLying>
+[[gnu::always_inline]] inline void
+put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c, const Lanes<T>& weight, T margin, bool turned,
+         std::size_t first, std::size_t count, const ContactRows<T>& to, RowCounts& counts, const PutLying& put_lying) {
   using S = Lanes<T>;
   constexpr std::size_t lanes = lanes_of<T>;
   const std::uint32_t filled = filled_lanes<T>(count - first),
@@ -59,14 +60,13 @@ template <class A, class B, class T>
     const std::uint32_t regular = bits_of(p.regular());
     touching &= Chosen<T>::not_less(c.known, S(1)).bits() & regular;
     unknown = ~regular & filled;
-    const std::uint32_t others = near & regular & ~touching;
-    if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Capsule<T>>) {
-      if (others != 0)
-        put_sides<T>(side_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c.at, S(margin)), others, first, to,
-                     counts);
-    } else {
-      unknown |= others;
-    }
+    const std::uint32_t others = near & regular & ~touching, lying = others & Chosen<T>::not_less(c.known, S(0)).bits();
+    unknown |= others & ~lying;
+    if constexpr (std::is_same_v<A, Capsule<T>>)
+      if (lying != 0) {
+        put_lying(lying, to.sides + counts.sides);
+        append_places(lying, first, to.side_places, counts.sides);
+      }
   }
   LaneContacts<T> found{c.at, features_of<A, B, T>(c), weight};
   if (turned) found = found.mirrored();

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "by_faces.hpp"
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
 #include "narrow/convex_pair.hpp"
@@ -14,8 +16,11 @@
 namespace graze::testing {
 namespace {
 
+/// Of two points with the same names that are equally deep one is kept, and rounding chooses which: `ties`, nearer to
+/// each other than `near`.
 template <class T>
-void expect_alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double allowed, int& other_names) {
+void expect_alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double allowed, double near, int& other_names,
+                  int& ties) {
   ASSERT_EQ(fast.size(), slow.size());
   if (fast.empty()) return;
   ASSERT_EQ(fast[0].points.size(), slow[0].points.size());
@@ -23,9 +28,14 @@ void expect_alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double all
   for (std::size_t k = 0; k < fast[0].points.size(); ++k) {
     const ContactPoint<T>&p = fast[0].points[k], &q = slow[0].points[k];
     ASSERT_NEAR(static_cast<double>(p.distance), static_cast<double>(q.distance), allowed);
-    ASSERT_LT(length(cast<double>(p.a - q.a)), allowed);
-    ASSERT_LT(length(cast<double>(p.b - q.b)), allowed);
     other_names += p.feature != q.feature;
+    const double off = std::max(length(cast<double>(p.a - q.a)), length(cast<double>(p.b - q.b)));
+    if (off > allowed && p.feature == q.feature && fast[0].points.size() == 1) {
+      ++ties;
+      ASSERT_LT(off, near);
+      continue;
+    }
+    ASSERT_LT(off, allowed);
   }
 }
 
@@ -33,7 +43,7 @@ void expect_alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double all
 template <class T>
 void expect_as_in_general(unsigned seed, double near) {
   Random random(seed);
-  int touching = 0, other_names = 0, single = 0;
+  int touching = 0, other_names = 0, single = 0, ties = 0;
   for (int i = 0; i < 8000; ++i) {
     static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1e2f, 1e4f};
     const float scale = scales[i % 5];
@@ -66,18 +76,79 @@ void expect_as_in_general(unsigned seed, double near) {
     ASSERT_EQ(touch, d.distance <= T(0)) << i;
     ASSERT_EQ(touch, overlap(a, pose_a, b, pose_b)) << i;
     contacts(a, pose_a, b, pose_b, T(0), slow, &trace);
-    ASSERT_NO_FATAL_FAILURE(expect_alike(fast, slow, allowed, other_names)) << i;
+    ASSERT_NO_FATAL_FAILURE(expect_alike(fast, slow, allowed, 0.02 * size, other_names, ties)) << i;
     touching += touch;
     single += touch && fast[0].points.size() == 1;
   }
   EXPECT_GT(touching, 1000);
   EXPECT_GT(single, 500);
   EXPECT_LE(other_names, 2);  // where rounding tells which
+  EXPECT_LE(ties, 8);
 }
 
 TEST(CapsuleTriangle, IsAsInGeneral) {
   expect_as_in_general<float>(1, 2e-6);
   expect_as_in_general<double>(2, 1e-11);
+}
+
+/// A capsule whose side lies on a triangle or along one of its edges, tilted by up to `tilt`, a little apart to sunk in;
+/// the triangle is about its own origin or away from it, some nearly slivers, some rounded.
+template <class T>
+ByFaces compare_lying_on_triangles(unsigned seed, double tilt, double scale) {
+  Random random(seed);
+  ByFaces found;
+  const auto some = [&](double low, double high) {
+    return static_cast<double>(uniform(random, static_cast<float>(low), static_cast<float>(high)));
+  };
+  const auto vector = [&](double reach) { return cast<double>(random_vector(random, static_cast<float>(reach))); };
+  for (int i = 0; i < 2000; ++i) {
+    const double radius = i % 5 == 0 ? 0 : some(0.01, 0.5), rounded = i % 8 == 0 ? 0.1 : 0,
+                 edges = i % 7 == 0 ? 0.1 : 0, half = some(0.05, 2);
+    const Vec3d own = i % 4 == 0 ? vector(10) : Vec3d{};
+    Vec3d corners[3] = {vector(1), vector(1), vector(1)};
+    if (i % 10 == 3) corners[2] = corners[0] + (corners[1] - corners[0]) * some(0, 1) + vector(0.05);
+    const Vec3d along = normalized(corners[1] - corners[0]),
+                face = normalized(cross(corners[1] - corners[0], corners[2] - corners[0])),
+                up = i % 2 == 0 ? face : -face, inward = cross(face, along);
+    // Along the face; else about along the first edge, seen from the face, from beyond the edge or from between.
+    const bool of_face = i % 3 != 0;
+    const double turn = of_face ? some(0, 6) : some(-0.1, 0.1), lean = i % 3 == 1 ? 0 : some(-tilt, tilt),
+                 beyond = of_face ? 0 : some(0, 3.1);
+    const Vec3d flat = along * std::cos(turn) + inward * std::sin(turn),
+                normal = up * std::cos(beyond) - inward * std::sin(beyond),
+                across = normalized(flat - normal * dot(flat, normal)),
+                axis = across * std::cos(lean) + normal * std::sin(lean);
+    const double u = some(-0.3, 1.3), v = of_face ? some(-0.3, 1.3) : i % 6 == 0 ? 0 : some(-0.01, 0.01);
+    const Vec3d place = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v +
+                        normal * (radius + rounded + edges + some(-0.1, 0.02));
+    const Posed ground{vector(1) * scale, i % 2 == 0 ? Quatd{} : normalized(cast<double>(random_rotation(random)))};
+    const Vec3d y{0, 1, 0}, between = cross(y, axis);
+    const Posed on{(place + own) * scale, normalized(Quatd{between.x, between.y, between.z, 1 + dot(y, axis)})};
+    const Shape<T> capsule(Capsule<T>(T(half * scale), T(radius * scale)), T(rounded * scale));
+    const Shape<T> triangle(Triangle<T>(cast<T>((corners[0] + own) * scale), cast<T>((corners[1] + own) * scale),
+                                        cast<T>((corners[2] + own) * scale)),
+                            T(edges * scale));
+    const Pose<T> pose = cast<T>(compose(ground, on)), pose_triangle = cast<T>(ground);
+    const T margin = T(i % 6 == 0 ? 0 : 0.05 * scale);
+    if (i % 5 == 1)
+      found.compare(triangle, pose_triangle, capsule, pose, margin, scale);
+    else
+      found.compare(capsule, pose, triangle, pose_triangle, margin, scale);
+  }
+  return found;
+}
+
+TEST(CapsuleTriangle, LyingIsAsTheFacesGive) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    for (const double tilt : {0.02, 0.06}) {
+      const ByFaces in_double = compare_lying_on_triangles<double>(3, tilt, scale),
+                    in_float = compare_lying_on_triangles<float>(4, tilt, scale);
+      in_double.expect_all_same(1e-9);
+      in_float.expect_all_but(3, 2e-5);
+      EXPECT_GT(in_double.two, 500);
+      EXPECT_GT(in_double.one, 60);
+    }
+  }
 }
 
 /// Many pairs by pointers: what the kernels tell of each is what the pair alone has, and they leave few to it.
@@ -117,7 +188,17 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
           EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
           ++touching;
         },
-        [&](std::size_t i, T, const Vec3<T>&, const auto&) { ADD_FAILURE() << i << " lies"; },
+        [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& points) {
+          Manifold<T> found, told;
+          EXPECT_EQ(alone(i, found), distance);
+          EXPECT_EQ(found.normal, normal);
+          points.append(told.points);
+          ASSERT_EQ(found.points.size(), told.points.size());
+          for (std::size_t k = 0; k < told.points.size(); ++k) {
+            const ContactPoint<T>&p = found.points[k], &q = told.points[k];
+            EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
+          }
+        },
         [&](std::size_t) { ++unknown; });
   }
   EXPECT_GT(touching, rounds.size() / 8);

@@ -335,12 +335,14 @@ TEST(Batch, TakesRoundShapesAndTriangles) {
   for (const std::uint32_t count : {1u, 5u, 300u}) RoundsAndTriangles<double>(count, random).expect_all_same();
 }
 
-/// Capsules that lie on boxes and along other capsules, some hardly and some beyond the rim, among others that stand.
+/// Capsules that lie on boxes and triangles and along other capsules, some hardly and some beyond the rim, among others
+/// that stand.
 template <class T>
 void expect_same_of_lying() {
   Random random(8);
   std::vector<Capsule<T>> rods, others;
   std::vector<Box<T>> boxes;
+  std::vector<Triangle<T>> triangles;  // of which one edge is a box's
   std::vector<Pose<T>> on, ground, beside;
   std::vector<Shape<T>> shapes;
   const double quarter = std::acos(0.0);
@@ -353,6 +355,8 @@ void expect_same_of_lying() {
     rods.emplace_back(T(some(0.3, 1.6)), T(radius));
     others.emplace_back(T(some(0.3, 1.6)), T(radius));
     boxes.emplace_back(cast<T>(size));
+    const Vec3d half = size * 0.5, away{some(-1, 1), i % 4 == 0 ? some(-1, 1) : 0, some(-1, 1)};
+    triangles.emplace_back(cast<T>(half), cast<T>(Vec3d{half.x, half.y, -half.z}), cast<T>(half - away));
     const Posed floor{cast<double>(random_vector(random, 1.0f)), normalized(cast<double>(random_rotation(random)))};
     const Quatd side =
         Quatd::from_axis_angle({0, 1, 0}, some(0, 6)) * Quatd::from_axis_angle({0, 0, 1}, quarter + lean);
@@ -367,16 +371,19 @@ void expect_same_of_lying() {
   const std::span<const Capsule<T>> rod_span(rods), other_span(others);
   const std::span<const Pose<T>> on_span(on), beside_span(beside), ground_span(ground);
   const Bodies<T> a{rod_span, on_span}, b{other_span, beside_span}, c{std::span<const Box<T>>(boxes), ground_span},
-      mixed{std::span<const Shape<T>>(shapes), on_span};
+      flats{std::span<const Triangle<T>>(triangles), ground_span}, mixed{std::span<const Shape<T>>(shapes), on_span};
   for (const T margin : {T(0), T(0.05)})
     for (const Batch<T>& batch : {Batch<T>(a, b), Batch<T>(b, a), Batch<T>(a, c), Batch<T>(c, a), Batch<T>(mixed, b),
-                                  Batch<T>(b, mixed), Batch<T>(mixed, c), Batch<T>(c, mixed)})
+                                  Batch<T>(b, mixed), Batch<T>(mixed, c), Batch<T>(c, mixed), Batch<T>(a, flats),
+                                  Batch<T>(flats, a), Batch<T>(mixed, flats), Batch<T>(flats, mixed)})
       expect_same(batch, margin);
   BatchContacts<T> found;
   contacts(Batch<T>(a, c), T(0.05), found);
   EXPECT_GT(found.points.size(), found.manifolds.size() + 80);
   contacts(Batch<T>(a, b), T(0.05), found);
   EXPECT_GT(found.points.size(), found.manifolds.size() + 50);
+  contacts(Batch<T>(a, flats), T(0.05), found);
+  EXPECT_GT(found.points.size(), found.manifolds.size() + 30);
 }
 
 TEST(Batch, TakesCapsulesThatLie) {

@@ -64,31 +64,6 @@ struct CapsuleOnFace {
   }
 };
 
-/// The stretch of a segment over a rectangle.
-template <class S>
-struct Stretch {
-  using Mask = decltype(S() < S());
-  S half;
-  S low, high;
-  Mask any;
-
-  explicit Stretch(const S& half_length) : half(half_length), low(-half_length), high(half_length), any(low <= high) {}
-  /// What is within `reach` of the middle of the rectangle along one of its sides: `from` is the segment's middle there,
-  /// which moves by `pace`. An end stays that is no further out than `slack`.
-  void cut(const S& from, const S& pace, const S& reach, const S& slack) {
-    using std::abs;
-    const S zero(0), inverse = S(1) / select(pace == zero, S(1), pace);
-    const S at_low = from - pace * half, at_high = from + pace * half;
-    const Mask low_out = abs(at_low) > reach + slack, high_out = abs(at_high) > reach + slack;
-    const auto crossing = [&](const S& at) {
-      return clamp((select(at > zero, reach, -reach) - from) * inverse, -half, half);
-    };
-    any = any & !(low_out & high_out & (at_low * at_high > zero));
-    low = select(low_out, greatest(low, crossing(at_low)), low);
-    high = select(high_out, least(high, crossing(at_high)), high);
-  }
-};
-
 }  // namespace round
 
 /// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T, the
@@ -176,12 +151,9 @@ std::optional<T> own_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& po
 template <class T>
 std::optional<T> lying_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  const CoreDistance<T> at = take_closest(manifold);
-  const CoreDistance<double> closest{static_cast<double>(at.distance), cast<double>(at.normal), cast<double>(at.a),
-                                     cast<double>(at.b)};
   const auto found = side_contact<T>(cast<double>(placed_box(rounded_core(a, margin_a), pose_a)),
-                                     cast<double>(placed_box(rounded_core(b, margin_b), pose_b)), closest,
-                                     static_cast<double>(margin));
+                                     cast<double>(placed_box(rounded_core(b, margin_b), pose_b)),
+                                     cast<double>(take_closest(manifold)), static_cast<double>(margin));
   return put_sides(cast<T>(found), ids_with_box, manifold);
 }
 

@@ -3,8 +3,7 @@
 //
 // Guarantee: an answer is known only with its proof, a plane between the cores as far from both as it says. `distance`,
 // `overlap` and `contacts` take theirs from here, so that they agree on what touches, of one pair or of many. Where the
-// cores meet or about do, and of slivers, the general path answers; so it does for the contacts of the capsule's side,
-// which may be two.
+// cores meet or about do, and of slivers, the general path answers.
 #pragma once
 
 #include "narrow/pairs/sphere_triangle.hpp"

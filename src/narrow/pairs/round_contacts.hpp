@@ -189,56 +189,23 @@ SideContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S>& 
   const auto pair = round_pair(of_a, pose_a, of_b, pose_b);
   const TurnedAxis<S>&a = pair.a, &b = pair.b;
   const Vec3<S>& n = closest.normal;
-  const S zero(0), one(1), never(-std::numeric_limits<T>::infinity()), up_a = dot(a.axis, n), up_b = dot(b.axis, n),
-                                                                       radii = pair.radii();
-  const round::Side<S> side_a{a.half, pair.radius_a, up_a, one - up_a * up_a},
-      side_b{b.half, pair.radius_b, -up_b, one - up_b * up_b};
-  const S near = least(side_a.near_end(), side_b.near_end());
-
-  // Where along A, as seen, the places along B are: at `middle` its middle, further by `slope` for each unit.
-  const Vec3<S> seen_axis = (a.axis - n * up_a) * (one / side_a.seen);
-  const S middle = dot(b.middle - a.middle, seen_axis), slope = dot(b.axis, seen_axis), inverse = one / slope;
-  const S reach = abs(slope) * b.half, from = middle - reach, to = middle + reach,
-          last = select(slope > zero, b.half, -b.half);
-  const Mask meet = (from <= a.half) & (to >= -a.half);
-
-  const S smaller = least(a.half + pair.radius_a, b.half + pair.radius_b), sharp = S(T(on_surface)) * smaller;
-  const S share = select(radii > zero, pair.radius_a / select(radii > zero, radii, one), zero);
+  const round::SidesAlong<S> sides(a, pair.radius_a, b, pair.radius_b, n);
+  const S smaller = least(a.half + pair.radius_a, b.half + pair.radius_b);
   SideContact<S> found;
   found.distance = closest.distance;
   found.normal = n;
-  const auto put = [&](typename SideContact<S>::Slot& slot, const S& on_a, const S& on_b) -> Mask {
-    // What the two axes are apart across the normal is shared, so that both points lie on the rounded sides.
-    const Vec3<S> core = a.at(on_a), gap = b.at(on_b) - core;
-    const S apart = dot(gap, n);
-    const Vec3<S> across = gap - n * apart;
-    const S beside = length_squared(across), along_a = dot(across, a.axis), along_b = dot(across, b.axis);
-    const Mask shared = beside > sharp * sharp;
-    const S to_a = select(shared, share, zero), to_b = select(shared, share - one, zero);
-    const S rise_a = side_a.rise(on_a, beside * to_a * to_a, along_a * to_a),
-            rise_b = side_b.rise(on_b, beside * to_b * to_b, along_b * to_b);
-    slot.distance = apart - (rise_a + rise_b);
-    slot.a = pair.origin + (core + across * to_a + n * rise_a);
-    slot.b = slot.a + n * slot.distance;
-    slot.place =
-        feature_place(round::part_at(on_a, a.half, side_a.seen, near), round::part_at(on_b, b.half, side_b.seen, near));
-    return meet & ((radii > zero) | (!shared)) & (rise_a > never) & (rise_b > never);
-  };
-  const Mask first = put(found.slots[0], greatest(from, -a.half),
-                         select(from > -a.half, -last, b.within((-a.half - middle) * inverse)));
-  const Mask second =
-      put(found.slots[1], least(to, a.half), select(to < a.half, last, b.within((a.half - middle) * inverse)));
+  Mask first, second;
+  const auto place = [](const S& part_a, const S& part_b) { return feature_place(part_a, part_b); };
+  sides.put_ends(pair.origin, S(T(on_surface)) * smaller, place, found, first, second);
 
   const S& distance = closest.distance;
-  const S noise = S(box_rounding<T>) * (a.half + b.half + radii + abs(distance));
+  const S noise = S(box_rounding<T>) * (a.half + b.half + pair.radii() + abs(distance));
   const Mask faces = round::keep_points(found, first, second, greatest(margin, distance + noise),
                                         S(tolerance<T>) * smaller, distance + S(T(face_preference)) * smaller);
   if (!all(faces)) {
     const S on_a = dot(closest.a - pair.origin - n * pair.radius_a, a.axis),
             on_b = dot(closest.b - pose_b.translation + n * pair.radius_b, b.axis);
-    round::put_closest(found, faces, closest,
-                       feature_place(round::part_at(on_a, a.half, side_a.seen, near),
-                                     round::part_at(on_b, b.half, side_b.seen, near)));
+    round::put_closest(found, faces, closest, place(sides.part_a(on_a), sides.part_b(on_b)));
   }
   return found;
 }

@@ -15,7 +15,12 @@ template <class A, class B, class T>
     S weight(T(0.5));
     if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
       weight = ball_weight(p.a.shapes.radius, p.b.shapes.radius);
-    put_rows(p, c, weight, margin, turned, first, count, to, counts);
+    put_rows(
+        p, c, weight, margin, turned, first, count, to,
+        counts, [&](std::uint32_t lying, SideContact<T> * sides) __attribute__((always_inline)) {
+          if constexpr (std::is_same_v<A, Capsule<T>>)
+            put_sides(side_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c.at, S(margin)), lying, sides);
+        });
   }
   all_found = counts;
 }

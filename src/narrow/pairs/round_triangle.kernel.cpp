@@ -2,6 +2,7 @@
 #include "narrow/in_double.hpp"
 #include "narrow/pair_bundle.hpp"
 #include "narrow/pairs/round_triangle_contact.hpp"
+#include "narrow/pairs/side_lanes.hpp"
 #include "narrow/point_contacts.hpp"
 #include "narrow/round_rows.hpp"
 #include "narrow/row_answers.hpp"
@@ -24,6 +25,13 @@ using Triangles = Rounded<TriangleCore<L>, L>;
                                             const Triangles<S>& triangle, const Pose<S>& pose_triangle, const S& limit,
                                             RoundContact<S>& found) {
   found = round_triangle_contact(CapsuleAndTriangle<S>(capsule, pose, triangle, pose_triangle), limit);
+}
+
+[[gnu::noinline, gnu::flatten]] void answer_lying(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
+                                                  const Triangles<S>& triangle, const Pose<S>& pose_triangle,
+                                                  const CoreDistance<S>& at, const S& margin, const S::Mask& lies,
+                                                  const round::SideRounding& rounded, SideContact<S>& found) {
+  found = side_contact(capsule, pose, triangle, pose_triangle, at, margin, lies, rounded);
 }
 
 /// Of the first `count` lanes. What touches is told of those that are within their margins.
@@ -52,6 +60,29 @@ RoundContact<Lanes<T>> contacts_of(const Rounded<Core, Lanes<T>>& a, const Pose<
           number([](const RoundContact<S>& c) { return c.part_b; }),
           number([](const RoundContact<S>& c) { return c.known; })};
 }
+template <std::size_t part, class L>
+CoreDistance<S> distance_in_double(const CoreDistance<L>& d) {
+  return {lanes_in_double<part>(d.distance), in_double<part>(d.normal), in_double<part>(d.a), in_double<part>(d.b)};
+}
+
+/// Writes what is found of the capsules that lie, of those lanes, one behind the other.
+template <class T>
+void put_lying(const Rounded<AxisCore<Lanes<T>>, Lanes<T>>& a, const Pose<Lanes<T>>& pose_a,
+               const Triangles<Lanes<T>>& b, const Pose<Lanes<T>>& pose_b, const RoundContact<Lanes<T>>& c,
+               const Lanes<T>& margin, std::uint32_t lying, SideContact<T>* to) {
+  visit_parts<T>(lanes_of<T>, [&](auto part) {
+    const std::uint32_t bits = lying >> (part * lanes_of<double>)&Chosen<double>::all;
+    if (bits == 0) return;
+    const CoreDistance<S> at = distance_in_double<part>(c.at);
+    const S limit = lanes_in_double<part>(margin);
+    SideContact<S> found;
+    answer_lying(in_double<part>(a), in_double<part>(pose_a), in_double<part>(b), in_double<part>(pose_b), at, limit,
+                 (lanes_in_double<part>(c.known) == S(0)) & (at.distance <= limit), round::side_rounding<T>(), found);
+    put_sides(found, bits, to);
+    to += count_bits(bits);
+  });
+}
+
 template <class A, class T>
 using TriangleRows = RowBundle<A, Triangle<T>, T>;
 template <class A, class T>
@@ -75,12 +106,18 @@ std::uint32_t answer_distances(const PairRows<T>& rows, std::size_t count, std::
 
 template <class A, class T>
 [[gnu::flatten]] void round_triangle_contacts(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts,
-                                              Meeting* meetings) {
+                                              Meeting* meetings, [[maybe_unused]] SideContact<T>* sides) {
   using Pairs = PairBundle<A, Triangle<T>, T>;
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
-    put_all<A, Triangle<T>>(contacts_of<T>(p.a, p.pose_a, p.b, p.pose_b, p.margin, p.count), p.margin, Lanes<T>(T(0.5)),
-                            contacts + first, meetings + first);
+    const auto c = contacts_of<T>(p.a, p.pose_a, p.b, p.pose_b, p.margin, p.count);
+    const Lanes<T> meeting = put_all<A, Triangle<T>>(c, p.margin, Lanes<T>(T(0.5)), contacts + first, meetings + first);
+    if constexpr (std::is_same_v<A, Capsule<T>>) {
+      const std::uint32_t lying = Chosen<T>::not_less(meeting, Lanes<T>(3)).bits() & filled_lanes<T>(p.count);
+      if (lying == 0) continue;
+      put_lying(p.a, p.pose_a, p.b, p.pose_b, c, p.margin, lying, sides);
+      sides += count_bits(lying);
+    }
   }
 }
 
@@ -90,8 +127,13 @@ template <class A, class T>
   RowCounts counts{};
   for (std::size_t first = 0; first < count; first += lanes_of<T>) {
     const TriangleRows<A, T> p(rows, first);
-    put_rows(p, contacts_of<A, T>(p, Lanes<T>(margin), count - first), Lanes<T>(T(0.5)), margin, turned, first, count,
-             to, counts);
+    const auto c = contacts_of<A, T>(p, Lanes<T>(margin), count - first);
+    put_rows(
+        p, c, Lanes<T>(T(0.5)), margin, turned, first, count, to,
+        counts, [&](std::uint32_t lying, SideContact<T> * sides) __attribute__((always_inline)) {
+          if constexpr (std::is_same_v<A, Capsule<T>>)
+            put_lying(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c, Lanes<T>(margin), lying, sides);
+        });
   }
   all_found = counts;
 }
@@ -115,7 +157,8 @@ template <class A, class T>
 }
 
 #define GRAZE_INSTANTIATE(A, T)                                                                                        \
-  template void round_triangle_contacts<A<T>>(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*);             \
+  template void round_triangle_contacts<A<T>>(const PairRef<T>*, std::size_t, PointContact<T>*, Meeting*,              \
+                                              SideContact<T>*);                                                        \
   template void round_triangle_row_contacts<A<T>>(const PairRows<T>&, std::size_t, T, bool, const ContactRows<T>&,     \
                                                   RowCounts&);                                                         \
   template std::uint32_t round_triangle_row_distances<A<T>>(const PairRows<T>&, std::size_t, bool, Distance<T>*,       \

@@ -33,6 +33,20 @@ SideContact<T> cast(const SideContact<S>& found) {
   return {{slot(0), slot(1)}, static_cast<T>(found.distance), cast<T>(found.normal), static_cast<T>(found.filled)};
 }
 
+template <class M, class S>
+SideContact<S> select(const M& condition, const SideContact<S>& yes, const SideContact<S>& no) {
+  const auto slot = [&](std::size_t i) {
+    const auto &y = yes.slots[i], &n = no.slots[i];
+    return
+        typename SideContact<S>::Slot{select(condition, y.a, n.a), select(condition, y.b, n.b),
+                                      select(condition, y.distance, n.distance), select(condition, y.place, n.place)};
+  };
+  return {{slot(0), slot(1)},
+          select(condition, yes.distance, no.distance),
+          select(condition, yes.normal, no.normal),
+          select(condition, yes.filled, no.filled)};
+}
+
 /// The points of one pair, in the order in which the two stand.
 template <class T>
 struct SidePoints {
@@ -100,6 +114,42 @@ struct Side {
   S near_end() const { return S(4) * S(round::near_end<S>) * (half * half * seen); }
 };
 
+/// The stretch of a segment about its middle that is left where what bounds a face cuts it.
+template <class S>
+struct Stretch {
+  using Mask = decltype(S() < S());
+  S half;
+  S low, high;
+  Mask any;
+
+  explicit Stretch(const S& half_length) : half(half_length), low(-half_length), high(half_length), any(low <= high) {}
+  /// What is within `reach` of the middle of a slab: `from` is the segment's middle there, which moves by `pace`. An
+  /// end stays that is no further out than `slack`.
+  void cut(const S& from, const S& pace, const S& reach, const S& slack) {
+    using std::abs;
+    const S zero(0), inverse = S(1) / select(pace == zero, S(1), pace);
+    const S at_low = from - pace * half, at_high = from + pace * half;
+    const Mask low_out = abs(at_low) > reach + slack, high_out = abs(at_high) > reach + slack;
+    const auto crossing = [&](const S& at) {
+      return clamp((select(at > zero, reach, -reach) - from) * inverse, -half, half);
+    };
+    any = any & !(low_out & high_out & (at_low * at_high > zero));
+    low = select(low_out, greatest(low, crossing(at_low)), low);
+    high = select(high_out, least(high, crossing(at_high)), high);
+  }
+  /// What is on the inner side of a plane, where `from` and what it becomes are positive. An end stays that is out by
+  /// less than the root of `slack_squared`.
+  void cut(const S& from, const S& pace, const S& slack_squared) {
+    const S zero(0), at_low = from - pace * half, at_high = from + pace * half;
+    const auto out = [&](const S& at) -> Mask { return (at < zero) & (at * at > slack_squared); };
+    const Mask low_out = out(at_low), high_out = out(at_high);
+    const S crossing = clamp(-from / select(pace == zero, S(1), pace), -half, half);
+    any = any & !(low_out & high_out);
+    low = select(low_out, greatest(low, crossing), low);
+    high = select(high_out, least(high, crossing), high);
+  }
+};
+
 /// Of the two points keeps those up to `limit` apart, and of two under the same names or at the same place, up to
 /// `together`, the deeper. Where that leaves one, and one is as near as `nearest`: elsewhere the closest points of the
 /// shapes serve better.
@@ -126,6 +176,73 @@ void put_closest(SideContact<S>& found, const M& faces, const CoreDistance<S>& c
   slot = {select(faces, slot.a, closest.a), select(faces, slot.b, closest.b),
           select(faces, slot.distance, closest.distance), select(faces, slot.place, place)};
 }
+
+/// Two sides that run along each other, seen along a normal from A to B: axes of capsules, or edges, which have no
+/// radius, in a frame along the world's axes.
+template <class S>
+struct SidesAlong {
+  using T = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+
+  const TurnedAxis<S>&a, &b;
+  const S &radius_a, &radius_b;
+  const Vec3<S>& n;
+  S up_a, up_b;
+  Side<S> side_a, side_b;
+  S near;  ///< how near an end counts as that, squared
+
+  SidesAlong(const TurnedAxis<S>& axis_a, const S& of_a, const TurnedAxis<S>& axis_b, const S& of_b,
+             const Vec3<S>& normal)
+      : a(axis_a),
+        b(axis_b),
+        radius_a(of_a),
+        radius_b(of_b),
+        n(normal),
+        up_a(dot(a.axis, n)),
+        up_b(dot(b.axis, n)),
+        side_a{a.half, radius_a, up_a, S(1) - up_a * up_a},
+        side_b{b.half, radius_b, -up_b, S(1) - up_b * up_b},
+        near(least(side_a.near_end(), side_b.near_end())) {}
+
+  S part_a(const S& along) const { return part_at(along, a.half, side_a.seen, near); }
+  S part_b(const S& along) const { return part_at(along, b.half, side_b.seen, near); }
+
+  /// The ends of the stretch that they run along each other (`lay_over`), in the order of A; in which lanes there are
+  /// such. `origin`: of the frame, in the world. `sharp`: how far beside an edge counts as on it. `place(i, j)`: that
+  /// of the names of two parts.
+  template <class Place>
+  void put_ends(const Vec3<S>& origin, const S& sharp, const Place& place, SideContact<S>& found, Mask& first,
+                Mask& second) const {
+    using std::abs;
+    const S zero(0), one(1), never(-std::numeric_limits<T>::infinity()), radii = radius_a + radius_b;
+    // Where along A, as seen, the places along B are: at `middle` its middle, further by `slope` for each unit.
+    const Vec3<S> seen_axis = (a.axis - n * up_a) * (one / side_a.seen);
+    const S middle = dot(b.middle - a.middle, seen_axis), slope = dot(b.axis, seen_axis), inverse = one / slope;
+    const S reach = abs(slope) * b.half, from = middle - reach, to = middle + reach,
+            last = select(slope > zero, b.half, -b.half);
+    const Mask meet = (from <= a.half) & (to >= -a.half);
+    const S share = select(radii > zero, radius_a / select(radii > zero, radii, one), zero);
+    const auto put = [&](typename SideContact<S>::Slot& slot, const S& on_a, const S& on_b) -> Mask {
+      // What the two axes are apart across the normal is shared, so that both points lie on the rounded sides.
+      const Vec3<S> core = a.at(on_a), gap = b.at(on_b) - core;
+      const S apart = dot(gap, n);
+      const Vec3<S> across = gap - n * apart;
+      const S beside = length_squared(across), along_a = dot(across, a.axis), along_b = dot(across, b.axis);
+      const Mask shared = beside > sharp * sharp;
+      const S to_a = select(shared, share, zero), to_b = select(shared, share - one, zero);
+      const S rise_a = side_a.rise(on_a, beside * to_a * to_a, along_a * to_a),
+              rise_b = side_b.rise(on_b, beside * to_b * to_b, along_b * to_b);
+      slot.distance = apart - (rise_a + rise_b);
+      slot.a = origin + (core + across * to_a + n * rise_a);
+      slot.b = slot.a + n * slot.distance;
+      slot.place = place(part_a(on_a), part_b(on_b));
+      return meet & ((radii > zero) | (!shared)) & (rise_a > never) & (rise_b > never);
+    };
+    first = put(found.slots[0], greatest(from, -a.half),
+                select(from > -a.half, -last, b.within((-a.half - middle) * inverse)));
+    second = put(found.slots[1], least(to, a.half), select(to < a.half, last, b.within((a.half - middle) * inverse)));
+  }
+};
 
 }  // namespace round
 

@@ -10,6 +10,7 @@
 
 #include "graze/geometry.hpp"
 #include "narrow/core.hpp"
+#include "narrow/one_of_three.hpp"
 #include "narrow/outline.hpp"
 #include "narrow/pairs/triangle_parts.hpp"
 
@@ -43,6 +44,41 @@ template <class S>
 struct SegmentNearTriangle {
   NearTriangle<S> at;
   S along;  ///< where on the segment, of its length
+};
+
+/// A triangle seen along a direction off it, from its front or its back.
+template <class S>
+struct SeenTriangle {
+  using Mask = decltype(S() < S());
+
+  Vec3<S> inward[3];  ///< across an edge, as long as the edge is seen
+  S squared[3];       ///< of the edges as seen
+  S face;             ///< the part that is seen
+
+  S shortest_squared() const { return least(squared[0], least(squared[1], squared[2])); }
+  /// The part that a place is seen on, by how far inward of each edge it is, times the edge as seen. `near_squared`: how
+  /// near an edge counts as that.
+  S part(const S (&inside)[3], const S& near_squared) const {
+    const auto on_edge = [&](std::size_t i) -> Mask {
+      return (inside[i] <= S(0)) | (inside[i] * inside[i] <= near_squared * squared[i]);
+    };
+    const Mask on0 = on_edge(0), on1 = on_edge(1), on2 = on_edge(2);
+    if (!any(on0 | on1 | on2)) return face;
+    const S beside_0 = select(on1, S(1), select(on2, S(0), edge_from(0))), beside_1 = select(on2, S(2), edge_from(1));
+    return select(on0, beside_0, select(on1, beside_1, select(on2, edge_from(2), face)));
+  }
+  /// The part of an edge: that between the two others than the vertex before it.
+  static S edge_from(std::size_t i) { return S(static_cast<double>(edge_part + (i + 2) % 3)); }
+};
+
+/// What of a triangle is seen along a direction that leans from it: an edge, or only a vertex of it.
+template <class S>
+struct TriangleRim {
+  S edge;                       ///< its number, which is that of the vertex it starts at
+  Vec3<S> start, way;           ///< way: to its end
+  S squared;                    ///< of its length
+  S top;                        ///< the number of the vertex furthest out
+  decltype(S() < S()) pointed;  ///< only that vertex is seen
 };
 
 /// A triangle with what its questions share.
@@ -137,47 +173,82 @@ class SidedTriangle {
     return {{place, outward, distance, known}, along};
   }
 
+  const Vec3<S>& point(std::size_t i) const { return point_[i]; }
+  /// Unit, to the front.
+  Vec3<S> normal() const {
+    using std::sqrt;
+    return across_ / sqrt(area_squared_);
+  }
+  /// Which way a unit vector leads from it: positive where off the front.
+  S facing(const Vec3<S>& outward) const { return dot(across_, outward); }
+  /// Whether the general path sees the whole of it along such a vector.
+  Mask seen_whole(const S& facing) const {
+    return facing * facing >= S(1 - side_lean<double> * side_lean<double>) * area_squared_;
+  }
+  SeenTriangle<S> seen(const Vec3<S>& outward, const S& facing) const {
+    const Mask front = facing > S(0);
+    SeenTriangle<S> seen;
+    seen.face = select(front, S(front_part), S(back_part));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const S rise = dot(along_[i], outward);
+      const Vec3<S> left = cross(outward, along_[i]);
+      seen.squared[i] = squared_[i] - rise * rise;
+      seen.inward[i] = select(front, left, -left);
+    }
+    return seen;
+  }
+  /// The edge or vertex that the general path sees where it does not see the whole: the flatter of the two edges down
+  /// from the vertex furthest out.
+  TriangleRim<S> rim(const Vec3<S>& outward) const {
+    const S height[3] = {dot(point_[0], outward), dot(point_[1], outward), dot(point_[2], outward)};
+    const Mask second = height[1] > height[0], third = height[2] > greatest(height[0], height[1]);
+    const auto fall = [&](std::size_t i) {
+      const S down = height[i] - height[next(i)];
+      return down * down;
+    };
+    const S falls[3] = {fall(0), fall(1), fall(2)};
+    const auto flatter = [&](std::size_t i, std::size_t than) -> Mask {
+      return falls[i] * squared_[than] < falls[than] * squared_[i];
+    };
+    TriangleRim<S> rim;
+    rim.top = select(third, S(2), select(second, S(1), S(0)));
+    rim.edge = select(third, select(flatter(1, 2), S(1), S(2)),
+                      select(second, select(flatter(0, 1), S(0), S(1)), select(flatter(2, 0), S(2), S(0))));
+    const OneOfThree<S> one(rim.edge);
+    rim.start = one.pick(point_[0], point_[1], point_[2]);
+    rim.way = one.pick(along_[0], along_[1], along_[2]);
+    rim.squared = one.pick(squared_[0], squared_[1], squared_[2]);
+    rim.pointed = one.pick(falls[0], falls[1], falls[2]) > S(side_lean<double> * side_lean<double>) * rim.squared;
+    return rim;
+  }
+
   /// The number of the part that a place on the triangle lies on, for contacts whose normal is `outward`, off the
   /// triangle: as the general path names it, which sees the whole triangle unless that leans further than `side_lean`.
   S part(const Vec3<S>& place, const Vec3<S>& outward) const {
-    const S facing = dot(across_, outward);
-    const Mask whole = facing * facing >= S(1 - side_lean<double> * side_lean<double>) * area_squared_;
+    const S facing = this->facing(outward);
+    const Mask whole = seen_whole(facing);
     if (all(whole)) return part_of_face(place, outward, facing);
     const S of_edge = part_of_edge(place);
     return any(whole) ? select(whole, part_of_face(place, outward, facing), of_edge) : of_edge;
   }
+  /// The same where it is seen whole. `near_other`: how near an edge counts as that on what it meets, squared.
+  S part_of_face(const Vec3<S>& place, const Vec3<S>& outward, const S& facing,
+                 const S& near_other = S(infinity)) const {
+    const SeenTriangle<S> seen = this->seen(outward, facing);
+    const auto inside = [&](std::size_t i) { return dot(seen.inward[i], place - point_[i]); };
+    return seen.part({inside(0), inside(1), inside(2)},
+                     least(S(same_place * same_place) * seen.shortest_squared(), near_other));
+  }
 
  private:
   static constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
-  /// The part of an edge: that between the two others than the vertex before it.
-  static S edge_from(std::size_t i) { return S(static_cast<double>(edge_part + (i + 2) % 3)); }
-
   /// Across an edge, in the triangle's plane, inward.
   Vec3<S> side(std::size_t i) const { return cross(across_, along_[i]); }
   NearTriangle<S> below(const Vec3<S>& p, const S& noise) const {
     using std::abs;
-    using std::sqrt;
-    const Vec3<S> normal = across_ / sqrt(area_squared_);
+    const Vec3<S> normal = this->normal();
     const S height = dot(p - point_[0], normal), distance = abs(height);
     return {p - normal * height, select(height > S(0), normal, -normal), distance, distance > noise};
-  }
-  S part_of_face(const Vec3<S>& place, const Vec3<S>& outward, const S& facing) const {
-    S seen[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const S rise = dot(along_[i], outward);
-      seen[i] = squared_[i] - rise * rise;
-    }
-    const S nearest_squared = S(same_place * same_place) * least(seen[0], least(seen[1], seen[2]));
-    const auto on_edge = [&](std::size_t i) -> Mask {
-      const S turned = dot(cross(along_[i], place - point_[i]), outward),
-              inside = select(facing > S(0), turned, -turned);
-      return (inside <= S(0)) | (inside * inside <= nearest_squared * seen[i]);
-    };
-    const Mask on0 = on_edge(0), on1 = on_edge(1), on2 = on_edge(2);
-    const S face = select(facing > S(0), S(front_part), S(back_part));
-    if (!any(on0 | on1 | on2)) return face;
-    const S beside_0 = select(on1, S(1), select(on2, S(0), edge_from(0))), beside_1 = select(on2, S(2), edge_from(1));
-    return select(on0, beside_0, select(on1, beside_1, select(on2, edge_from(2), face)));
   }
   /// That of the edge that it is nearest to, or of an end of that.
   S part_of_edge(const Vec3<S>& place) const {
@@ -188,7 +259,8 @@ class SidedTriangle {
       const auto at_end = [&](std::size_t end) -> Mask { return length_squared(place - point_[end]) <= near; };
       const Mask nearer = squared < least_squared;
       const auto number = [](std::size_t vertex) { return S(static_cast<double>(vertex)); };
-      const S here = select(at_end(i), number(i), select(at_end(next(i)), number(next(i)), edge_from(i)));
+      const S here =
+          select(at_end(i), number(i), select(at_end(next(i)), number(next(i)), SeenTriangle<S>::edge_from(i)));
       least_squared = select(nearer, squared, least_squared);
       part = select(nearer, here, part);
     }
