@@ -60,13 +60,16 @@ put_rows(const RowBundle<A, B, T>& p, const RoundContact<Lanes<T>>& c, const Lan
     const std::uint32_t regular = bits_of(p.regular());
     touching &= Chosen<T>::not_less(c.known, S(1)).bits() & regular;
     unknown = ~regular & filled;
-    const std::uint32_t others = near & regular & ~touching, lying = others & Chosen<T>::not_less(c.known, S(0)).bits();
-    unknown |= others & ~lying;
-    if constexpr (std::is_same_v<A, Capsule<T>>)
+    std::uint32_t others = near & regular & ~touching;
+    if constexpr (std::is_same_v<A, Capsule<T>>) {
+      const std::uint32_t lying = others & Chosen<T>::not_less(c.known, S(0)).bits();
       if (lying != 0) {
         put_lying(lying, to.sides + counts.sides);
         append_places(lying, first, to.side_places, counts.sides);
+        others &= ~lying;
       }
+    }
+    unknown |= others;
   }
   LaneContacts<T> found{c.at, features_of<A, B, T>(c), weight};
   if (turned) found = found.mirrored();

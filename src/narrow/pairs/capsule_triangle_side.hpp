@@ -91,8 +91,7 @@ struct CapsuleOnTriangle {
       slot.a = pair.origin + (axis * along + found.normal * beyond);
       slot.b = slot.a + found.normal * slot.distance;
       const auto inside = [&](std::size_t i) { return from[i] + pace[i] * along; };
-      slot.place =
-          feature_place(part_at(along, half, side.seen, near), seen.part({inside(0), inside(1), inside(2)}, near));
+      slot.place = feature_place(part_at(along, half, side.seen, near), seen.part(inside, near));
       return beyond >= zero;
     };
     const Mask meet = stretch.any & (stretch.low <= stretch.high) & (abs(up) <= S(face_lean<double>));

@@ -56,11 +56,13 @@ struct SeenTriangle {
   S face;             ///< the part that is seen
 
   S shortest_squared() const { return least(squared[0], least(squared[1], squared[2])); }
-  /// The part that a place is seen on, by how far inward of each edge it is, times the edge as seen. `near_squared`: how
-  /// near an edge counts as that.
-  S part(const S (&inside)[3], const S& near_squared) const {
+  /// The part that a place is seen on: `inside(i)` is how far inward of an edge it is, times the edge as seen.
+  /// `near_squared`: how near an edge counts as that.
+  template <class Inside>
+  S part(const Inside& inside, const S& near_squared) const {
     const auto on_edge = [&](std::size_t i) -> Mask {
-      return (inside[i] <= S(0)) | (inside[i] * inside[i] <= near_squared * squared[i]);
+      const S inward_by = inside(i);
+      return (inward_by <= S(0)) | (inward_by * inward_by <= near_squared * squared[i]);
     };
     const Mask on0 = on_edge(0), on1 = on_edge(1), on2 = on_edge(2);
     if (!any(on0 | on1 | on2)) return face;
@@ -187,13 +189,13 @@ class SidedTriangle {
   }
   SeenTriangle<S> seen(const Vec3<S>& outward, const S& facing) const {
     const Mask front = facing > S(0);
+    const Vec3<S> off_front = outward * select(front, S(1), S(-1));
     SeenTriangle<S> seen;
     seen.face = select(front, S(front_part), S(back_part));
     for (std::size_t i = 0; i < 3; ++i) {
       const S rise = dot(along_[i], outward);
-      const Vec3<S> left = cross(outward, along_[i]);
       seen.squared[i] = squared_[i] - rise * rise;
-      seen.inward[i] = select(front, left, -left);
+      seen.inward[i] = cross(off_front, along_[i]);
     }
     return seen;
   }
@@ -227,17 +229,19 @@ class SidedTriangle {
   S part(const Vec3<S>& place, const Vec3<S>& outward) const {
     const S facing = this->facing(outward);
     const Mask whole = seen_whole(facing);
-    if (all(whole)) return part_of_face(place, outward, facing);
-    const S of_edge = part_of_edge(place);
-    return any(whole) ? select(whole, part_of_face(place, outward, facing), of_edge) : of_edge;
+    S of_edge(0);
+    if (!all(whole)) {
+      of_edge = part_of_edge(place);
+      if (!any(whole)) return of_edge;
+    }
+    return select(whole, part_of_face(place, outward, facing), of_edge);
   }
   /// The same where it is seen whole. `near_other`: how near an edge counts as that on what it meets, squared.
   S part_of_face(const Vec3<S>& place, const Vec3<S>& outward, const S& facing,
                  const S& near_other = S(infinity)) const {
     const SeenTriangle<S> seen = this->seen(outward, facing);
     const auto inside = [&](std::size_t i) { return dot(seen.inward[i], place - point_[i]); };
-    return seen.part({inside(0), inside(1), inside(2)},
-                     least(S(same_place * same_place) * seen.shortest_squared(), near_other));
+    return seen.part(inside, least(S(same_place * same_place) * seen.shortest_squared(), near_other));
   }
 
  private:
