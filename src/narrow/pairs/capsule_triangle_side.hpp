@@ -144,8 +144,8 @@ struct CapsuleOnTriangle {
 }  // namespace round
 
 /// Of a capsule whose side touches. `at`: the closest points, as rounded to the scalar of the shapes. `margin`: up to
-/// where contacts are wanted. `lies`: where this is asked, of those within the margin of each other; elsewhere there is no
-/// answer.
+/// where contacts are wanted. `lies`: where this is asked, of those within the margin of each other; elsewhere there is
+/// no answer.
 template <class S, class M>
 SideContact<S> side_contact(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                             const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle,
