@@ -38,22 +38,14 @@ function(graze_kernels target)
       target_compile_options(
         ${objects} PRIVATE "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-mllvm -inline-threshold=1000000>")
     endif()
-    # Everything a kernel calls is inlined into it, and each temporary of all that would be marked in memory when its scope
-    # ends: round.kernel.cpp took 52 seconds to compile with that and takes 8 without. Nor are its frames kept for a while
-    # after it returns: there g++ 12 forgets that wide registers want memory of their alignment (GCC bug 110027). Reads and
-    # writes are checked still.
+    target_compile_options(${objects} PRIVATE ${graze_fewer_checks})
     if("address" IN_LIST graze_sanitizers)
-      target_compile_options(${objects} PRIVATE -fno-sanitize-address-use-after-scope
-                                                "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param asan-use-after-return=0>")
-    endif()
-    # A number of a lane goes through some references before an instruction is made of it. Each is asked whether it is null
-    # and aligned, nearly all of them of what is on the stack; the address sanitizer and the hardware find those that
-    # matter. And where the references point to is worked out by solving for all of a function at once, which of one so
-    # long takes a quarter of the time: box_box.kernel.cpp took 57 seconds with both and takes 20 without.
-    if("undefined" IN_LIST graze_sanitizers)
-      target_compile_options(${objects} PRIVATE -fno-sanitize=null,alignment,object-size)
+      # Nor are a kernel's frames kept for a while after it returns: there g++ 12 forgets that wide registers want memory of
+      # their alignment (GCC bug 110027). Reads and writes are checked still.
+      target_compile_options(${objects} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param asan-use-after-return=0>")
     endif()
     if(GRAZE_SANITIZE)
+      # Where references point to is worked out for all of a function at once: of one so long that takes a third of the time.
       target_compile_options(${objects} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta>)
     endif()
     # Last, so that it wins over a -march among the user's own flags.
