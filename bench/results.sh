@@ -3,7 +3,7 @@
 #
 #   bench/results.sh [--quick] [--poses FILE.csv] [--programs DIRECTORY] [--resume]
 #
-# A whole run takes seven minutes on a quiet machine and writes bench/RESULTS.md, docs/benchmark.svg and the
+# A whole run takes seven to nine minutes on a quiet machine and writes bench/RESULTS.md, docs/benchmark.svg and the
 # figures in README.md; a quick one takes two minutes, is less exact and writes below build/bench/results only. With
 # --resume what an interrupted run has measured is kept.
 set -euo pipefail

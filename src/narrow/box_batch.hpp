@@ -15,9 +15,10 @@ namespace graze {
 
 /// Appends the points in the slots of one pair, of which there are at most eight, to `points` (of contact points or of
 /// what begins with one), and returns how many. Of two of the same features the deeper one is kept. `slot(i)` gives the
-/// i-th slot of the pair, `features_b` what the parts of B name; those of A are a box's.
+/// i-th slot of the pair, the features are what the parts of A and B name.
 template <class T, class Slot, class Points>
-std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* features_b, Points& points) {
+std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* features_a,
+                        const std::uint32_t* features_b, Points& points) {
   using Point = std::remove_cvref_t<decltype(points[0])>;
   const std::size_t first = points.size();
   // All lie on one face of either, where features are the same just where parts are. Two parts on each that have no bit
@@ -27,7 +28,7 @@ std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* 
     const BoxSlot<T> from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
     const auto part_a = static_cast<std::uint32_t>(static_cast<int>(from.part_a)),
                part_b = static_cast<std::uint32_t>(static_cast<int>(from.part_b));
-    const std::uint32_t feature = feature_id(box_features.of[part_a], features_b[part_b]);
+    const std::uint32_t feature = feature_id(features_a[part_a], features_b[part_b]);
     const std::uint64_t bit = std::uint64_t{1} << ((9 * part_a + part_b) % 64);
     const ContactPoint<T> point{from.a, from.b, from.distance, feature};
     if ((seen & bit) != 0) [[unlikely]] {

@@ -26,22 +26,27 @@ void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPa
   const ContactEvent* const end = from + last.size();
   ContactEvent* const first = now_.extend(pairs.size() + last.size());
   ContactEvent* to = first;
+  // Where those are that still touched: ends are told once.
   const auto skip_ends = [&] {
     while (from < end && from->kind == EventKind::end) ++from;
   };
-  const auto end_one = [&] { *to++ = {EventKind::end, from->trigger, from->a, from->b, ContactEvent::no_pair}; };
+  const auto take = [&]() -> const ContactEvent& {
+    const ContactEvent& taken = *from++;
+    skip_ends();
+    return taken;
+  };
+  const auto end_one = [&] {
+    const ContactEvent& e = take();
+    *to++ = {EventKind::end, e.trigger, e.a, e.b, ContactEvent::no_pair};
+  };
   skip_ends();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     ContactEvent now{EventKind::stay, false, bodies.id(pairs[i].a), bodies.id(pairs[i].b), i};
+    const auto stays = [&] { return from < end && from->a == now.a && from->b == now.b; };
     // Mostly the next one that touched still does.
-    bool stays = from < end && from->a == now.a && from->b == now.b;
-    if (!stays) {
-      for (; from < end && before(*from, now); ++from, skip_ends()) end_one();
-      stays = from < end && from->a == now.a && from->b == now.b;
-    }
-    if (stays) {
-      now.trigger = from->trigger;
-      ++from, skip_ends();
+    while (!stays() && from < end && before(*from, now)) end_one();
+    if (stays()) {
+      now.trigger = take().trigger;
     } else if (pairs[i].overlap) {
       now.kind = EventKind::begin;
       now.trigger = (bodies.triggers()[now.a.index] | bodies.triggers()[now.b.index]) != 0;
@@ -50,7 +55,7 @@ void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPa
     }
     *to++ = now;
   }
-  for (; from < end; ++from, skip_ends()) end_one();
+  while (from < end) end_one();
   now_.shorten(static_cast<std::size_t>(to - first));
 }
 

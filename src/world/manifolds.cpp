@@ -340,9 +340,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   const bool none = manifold.points.empty();
   if (axis) *axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
   if (none && !overlap) return keep_apart(place);
-  if (none) {
-    return touch(place, task, found_[task.found].manifolds.size(), 0, true);
-  }
+  if (none) return touch(place, task, found_[task.found].manifolds.size(), 0, true);
   for (const ContactPoint<T>& p : manifold.points) found_[task.found].points.push_back({p, {}});
   keep(bodies, place, task, overlap, manifold.normal, manifold.points.size());
 }

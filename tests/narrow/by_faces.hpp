@@ -55,4 +55,20 @@ struct ByFaces {
   }
 };
 
+/// Of shapes of a thousandth to a thousand, tilted by two angles: `compare<T>(seed, tilt, scale)` returns what random
+/// pairs came to, of which at least so many must touch in two points.
+template <class Compare>
+void expect_as_faces_give(const Compare& compare, int two) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    for (const double tilt : {0.02, 0.06}) {
+      const ByFaces in_double = compare.template operator()<double>(3, tilt, scale),
+                    in_float = compare.template operator()<float>(4, tilt, scale);
+      in_double.expect_all_same(1e-9);
+      in_float.expect_all_but(3, 2e-5);
+      EXPECT_GT(in_double.two, two);
+      EXPECT_GT(in_double.one, 60);
+    }
+  }
+}
+
 }  // namespace graze::testing

@@ -24,7 +24,7 @@ std::optional<T> own_contacts(const Box<T>& a, T margin_a, const Pose<T>& pose_a
   if (found.known == T(0)) return std::nullopt;
   take_points<T>(
       static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slot(i); }, box_features.of,
-      manifold.points);
+      box_features.of, manifold.points);
   manifold.normal = found.normal;
   return choice.distance;
 }

@@ -19,8 +19,8 @@ std::optional<T> triangle_contacts(const BoxCore<T>& a, const Pose<T>& pose_a, c
   if (!(distance > margin)) {
     if (found.known == T(0)) return std::nullopt;
     take_points<T>(
-        static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slot(i); }, triangle_features,
-        manifold.points);
+        static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slot(i); }, box_features.of,
+        triangle_features, manifold.points);
   }
   manifold.normal = found.normal;
   return distance;

@@ -4,21 +4,13 @@
 // and under the same names. Of rounded triangles only what lies over the face is known.
 #pragma once
 
+#include "narrow/answer_rounding.hpp"
 #include "narrow/pairs/capsule_triangle.hpp"
 #include "narrow/pairs/round_contacts.hpp"
 
 namespace graze {
 
 namespace round {
-
-/// Where points of contact count as the same, and how far off the normal may be, for pairs that were rounded to T.
-struct SideRounding {
-  double together, normal;
-};
-template <class T>
-constexpr SideRounding side_rounding() {
-  return {static_cast<double>(tolerance<T>), normal_rounding<T>};
-}
 
 /// A capsule whose side is what touches.
 template <class S>
@@ -60,7 +52,7 @@ struct CapsuleOnTriangle {
   }
 
   /// Where it is seen whole: the axis cut by its edges.
-  SideContact<S> on_face(const S& margin, const Mask& asked, const SideRounding& rounded) const {
+  SideContact<S> on_face(const S& margin, const Mask& asked, const AnswerRounding& rounded) const {
     using std::abs, std::sqrt;
     const S zero(0), one(1), distance = at.distance;
     const Vec3<S> front = pair.triangle.normal(), face = select(facing > zero, front, -front);
@@ -96,7 +88,7 @@ struct CapsuleOnTriangle {
     };
     const Mask meet = stretch.any & (stretch.low <= stretch.high) & (abs(up) <= S(face_lean<double>));
     const Mask first = meet & put(found.slots[0], stretch.low), second = meet & put(found.slots[1], stretch.high);
-    const Mask faces = keep(found, first, second, margin, rounded.together);
+    const Mask faces = keep(found, first, second, margin, rounded.point);
     if (!all(faces | (!asked))) {
       const Side<S> there = this->side(dot(way, outward));
       const S close = least(there.near_end(), S(near_end<S>) * pair.triangle.seen(outward, facing).shortest_squared());
@@ -110,7 +102,7 @@ struct CapsuleOnTriangle {
   }
 
   /// Where an edge or a vertex of it is what is seen.
-  SideContact<S> along_edge(const S& margin, const SideRounding& rounded) const {
+  SideContact<S> along_edge(const S& margin, const AnswerRounding& rounded) const {
     using std::sqrt;
     const TriangleRim<S> rim = pair.triangle.rim(outward);
     const S length = sqrt(rim.squared);
@@ -131,7 +123,7 @@ struct CapsuleOnTriangle {
     // As parallel as faces are that are laid over each other.
     const S across = dot(cross(axis, edge.axis), at.normal), lean(face_lean<double> * face_lean<double>);
     const Mask parallel = (!rim.pointed) & (across * across <= lean * sides.side_a.seen * sides.side_b.seen);
-    const Mask faces = keep(found, first & parallel, second & parallel, margin, rounded.together);
+    const Mask faces = keep(found, first & parallel, second & parallel, margin, rounded.point);
     const S on_b = dot(at.b - pair.origin + at.normal * pair.radius_triangle - edge.middle, edge.axis);
     const S part_a = select(rim.pointed, part_at(closest_along(), half, sides.side_a.seen, sides.side_a.near_end()),
                             sides.part_a(closest_along()));
@@ -149,8 +141,7 @@ struct CapsuleOnTriangle {
 template <class S, class M>
 SideContact<S> side_contact(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                             const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle,
-                            const CoreDistance<S>& at, const S& margin, const M& lies,
-                            const round::SideRounding& rounded) {
+                            const CoreDistance<S>& at, const S& margin, const M& lies, const AnswerRounding& rounded) {
   const round::CapsuleOnTriangle<S> on(capsule, pose, triangle, pose_triangle, at);
   const auto whole = on.pair.triangle.seen_whole(on.facing);
   if (!any(lies & (!whole))) return on.on_face(margin, lies, rounded);

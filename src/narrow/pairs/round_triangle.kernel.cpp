@@ -30,7 +30,7 @@ using Triangles = Rounded<TriangleCore<L>, L>;
 [[gnu::noinline, gnu::flatten]] void answer_lying(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
                                                   const Triangles<S>& triangle, const Pose<S>& pose_triangle,
                                                   const CoreDistance<S>& at, const S& margin, const S::Mask& lies,
-                                                  const round::SideRounding& rounded, SideContact<S>& found) {
+                                                  const AnswerRounding& rounded, SideContact<S>& found) {
   found = side_contact(capsule, pose, triangle, pose_triangle, at, margin, lies, rounded);
 }
 
@@ -77,7 +77,7 @@ void put_lying(const Rounded<AxisCore<Lanes<T>>, Lanes<T>>& a, const Pose<Lanes<
     const S limit = lanes_in_double<part>(margin);
     SideContact<S> found;
     answer_lying(in_double<part>(a), in_double<part>(pose_a), in_double<part>(b), in_double<part>(pose_b), at, limit,
-                 (lanes_in_double<part>(c.known) == S(0)) & (at.distance <= limit), round::side_rounding<T>(), found);
+                 (lanes_in_double<part>(c.known) == S(0)) & (at.distance <= limit), answer_rounding<T>(), found);
     put_sides(found, bits, to);
     to += count_bits(bits);
   });

@@ -65,7 +65,7 @@ std::optional<T> lying_contacts(const Capsule<T>& capsule, T margin_capsule, con
   const auto found = side_contact(
       Rounded<AxisCore<double>, double>{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},
       cast<double>(pose), rounded_in_double(triangle, margin_triangle), cast<double>(pose_triangle),
-      cast<double>(take_closest(manifold)), static_cast<double>(margin), true, round::side_rounding<T>());
+      cast<double>(take_closest(manifold)), static_cast<double>(margin), true, answer_rounding<T>());
   return put_sides(cast<T>(found), ids_with_triangle, manifold);
 }
 

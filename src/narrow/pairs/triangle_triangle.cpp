@@ -1,7 +1,6 @@
 #include "narrow/pairs/triangle_triangle.hpp"
 
-#include <bit>
-
+#include "narrow/box_batch.hpp"
 #include "narrow/general_contacts.hpp"
 #include "narrow/outline.hpp"
 #include "narrow/pairs/triangle_triangle_manifold.hpp"
@@ -42,25 +41,6 @@ PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
   return face;
 }
 
-/// Of two points of the same features the deeper one is kept.
-template <class Points>
-void take_points(const BoxManifold<double>& found, Points& points) {
-  using Point = std::remove_cvref_t<decltype(points[0])>;
-  using T = decltype(Point::distance);
-  for (auto filled = static_cast<unsigned>(found.filled); filled != 0; filled &= filled - 1) {
-    const BoxSlot<double> slot = found.slot(static_cast<std::size_t>(std::countr_zero(filled)));
-    const std::uint32_t feature = feature_id(triangle_features[static_cast<std::size_t>(slot.part_a)],
-                                             triangle_features[static_cast<std::size_t>(slot.part_b)]);
-    const Point point{cast<T>(slot.a), cast<T>(slot.b), static_cast<T>(slot.distance), feature};
-    std::size_t place = 0;
-    while (place < points.size() && points[place].feature != feature) ++place;
-    if (place == points.size())
-      points.push_back(point);
-    else if (point.distance < points[place].distance)
-      points[place] = point;
-  }
-}
-
 }  // namespace
 
 template <class T>
@@ -81,7 +61,12 @@ T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   if (d.distance > margin) return d.distance;
   if (points.known != 0) {
     manifold.normal = cast<T>(points.normal);
-    take_points(points, manifold.points);
+    const auto slot = [&](std::size_t i) {
+      const BoxSlot<double> of = points.slot(i);
+      return BoxSlot<T>{cast<T>(of.a), cast<T>(of.b), static_cast<T>(of.distance), static_cast<T>(of.part_a),
+                        static_cast<T>(of.part_b)};
+    };
+    take_points<T>(static_cast<unsigned>(points.filled), slot, triangle_features, triangle_features, manifold.points);
     return d.distance;
   }
 

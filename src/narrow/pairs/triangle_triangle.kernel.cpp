@@ -26,18 +26,16 @@ struct LaneTriangles {
 /// As many of the first `count` pairs at a time as a register holds in double. `enough`: how far apart a lane's pair
 /// need not be measured. Calls `f(distances, number of the first pair, how many)`.
 template <class L, class F>
-[[gnu::always_inline]] inline void visit_parts(const LaneTriangles<L>& of, const L& enough, std::size_t count,
-                                               const F& f) {
-  const auto visit_part = [&]<std::size_t part>() __attribute__((always_inline)) {
-    constexpr std::size_t first = part * part_lanes;
-    if (count <= first) return;
-    TriangleDistance<S> found;
-    answer(placed_in_double<part>(of.a, of.pose_a), placed_in_double<part>(of.b, of.pose_b),
-           lanes_in_double<part>(enough), found);
-    f(found, first, count - first < part_lanes ? count - first : part_lanes);
-  };
-  visit_part.template operator()<0>();
-  if constexpr (sizeof(typename L::Lane) == 4) visit_part.template operator()<1>();
+[[gnu::always_inline]] inline void visit_distances(const LaneTriangles<L>& of, const L& enough, std::size_t count,
+                                                   const F& f) {
+  visit_parts<typename L::Lane>(
+      count, [&](auto number) __attribute__((always_inline)) {
+        constexpr std::size_t part = number, first = part * part_lanes;
+        TriangleDistance<S> found;
+        answer(placed_in_double<part>(of.a, of.pose_a), placed_in_double<part>(of.b, of.pose_b),
+               lanes_in_double<part>(enough), found);
+        f(found, first, least(count - first, part_lanes));
+      });
 }
 
 /// The same of pairs in rows.
@@ -47,7 +45,7 @@ template <class T, class F>
   constexpr std::size_t lanes = lanes_of<T>;
   for (std::size_t begin = 0; begin < count; begin += lanes) {
     const RowBundle<Triangle<T>, Triangle<T>, T> p(rows, begin);
-    visit_parts(
+    visit_distances(
         LaneTriangles<Lanes<T>>{p.a.shapes.core, p.b.shapes.core, p.pose_a, p.pose_b}, enough,
         least(lanes, count - begin),
         [&](const TriangleDistance<S>& found, std::size_t first, std::size_t size)
@@ -90,17 +88,18 @@ template <class T>
   using Pairs = PairBundle<Triangle<T>, Triangle<T>, T>;
   for (std::size_t begin = 0; begin < count; begin += Pairs::lanes) {
     const Pairs p(pairs + begin, count - begin);
-    visit_parts(LaneTriangles<Lanes<T>>{p.a.core, p.b.core, p.pose_a, p.pose_b}, before_rounding<T>(p.margin), p.count,
-                [&](const TriangleDistance<S>& of, std::size_t first, std::size_t size) {
-                  for (std::size_t k = 0; k < size; ++k) {
-                    const std::size_t pair = begin + first + k;
-                    const int i = static_cast<int>(k);
-                    const T distance = static_cast<T>(of.at.distance[i]);
-                    const bool told = of.proven[i] && (!of.beyond[i] || distance > pairs[pair].margin);
-                    found[pair] = {told ? distance : -std::numeric_limits<T>::infinity(),
-                                   {of.at.distance[i], lane<double>(of.at.normal, i), lane<double>(of.at.a, i), {}}};
-                  }
-                });
+    visit_distances(LaneTriangles<Lanes<T>>{p.a.core, p.b.core, p.pose_a, p.pose_b}, before_rounding<T>(p.margin),
+                    p.count, [&](const TriangleDistance<S>& of, std::size_t first, std::size_t size) {
+                      for (std::size_t k = 0; k < size; ++k) {
+                        const std::size_t pair = begin + first + k;
+                        const int i = static_cast<int>(k);
+                        const T distance = static_cast<T>(of.at.distance[i]);
+                        const bool told = of.proven[i] && (!of.beyond[i] || distance > pairs[pair].margin);
+                        found[pair] = {
+                            told ? distance : -std::numeric_limits<T>::infinity(),
+                            {of.at.distance[i], lane<double>(of.at.normal, i), lane<double>(of.at.a, i), {}}};
+                      }
+                    });
   }
 }
 

@@ -7,21 +7,12 @@
 // to be told apart are never known.
 #pragma once
 
+#include "narrow/answer_rounding.hpp"
 #include "narrow/pairs/box_manifold.hpp"
 #include "narrow/pairs/triangle_overlay.hpp"
 #include "narrow/pairs/triangle_triangle_distance.hpp"
 
 namespace graze {
-
-/// How far off numbers are that are rounded to the scalar of the answer, relative to the smaller triangle.
-struct AnswerRounding {
-  double normal;  ///< of its components
-  double point;   ///< up to where two points may be one
-};
-template <class T>
-consteval AnswerRounding answer_rounding() {
-  return {normal_rounding<T>, static_cast<double>(tolerance<T>)};
-}
 
 /// How far apart a pair is, as its points are found by.
 template <class T>
