@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "graze/batch_contacts.hpp"
 #include "graze/query.hpp"
@@ -189,6 +190,9 @@ GRAZE_DECLARE_KERNEL(
     /// Whether the same pairs, boxes, and boxes with triangles touch: 1 or 0.
     template <class A, class B, class T> std::uint32_t row_overlaps(const PairRows<T>& rows, std::size_t count,
                                                                     std::uint8_t* touch, std::uint8_t* unknown);
+    /// Whether one pair of boxes touches; nothing of those that are not regular. `faces_only`: as of `boxes_apart`.
+    template <class T> std::optional<bool> boxes_touch(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b,
+                                                       const Pose<T>& pose_b, bool faces_only);
     /// Both of boxes or capsules, which come first, with boxes, in double.
     template <class A, class B, class T> std::uint32_t box_row_distances(const PairRows<T>& rows, std::size_t count,
                                                                          bool turned, Distance<T>* distances,

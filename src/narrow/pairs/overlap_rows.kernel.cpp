@@ -1,4 +1,4 @@
-// Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles.
+// Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles. And one pair of boxes.
 #include "narrow/pairs/box_overlap.hpp"
 #include "narrow/pairs/box_triangle_overlap.hpp"
 #include "narrow/pairs/row_distance.hpp"
@@ -50,6 +50,15 @@ template <class A, class B, class T>
   return answer_rows<A, B>(rows, count, unknown, write);
 }
 
+template <class T>
+[[gnu::flatten]] std::optional<bool> boxes_touch(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b,
+                                                 const Pose<T>& pose_b, bool faces_only) {
+  const BoxRows<T> boxes(Several<T, 3>(a.half_extents()), PoseRows<T>(pose_a), Several<T, 3>(b.half_extents()),
+                         PoseRows<T>(pose_b));
+  if (!regular_boxes(boxes)) return std::nullopt;
+  return !boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)), faces_only);
+}
+
 #define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
   template std::uint32_t row_overlaps<A<T>, B<T>>(const PairRows<T>&, std::size_t, std::uint8_t*, std::uint8_t*);
 #define GRAZE_INSTANTIATE(A, B)                                                                                        \
@@ -64,5 +73,9 @@ GRAZE_INSTANTIATE(Box, HalfSpace)
 GRAZE_INSTANTIATE(Triangle, HalfSpace)
 #undef GRAZE_INSTANTIATE
 #undef GRAZE_INSTANTIATE_FOR
+template std::optional<bool> boxes_touch(const Box<float>&, const Pose<float>&, const Box<float>&, const Pose<float>&,
+                                         bool);
+template std::optional<bool> boxes_touch(const Box<double>&, const Pose<double>&, const Box<double>&,
+                                         const Pose<double>&, bool);
 
 }  // namespace graze::GRAZE_ISA
