@@ -40,8 +40,8 @@ test: ## build everything and run all tests
 	$(call check,release)
 
 .PHONY: asan
-asan: ## the tests again, with address and undefined-behaviour sanitizers
-	@scripts/setup.sh test
+asan: ## the tests again, by clang, with address and undefined-behaviour sanitizers
+	@scripts/setup.sh test fuzz
 	$(call configure,asan)
 	$(call build,asan)
 	$(call check,asan)
@@ -87,8 +87,8 @@ wasm: ## build for WebAssembly and compare its answers, in Node
 
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while
-	@scripts/setup.sh fuzz
-	$(call configure,fuzz)
+	@scripts/setup.sh test fuzz
+	$(call configure,asan)
 	$(call build,fuzz)
 	$(call check,fuzz)
 
