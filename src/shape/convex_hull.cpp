@@ -1,7 +1,6 @@
 #include "graze/shape/convex_hull.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "graze/shape/triangle.hpp"
 #include "shape/furthest_vertex.hpp"
@@ -54,12 +53,13 @@ std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::ui
   return best;
 }
 
-/// A choice of which no compiler makes a jump: for conditions that no processor foresees.
+/// A choice of which no compiler makes a jump: for conditions that no processor foresees. Not every standard library has
+/// `std::bit_cast`.
 template <class N>
 N without_jump(bool condition, N yes, N no) {
   using Bits = std::conditional_t<sizeof(N) == 4, std::uint32_t, std::uint64_t>;
-  const Bits chosen = Bits(0) - static_cast<Bits>(condition), other = std::bit_cast<Bits>(no);
-  return std::bit_cast<N>(other ^ ((other ^ std::bit_cast<Bits>(yes)) & chosen));
+  const Bits chosen = Bits(0) - static_cast<Bits>(condition), other = __builtin_bit_cast(Bits, no);
+  return __builtin_bit_cast(N, other ^ ((other ^ __builtin_bit_cast(Bits, yes)) & chosen));
 }
 
 /// Of a hull that is scanned from where that has just read it.

@@ -31,7 +31,7 @@ void ManifoldFinder<T>::join_pairs(Executor& executor) {
   for (std::size_t first = 0; first < pairs_.size(); first += pairs_per_range) {
     const auto some = std::span(contact_).subspan(first, std::min(pairs_.size() - first, pairs_per_range));
     first_contacts_.push_back(contacts);
-    contacts += static_cast<std::uint32_t>(std::ranges::count_if(some, touches));
+    contacts += static_cast<std::uint32_t>(std::count_if(some.begin(), some.end(), touches));
   }
   now_.pairs.resize(contacts);
   for_each_chunk(executor, pairs_.size(), pairs_per_range, [&](std::size_t begin, std::size_t end, std::size_t range) {
@@ -62,7 +62,7 @@ void ManifoldFinder<T>::join_pairs(std::size_t begin, std::size_t end, std::uint
 /// any of the copies and is begun first.
 template <class T>
 void ManifoldFinder<T>::join_tasks(Executor& executor, const std::function<void()>& paired) {
-  const bool in_place = std::ranges::all_of(tasks_, [](const Task& task) { return task.found == 0; });
+  const bool in_place = std::all_of(tasks_.begin(), tasks_.end(), [](const Task& task) { return task.found == 0; });
   if (in_place) return paired();
   executor.run(1 + (tasks_.size() + tasks_per_copy - 1) / tasks_per_copy, [&](std::size_t i) {
     if (i == 0) return paired();
@@ -81,8 +81,7 @@ void ManifoldFinder<T>::join_task(const Task& task) {
     m.first_point += shift;
     *to++ = m;
   }
-  std::ranges::copy(found.points.filled().subspan(task.first_point, task.point_count),
-                    now_.points.data() + task.to_point);
+  std::copy_n(found.points.filled().data() + task.first_point, task.point_count, now_.points.data() + task.to_point);
 }
 
 template class ManifoldFinder<float>;

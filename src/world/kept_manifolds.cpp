@@ -17,7 +17,7 @@ constexpr std::size_t few_points = 16;
 /// Finds what is known of each pair from the last call: both lists are sorted. Returns whether they differ.
 template <class T>
 bool ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
-  if (std::ranges::equal(pairs, pairs_)) return false;
+  if (std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
   last_pairs_.swap(pairs_);
   last_contact_.swap(contact_);
   pairs_.assign(pairs.begin(), pairs.end());
@@ -160,7 +160,7 @@ void ManifoldFinder<T>::copy_last(Run& run, Task& task) {
   const auto shift = static_cast<std::uint32_t>(found.points.size()) - front.first_point;  // modulo its range
   const auto points =
       std::span(last_.points).subspan(front.first_point, back.first_point + back.point_count - front.first_point);
-  std::ranges::copy(points, found.points.extend(points.size()));
+  std::copy(points.begin(), points.end(), found.points.extend(points.size()));
   ContactManifold<T>* to = found.manifolds.extend(run.end - run.begin);
   for (ContactManifold<T> m : std::span(last_.manifolds).subspan(run.begin, run.end - run.begin)) {
     m.first_point += shift;

@@ -76,7 +76,8 @@ std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t ind
 template <class T>
 void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor,
                              const std::function<void()>& paired) {
-  if (bodies.unsorted_changes().empty() && std::ranges::equal(pairs, pairs_)) return paired();
+  if (bodies.unsorted_changes().empty() && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end()))
+    return paired();
   SerialExecutor serial;
   Executor& some = pairs.size() < few_pairs ? serial : executor;
   // Three parts that know nothing of each other, the longest, which takes as long as the other two, first.

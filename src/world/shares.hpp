@@ -21,7 +21,7 @@ class Shares {
   /// The first task that is left of a share. False if none is.
   bool take_own(std::size_t share, std::size_t& task) {
     return take(share, [&](std::uint64_t first, std::uint64_t end) {
-      task = first;
+      task = static_cast<std::size_t>(first);
       return packed(first + 1, end);
     });
   }
@@ -29,7 +29,7 @@ class Shares {
   bool take_other(std::size_t share, std::size_t& task) {
     for (std::size_t i = 1; i < left_.size(); ++i)
       if (take((share + i) % left_.size(), [&](std::uint64_t first, std::uint64_t end) {
-            task = end - 1;
+            task = static_cast<std::size_t>(end - 1);
             return packed(first, end - 1);
           }))
         return true;
