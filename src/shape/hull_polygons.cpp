@@ -120,12 +120,27 @@ class Merger {
     return loop;
   }
 
-  /// A vertex that only two faces meet at lies on their common edge.
+  /// A vertex that only two faces meet at lies on their common edge, but for one at the tip of a sliver: there all that
+  /// is as thin as the tolerance has become one of the two.
   void drop_needless_vertices(Loops& loops) const {
     std::vector<std::uint32_t> uses(points_.size(), 0);
     for (const auto& loop : loops)
       for (const std::uint32_t v : loop) ++uses[v];
-    for (auto& loop : loops) std::erase_if(loop, [&](std::uint32_t v) { return uses[v] < 3; });
+    // Both faces have the same two neighbours of such a vertex, and so the same answer.
+    std::vector<bool> needless(points_.size(), false);
+    for (const auto& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        needless[loop[i]] = uses[loop[i]] < 3 &&
+                            between(loop[i], loop[(i + loop.size() - 1) % loop.size()], loop[(i + 1) % loop.size()]);
+    for (auto& loop : loops) std::erase_if(loop, [&](std::uint32_t v) { return needless[v]; });
+  }
+
+  /// Whether a point lies on the segment between two others.
+  bool between(std::uint32_t point, std::uint32_t from, std::uint32_t to) const {
+    const Vec3d along = points_[to] - points_[from], way = points_[point] - points_[from];
+    const double length_along = length(along), on = dot(way, along) / length_along;
+    return length(cross(way, along)) <= tolerance_ * length_along && on >= -tolerance_ &&
+           on <= length_along + tolerance_;
   }
 
   const Triangles& triangles_;

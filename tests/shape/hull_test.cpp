@@ -115,6 +115,32 @@ TEST(ConvexHull, SliversStayBodies) {
   }
 }
 
+// Where one is as thin as the tolerance, faces at its tips and along its rim become one with others. The points stay.
+TEST(ConvexHull, SliversKeepTheirTips) {
+  std::vector<Vec3d> points{{0, 3.2, 1e-14}, {0, 0, 2.7e-12}, {0, 0, 0.8}, {4.4e-11, 0, 0}, {0, 2.9, 0}};
+  Random random(7);
+  for (int round = 0; round < 300; ++round) {
+    const ConvexHull<double> hull(points);
+    check(points, hull);
+    for (int i = 0; i < 50; ++i) {
+      const Vec3d d = i < 3 ? Vec3d{double(i == 0), double(i == 1), double(i == 2)}
+                            : normalized(cast<double>(random_vector(random, 1)));
+      const auto reach = [&](const std::vector<Vec3d>& of) {
+        double most = -1e300;
+        for (const Vec3d& p : of) most = std::max(most, dot(p, d));
+        return most;
+      };
+      EXPECT_GE(reach(hull.data().vertices), reach(points) - 8 * hull.tolerance()) << "round " << round;
+    }
+    points.clear();
+    const double thin = std::pow(10.0, uniform(random, -13, -9));
+    for (std::size_t i = 4 + random() % 30; i > 0; --i) {
+      const Vec3d p = cast<double>(random_vector(random, 1));
+      points.push_back({p.x * thin, p.y, p.z});
+    }
+  }
+}
+
 TEST(ConvexHull, HoldsEveryKindOfPoints) {
   Random random(2);
   for (int round = 0; round < 60; ++round) {
