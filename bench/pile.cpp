@@ -283,8 +283,8 @@ class StagedPile {
   std::vector<typename Stages<T>::Times> times_;
 };
 
-/// What a second thread saves, and what the processors have for it: two worlds at once, which share nothing. No other
-/// world runs in between, whose memory would take this one's place in the caches.
+/// What a second thread saves, and what the processors have for it: two worlds at once, which share nothing. These
+/// take turns alone: the other libraries' memory would take their place in the caches.
 void compare_threads(const Pile& pile, std::span<const Poses, 2> poses, std::size_t frames) {
   auto shared = make_executor(2), apart = make_executor(2);
   if (!shared || !apart) return;
@@ -311,8 +311,8 @@ void compare_threads(const Pile& pile, std::span<const Poses, 2> poses, std::siz
   const auto print = [&](const char* name, double worlds, double time) {
     std::printf("| %-11s | %9.3f | %12.2f |\n", name, time, worlds * first / time);
   };
-  print("1 thread", 1, first);
-  print("2 threads", 1, quantile(times[1], 0.5));
+  print(alone.name.c_str(), 1, first);
+  print(two.name.c_str(), 1, quantile(times[1], 0.5));
   print("2 worlds", 2, quantile(times[2], 0.5));
 }
 

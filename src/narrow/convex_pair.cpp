@@ -159,10 +159,10 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
   }
 }
 
-/// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
+/// Of boxes that are rounded or not regular.
 template <class A, class B, class T>
-GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b,
-                                                bool faces_only) {
+[[gnu::noinline]] GRAZE_FLATTEN std::optional<bool> other_boxes_overlap(const A& ca, const B& cb, const Body<T>& a,
+                                                                        const Body<T>& b, bool faces_only) {
   const BoxPair<double> pair = box_pair(cast<double>(core_of(ca).half), cast<double>(a.pose),
                                         cast<double>(core_of(cb).half), cast<double>(b.pose));
   const BoxRows<double> boxes(pair);
@@ -173,12 +173,16 @@ GRAZE_FLATTEN std::optional<bool> boxes_overlap(const A& ca, const B& cb, const 
   return std::nullopt;
 }
 
-/// The same of two that are not rounded, as the kernels tell it of many; nothing of boxes that are not regular.
-template <class T>
-std::optional<bool> plain_boxes_overlap(const Body<T>& a, const Body<T>& b, bool faces_only) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), boxes_touch<T>);
-  if (a.shape.margin() != T(0) || b.shape.margin() != T(0)) return std::nullopt;
-  return kernel(*a.shape.template as<Box<T>>(), a.pose, *b.shape.template as<Box<T>>(), b.pose, faces_only);
+/// Whether two boxes touch, from their axes; nothing where their rounding may bridge a gap that no axis measures.
+template <class A, class B, class T>
+std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, const Body<T>& b, bool faces_only) {
+  // A rectangle is never regular.
+  if constexpr (std::is_same_v<A, Box<T>> && std::is_same_v<B, Box<T>>) {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), boxes_touch<T>);
+    if (a.shape.margin() == T(0) && b.shape.margin() == T(0))
+      if (const auto touch = kernel(ca, a.pose, cb, b.pose, faces_only)) return touch;
+  }
+  return other_boxes_overlap(ca, cb, a, b, faces_only);
 }
 
 /// Nothing where the axes do not tell.
@@ -192,9 +196,7 @@ GRAZE_FLATTEN std::optional<bool> axes_overlap(const Box<T>& box, const Triangle
 }
 
 template <class A, class B, class T>
-[[gnu::noinline]] bool usual_overlap(const Shape<T>& shape_a, const Pose<T>& pose_a, const Shape<T>& shape_b,
-                                     const Pose<T>& pose_b, Trace* trace) {
-  const Body<T> a{shape_a, pose_a}, b{shape_b, pose_b};
+bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
   constexpr bool unbounded = std::is_same_v<B, HalfSpace<T>>;
   const A& ca = *a.shape.template as<A>();
   const B& cb = *b.shape.template as<B>();
@@ -228,23 +230,10 @@ template <class A, class B, class T>
   }
 }
 
-/// Two plain boxes are told of before anything else is looked at, which took a tenth of the time.
-template <class A, class B, class T>
-bool pair_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  if constexpr (std::is_same_v<A, Box<T>> && std::is_same_v<B, Box<T>>) {
-    if (const auto touch = plain_boxes_overlap<T>({a, pose_a}, {b, pose_b}, false)) {
-      if (trace) [[unlikely]]
-        trace->method = "separating axes";
-      return *touch;
-    }
-  }
-  return usual_overlap<A, B>(a, pose_a, b, pose_b, trace);
-}
-
 template <class T>
 struct Routines {
   Distance<T> (*distance)(const Body<T>&, const Body<T>&, T, Trace*);
-  bool (*overlap)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);
+  bool (*overlap)(const Body<T>&, const Body<T>&, Trace*);
 };
 
 /// Composites never come here: the mid phase takes them apart first. Nor does a pair against the order of the list: it
@@ -300,8 +289,8 @@ Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shap
 template <class T>
 bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
   const bool swapped = against_order(a, b);
-  const bool touch = swapped ? routines(b, a).overlap(b, pose_b, a, pose_a, trace)
-                             : routines(a, b).overlap(a, pose_a, b, pose_b, trace);
+  const bool touch = swapped ? routines(b, a).overlap({b, pose_b}, {a, pose_a}, trace)
+                             : routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
   if (trace) {
     if (swapped) mirror(*trace);
     explain_axes(a, pose_a, b, pose_b, *trace);
@@ -311,11 +300,8 @@ bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
 
 template <class T>
 bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
-  if (const auto* box_a = a.template as<Box<T>>(), *box_b = b.template as<Box<T>>(); box_a && box_b) {
-    const Body<T> body_a{a, pose_a}, body_b{b, pose_b};
-    if (const auto touch = plain_boxes_overlap(body_a, body_b, true)) return *touch;
-    return *boxes_overlap(*box_a, *box_b, body_a, body_b, true);
-  }
+  if (const auto* box_a = a.template as<Box<T>>(), *box_b = b.template as<Box<T>>(); box_a && box_b)
+    return *boxes_overlap(*box_a, *box_b, Body<T>{a, pose_a}, Body<T>{b, pose_b}, true);
   return convex_overlap<T>(a, pose_a, b, pose_b, nullptr);
 }
 

@@ -50,10 +50,11 @@ TYPED_TEST(Standing, ClearIsWhatTheSearchLeavesAsItIs) {
                               ? Shape<T>(Sphere<T>(T(0.4)))
                               : Shape<T>(Box<T>(Vec3<T>{T(0.9), T(0.7), static_cast<T>(uniform(random, 0.2f, 1.2f))}));
     const T lift = scene % 3 == 0 ? T(0.4) : T(0.35);
-    const Pose<T> pose{
-        Vec3<T>{away, lift - static_cast<T>(uniform(random, 0, 0.01f)), -away} +
-            Vec3<T>{static_cast<T>(uniform(random, -1, 1)), T(0), static_cast<T>(uniform(random, -1, 1))},
-        normalized(Quat<T>{0, static_cast<T>(uniform(random, -1, 1)), 0, 1})};
+    // A statement each: compilers draw the two sides of a sum in different orders.
+    const Vec3<T> aside{static_cast<T>(uniform(random, -1, 1)), T(0), static_cast<T>(uniform(random, -1, 1))};
+    const T sunk = static_cast<T>(uniform(random, 0, 0.01f));
+    const Pose<T> pose{Vec3<T>{away, lift - sunk, -away} + aside,
+                       normalized(Quat<T>{0, static_cast<T>(uniform(random, -1, 1)), 0, 1})};
     for (std::size_t i = 0; i < ground.shapes.size(); ++i) {
       const PieceOf<T> self{ground.shapes[i], ground.poses[i], ground.shapes[i], ground.poses[i], ground.all},
           other{body, pose, body, pose};
@@ -71,7 +72,7 @@ TYPED_TEST(Standing, ClearIsWhatTheSearchLeavesAsItIs) {
     }
   }
   EXPECT_GT(clear, 500u);
-  EXPECT_GT(settled_otherwise, 40u);
+  EXPECT_GT(settled_otherwise, 50u);
 }
 
 }  // namespace
