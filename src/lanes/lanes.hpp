@@ -68,6 +68,18 @@ inline constexpr int lanes_of = register_bytes / static_cast<int>(sizeof(T));
 template <class T>
 using Lanes = Wide<T, lanes_of<T>>;
 
+/// The lanes of a mask that are set, as bits: lane i is bit i.
+template <class M>
+[[gnu::always_inline]] inline std::uint32_t bits_of(const M& mask) {
+  if constexpr (requires { set_lanes(mask); }) {
+    return set_lanes(mask);
+  } else {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < M::lanes; ++i) bits |= static_cast<std::uint32_t>(mask[i]) << i;
+    return bits;
+  }
+}
+
 /// The `part`-th of the registers that the lanes fill in double.
 template <std::size_t part, std::size_t... I>
 [[gnu::always_inline]] inline Lanes<double> lanes_in_double(const Lanes<float>& x, std::index_sequence<I...>) {

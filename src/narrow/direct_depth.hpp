@@ -2,11 +2,12 @@
 //
 // Guarantee: what is returned is proven. A depth is the overlap along its normal, and no translation is shorter by more
 // than `gap`; a separation is the gap along its normal. Where the descent ends in no least value, or in one that cannot be
-// proven least, nothing is returned and the general path answers.
+// proven least, nothing is returned and the general path answers. The same bits at every level of the instruction set.
 #pragma once
 
 #include <optional>
 
+#include "lanes/dispatch.hpp"
 #include "narrow/core.hpp"
 #include "narrow/core_sum.hpp"
 
@@ -19,8 +20,12 @@ struct DirectDepth {
   double lower;  ///< what the depth is proven not to fall below
 };
 
-/// The way from A's origin to B's and B's rotation are seen from A. Ends early where the cores are more than `limit`
-/// apart, which may be infinite.
-std::optional<DirectDepth> direct_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a, double limit);
+// clang-format off
+GRAZE_DECLARE_KERNEL(
+    /// The way from A's origin to B's and B's rotation are seen from A. Ends early where the cores are more than `limit`
+    /// apart, which may be infinite.
+    std::optional<DirectDepth> direct_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
+                                            double limit);)
+// clang-format on
 
 }  // namespace graze

@@ -48,7 +48,8 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
                                         const Posed& b_in_a, double limit, double noise) {
   const auto sum_a = a.summed(), sum_b = b.summed();
   if (!sum_a || !sum_b || !(max_abs(sum_a->radii) > 0 || max_abs(sum_b->radii) > 0)) return std::nullopt;
-  const auto found = direct_depth(*sum_a, *sum_b, b_in_a, limit + noise);
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), direct_depth);
+  const auto found = kernel(*sum_a, *sum_b, b_in_a, limit + noise);
   if (!found) return std::nullopt;
   const double distance = -found->depth;
   if (distance > limit + noise) return GeneralDistance{{distance, found->normal, {}, {}}, Status::converged, 0, noise};

@@ -17,17 +17,6 @@ struct RowShapes {
   typename S::Mask regular;
 };
 
-/// The lanes of a mask that are set, as bits.
-template <class M>
-[[gnu::always_inline]] inline std::uint32_t bits_of(const M& mask) {
-  if constexpr (requires { set_lanes(mask); }) {
-    return set_lanes(mask);
-  } else {
-    std::uint32_t bits = 0;
-    for (int i = 0; i < M::lanes; ++i) bits |= static_cast<std::uint32_t>(mask[i]) << i;
-    return bits;
-  }
-}
 /// All set.
 template <class S>
 [[gnu::always_inline]] inline typename S::Mask everywhere() {

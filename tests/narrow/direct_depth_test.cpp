@@ -21,7 +21,9 @@ struct DirectPair {
   DirectPair(const Specimen& sa, const Specimen& sb, const Posed& b_in_a)
       : a(build<double>(sa)), b(build<double>(sb)), pose(b_in_a) {}
   double overlap_along(const Vec3d& n) const { return -dot(difference.support(n).w, n); }
-  auto direct(double limit) const { return direct_depth(*core_a.summed(), *core_b.summed(), pose, limit); }
+  auto direct(double limit) const {
+    return GRAZE_KERNEL(chosen_isa(), direct_depth)(*core_a.summed(), *core_b.summed(), pose, limit);
+  }
 };
 
 /// Calls `check` with many pairs of a round shape and any, some apart, some deep in each other.
@@ -52,7 +54,7 @@ TEST(DirectDepth, IsThatOfTheExpandingPolytope) {
     EXPECT_LT(length(found->b - found->a + found->normal * found->depth), 1e-10 * size);
   });
   EXPECT_GT(overlapping, 1000);
-  EXPECT_GT(answered, overlapping * 85 / 100);
+  EXPECT_GT(answered, overlapping * 93 / 100) << overlapping - answered << " of " << overlapping;
 }
 
 TEST(DirectDepth, NoDirectionHasLessThanIsProven) {
@@ -91,28 +93,32 @@ TEST(DirectDepth, DistancesAreThoseOfGjk) {
   EXPECT_GT(answered, apart * 95 / 100);
 }
 
+/// Whether the overlap is proven the least; at every level of the instruction set alike.
+bool proven(const PolarTerms& terms) {
+  PolarDoubt doubt;
+  return GRAZE_KERNEL(chosen_isa(), no_less_around)(terms, doubt);
+}
+
 // A point near the middle of an ellipsoid that is 1 wide and `low` high: straight up is the shortest way out, sideways is
 // stationary and not. In the middle itself down were as good.
 TEST(PolarProof, TellsTheLeastFromTheStationary) {
   constexpr double low = 0.2;
-  const auto ignore = [](const PolarProof::Tangent&, double) {};
-  PolarProof up(0.9 * low);
-  up.add_round(low, {0, 0}, {1, 0, 1});
-  EXPECT_TRUE(up.holds(ignore));
-  PolarProof sideways(0.9);
-  sideways.add_round(1, {0, 0}, {1, 0, low * low});
-  EXPECT_FALSE(sideways.holds(ignore));
+  PolarTerms up{0.9 * low};
+  up.rounds.push_back({low, {0, 0}, {1, 0, 1}});
+  EXPECT_TRUE(proven(up));
+  PolarTerms sideways{0.9};
+  sideways.rounds.push_back({1, {0, 0}, {1, 0, low * low}});
+  EXPECT_FALSE(proven(sideways));
 }
 
 // A point on the axis of a box of half edges 1 and of a half thickness: straight up.
 TEST(PolarProof, ASlabIsLeftThroughItsFace) {
-  const auto ignore = [](const PolarProof::Tangent&, double) {};
   for (const double thickness : {0.1, 0.9, 1.2, 2.0}) {
-    PolarProof proof(0.9 * thickness);
-    proof.add_crease({1, 0}, 1, 1);
-    proof.add_crease({0, 1}, 1, 1);
-    proof.add_segment({0, 0}, 1, thickness);
-    EXPECT_EQ(proof.holds(ignore), thickness <= 1) << thickness;
+    PolarTerms terms{0.9 * thickness};
+    terms.creases.push_back({{1, 0}, 1, 1});
+    terms.creases.push_back({{0, 1}, 1, 1});
+    terms.segments.push_back({{0, 0}, 1, thickness});
+    EXPECT_EQ(proven(terms), thickness <= 1) << thickness;
   }
 }
 

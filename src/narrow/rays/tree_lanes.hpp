@@ -51,20 +51,6 @@ template <int N>
   return select(b < a, a, b);
 }
 
-/// Lane i as bit i.
-template <class Mask>
-[[gnu::always_inline]] inline std::uint32_t bits_of(const Mask& mask) {
-#if defined(__AVX2__)
-  if constexpr (Mask::lanes == 8) return static_cast<std::uint32_t>(_mm256_movemask_ps(cast_bits<__m256>(mask.bits)));
-#endif
-#if defined(__SSE2__)
-  if constexpr (Mask::lanes == 4) return static_cast<std::uint32_t>(_mm_movemask_ps(cast_bits<__m128>(mask.bits)));
-#endif
-  std::uint32_t bits = 0;
-  for (int i = 0; i < Mask::lanes; ++i) bits |= (mask[i] ? 1u : 0u) << i;
-  return bits;
-}
-
 [[gnu::always_inline]] inline std::uint32_t first_bit(std::uint32_t bits) {
   return static_cast<std::uint32_t>(__builtin_ctz(bits));
 }

@@ -4,7 +4,7 @@
 
 #include "narrow/polar_proof.hpp"
 
-namespace graze {
+namespace graze::GRAZE_ISA {
 
 namespace {
 
@@ -348,29 +348,32 @@ class Descent {
     const double least_radius = radius.least_eigenvalue();
     if (least_radius >= depth_) return depth_ - rest;
 
-    PolarProof proof(depth_, least_radius);
-    const auto tangent = [&](const Vec3d& v) { return PolarProof::Tangent{dot(v, u_), dot(v, v_)}; };
+    PolarTerms terms{depth_, least_radius};
+    const auto tangent = [&](const Vec3d& v) { return PolarTangent{dot(v, u_), dot(v, v_)}; };
     for (std::size_t s = 0; s < 2; ++s) {
       if (!side_[s].round || cap_ == static_cast<int>(s)) continue;
       const Vec3d& p = point_[s];
-      const PolarProof::Tangent at{dot(p, us[s]), dot(p, vs[s])};
-      proof.add_round(dot(p, at_[s]), at, side_[s].across(us[s], vs[s], at.u, at.v));
+      const PolarTangent at{dot(p, us[s]), dot(p, vs[s])};
+      terms.rounds.push_back({dot(p, at_[s]), at, side_[s].across(us[s], vs[s], at.u, at.v)});
     }
-    if (cap_ != none) proof.add_cap(side_[static_cast<std::size_t>(cap_)].radii.x, tangent(slope_));
+    if (cap_ != none) {
+      terms.cap = side_[static_cast<std::size_t>(cap_)].radii.x;
+      terms.cap_slope = tangent(slope_);
+    }
     for (const std::size_t k : segments_) {
       if (active(k)) {
         const std::size_t i = static_cast<int>(k) == active_[0] ? 0 : 1;
-        proof.add_crease(tangent(axis_[k]), half_[k] + push_[i], half_[k] - push_[i]);
+        terms.creases.push_back({tangent(axis_[k]), half_[k] + push_[i], half_[k] - push_[i]});
       } else {
-        proof.add_segment(tangent(axis_[k] * sign_[k]), dot(axis_[k], n_) * sign_[k], half_[k]);
+        terms.segments.push_back({tangent(axis_[k] * sign_[k]), dot(axis_[k], n_) * sign_[k], half_[k]});
       }
     }
-    const auto doubt = [&](const PolarProof::Tangent& t, double s) {
-      const Vec3d n = cleaned(n_ * (1 - s * s) + (u_ * t.u + v_ * t.v) * (2 * s));
-      least_seen_ = least(overlap_along(n), depth_ - 2 * rise * size_);
-      doubtful_ = n;
-    };
-    return proof.holds(doubt) ? depth_ - rest : inside;
+    PolarDoubt doubt;
+    if (no_less_around(terms, doubt)) return depth_ - rest;
+    const auto& [t, s] = doubt;
+    doubtful_ = cleaned(n_ * (1 - s * s) + (u_ * t.u + v_ * t.v) * (2 * s));
+    least_seen_ = least(overlap_along(doubtful_), depth_ - 2 * rise * size_);
+    return inside;
   }
 
   std::array<SumSide, 2> side_;
@@ -394,8 +397,9 @@ class Descent {
 
 }  // namespace
 
-std::optional<DirectDepth> direct_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a, double limit) {
+[[gnu::flatten]] std::optional<DirectDepth> direct_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
+                                                         double limit) {
   return Descent(a, b, b_in_a).run(limit);
 }
 
-}  // namespace graze
+}  // namespace graze::GRAZE_ISA
