@@ -14,45 +14,49 @@ namespace graze::GRAZE_ISA {
 
 namespace gathering {
 
-typedef float Four __attribute__((vector_size(16)));
+template <class T, std::size_t N>
+struct Vector {
+  typedef T type __attribute__((vector_size(N * sizeof(T))));
+};
+template <class T>
+using Four = typename Vector<T, 4>::type;
 
 /// `count` numbers, and zeros. In registers: g++ puts three copied into four together in memory, and to read back more
 /// at once than was written waits for the writes.
-template <std::size_t count>
-[[gnu::always_inline]] inline Four row_of(const char* from) {
-  Four row{};
+template <class T, std::size_t count>
+[[gnu::always_inline]] inline Four<T> row_of(const char* from) {
+  Four<T> row{};
   if constexpr (count == 4) {
     std::memcpy(&row, from, sizeof row);
-  } else if constexpr (count >= 2) {
+  } else if constexpr (count >= 2 && sizeof(T) == 4) {
     typedef std::int64_t Halves __attribute__((vector_size(16)));
     std::int64_t two;
     std::memcpy(&two, from, sizeof two);
-    row = reinterpret_cast<Four>(Halves{two, 0});
+    row = reinterpret_cast<Four<T>>(Halves{two, 0});
+  } else if constexpr (count >= 2) {
+    typename Vector<T, 2>::type two;
+    std::memcpy(&two, from, sizeof two);
+    row = __builtin_shufflevector(two, typename Vector<T, 2>::type{}, 0, 1, 2, 3);
   }
   if constexpr (count % 2 == 1) {
-    float last;
+    T last;
     std::memcpy(&last, from + (count - 1) * sizeof last, sizeof last);
     row[count - 1] = last;
   }
   return row;
 }
 
-template <std::size_t N>
-struct FloatVector {
-  typedef float type __attribute__((vector_size(N * sizeof(float))));
-};
-
 template <class V, std::size_t... I>
 [[gnu::always_inline]] inline auto joined(const V& a, const V& b, std::index_sequence<I...>) {
   return __builtin_shufflevector(a, b, I...);
 }
 /// Rows `first`, `first + 4`, `first + 8` and so on, one behind the other.
-template <std::size_t N>
-[[gnu::always_inline]] inline typename FloatVector<N>::type every_fourth(const Four* rows) {
+template <class T, std::size_t N>
+[[gnu::always_inline]] inline typename Vector<T, N>::type every_fourth(const Four<T>* rows) {
   if constexpr (N == 4)
     return rows[0];
   else
-    return joined(every_fourth<N / 2>(rows), every_fourth<N / 2>(rows + N / 2), std::make_index_sequence<N>());
+    return joined(every_fourth<T, N / 2>(rows), every_fourth<T, N / 2>(rows + N / 2), std::make_index_sequence<N>());
 }
 /// Of each four numbers of `a` and `b` the first two or the last two, in turns.
 template <std::size_t Half, class V, std::size_t... I>
@@ -90,13 +94,13 @@ template <class T, class Row, std::size_t count>
     const void* const start = row(lane);
     return static_cast<const char*>(start) + offset;
   };
-  if constexpr (sizeof(T) == 4) {
+  if constexpr (lanes >= 4) {
     using namespace gathering;
-    Four loaded[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) loaded[i] = row_of<count>(at(i));
-    typename FloatVector<lanes>::type columns[4];
-    transpose(every_fourth<lanes>(loaded), every_fourth<lanes>(loaded + 1), every_fourth<lanes>(loaded + 2),
-              every_fourth<lanes>(loaded + 3), columns, std::make_index_sequence<lanes>());
+    Four<T> loaded[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) loaded[i] = row_of<T, count>(at(i));
+    typename Vector<T, lanes>::type columns[4];
+    transpose(every_fourth<T, lanes>(loaded), every_fourth<T, lanes>(loaded + 1), every_fourth<T, lanes>(loaded + 2),
+              every_fourth<T, lanes>(loaded + 3), columns, std::make_index_sequence<lanes>());
     for (std::size_t k = 0; k < count; ++k) out[k] = Lanes<T>::of(columns[k]);
   } else {
     for (std::size_t k = 0; k < count; ++k)
@@ -113,7 +117,7 @@ template <class T, class Row, std::size_t count>
                                            const Lanes<float>& w, void* to, std::size_t stride) {
   using namespace gathering;
   constexpr std::size_t lanes = lanes_of<float>;
-  typename FloatVector<lanes>::type rows[4];
+  typename Vector<float, lanes>::type rows[4];
   transpose(x.v, y.v, z.v, w.v, rows, std::make_index_sequence<lanes>());
   // Of rows[k] the i-th four belongs to lane 4 i + k.
   for (std::size_t i = 0; i < lanes; ++i)

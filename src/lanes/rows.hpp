@@ -184,7 +184,7 @@ template <std::size_t width>
   constexpr std::size_t lanes = lanes_of<float>;
   for (std::size_t first = 0; first < width; first += 4) {
     const std::size_t from = first + 4 <= width ? first : width - 4;
-    typename FloatVector<lanes>::type rows[4];
+    typename Vector<float, lanes>::type rows[4];
     transpose(columns[from].v, columns[from + 1].v, columns[from + 2].v, columns[from + 3].v, rows,
               std::make_index_sequence<lanes>());
     char* at = static_cast<char*>(to) + from * sizeof(float);

@@ -54,7 +54,7 @@ void visit_parts(std::size_t count, const F& f) {
 [[gnu::always_inline]] inline Lanes<double> joined(const Lanes<double> (&parts)[1]) { return parts[0]; }
 template <std::size_t... I>
 [[gnu::always_inline]] inline Lanes<float> joined(const Lanes<double> (&parts)[2], std::index_sequence<I...>) {
-  using Half = typename gathering::FloatVector<lanes_of<double>>::type;
+  using Half = typename gathering::Vector<float, lanes_of<double>>::type;
   return Lanes<float>::of(__builtin_shufflevector(__builtin_convertvector(parts[0].v, Half),
                                                   __builtin_convertvector(parts[1].v, Half), I...));
 }
