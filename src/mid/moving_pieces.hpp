@@ -19,7 +19,7 @@ struct NumberedPiece {
   bool outermost = true;
 
   NumberedPiece child(const Shape<T>& shape, const Pose<T>& local, std::uint32_t its_number) const {
-    return {{shape, in_double(local)}, outermost ? its_number : number, false};
+    return {Piece<T>(shape, in_double(local)), outermost ? its_number : number, false};
   }
 };
 
@@ -41,7 +41,7 @@ Sweep<T> sweep_of(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b
   if (motion.a.none() && motion.b.none()) return safe_sweep(bounds_at(interval.begin), moved(), grow);
 
   // From the middle of the interval nothing of B moves further, seen from A, than for half of it at its greatest speed.
-  const double reach = reach_of(b);
+  const double reach = b.reach();
   if (!(reach < std::numeric_limits<double>::infinity())) return {Aabb<T>::everything(), {}};
   const double away =
       greatest(length(motion.offset_at(interval.begin)), length(motion.offset_at(interval.end))) + reach;

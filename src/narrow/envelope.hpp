@@ -15,13 +15,6 @@ bool is_half_space(const Piece<T>& piece) {
   return piece.shape.template as<HalfSpace<T>>() != nullptr;
 }
 
-template <class T>
-double core_reach(const Piece<T>& piece) {
-  if (is_half_space(piece)) return infinity;
-  return length(piece.local.translation) +
-         piece.shape.visit([](const auto& c) { return static_cast<double>(c.core_extent()); });
-}
-
 /// The unit quaternion that turns the unit vector `axis` to +Y: half way of a half turn about what lies between them.
 inline Quatd to_y(const Vec3d& axis) {
   const Vec3d between = unit(axis + Vec3d{0, axis.y < 0 ? -1.0 : 1.0, 0});
@@ -52,22 +45,21 @@ double turning_radius(const Piece<T>& piece, const Turning& turning) {
   if (is_half_space(piece)) return infinity;
   const Vec3d axis = unit(rotate(conjugate(turning.start), turning.angular));
   const Posed upright = compose(Posed{{}, to_y(axis)}, piece.local);
-  const double reach = core_reach(piece);
   const Vec3d far = piece.shape.visit([&](const auto& c) {
     const Aabb<T> box = c.core_bounds(cast<T>(upright));
     return cast<double>(greatest(abs(box.lower), abs(box.upper)));
   });
   constexpr double slack = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  return least(reach, least(from_axis(far), round_radius(piece, upright)) + slack * reach);
+  return least(piece.core_reach, least(from_axis(far), round_radius(piece, upright)) + slack * piece.core_reach);
 }
 
 /// All places that a core takes while its body turns lie in a cylinder about the axis; one that stands still is its own.
 template <class T>
 class Envelope {
  public:
-  Envelope(const Piece<T>& piece, const Turning& turning, double radius)
-      : still_(turning.none()), axis_(unit(turning.angular)), radius_(radius) {
+  Envelope(const Piece<T>& piece, const Turning& turning, double radius) : still_(turning.none()), radius_(radius) {
     if (still_) return;
+    axis_ = unit(turning.angular);
     const PieceAt<T> at(piece, turning.start);
     top_ = dot(axis_, at.support(axis_));
     bottom_ = dot(axis_, at.support(-axis_));

@@ -27,13 +27,6 @@ constexpr double sliding = 1e-6;
 template <>
 constexpr double sliding<float> = 1e-4;
 
-template <class T>
-double radius_of(const Piece<T>& piece) {
-  return piece.shape.visit([&](const auto& c) {
-    return static_cast<double>(rounding_radius(c, T(0))) + static_cast<double>(piece.shape.margin());
-  });
-}
-
 /// The part of the interval in which the balls about the bodies' origins that hold the pieces come within `margin`.
 std::optional<Interval> when_near(const PairMotion& motion, double radii, Interval interval, double margin) {
   // The balls are taken a little larger, so that rounding excludes nothing.
@@ -59,8 +52,6 @@ class Advancement {
       : motion_(motion),
         a_(a),
         b_(b),
-        radius_a_(radius_of(a)),
-        radius_b_(radius_of(b)),
         turning_radius_a_(turning_radius(a, motion.a)),
         turning_radius_b_(turning_radius(b, motion.b)),
         envelope_a_(a, motion.a, turning_radius_a_),
@@ -72,9 +63,9 @@ class Advancement {
     double t = interval.begin, sink = sinking * tolerance_, floor = -sink;
     std::optional<Impact> known;  // the impact at t, when it is there already
     if (const auto boxes = free_boxes(interval)) {
-      if (boxes->t == infinity) return std::nullopt;
-      t = least(interval.begin + boxes->t, interval.end);
-      known = impact_of(*boxes, t);
+      if (boxes->way.t == infinity) return std::nullopt;
+      t = least(interval.begin + boxes->way.t, interval.end);
+      known = boxes->impact(t);
       if (known && touches(*known) && separating_ == Separating::hit) return known;
     } else if (still() && !is_half_space(a_) && !is_half_space(b_)) {
       MovingDifference difference(*this, interval.begin);
@@ -89,7 +80,7 @@ class Advancement {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
       known.reset();
-      const Separation<T> separation(a, b, radius_a_ + radius_b_, impact.normal, motion_.offset_at(t), motion_.velocity,
+      const Separation<T> separation(a, b, radii(), impact.normal, motion_.offset_at(t), motion_.velocity,
                                      {impact.normal, motion_.a.angular, turning_radius_a_},
                                      {impact.normal, motion_.b.angular, turning_radius_b_});
       const double left = interval.end - t;
@@ -148,11 +139,11 @@ class Advancement {
       const Vec3d a = a_.support(n), b = b_.support(-n) + offset_;
       return {a, b, b - a};
     }
-    double reach() const { return greatest(core_reach(asked_.a_), core_reach(asked_.b_)) + max_abs(offset_); }
+    double reach() const { return greatest(asked_.a_.core_reach, asked_.b_.core_reach) + max_abs(offset_); }
 
     /// Until when they stay half the tolerance apart.
     FreeTranslation free(double duration) const {
-      const double radii = asked_.radius_a_ + asked_.radius_b_, tolerance = asked_.tolerance_;
+      const double radii = asked_.radii(), tolerance = asked_.tolerance_;
       return free_translation([this](const Vec3d& n) { return support(n); }, offset_, asked_.motion_.velocity,
                               radii + tolerance / 2, radii + tolerance, duration);
     }
@@ -160,14 +151,14 @@ class Advancement {
     /// What GJK makes of the simplex left then; nothing when it does not prove the cores apart as well as it should.
     std::optional<Impact> impact(const FreeTranslation& free, double t) {
       offset_ += asked_.motion_.velocity * free.t;
-      const double exact = asked_.tolerance_ * 1e-4, radii = asked_.radius_a_ + asked_.radius_b_;
+      const double exact = asked_.tolerance_ * 1e-4, radii = asked_.radii();
       const GjkResult g = gjk_from(free.simplex, *this, {exact});
       if (g.end == GjkEnd::touching || !(g.lower > 0) || g.upper - g.lower > asked_.tolerance_ / 4) return std::nullopt;
       return Impact{t,
                     g.upper - radii,
                     g.normal,
-                    g.simplex.point_a() + g.normal * asked_.radius_a_,
-                    g.simplex.point_b() - g.normal * asked_.radius_b_,
+                    g.simplex.point_a() + g.normal * asked_.a_.radius,
+                    g.simplex.point_b() - g.normal * asked_.b_.radius,
                     Status::converged};
     }
 
@@ -182,26 +173,31 @@ class Advancement {
   }
 
   /// Of two boxes with sharp edges that do not turn: until when they stay half the tolerance apart.
-  std::optional<BoxTranslation> free_boxes(const Interval& interval) const {
+  struct FreeBoxes {
+    Posed pose_a;
+    BoxTranslation way;
+
+    std::optional<Impact> impact(double t) const {
+      if (!way.impact) return std::nullopt;
+      const CoreDistance<double>& d = *way.impact;
+      return Impact{t,
+                    d.distance,
+                    rotate(pose_a.rotation, d.normal),
+                    transform(pose_a, d.a),
+                    transform(pose_a, d.b),
+                    Status::converged};
+    }
+  };
+  std::optional<FreeBoxes> free_boxes(const Interval& interval) const {
     const auto *box_a = a_.shape.template as<Box<T>>(), *box_b = b_.shape.template as<Box<T>>();
-    if (!box_a || !box_b || !still() || radius_a_ > 0 || radius_b_ > 0) return std::nullopt;
+    if (!box_a || !box_b || !still() || radii() > 0) return std::nullopt;
     const Posed pose_a = pose_of(a_, motion_.a);
     Posed pose_b = pose_of(b_, motion_.b);
     pose_b.translation += motion_.offset_at(interval.begin);
     const auto boxes = as_boxes(a_.shape, b_.shape, relative(pose_a, pose_b));
-    return box_translation(*boxes, rotate(conjugate(pose_a.rotation), motion_.velocity), tolerance_ / 2,
-                           interval.end - interval.begin, tolerance_ / 4);
-  }
-  std::optional<Impact> impact_of(const BoxTranslation& boxes, double t) const {
-    if (!boxes.impact) return std::nullopt;
-    const Posed pose_a = pose_of(a_, motion_.a);
-    const CoreDistance<double>& d = *boxes.impact;
-    return Impact{t,
-                  d.distance,
-                  rotate(pose_a.rotation, d.normal),
-                  transform(pose_a, d.a),
-                  transform(pose_a, d.b),
-                  Status::converged};
+    const auto way = box_translation(*boxes, rotate(conjugate(pose_a.rotation), motion_.velocity), tolerance_ / 2,
+                                     interval.end - interval.begin, tolerance_ / 4);
+    return way ? std::optional(FreeBoxes{pose_a, *way}) : std::nullopt;
   }
 
   /// For how long all that the bodies ever turn through stays on its sides of the plane across `n`.
@@ -210,13 +206,14 @@ class Advancement {
       return is_half_space(piece) && !turning.none();
     };
     if (still() || unbounded(a_, motion_.a) || unbounded(b_, motion_.b)) return 0;
-    const double gap = dot(n, motion_.offset_at(t)) - envelope_a_.along(n, a) - envelope_b_.along(-n, b) - radius_a_ -
-                       radius_b_ - tolerance_ / 2;
+    const double gap = dot(n, motion_.offset_at(t)) - envelope_a_.along(n, a) - envelope_b_.along(-n, b) - a_.radius -
+                       b_.radius - tolerance_ / 2;
     if (!(gap > 0)) return 0;
     const double closing = -dot(n, motion_.velocity);
     return closing > 0 ? gap / closing : infinity;
   }
 
+  double radii() const { return a_.radius + b_.radius; }
   bool still() const { return motion_.a.none() && motion_.b.none(); }
   /// Faster than in sliding along.
   bool approaching(const Separation<T>& separation) const {
@@ -241,10 +238,10 @@ class Advancement {
       const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b), nullptr);
       const Vec3d n = rotate(a.pose().rotation, g.core.normal);
       return {t,
-              g.core.distance - radius_a_ - radius_b_,
+              g.core.distance - a_.radius - b_.radius,
               n,
-              transform(a.pose(), g.core.a) + n * radius_a_,
-              transform(a.pose(), g.core.b) - n * radius_b_,
+              transform(a.pose(), g.core.a) + n * a_.radius,
+              transform(a.pose(), g.core.b) - n * b_.radius,
               g.status};
     }
   }
@@ -254,7 +251,7 @@ class Advancement {
     const bool half_a = is_half_space(a_);
     const Vec3d up = rotate((half_a ? a : b).pose().rotation, Vec3d{0, 1, 0});
     const Vec3d n = unit(half_a ? up : -up);
-    Vec3d pa = a.support(n) + n * radius_a_, pb = b.support(-n) - n * radius_b_ + motion_.offset_at(t);
+    Vec3d pa = a.support(n) + n * a_.radius, pb = b.support(-n) - n * b_.radius + motion_.offset_at(t);
     const double distance = dot(n, pb - pa);
     (half_a ? pa : pb) = half_a ? pb - n * distance : pa + n * distance;
     return {t, distance, n, pa, pb, Status::converged};
@@ -262,7 +259,7 @@ class Advancement {
 
   const PairMotion& motion_;
   const Piece<T>&a_, &b_;
-  double radius_a_, radius_b_, turning_radius_a_, turning_radius_b_;
+  double turning_radius_a_, turning_radius_b_;
   Envelope<T> envelope_a_, envelope_b_;
   double tolerance_;
   Separating separating_;
@@ -276,22 +273,27 @@ Quatd Turning::at(double t) const {
 }
 
 template <class T>
-double reach_of(const Piece<T>& piece) {
-  return core_reach(piece) + radius_of(piece);
+Piece<T>::Piece(const Shape<T>& of, const Posed& where) : shape(of), local(where) {
+  shape.visit([&](const auto& c) {
+    core_reach = std::is_same_v<std::decay_t<decltype(c)>, HalfSpace<T>>
+                     ? infinity
+                     : length(local.translation) + static_cast<double>(c.core_extent());
+    radius = static_cast<double>(rounding_radius(c, T(0))) + static_cast<double>(shape.margin());
+  });
 }
 
 template <class T>
 std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b,
                                      const Interval& interval, double tolerance, Separating separating) {
-  const auto near = when_near(motion, reach_of(a) + reach_of(b), interval, tolerance);
+  const auto near = when_near(motion, a.reach() + b.reach(), interval, tolerance);
   if (!near) return std::nullopt;
   return Advancement<T>(motion, a, b, tolerance, separating).first(*near);
 }
 
-template double reach_of(const Piece<float>&);
+template struct Piece<float>;
 template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<float>&, const Piece<float>&,
                                               const Interval&, double, Separating);
-template double reach_of(const Piece<double>&);
+template struct Piece<double>;
 template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<double>&, const Piece<double>&,
                                               const Interval&, double, Separating);
 

@@ -33,16 +33,19 @@ struct PairMotion {
   Vec3d offset_at(double t) const { return offset + velocity * t; }
 };
 
-/// A convex piece and where it sits in its body.
+/// A piece and where it sits in its body.
 template <class T>
 struct Piece {
-  const Shape<T>& shape;
-  Posed local{};
-};
+  explicit(false) Piece(const Shape<T>& shape, const Posed& local = {});
 
-/// The radius about its body's origin of a ball that holds the piece; infinite for a half-space.
-template <class T>
-double reach_of(const Piece<T>& piece);
+  const Shape<T>& shape;
+  Posed local;
+  double core_reach;  ///< the radius about the body's origin of a ball that holds the core; infinite for a half-space
+  double radius;      ///< of the ball that the core is rounded by
+
+  /// The same as of the core, of the whole piece.
+  double reach() const { return core_reach + radius; }
+};
 
 struct Interval {
   double begin, end;

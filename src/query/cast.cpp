@@ -28,13 +28,13 @@ struct Asked {
 
   Asked(const Shape<T>& shape_a, const Pose<T>& pose_a, const Velocity<T>& va, const Shape<T>& shape_b,
         const Pose<T>& pose_b, const Velocity<T>& vb, T until, const CastOptions& options)
-      : a{shape_a, {}}, b{shape_b, {}}, duration(static_cast<double>(until)), separating(options.separating) {
+      : a(shape_a), b(shape_b), duration(static_cast<double>(until)), separating(options.separating) {
     const Posed in_a = in_double(pose_a), in_b = in_double(pose_b);
     motion = {{in_a.rotation, cast<double>(va.angular)},
               {in_b.rotation, cast<double>(vb.angular)},
               in_b.translation - in_a.translation,
               cast<double>(vb.linear) - cast<double>(va.linear)};
-    const double size = greatest(finite(reach_of(a)), finite(reach_of(b)));
+    const double size = greatest(finite(a.reach()), finite(b.reach()));
     const double path = length(motion.offset) + length(motion.velocity) * duration;
     tolerance = static_cast<double>(cast_tolerance<T>) * size + path_rounding * path;
   }
@@ -43,7 +43,7 @@ struct Asked {
   /// ten thousand times what float rounds.
   bool begins_far() const {
     constexpr double slack = 1 + 1e-3;
-    return length(motion.offset) > slack * (reach_of(a) + reach_of(b)) + tolerance;
+    return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance;
   }
 
   std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval) const {
@@ -66,7 +66,7 @@ template <class T>
 std::size_t stretches(const Asked<T>& asked) {
   const PairMotion& m = asked.motion;
   if (m.a.none() && m.b.none()) return 1;
-  const double ra = finite(reach_of(asked.a)), rb = finite(reach_of(asked.b));
+  const double ra = finite(asked.a.reach()), rb = finite(asked.b.reach());
   const double path = asked.duration * (length(m.velocity) + length(m.a.angular) * ra + length(m.b.angular) * rb);
   const double step = 2 * (ra > 0 && rb > 0 ? least(ra, rb) : greatest(ra, rb));
   if (!(path > step)) return 1;
