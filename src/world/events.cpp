@@ -8,11 +8,11 @@ namespace graze {
 namespace {
 
 /// By the indices of the two, and where these were given to another body, by that.
-bool before(const ContactEvent& s, const ContactEvent& t) {
-  const auto key = [](const ContactEvent& e) {
-    return std::tuple(e.a.index, e.b.index, e.a.generation, e.b.generation);
+bool before(const BodyId& a, const BodyId& b, const BodyId& other_a, const BodyId& other_b) {
+  const auto key = [](const BodyId& one, const BodyId& two) {
+    return std::tuple(one.index, two.index, one.generation, two.generation);
   };
-  return key(s) < key(t);
+  return key(a, b) < key(other_a, other_b);
 }
 
 }  // namespace
@@ -41,19 +41,27 @@ void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPa
   };
   skip_ends();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-    ContactEvent now{EventKind::stay, false, bodies.id(pairs[i].a), bodies.id(pairs[i].b), i};
-    const auto stays = [&] { return from < end && from->a == now.a && from->b == now.b; };
+    const BodyId a = bodies.id(pairs[i].a), b = bodies.id(pairs[i].b);
+    const auto stays = [&] { return from < end && from->a == a && from->b == b; };
     // Mostly the next one that touched still does.
-    while (!stays() && from < end && before(*from, now)) end_one();
+    while (!stays() && from < end && before(from->a, from->b, a, b)) end_one();
+    EventKind kind = EventKind::stay;
+    bool trigger = false;
     if (stays()) {
-      now.trigger = take().trigger;
+      trigger = take().trigger;
     } else if (pairs[i].overlap) {
-      now.kind = EventKind::begin;
-      now.trigger = (bodies.triggers()[now.a.index] | bodies.triggers()[now.b.index]) != 0;
+      kind = EventKind::begin;
+      trigger = (bodies.triggers()[a.index] | bodies.triggers()[b.index]) != 0;
     } else {
       continue;
     }
-    *to++ = now;
+    // Number by number: what is read back as a whole waits until its bytes have been written.
+    to->kind = kind;
+    to->trigger = trigger;
+    to->a = a;
+    to->b = b;
+    to->pair = i;
+    ++to;
   }
   while (from < end) end_one();
   now_.shorten(static_cast<std::size_t>(to - first));
