@@ -35,9 +35,9 @@ class Cells {
   /// All tangents, in eight sectors.
   [[gnu::always_inline]] void add_around(double from, double to) {
     constexpr double h = 0.70710678118654752440;
-    constexpr double around[] = {1, h, 0, -h, -1, -h, 0, h, 1, h, 0};  // the cosine; two further on less, the sine
-    for (std::size_t i = 0; i < together; ++i)
-      add({around[i], around[(i + 6) % 8]}, {around[i + 1], around[(i + 7) % 8]}, from, to, 0);
+    constexpr double cosines[] = {1, h, 0, -h, -1, -h, 0, h};
+    const auto tangent = [&](std::size_t i) -> PolarTangent { return {cosines[i % 8], cosines[(i + 6) % 8]}; };
+    for (std::size_t i = 0; i < together; ++i) add(tangent(i), tangent(i + 1), from, to, 0);
   }
 
   /// Takes the last ones, up to `together`; they stay readable until others are added.
