@@ -1,8 +1,8 @@
 // The depth of two cores that are sums of boxes and ellipsoids, by descent on the sphere of directions and a proof.
 //
-// Guarantee: what is returned is proven. A depth is the overlap along its normal, and no translation is shorter by more
-// than `gap`; a separation is the gap along its normal. Where the descent ends in no least value, or in one that cannot be
-// proven least, nothing is returned and the general path answers. The same bits at every level of the instruction set.
+// Guarantee: a depth is the overlap along its normal, and no translation is shorter than `lower`, what of it is proven;
+// a separation is the gap along its normal. Where the descent ends in no least value, nothing is returned and the
+// general path answers. The same bits at every level of the instruction set.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ struct DirectDepth {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The way from A's origin to B's and B's rotation are seen from A. Ends early where the cores are more than `limit`
-    /// apart, which may be infinite.
+    /// The way from A's origin to B's and B's rotation are seen from A. Ends early where the cores are more than
+    /// `limit` apart, which may be infinite.
     std::optional<DirectDepth> direct_depth(const SummedCore& a, const SummedCore& b, const Posed& b_in_a,
                                             double limit);)
 // clang-format on

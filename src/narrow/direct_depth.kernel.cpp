@@ -20,8 +20,8 @@ constexpr double beside_disc = 1e-3;
 constexpr double along_axis = 1e-3;
 /// Creases at an angle of a smaller sine count as one, which the general path tells apart.
 constexpr double least_angle = 1e-3;
-// The rest is relative to the size of the larger core. A depth is a sum of some ten terms of up to that, which rounds by
-// some 1e-15; `tolerance<double>` is 1e-9.
+// The rest is relative to the size of the larger core. A depth is a sum of some ten terms of up to that, which rounds
+// by some 1e-15; `tolerance<double>` is 1e-9.
 /// A ball inside that is smaller than the depth by no more proves it: a hundred times that rounding.
 constexpr double inside_slack = 1e-13;
 /// A step that does not lower the overlap by more is halved: ten times as much, for a step compares two of them.
@@ -133,8 +133,8 @@ class Descent {
   }
 
   /// Takes the best of a few directions to begin with: the way between the centres, the axes of the boxes, and the way
-  /// with an axis of a cylinder taken off, where its side is met. Returns the overlap there, as soon as one separates by
-  /// more than `limit`.
+  /// with an axis of a cylinder taken off, where its side is met. Returns the overlap there, as soon as one separates
+  /// by more than `limit`.
   double start(double limit) {
     n_ = cleaned(way_);
     double best = overlap_along(n_);
@@ -365,12 +365,15 @@ class Descent {
         const std::size_t i = static_cast<int>(k) == active_[0] ? 0 : 1;
         terms.creases.push_back({tangent(axis_[k]), half_[k] + push_[i], half_[k] - push_[i]});
       } else {
-        terms.segments.push_back({tangent(axis_[k] * sign_[k]), dot(axis_[k], n_) * sign_[k], half_[k]});
+        // By rounding the sign may be that of a direction before.
+        const double along = greatest(0.0, dot(axis_[k], n_) * sign_[k]);
+        terms.segments.push_back({tangent(axis_[k] * sign_[k]), along, half_[k]});
       }
     }
     PolarDoubt doubt;
     if (no_less_around(terms, doubt)) return depth_ - rest;
     const auto& [t, s] = doubt;
+    if (s == 0) return inside;
     doubtful_ = cleaned(n_ * (1 - s * s) + (u_ * t.u + v_ * t.v) * (2 * s));
     least_seen_ = least(overlap_along(doubtful_), depth_ - 2 * rise * size_);
     return inside;

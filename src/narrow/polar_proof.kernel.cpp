@@ -1,12 +1,16 @@
 #include "narrow/polar_proof.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include "lanes/lanes.hpp"
 
 // The directions are taken in cells, a sector of tangents and an interval of s each, a cell a lane; each term counts as
-// the least that it has anywhere in the cell. A cell that this leaves in doubt is cut in four (branch and bound).
+// the least that it has anywhere in the cell. A cell that this leaves in doubt is cut, both ways in four or, where its
+// interval has no end, its tangents in two (branch and bound).
 
 namespace graze::GRAZE_ISA {
 
@@ -17,10 +21,10 @@ using S = Lanes<double>;
 /// Cells that are looked at together, at every level as many, so that each comes to the same doubts.
 constexpr std::size_t together = 8;
 constexpr auto step = static_cast<std::size_t>(S::lanes);
-/// How often a cell is cut: to a fifth of a degree. What is in doubt then has about as little as was found.
+/// How often a cell is cut: to sectors of a fifth of a degree. What is in doubt then has about as little as was found.
 constexpr int cuts = 8;
-/// Most proofs take less than ten; one that takes so many takes twice as long as EPA.
-constexpr int bundles = 400;
+/// Most proofs take four to ten bundles of cells; one that takes so many takes twice as long as EPA.
+constexpr int most_bundles = 400;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// From here on, as s, directions are taken to the opposite of n at once; until there in these intervals.
 constexpr double far_away = 8;
@@ -28,7 +32,8 @@ constexpr double ends[] = {0, 0.5, 2, far_away};
 
 class Cells {
  public:
-  static constexpr std::size_t room = 512;
+  /// The last cells are cut first, so that of each size there are left at most those of one bundle that was cut.
+  static constexpr std::size_t room = 3 * together + cuts * 4 * together;
 
   bool empty() const { return count_ == 0; }
 
@@ -66,7 +71,6 @@ class Cells {
     return {{u0_[i], v0_[i]}, {u1_[i], v1_[i]}, from_[i], to_[i], cuts_[i]};
   }
 
-  [[gnu::always_inline]] bool has_room() const { return count_ + 4 * together <= room; }
   [[gnu::always_inline]] void add(const PolarTangent& first, const PolarTangent& last, double from, double to,
                                   int cut) {
     u0_[count_] = first.u;
@@ -118,7 +122,7 @@ struct Sector {
   S slope(0);
   if (terms.cap > 0) slope = greatest(zero, S(terms.cap) + sector.lowest(terms.cap_slope));
   for (const PolarTerms::Crease& c : terms.creases) slope += sector.slope_over(c);
-  // A segment's share grows with s.
+  // A segment's share grows with s; at its start there is none.
   const S turned = cell.from - S(1) / greatest(cell.from, S(std::numeric_limits<double>::min()));
   for (const PolarTerms::Segment& s : terms.segments)
     slope += S(s.half) * greatest(zero, S(s.along) * turned - S(2) * sector.highest(s.axis));
@@ -155,14 +159,16 @@ struct Sector {
   return bend >= S(terms.depth);
 }
 
-/// Cuts a cell's tangents and, if it ends, its interval; or tells of its middle as a doubt and returns false.
+/// Cuts a cell; or tells of its middle as a doubt and returns false.
 [[gnu::always_inline]] inline bool cut(const Cells::Cell& c, Cells& cells, PolarDoubt& doubt) {
   const double scale = 1 / std::sqrt(2 + 2 * (c.first.u * c.last.u + c.first.v * c.last.v));
   const PolarTangent middle{(c.first.u + c.last.u) * scale, (c.first.v + c.last.v) * scale};
   const bool endless = c.to == infinity;
   const double half = endless ? 2 * c.from : (c.from + c.to) * 0.5;
-  doubt = {middle, half};
-  if (c.cuts == cuts) return false;
+  if (c.cuts == cuts) {
+    doubt = {middle, half};
+    return false;
+  }
   for (int i = 0; i < (endless ? 1 : 2); ++i) {
     const double from = i == 0 ? c.from : half, to = i == 0 && !endless ? half : c.to;
     cells.add(c.first, middle, from, to, c.cuts + 1);
@@ -171,10 +177,11 @@ struct Sector {
   return true;
 }
 
-/// Whether all cells hold, the last ones first.
+/// Whether all cells hold, the last ones first; looks at no more than so many bundles, which are taken off `left`.
 template <class Holds>
-[[gnu::always_inline]] inline bool all_hold(Cells& cells, const Holds& holds, PolarDoubt& doubt) {
-  for (int left = bundles; !cells.empty(); --left) {
+[[gnu::always_inline]] inline bool all_hold(Cells& cells, const Holds& holds, int& left, PolarDoubt& doubt) {
+  while (!cells.empty()) {
+    if (left-- == 0) return false;
     const std::size_t taken = cells.take(), begin = cells.begin();
     std::uint32_t open = 0;
     for (std::size_t i = 0; i < taken; i += step) open |= bits_of(!holds(cells.bundle(begin + i))) << i;
@@ -185,7 +192,7 @@ template <class Holds>
     for (std::size_t i = 0; i < taken; ++i)
       if (open >> i & 1) doubtful[count++] = cells.cell(begin + i);
     for (std::size_t i = 0; i < count; ++i)
-      if (!cut(doubtful[i], cells, doubt) || left == 0 || !cells.has_room()) return false;
+      if (!cut(doubtful[i], cells, doubt)) return false;
   }
   return true;
 }
@@ -193,14 +200,15 @@ template <class Holds>
 }  // namespace
 
 [[gnu::flatten]] bool no_less_around(const PolarTerms& terms, PolarDoubt& doubt) {
+  doubt = {{0, 0}, 0};
+  int left = most_bundles;
   Cells cells;
   cells.add_around(far_away, infinity);
-  if (!all_hold(
-          cells, [&](const Cells::Bundle& bundle) { return holds_beyond(terms, bundle); }, doubt))
-    return false;
+  const auto beyond = [&](const Cells::Bundle& bundle) { return holds_beyond(terms, bundle); };
+  if (!all_hold(cells, beyond, left, doubt)) return false;
   for (std::size_t i = 0; i + 1 < std::size(ends); ++i) cells.add_around(ends[i], ends[i + 1]);
-  return all_hold(
-      cells, [&](const Cells::Bundle& bundle) { return holds_between(terms, bundle); }, doubt);
+  const auto between = [&](const Cells::Bundle& bundle) { return holds_between(terms, bundle); };
+  return all_hold(cells, between, left, doubt);
 }
 
 }  // namespace graze::GRAZE_ISA

@@ -36,14 +36,14 @@ struct PairMotion {
 /// A piece and where it sits in its body.
 template <class T>
 struct Piece {
-  explicit(false) Piece(const Shape<T>& shape, const Posed& local = {});
+  explicit Piece(const Shape<T>& shape, const Posed& local = {});
 
   const Shape<T>& shape;
   Posed local;
   double core_reach;  ///< the radius about the body's origin of a ball that holds the core; infinite for a half-space
   double radius;      ///< of the ball that the core is rounded by
 
-  /// The same as of the core, of the whole piece.
+  /// The radius about the body's origin of a ball that holds the whole piece.
   double reach() const { return core_reach + radius; }
 };
 

@@ -35,9 +35,19 @@ void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPa
     skip_ends();
     return taken;
   };
+  // Number by number: what is put together elsewhere and copied as a whole waits until its bytes have been written.
+  const auto put = [&](EventKind kind, bool trigger, const BodyId& a, const BodyId& b, std::uint32_t pair) {
+    static_assert(sizeof(ContactEvent) == 2 * sizeof(BodyId) + 8, "all of it is written");
+    to->kind = kind;
+    to->trigger = trigger;
+    to->a = a;
+    to->b = b;
+    to->pair = pair;
+    ++to;
+  };
   const auto end_one = [&] {
     const ContactEvent& e = take();
-    *to++ = {EventKind::end, e.trigger, e.a, e.b, ContactEvent::no_pair};
+    put(EventKind::end, e.trigger, e.a, e.b, ContactEvent::no_pair);
   };
   skip_ends();
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
@@ -45,23 +55,10 @@ void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPa
     const auto stays = [&] { return from < end && from->a == a && from->b == b; };
     // Mostly the next one that touched still does.
     while (!stays() && from < end && before(from->a, from->b, a, b)) end_one();
-    EventKind kind = EventKind::stay;
-    bool trigger = false;
-    if (stays()) {
-      trigger = take().trigger;
-    } else if (pairs[i].overlap) {
-      kind = EventKind::begin;
-      trigger = (bodies.triggers()[a.index] | bodies.triggers()[b.index]) != 0;
-    } else {
-      continue;
-    }
-    // Number by number: what is read back as a whole waits until its bytes have been written.
-    to->kind = kind;
-    to->trigger = trigger;
-    to->a = a;
-    to->b = b;
-    to->pair = i;
-    ++to;
+    if (stays())
+      put(EventKind::stay, take().trigger, a, b, i);
+    else if (pairs[i].overlap)
+      put(EventKind::begin, (bodies.triggers()[a.index] | bodies.triggers()[b.index]) != 0, a, b, i);
   }
   while (from < end) end_one();
   now_.shorten(static_cast<std::size_t>(to - first));

@@ -38,7 +38,7 @@ TYPED_TEST_SUITE(PlaneClips, Scalars);
 TYPED_TEST(PlaneClips, AreThoseOfOnePlaneAfterTheOther) {
   using T = TypeParam;
   Random random(1);
-  for (const std::size_t count : {1u, 2u, 4u, 7u, 8u, 9u, 60u})
+  for (const std::size_t count : {1u, 2u, 4u, 7u, 8u, 9u, 12u, 13u, 23u, 60u})
     for (int k = 0; k < 100; ++k) {
       std::vector<Plane<T>> planes;
       for (std::size_t i = 0; i < count; ++i) {
