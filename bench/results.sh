@@ -117,7 +117,8 @@ TEXT
 A frame moves every body to and fro by 1e-4 of its size, and then the whole update is asked for, on one thread.
 `pairs` are what the broad phase passes on; contacts are points, with Graze and Bullet those up to 0.02 apart, with ODE
 only those of boxes that overlap. `still`: nothing changed since the last frame. What a second thread saves is measured
-apart, by the clock, in turns with one thread. `2 worlds`: two such worlds updated at once, a thread each, which share
+apart, by the clock, in turns with one thread. `2, awake`: an empty task wakes the second thread before the poses are
+given; else it has slept since the last update. `2 worlds`: two such worlds updated at once, a thread each, which share
 nothing: what the processors had for a second thread at that time.
 
 TEXT
