@@ -122,7 +122,7 @@ struct Sector {
   S slope(0);
   if (terms.cap > 0) slope = greatest(zero, S(terms.cap) + sector.lowest(terms.cap_slope));
   for (const PolarTerms::Crease& c : terms.creases) slope += sector.slope_over(c);
-  // A segment's share grows with s; at its start there is none.
+  // A segment's share grows with s; close to s = 0 only one across n has any.
   const S turned = cell.from - S(1) / greatest(cell.from, S(std::numeric_limits<double>::min()));
   for (const PolarTerms::Segment& s : terms.segments)
     slope += S(s.half) * greatest(zero, S(s.along) * turned - S(2) * sector.highest(s.axis));
