@@ -12,9 +12,12 @@ template <class S>
 PointCore<S> moved(const PointCore<S>& core, const Pose<S>& pose) {
   return {transform(pose, core.point)};
 }
+/// The ends keep the roundings of numbers that may have cancelled: a turn and a sum have some five of them.
 template <class S>
 SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
-  return {{transform(pose, core.segment.a), transform(pose, core.segment.b)}};
+  const auto& [a, b] = core.segment;
+  return {{transform(pose, a), transform(pose, b)},
+          core.error + S(8) * epsilon<S> * (max_abs(pose.translation) + greatest(max_abs(a), max_abs(b)))};
 }
 
 /// A core where a pose puts it, in a frame at `offset` from the pose's origin along the world's axes.

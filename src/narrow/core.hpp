@@ -17,6 +17,7 @@ struct PointCore {
 template <class S>
 struct SegmentCore {
   Segment<S> segment;
+  S error = S(0);  ///< how far rounding may have put its ends from where they belong
 };
 /// A segment along Y about the origin.
 template <class S>
@@ -58,7 +59,7 @@ PointCore<S> cast(const PointCore<T>& core) {
 }
 template <class S, class T>
 SegmentCore<S> cast(const SegmentCore<T>& core) {
-  return {{cast<S>(core.segment.a), cast<S>(core.segment.b)}};
+  return {{cast<S>(core.segment.a), cast<S>(core.segment.b)}, static_cast<S>(core.error)};
 }
 template <class S, class T>
 BoxCore<S> cast(const BoxCore<T>& core) {

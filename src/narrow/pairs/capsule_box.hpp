@@ -84,7 +84,7 @@ CoreDistance<S> core_distance(const BoxCore<S>& a, const SegmentCore<S>& b) {
   const CoreDistance<S> near = apart(a.half, Segment<S>{b.segment.a + out, b.segment.b + out});
   // The axis keeps its digits where the difference of two near points has few, so it is the normal wherever both are
   // the same line up to rounding.
-  const S noise = S(16) * epsilon<S> * (max_abs(a.half) + max_abs(b.segment.a) + max_abs(b.segment.b));
+  const S noise = S(16) * epsilon<S> * (max_abs(a.half) + max_abs(b.segment.a) + max_abs(b.segment.b)) + b.error;
   const auto along_axis = (axis.separation <= S(0)) | (length(near.b - near.a - axis.normal * near.distance) <= noise);
   const S distance = select(axis.separation <= S(0), axis.separation, near.distance);
   return {distance, select(along_axis, axis.normal, near.normal), near.a, near.b - out};

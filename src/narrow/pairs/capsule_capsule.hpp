@@ -42,8 +42,8 @@ CoreDistance<S> between_segments(const CorePoints<S>& nearest, const Vec3<S>& n,
 template <class S>
 CoreDistance<S> core_distance(const SegmentCore<S>& a, const SegmentCore<S>& b, const CorePoints<S>& nearest) {
   const Vec3<S> u = a.segment.b - a.segment.a, v = b.segment.b - b.segment.a, n = cross(u, v);
-  const S noise =
-      S(8) * epsilon<S> * (max_abs(a.segment.a) + max_abs(a.segment.b) + max_abs(b.segment.a) + max_abs(b.segment.b));
+  const S ends = max_abs(a.segment.a) + max_abs(a.segment.b) + max_abs(b.segment.a) + max_abs(b.segment.b);
+  const S noise = S(8) * epsilon<S> * ends + a.error + b.error;
   return detail::between_segments(nearest, n, max_abs(n) > S(2) * epsilon<S> * max_abs(u) * max_abs(v), noise,
                                   [&] { return normalized(select(length_squared(u) < length_squared(v), v, u)); });
 }

@@ -30,7 +30,7 @@ CoreDistance<S> between_point_and_segment(const CorePoints<S>& nearest, const S&
 
 template <class S>
 CoreDistance<S> core_distance(const PointCore<S>& a, const SegmentCore<S>& b, const CorePoints<S>& nearest) {
-  const S noise = S(4) * epsilon<S> * (max_abs(a.point) + max_abs(b.segment.a) + max_abs(b.segment.b));
+  const S noise = S(4) * epsilon<S> * (max_abs(a.point) + max_abs(b.segment.a) + max_abs(b.segment.b)) + b.error;
   return detail::between_point_and_segment(nearest, noise, [&] { return normalized(b.segment.b - b.segment.a); });
 }
 template <class S>
