@@ -6,6 +6,7 @@
 #include "narrow/hull_depth.hpp"
 #include "narrow/pairs/box_distance.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "narrow/scanned_shape.hpp"
 #include "shape/expect_faces.hpp"
 
 namespace graze {
@@ -27,12 +28,25 @@ CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d&
   return {distance, normal, middle - half, middle + half};
 }
 
-/// The two as hulls that are scanned, if they are.
+/// Two shapes whose corners are scanned.
 template <class T>
-std::optional<HullDifference<T>> as_hulls(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
-  const auto *hull_a = a.template as<ConvexHull<T>>(), *hull_b = b.template as<ConvexHull<T>>();
-  if (!hull_a || !hull_b || hull_a->data().blocks.empty() || hull_b->data().blocks.empty()) return std::nullopt;
-  return std::optional<HullDifference<T>>(std::in_place, hull_a->data(), hull_b->data(), b_in_a);
+struct ScannedPair {
+  ScannedPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a)
+      : corners_a(a),
+        corners_b(b),
+        difference(corners_a.view(), corners_b.view(), greatest(corners_a.extent(), corners_b.extent()), b_in_a) {}
+
+  ScannedShape<T> corners_a, corners_b;
+  HullDifference<T> difference;
+};
+template <class T>
+bool is_hull(const Shape<T>& shape) {
+  return shape.template as<ConvexHull<T>>() != nullptr;
+}
+/// A hull and another such shape: all others have routines of their own.
+template <class T>
+bool are_scanned(const Shape<T>& a, const Shape<T>& b) {
+  return (is_hull(a) || is_hull(b)) && is_scannable(a) && is_scannable(b);
 }
 
 template <class Difference>
@@ -120,7 +134,10 @@ template <class T>
 GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
                                  double limit) {
   const double noise = noise_of(a, b, b_in_a.translation);
-  if (auto hulls = as_hulls(a, b, b_in_a)) return iteratively(a, b, *hulls, noise, limit, trace);
+  if (are_scanned(a, b)) {
+    ScannedPair<T> scanned(a, b, b_in_a);
+    return iteratively(a, b, scanned.difference, noise, limit, trace);
+  }
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   // Two boxes' axes and corners cost less than GJK.
@@ -149,7 +166,9 @@ bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, 
     const GjkResult g = search(difference, goal, trace);
     return g.end == GjkEnd::touching || g.upper <= reach + noise;
   };
-  if (auto hulls = as_hulls(a, b, b_in_a)) return comes_within(*hulls);
+  // Few corners are sooner asked one by one than placed before the first question: a ball with a hull takes two thirds
+  // of the time, a box the same.
+  if (is_hull(a) && is_hull(b) && are_scanned(a, b)) return comes_within(ScannedPair<T>(a, b, b_in_a).difference);
   const ShapeCore<T> core_a(a), core_b(b);
   return comes_within(Difference<T>(core_a, core_b, b_in_a));
 }

@@ -1,4 +1,5 @@
-// The Minkowski difference of two small hulls, whose vertices are scanned.
+// The Minkowski difference of two small hulls, whose vertices are scanned; or of one and what `ScannedShape` makes a
+// hull of.
 //
 // Guarantee: as `MinkowskiDifference` of their cores, to the last bit. A query is one call of a kernel, in which the
 // two scans run beside each other.
@@ -39,10 +40,10 @@ GRAZE_DECLARE_KERNEL(
 template <class T>
 class HullDifference {
  public:
-  /// Both hulls have blocks.
-  HullDifference(const HullData<T>& a, const HullData<T>& b, const Posed& b_in_a)
-      : hulls_{scanned(a), scanned(b), rotation_matrix(b_in_a.rotation), b_in_a.translation},
-        size_(static_cast<double>(greatest(a.extent, b.extent))),
+  /// `size`: the larger of their extents.
+  HullDifference(const ScannedHull<T>& a, const ScannedHull<T>& b, T size, const Posed& b_in_a)
+      : hulls_{a, b, rotation_matrix(b_in_a.rotation), b_in_a.translation},
+        size_(static_cast<double>(size)),
         reach_(size_ + max_abs(b_in_a.translation)) {}
 
   /// For the one question that most often tells that two hulls are apart.

@@ -12,18 +12,21 @@ namespace graze {
 
 static_assert(scan_limit <= 2 * VertexBlock::size && scan_limit <= 32, "two blocks, and a bit a vertex");
 
+/// Fills a block with so many vertices, or a hull's from number `first` on.
+template <class T>
+void fill_block(const Vec3<T>* vertices, std::size_t count, VertexBlock& block, std::size_t first = 0) {
+  for (std::size_t k = 0; k < VertexBlock::size; ++k) {
+    const Vec3<float> v = cast<float>(vertices[first + k < count ? first + k : 0]);
+    block.x[k] = v.x, block.y[k] = v.y, block.z[k] = v.z;
+  }
+}
 /// Fills the blocks of a hull that is to be scanned.
 template <class T>
 void fill_blocks(HullData<T>& hull) {
   const std::size_t count = hull.vertices.size();
   if (count > scan_limit) return;
-  for (std::size_t first = 0; first < count; first += VertexBlock::size) {
-    VertexBlock& block = hull.blocks.emplace_back();
-    for (std::size_t k = 0; k < VertexBlock::size; ++k) {
-      const Vec3<float> v = cast<float>(hull.vertices[first + k < count ? first + k : 0]);
-      block.x[k] = v.x, block.y[k] = v.y, block.z[k] = v.z;
-    }
-  }
+  for (std::size_t first = 0; first < count; first += VertexBlock::size)
+    fill_block(hull.vertices.data(), count, hull.blocks.emplace_back(), first);
 }
 
 /// A hull with blocks, as kernels read it.

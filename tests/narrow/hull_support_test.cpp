@@ -1,38 +1,52 @@
-// Two small hulls by the kernel that scans both: what any two cores give, at every level of the instruction set; and
-// GJK from four points against GJK from one; and their depth on lanes against that of the general EPA.
+// Two small hulls, or one and another shape of few corners, by the kernel that scans both: what any two cores give, at
+// every level of the instruction set; and GJK from four points against GJK from one; and their depth on lanes against
+// that of the general EPA.
 #include "narrow/hull_support.hpp"
 
 #include <gtest/gtest.h>
+
+#include <iterator>
+#include <optional>
 
 #include "common/specimen.hpp"
 #include "narrow/epa.hpp"
 #include "narrow/gjk.hpp"
 #include "narrow/hull_depth.hpp"
+#include "narrow/scanned_shape.hpp"
 
 namespace graze::testing {
 namespace {
 
+/// A hull and another shape whose corners are scanned.
 template <class T>
 struct TwoHulls {
-  explicit TwoHulls(Random& random)
-      : TwoHulls(build<T>(random_specimen(Kind::hull, 1, random)), build<T>(random_specimen(Kind::hull, 1, random)),
-                 1.5f, random) {}
+  TwoHulls(Random& random, int i)
+      : TwoHulls(build<T>(random_specimen(others[i % std::size(others)], 1, random)),
+                 build<T>(random_specimen(Kind::hull, 1, random)), 1.5f, random) {}
   TwoHulls(const Shape<T>& first, const Shape<T>& second, float apart, Random& random)
       : a(first),
         b(second),
         pose{cast<double>(random_vector(random, apart)), normalized(cast<double>(random_rotation(random)))},
         core_a(a),
         core_b(b),
-        cores(core_a, core_b, pose) {}
+        cores(core_a, core_b, pose) {
+    if (!scanned()) return;
+    corners_a.emplace(a);
+    corners_b.emplace(b);
+  }
 
-  const HullData<T>& data_a() const { return a.template as<ConvexHull<T>>()->data(); }
-  const HullData<T>& data_b() const { return b.template as<ConvexHull<T>>()->data(); }
-  bool scanned() const { return !data_a().blocks.empty() && !data_b().blocks.empty(); }
+  bool scanned() const { return is_scannable(a) && is_scannable(b); }
+  HullDifference<T> difference() const {
+    return {corners_a->view(), corners_b->view(), greatest(corners_a->extent(), corners_b->extent()), pose};
+  }
+
+  static constexpr Kind others[] = {Kind::hull, Kind::hull, Kind::box, Kind::triangle, Kind::capsule, Kind::sphere};
 
   Shape<T> a, b;
   Posed pose;
   ShapeCore<T> core_a, core_b;
   MinkowskiDifference<ShapeCore<T>, ShapeCore<T>> cores;
+  std::optional<ScannedShape<T>> corners_a, corners_b;
 };
 
 template <class T>
@@ -44,10 +58,9 @@ TYPED_TEST(HullDifferences, AreThoseOfTheirCores) {
   using T = TypeParam;
   Random random(1);
   for (int i = 0; i < 100; ++i) {
-    const TwoHulls<T> two(random);
+    const TwoHulls<T> two(random, i);
     if (!two.scanned()) continue;
-    const HullPair<T> pair{scanned(two.data_a()), scanned(two.data_b()), rotation_matrix(two.pose.rotation),
-                           two.pose.translation};
+    const HullPair<T> pair = two.difference().hulls();
     for (int k = 0; k < 20; ++k) {
       const Vec3d direction = cast<double>(random_vector(random, 1));
       const SupportPoint expected = two.cores.support(direction);
@@ -73,9 +86,9 @@ TYPED_TEST(HullDifferences, AreAsFarFromFourPointsAsFromOne) {
   Random random(2);
   int touching = 0, apart = 0;
   for (int i = 0; i < 500; ++i) {
-    const TwoHulls<T> two(random);
+    const TwoHulls<T> two(random, i);
     if (!two.scanned()) continue;
-    HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
+    HullDifference<T> difference = two.difference();
     const GjkGoal goal{1e-13 * difference.size()};
     const GjkResult one = gjk(two.cores, goal), four = gjk_spread(difference, goal);
     EXPECT_EQ(one.end == GjkEnd::touching, four.end == GjkEnd::touching);
@@ -103,7 +116,7 @@ struct Compared {
 template <class T>
 void compare_depths(const TwoHulls<T>& two, Compared& compared) {
   if (!two.scanned()) return;
-  HullDifference<T> difference(two.data_a(), two.data_b(), two.pose);
+  HullDifference<T> difference = two.difference();
   const double tolerance = 1e-11 * difference.size(), noise = rounding * difference.reach();
   const GjkResult g = gjk_spread(difference, {tolerance});
   if (g.end != GjkEnd::touching || g.simplex.size() < 4) return;
@@ -138,7 +151,7 @@ void compare_depths(const TwoHulls<T>& two, Compared& compared) {
 TYPED_TEST(HullDifferences, AreAsDeepOnLanesAsByOneFacetAfterTheOther) {
   Random random(3);
   Compared compared;
-  for (int i = 0; i < 1000; ++i) compare_depths(TwoHulls<TypeParam>(random), compared);
+  for (int i = 0; i < 1000; ++i) compare_depths(TwoHulls<TypeParam>(random, i), compared);
   EXPECT_GT(compared.enclosed, 50);
   EXPECT_GE(compared.proven, compared.enclosed * 9 / 10);
 }
