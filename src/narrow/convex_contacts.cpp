@@ -206,7 +206,9 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
   const PolyhedralPair pair(a, b, b_in_a);
   const double radii = side_a.radius() + side_b.radius();
-  const SeparatingAxes axes = pair.axes(static_cast<double>(margin) + radii + noise);
+  const auto found = pair.axes(static_cast<double>(margin) + radii + noise);
+  if (!found) return std::nullopt;
+  const SeparatingAxes& axes = *found;
   const SeparatingAxis& best = axes.best(noise);
   const double signed_distance = best.separation - radii;
   const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;

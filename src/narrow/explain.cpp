@@ -101,8 +101,7 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
   if (has_separating_axes(a, b)) {
     const Posed b_in_a = relative(frame_a, frame_b);
     const PolyhedralPair pair(a, b, b_in_a);
-    const SeparatingAxis best =
-        pair.axes(std::numeric_limits<double>::infinity(), &trace).best(noise_of(a, b, b_in_a.translation));
+    const SeparatingAxis best = pair.all_axes(trace).best(noise_of(a, b, b_in_a.translation));
     const bool apart = best.separation > radius_of(a) + radius_of(b);
     std::string reason = pair.name(best) + (apart ? " shows the widest gap of all axes" : " has the least overlap");
     if (!trace.reason.empty()) reason += "; " + trace.reason;

@@ -1,11 +1,13 @@
 // Two shapes with flat sides, in the frame of A: their separating axes, and the faces that meet along one.
 //
-// Two boxes take the fifteen-axis test and never become polyhedra; every other pair of box, rectangle, triangle and
-// hull takes the general one. Both answer the same questions, so what is built on them is written once.
+// Two boxes take the fifteen-axis test; two small polyhedra in float, of which one at least is a hull, the test on
+// lanes; every other pair of box, rectangle, triangle and hull that has few edges the general one. All answer the same
+// questions, so what is built on them is written once.
 #pragma once
 
 #include <optional>
 
+#include "narrow/faceted_shape.hpp"
 #include "narrow/general.hpp"
 #include "narrow/pairs/box_box.hpp"
 #include "narrow/separating_axes.hpp"
@@ -25,22 +27,30 @@ std::optional<BoxPair<double>> as_boxes(const Shape<T>& a, const Shape<T>& b, co
 /// sides, an edge, along both a corner.
 PlacedFace box_face(const Vec3d& half, const Vec3d& direction);
 
+template <class T>
 class PolyhedralPair {
  public:
   /// Two shapes that have separating axes.
-  template <class T>
   PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a);
 
-  /// All axes, or fewer where one is found that separates the cores by more than `enough`.
-  SeparatingAxes axes(double enough, Trace* trace = nullptr) const;
+  /// All axes that may be the best, or fewer where one is found that separates the cores by more than `enough`; nothing
+  /// where the depth is sooner found otherwise.
+  std::optional<SeparatingAxes> axes(double enough) const;
+  /// All axes, each of them written to a trace.
+  SeparatingAxes all_axes(Trace& trace) const;
   std::string name(const SeparatingAxis& axis) const;
   /// The face of each that meets the other along `normal` (from A to B).
   PlacedFace face_a(const Vec3d& normal) const;
   PlacedFace face_b(const Vec3d& normal) const;
 
  private:
+  void set_polyhedra(Polyhedron& a, Polyhedron& b) const;
+
+  const Shape<T>&shape_a_, &shape_b_;
+  Posed b_in_a_;
   std::optional<BoxPair<double>> boxes_;
-  std::optional<Polyhedron> a_, b_;  ///< of what is not two boxes
+  std::optional<FacetedShape> facets_a_, facets_b_;  ///< of two such
+  std::optional<Polyhedron> a_, b_;  ///< of what is neither
 };
 
 }  // namespace graze

@@ -14,8 +14,16 @@
 
 namespace graze {
 
+/// Its normal, not of unit length; zero for a sliver.
+template <class T>
+Vec3d triangle_normal(const Triangle<T>& triangle);
+
 class Polyhedron {
  public:
+  Polyhedron() = default;
+  Polyhedron(const Polyhedron&) = delete;  // it looks at its own parts
+  Polyhedron& operator=(const Polyhedron&) = delete;
+
   /// How many edges the polyhedron of a shape has; 0 when it has none: a shape that is not flat-sided, or so slender
   /// that its normal would be rounding.
   template <class T>

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "narrow/edge_arcs.hpp"
+
 namespace graze {
 
 namespace {
-
-/// Two edges whose product is shorter than this, relative to their lengths, are parallel: its direction is rounding.
-/// The facet that they leave out of the difference is as thin.
-constexpr double parallel = 64 * std::numeric_limits<double>::epsilon();
 
 double lowest(std::span<const Vec3d> points, const Vec3d& direction) {
   double low = std::numeric_limits<double>::infinity();
@@ -35,17 +33,10 @@ SeparatingAxis best_face(AxisKind kind, const Polyhedron& a, const Polyhedron& b
   return best;
 }
 
-/// The direction of an edge, from its first vertex to its second.
-Vec3d direction_of(const Polyhedron& p, const HullEdge& e) {
-  return p.vertices()[e.vertex[1]] - p.vertices()[e.vertex[0]];
-}
-
-/// The axis of two edges whose arcs cross: unit, out of A; zero when they are parallel.
-Vec3d edge_normal(const Vec3d& along_a, const Vec3d& along_b, const Vec3d& outward) {
-  const Vec3d n = cross(along_a, along_b);
-  const double l = length(n);
-  if (!(l > parallel * length(along_a) * length(along_b))) return {};
-  return n * ((dot(n, outward) < 0 ? -1 : 1) / l);
+PlacedEdge placed(const Polyhedron& p, std::size_t edge) {
+  const HullEdge& e = p.edges()[edge];
+  const Vec3d& point = p.vertices()[e.vertex[0]];
+  return {p.normals()[e.face[0]], p.normals()[e.face[1]], p.vertices()[e.vertex[1]] - point, point};
 }
 
 /// Whether n . q exceeds `best` for some unit vector n of the arc from `a` to `b`, by x = a . q and y = b . q: at one of
@@ -82,24 +73,15 @@ SmallVector<std::uint32_t, 128> all_edges(const Polyhedron& p) {
   return all;
 }
 
-/// Calls `f(normal, edge_a, edge_b)` for each pair of these edges that makes a facet of the difference: A's arc from
-/// its left to its right face crosses the arc of -B's. An edge points along left x right, so that of the four
-/// determinants of the crossing test each is a dot product of an edge and a face normal.
+/// Calls `f(axis)` for each pair of these edges that makes a facet of the difference.
 template <class Edges, class F>
 void visit_crossing_edges(const Polyhedron& a, const Edges& edges_a, const Polyhedron& b, const Edges& edges_b, F&& f) {
   for (const std::uint32_t i : edges_a) {
-    const HullEdge& ea = a.edges()[i];
-    const Vec3d along_a = direction_of(a, ea);
-    const Vec3d &left_a = a.normals()[ea.face[0]], &right_a = a.normals()[ea.face[1]];
+    const PlacedEdge of_a = placed(a, i);
     for (const std::uint32_t j : edges_b) {
-      const HullEdge& eb = b.edges()[j];
-      const double left = dot(b.normals()[eb.face[0]], along_a), right = dot(b.normals()[eb.face[1]], along_a);
-      if (!(left * right < 0)) continue;
-      const Vec3d along_b = direction_of(b, eb);
-      const double of_left = dot(left_a, along_b), of_right = dot(right_a, along_b);
-      if (!(of_left * of_right < 0 && left * of_right < 0)) continue;
-      const Vec3d normal = edge_normal(along_a, along_b, left_a + right_a);
-      if (normal != Vec3d{}) f(normal, i, j);
+      const PlacedEdge of_b = placed(b, j);
+      const Vec3d normal = crossing_normal(of_a, of_b);
+      if (normal != Vec3d{}) f(SeparatingAxis{AxisKind::edges, dot(of_b.point - of_a.point, normal), normal, i, j});
     }
   }
 }
@@ -138,9 +120,7 @@ SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double 
   // An explanation lists the axes of all crossing edges.
   const auto edges_a = trace ? all_edges(a) : promising_edges(a, of_a, b, best);
   const auto edges_b = trace ? all_edges(b) : promising_edges(b, of_b, a, best);
-  visit_crossing_edges(a, edges_a, b, edges_b, [&](const Vec3d& normal, std::size_t i, std::size_t j) {
-    const Vec3d &on_a = a.vertices()[a.edges()[i].vertex[0]], &on_b = b.vertices()[b.edges()[j].vertex[0]];
-    const SeparatingAxis axis{AxisKind::edges, dot(on_b - on_a, normal), normal, i, j};
+  visit_crossing_edges(a, edges_a, b, edges_b, [&](const SeparatingAxis& axis) {
     if (axis.separation > axes.edge.separation) axes.edge = axis;
     if (trace) trace_axis(*trace, axis, a, b);
   });

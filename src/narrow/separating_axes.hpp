@@ -10,29 +10,9 @@
 
 #include "graze/trace.hpp"
 #include "narrow/polyhedron.hpp"
+#include "narrow/separating_axis.hpp"
 
 namespace graze {
-
-enum class AxisKind { face_a, face_b, edges };
-
-/// An axis and how far apart the polyhedra are along it; negative when their intervals overlap.
-struct SeparatingAxis {
-  AxisKind kind;
-  double separation = -std::numeric_limits<double>::infinity();
-  Vec3d normal{};            ///< unit, from A to B
-  std::size_t a = 0, b = 0;  ///< numbers of A's and B's face or edge
-};
-
-/// The best axis of each kind; an edge's separation is minus infinity where no arcs cross.
-struct SeparatingAxes {
-  SeparatingAxis face_a{AxisKind::face_a}, face_b{AxisKind::face_b}, edge{AxisKind::edges};
-
-  const SeparatingAxis& best_face() const { return face_b.separation > face_a.separation ? face_b : face_a; }
-  /// The one of all; a face before an edge that is better by no more than `noise`, as the product of parallel edges is.
-  const SeparatingAxis& best(double noise) const {
-    return edge.separation > best_face().separation + noise ? edge : best_face();
-  }
-};
 
 /// All axes; or, where a face already separates them by more than `enough`, those of faces only. Costs faces of A times
 /// vertices of B and the reverse, and little more: few edges can show a larger separation than the faces. `trace` is

@@ -162,10 +162,9 @@ void fill_lists(const std::vector<std::vector<std::uint32_t>>& lists, std::vecto
   }
 }
 
-/// The plane with this normal, moved out until no vertex of the loop lies outside.
+/// The plane with this unit normal, moved out until no vertex of the loop lies outside.
 template <class T>
-Plane<T> plane_of(const HullData<T>& hull, std::span<const std::uint32_t> loop, const Vec3d& normal) {
-  const Vec3d n = normalized(normal);
+Plane<T> plane_of(const HullData<T>& hull, std::span<const std::uint32_t> loop, const Vec3d& n) {
   double offset = dot(n, cast<double>(hull.vertices[loop[0]]));
   for (const std::uint32_t v : loop) offset = std::max(offset, dot(n, cast<double>(hull.vertices[v])));
   return {cast<T>(n), static_cast<T>(offset)};
@@ -195,8 +194,11 @@ void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> 
       v = place[v];
     }
   fill_lists(renumbered, hull.face_begin, hull.loops);
-  for (std::size_t f = 0; f < renumbered.size(); ++f)
-    hull.planes.push_back(plane_of(hull, hull.loop(f), grid_normal(grid, loops[f])));
+  for (std::size_t f = 0; f < renumbered.size(); ++f) {
+    const Vec3d n = normalized(grid_normal(grid, loops[f]));
+    hull.planes.push_back(plane_of(hull, hull.loop(f), n));
+    if (std::is_same_v<T, float> && hull.vertices.size() <= scan_limit) hull.facets.planes.push_back({n, 0});
+  }
 
   const auto edges = directed_edges(renumbered);
   std::vector<std::vector<std::uint32_t>> neighbors(hull.vertices.size()), incident(hull.vertices.size());

@@ -3,6 +3,7 @@
 
 #include "graze/shape/convex_hull.hpp"
 #include "shape/hull_builder.hpp"
+#include "shape/hull_hierarchy.hpp"
 
 namespace graze {
 

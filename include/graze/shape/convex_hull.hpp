@@ -31,6 +31,28 @@ struct alignas(64) VertexBlock {
   float x[size], y[size], z[size];
 };
 
+/// Sixteen faces likewise: their outward unit normals, where their planes stand along them, and a vertex of each.
+struct alignas(64) FaceBlock {
+  static constexpr std::size_t size = VertexBlock::size;
+  float x[size], y[size], z[size], offset[size];
+  std::uint8_t vertex[size];
+};
+/// Sixteen edges: the numbers of the faces to their left and right, and the cosine between the normals of these.
+struct alignas(32) EdgeBlock {
+  static constexpr std::size_t size = VertexBlock::size;
+  std::uint8_t left[size], right[size];
+  float cosine[size];
+};
+
+/// What the separating-axis test of a small polyhedron reads by lanes, in its own frame, and the planes themselves.
+struct FacetRows {
+  std::vector<FaceBlock> faces;
+  std::vector<EdgeBlock> edges;
+  std::vector<Plane<double>> planes;  ///< of the faces; no vertex lies beyond one
+  Vec3<float> middle{};               ///< of a ball that lies inside
+  float inner_radius = 0;             ///< its radius
+};
+
 /// What a hull is made of. Faces are convex polygons: coplanar triangles are merged.
 template <class T>
 struct HullData {
@@ -41,6 +63,7 @@ struct HullData {
   T extent = T(0);     ///< the greatest distance of a vertex from the frame's origin
   // What support queries look at comes first, in one line of the cache.
   std::vector<VertexBlock> blocks;  ///< of a hull that is scanned: all its vertices
+  FacetRows facets;                 ///< of a polyhedron in float that is scanned
   std::vector<Vec3<T>> vertices;
   std::vector<Plane<T>> planes;               ///< one a face, outward; a flat polygon has two, back to back
   std::vector<std::uint32_t> face_begin;      ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])

@@ -1,0 +1,83 @@
+#include "narrow/faceted_shape.hpp"
+
+namespace graze {
+
+bool has_facets(const Shape<float>& shape) {
+  if (const auto* hull = shape.as<ConvexHull<float>>()) return !hull->data().facets.faces.empty();
+  if (const auto* triangle = shape.as<Triangle<float>>()) return triangle_normal(*triangle) != Vec3d{};
+  return shape.as<Box<float>>() || shape.as<Rectangle<float>>();
+}
+
+FacetedShape::FacetedShape(const Shape<float>& shape) {
+  if (const auto* hull = shape.as<ConvexHull<float>>())
+    view_ = faceted(hull->data());
+  else if (const auto* triangle = shape.as<Triangle<float>>())
+    write(*triangle);
+  else if (const auto* box = shape.as<Box<float>>())
+    write(box->half_extents());
+  else if (const auto* rectangle = shape.as<Rectangle<float>>())
+    write(rectangle->as_box().half_extents());
+}
+
+/// Rows of the planes and vertices that are written; what a row has none for is the first again.
+void FacetedShape::write_faces(std::size_t vertices, std::size_t faces, const std::uint8_t* vertex_of_face) {
+  for (std::size_t i = 0; i < FaceBlock::size; ++i) {
+    const std::size_t f = i < faces ? i : 0, v = i < vertices ? i : 0;
+    faces_.x[i] = static_cast<float>(planes_[f].normal.x);
+    faces_.y[i] = static_cast<float>(planes_[f].normal.y);
+    faces_.z[i] = static_cast<float>(planes_[f].normal.z);
+    faces_.offset[i] = static_cast<float>(planes_[f].offset);
+    faces_.vertex[i] = vertex_of_face[f];
+    block_.x[i] = vertices_[v].x;
+    block_.y[i] = vertices_[v].y;
+    block_.z[i] = vertices_[v].z;
+  }
+}
+
+void FacetedShape::write(const Vec3<float>& half) {
+  static constexpr std::uint8_t vertex_of_face[] = {0, 7, 0, 7, 0, 7};
+  for (std::size_t i = 0; i < 8; ++i)
+    vertices_[i] = {i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z};
+  for (std::size_t f = 0; f < 6; ++f) {
+    planes_[f] = {{0, 0, 0}, static_cast<double>(half[f / 2])};
+    planes_[f].normal[f / 2] = f % 2 ? 1 : -1;
+  }
+  write_faces(8, 6, vertex_of_face);
+  const float inner = least(half.x, least(half.y, half.z));
+  view_ = {{&block_, vertices_, 8, length(half)},
+           &faces_,
+           &box_edge_block,
+           planes_,
+           box_parts.edges.data(),
+           6,
+           12,
+           {{}, inner * (1 - std::numeric_limits<float>::epsilon())}};
+}
+
+void FacetedShape::write(const Triangle<float>& triangle) {
+  static constexpr std::uint8_t vertex_of_face[] = {0, 0, 0, 1, 2};
+  Vec3d points[3], sum{};
+  float extent = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    vertices_[i] = triangle.point(i);
+    points[i] = cast<double>(vertices_[i]);
+    sum += points[i];
+    extent = greatest(extent, length(vertices_[i]));
+  }
+  const Vec3d normal = unit(triangle_normal(triangle));
+  planes_[0].normal = normal;
+  planes_[1].normal = -normal;
+  for (std::size_t i = 0; i < 3; ++i) planes_[2 + i].normal = unit(cross(points[(i + 1) % 3] - points[i], normal));
+  for (Plane<double>& plane : std::span(planes_, 5)) move_out(plane, points);
+  write_faces(3, 5, vertex_of_face);
+  view_ = {{&block_, vertices_, 3, extent},
+           &faces_,
+           &triangle_edge_block,
+           planes_,
+           triangle_edges.data(),
+           5,
+           6,
+           {cast<float>(sum / 3.0), 0}};
+}
+
+}  // namespace graze
