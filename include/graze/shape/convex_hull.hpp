@@ -63,7 +63,6 @@ struct HullData {
   T extent = T(0);     ///< the greatest distance of a vertex from the frame's origin
   // What support queries look at comes first, in one line of the cache.
   std::vector<VertexBlock> blocks;  ///< of a hull that is scanned: all its vertices
-  FacetRows facets;                 ///< of a polyhedron in float that is scanned
   std::vector<Vec3<T>> vertices;
   std::vector<Plane<T>> planes;               ///< one a face, outward; a flat polygon has two, back to back
   std::vector<std::uint32_t> face_begin;      ///< face f's loop is loops[face_begin[f] .. face_begin[f + 1])
@@ -81,6 +80,7 @@ struct HullData {
     std::vector<std::uint32_t> neighbors;  ///< places in this level
   };
   std::vector<Level> hierarchy;
+  FacetRows facets;  ///< of a polyhedron in float that is scanned
 
   std::span<const std::uint32_t> loop(std::size_t face) const {
     return std::span(loops).subspan(face_begin[face], face_begin[face + 1] - face_begin[face]);
