@@ -8,25 +8,23 @@
 
 namespace graze::GRAZE_ISA {
 
-/// Of `size` floats, which stay where they are; places are bytes, as many as lanes.
-template <std::size_t size>
+/// Of 32 floats, which stay where they are and of which those that are looked up are written; places are bytes, as many
+/// as lanes.
 class NumberTable {
  public:
+  static constexpr std::size_t size = 32;
+
 #if defined(__AVX512F__)
-  static_assert(size == 64, "four registers");
-  [[gnu::always_inline]] explicit NumberTable(const float* numbers) {
-    for (int i = 0; i < 4; ++i) quarters_[i] = _mm512_loadu_ps(numbers + 16 * i);
-  }
+  [[gnu::always_inline]] explicit NumberTable(const float* numbers)
+      : low_(_mm512_loadu_ps(numbers)), high_(_mm512_loadu_ps(numbers + 16)) {}
   [[gnu::always_inline]] Lanes<float> at(const std::uint8_t* places) const {
     const __m512i at = _mm512_maskz_cvtepu8_epi32(0xffff, _mm_loadu_si128(reinterpret_cast<const __m128i*>(places)));
-    const __m512 low = _mm512_maskz_permutex2var_ps(0xffff, quarters_[0], at, quarters_[1]);
-    const __m512 high = _mm512_maskz_permutex2var_ps(0xffff, quarters_[2], at, quarters_[3]);
-    const __mmask16 is_high = _mm512_test_epi32_mask(at, _mm512_set1_epi32(32));
-    return Lanes<float>::of(reinterpret_cast<Lanes<float>::Vector>(_mm512_mask_blend_ps(is_high, low, high)));
+    return Lanes<float>::of(
+        reinterpret_cast<Lanes<float>::Vector>(_mm512_maskz_permutex2var_ps(0xffff, low_, at, high_)));
   }
 
  private:
-  __m512 quarters_[4];
+  __m512 low_, high_;
 #else
   [[gnu::always_inline]] explicit NumberTable(const float* numbers) : numbers_(numbers) {}
   [[gnu::always_inline]] Lanes<float> at(const std::uint8_t* places) const {

@@ -219,8 +219,8 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
 
   const SeparatingAxis& axis = chosen_axis(axes, smaller_size(side_a, side_b));
   const MeetingFaces faces{axis.normal,
-                           pair.face_a(axis.normal),
-                           pair.face_b(axis.normal),
+                           pair.face_a(side_a, axis.normal),
+                           pair.face_b(side_b, axis.normal),
                            &axis == &best,
                            distance,
                            best.separation > noise,

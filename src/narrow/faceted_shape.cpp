@@ -1,5 +1,7 @@
 #include "narrow/faceted_shape.hpp"
 
+#include <algorithm>
+
 namespace graze {
 
 bool has_facets(const Shape<float>& shape) {
@@ -19,19 +21,10 @@ FacetedShape::FacetedShape(const Shape<float>& shape) {
     write(rectangle->as_box().half_extents());
 }
 
-/// Rows of the planes and vertices that are written; what a row has none for is the first again.
-void FacetedShape::write_faces(std::size_t vertices, std::size_t faces, const std::uint8_t* vertex_of_face) {
-  for (std::size_t i = 0; i < FaceBlock::size; ++i) {
-    const std::size_t f = i < faces ? i : 0, v = i < vertices ? i : 0;
-    faces_.x[i] = static_cast<float>(planes_[f].normal.x);
-    faces_.y[i] = static_cast<float>(planes_[f].normal.y);
-    faces_.z[i] = static_cast<float>(planes_[f].normal.z);
-    faces_.offset[i] = static_cast<float>(planes_[f].offset);
-    faces_.vertex[i] = vertex_of_face[f];
-    block_.x[i] = vertices_[v].x;
-    block_.y[i] = vertices_[v].y;
-    block_.z[i] = vertices_[v].z;
-  }
+void FacetedShape::write_rows(std::size_t vertices, std::size_t faces, const std::uint8_t* vertex_of_face) {
+  fill_block(vertices_, vertices, block_);
+  write_faces({planes_, faces}, &faces_);
+  std::copy_n(vertex_of_face, faces, faces_.vertex);
 }
 
 void FacetedShape::write(const Vec3<float>& half) {
@@ -42,7 +35,7 @@ void FacetedShape::write(const Vec3<float>& half) {
     planes_[f] = {{0, 0, 0}, static_cast<double>(half[f / 2])};
     planes_[f].normal[f / 2] = f % 2 ? 1 : -1;
   }
-  write_faces(8, 6, vertex_of_face);
+  write_rows(8, 6, vertex_of_face);
   const float inner = least(half.x, least(half.y, half.z));
   view_ = {{&block_, vertices_, 8, length(half)},
            &faces_,
@@ -69,7 +62,7 @@ void FacetedShape::write(const Triangle<float>& triangle) {
   planes_[1].normal = -normal;
   for (std::size_t i = 0; i < 3; ++i) planes_[2 + i].normal = unit(cross(points[(i + 1) % 3] - points[i], normal));
   for (Plane<double>& plane : std::span(planes_, 5)) move_out(plane, points);
-  write_faces(3, 5, vertex_of_face);
+  write_rows(3, 5, vertex_of_face);
   view_ = {{&block_, vertices_, 3, extent},
            &faces_,
            &triangle_edge_block,

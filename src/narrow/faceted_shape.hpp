@@ -35,7 +35,7 @@ inline constexpr EdgeBlock triangle_edge_block = perpendicular_edges(triangle_ed
 
 class FacetedShape {
  public:
-  /// Of a shape for which `has_facets` holds.
+  /// Of a shape for which `has_facets` holds, and which outlives this.
   explicit FacetedShape(const Shape<float>& shape);
   FacetedShape(const FacetedShape&) = delete;
   FacetedShape& operator=(const FacetedShape&) = delete;
@@ -45,7 +45,7 @@ class FacetedShape {
  private:
   void write(const Vec3<float>& half);
   void write(const Triangle<float>& triangle);
-  void write_faces(std::size_t vertices, std::size_t faces, const std::uint8_t* vertex_of_face);
+  void write_rows(std::size_t vertices, std::size_t faces, const std::uint8_t* vertex_of_face);
 
   FacetedHull view_;
   // Of what is no hull.
@@ -55,7 +55,7 @@ class FacetedShape {
   Plane<double> planes_[6];
 };
 
-/// A box, a rectangle, a triangle that is no sliver, or a hull whose vertices are scanned.
+/// A box, a rectangle, a triangle that is no sliver, or a hull with few edges.
 bool has_facets(const Shape<float>& shape);
 
 }  // namespace graze

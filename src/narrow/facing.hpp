@@ -28,8 +28,8 @@ class Facing {
                                 const Vec3d& apart, float slack)
       : own_(own), other_(other), turn_(turn), apart_(apart), slack_(slack) {}
 
-  /// For each face how far the other's inner ball lies in front of it: its separation is less. Returns the face of the
-  /// largest.
+  /// For each face how far the other's inner ball lies in front of it: its separation is no more. Returns the face of
+  /// the largest.
   [[gnu::always_inline]] std::uint32_t bound_faces() {
     const Vec3<L> middle = cast<L>(cast<float>(turn_ * cast<double>(other_.ball.middle) + apart_));
     const Vec3<L> apart = cast<L>(cast<float>(apart_));
@@ -52,13 +52,13 @@ class Facing {
 
   /// How far the other lies in front of a face, but for rounding.
   [[gnu::always_inline]] float separation(std::uint32_t face) {
-    known_ |= std::uint64_t{1} << face;
+    known_ |= std::uint32_t{1} << face;
     return other_.corners.count > VertexBlock::size ? -deepest<2>(face) : -deepest<1>(face);
   }
   /// The separations of the faces whose bound is not less than `level`, and the largest of them and `most`.
   [[gnu::always_inline]] float measure(float level, float most) {
     measured_ = faces_from(level);
-    for (std::uint64_t left = measured_; left != 0; left &= left - 1) {
+    for (std::uint32_t left = measured_; left != 0; left &= left - 1) {
       const std::uint32_t face = first_bit(left);
       separations_[face] = separation(face);
       most = greatest(most, separations_[face]);
@@ -68,7 +68,7 @@ class Facing {
   /// Calls `f` for those measured whose separation is not less than `level`.
   template <class F>
   [[gnu::always_inline]] void visit_measured(float level, F&& f) const {
-    for (std::uint64_t left = measured_; left != 0; left &= left - 1)
+    for (std::uint32_t left = measured_; left != 0; left &= left - 1)
       if (separations_[first_bit(left)] >= level) f(first_bit(left));
   }
 
@@ -89,15 +89,12 @@ class Facing {
     constexpr std::size_t most_tested = 2 * most_promising;
     std::uint32_t tested[most_tested];
     std::size_t test_count = 0;
-    std::uint64_t faces = 0, bits[2];
-    test_edges(level, vertex, bits);
-    for (std::uint32_t word = 0; word < 2; ++word) {
-      for (; bits[word] != 0; bits[word] &= bits[word] - 1) {
-        if (test_count == most_tested) return most_promising + 1;
-        const std::uint32_t edge = 64 * word + first_bit(bits[word]);
-        faces |= std::uint64_t{1} << own_.edges[edge].face[0] | std::uint64_t{1} << own_.edges[edge].face[1];
-        tested[test_count++] = edge;
-      }
+    std::uint32_t faces = 0;
+    for (std::uint64_t bits = open_edges(level, vertex); bits != 0; bits &= bits - 1) {
+      if (test_count == most_tested) return most_promising + 1;
+      const auto edge = static_cast<std::uint32_t>(__builtin_ctzll(bits));
+      faces |= std::uint32_t{1} << own_.edges[edge].face[0] | std::uint32_t{1} << own_.edges[edge].face[1];
+      tested[test_count++] = edge;
     }
     for (faces &= ~known_; faces != 0; faces &= faces - 1) separation(first_bit(faces));
     std::size_t count = 0;
@@ -112,15 +109,15 @@ class Facing {
  private:
   using L = Lanes<float>;
   static constexpr std::size_t lanes = static_cast<std::size_t>(L::lanes);
-  static constexpr std::size_t face_room = face_blocks(most_scanned_faces) * FaceBlock::size;
-  static_assert(face_room <= 64 && most_scanned_edges <= 128, "a bit a face, two words of edges");
+  static constexpr std::size_t face_room = NumberTable::size;
+  static_assert(most_faceted_faces <= face_room && most_faceted_edges <= 64, "a bit a face and a bit an edge");
 
   struct Planes {
     Vec3<L> normal;
     L offset;
   };
 
-  static std::uint32_t first_bit(std::uint64_t bits) { return static_cast<std::uint32_t>(__builtin_ctzll(bits)); }
+  static std::uint32_t first_bit(std::uint32_t bits) { return static_cast<std::uint32_t>(__builtin_ctz(bits)); }
 
   [[gnu::always_inline]] Planes planes_from(std::size_t i) const {
     const FaceBlock& block = own_.faces[i / FaceBlock::size];
@@ -128,11 +125,11 @@ class Facing {
     return {{L::load(block.x + k), L::load(block.y + k), L::load(block.z + k)}, L::load(block.offset + k)};
   }
   /// The faces whose bound is not less than `level`, by bits.
-  [[gnu::always_inline]] std::uint64_t faces_from(float level) const {
-    std::uint64_t faces = 0;
+  [[gnu::always_inline]] std::uint32_t faces_from(float level) const {
+    std::uint32_t faces = 0;
     for (std::size_t i = 0; i < own_.face_count; i += lanes)
-      faces |= std::uint64_t{Chosen<float>::not_less(L::load(bound_ + i), L(level)).bits()} << i;
-    return faces & (~std::uint64_t{0} >> (64 - own_.face_count));
+      faces |= Chosen<float>::not_less(L::load(bound_ + i), L(level)).bits() << i;
+    return faces & (~std::uint32_t{0} >> (32 - own_.face_count));
   }
   /// How deep the other's deepest vertex lies below a face; writes how deep each does.
   template <std::size_t blocks>
@@ -159,20 +156,20 @@ class Facing {
     const L slack(slack_), squares = x * x + y * y - L(2) * c * x * y;
     const L error = L(5) * slack * (abs(x) + abs(y) + abs(level));
     const auto inside = (y > c * x - slack) & (x > c * y - slack);
-    return (x > level) | (y > level) | (inside & (squares + error > level * level * (L(1) - c * c)));
+    return (x > level) | (y > level) | (inside & (squares + error >= level * level * (L(1) - c * c)));
   }
   /// Which edges the other's inner ball and one of its vertices leave, by bits. An edge lies in the planes of its
   /// faces: how high a point is above these is all there is to know of it.
-  [[gnu::always_inline]] void test_edges(float level, const Vec3d& vertex, std::uint64_t* bits) const {
+  [[gnu::always_inline]] std::uint64_t open_edges(float level, const Vec3d& vertex) const {
     alignas(64) float of_vertex[face_room];
     const Vec3<L> point = cast<L>(cast<float>(vertex));
     for (std::size_t i = 0; i < own_.face_count; i += lanes) {
       const Planes planes = planes_from(i);
       (dot(planes.normal, point) - planes.offset).store(of_vertex + i);
     }
-    const NumberTable<face_room> balls(bound_), vertices(of_vertex);
+    const NumberTable balls(bound_), vertices(of_vertex);
     const L radius(other_.ball.radius), of_ball(level + other_.ball.radius - slack_), low(level - slack_);
-    bits[0] = bits[1] = 0;
+    std::uint64_t edges = 0;
     for (std::size_t b = 0; b < edge_blocks(own_.edge_count); ++b) {
       const EdgeBlock& block = own_.edge_blocks[b];
       std::uint64_t open = 0;
@@ -183,11 +180,9 @@ class Facing {
         const auto by_vertex = may_exceed(vertices.at(block.left + k), vertices.at(block.right + k), cosine, low);
         open |= std::uint64_t{bits_of(by_ball & by_vertex)} << k;
       }
-      bits[b / 4] |= open << EdgeBlock::size * (b % 4);
+      edges |= open << EdgeBlock::size * b;
     }
-    // Without those that fill the last block up.
-    const std::size_t last = own_.edge_count % 64;
-    if (last != 0) bits[own_.edge_count / 64] &= (std::uint64_t{1} << last) - 1;
+    return edges & ((std::uint64_t{1} << own_.edge_count) - 1);  // without those that fill the last block up
   }
   /// Whether no vertex of the other shows that every axis of the edge's arc separates them by `level` at most.
   template <std::size_t blocks>
@@ -205,7 +200,7 @@ class Facing {
   Mat3d turn_;
   Vec3d apart_;
   float slack_;
-  std::uint64_t measured_ = 0, known_ = 0;  ///< faces with separations, and with depths
+  std::uint32_t measured_ = 0, known_ = 0;  ///< faces with separations, and with depths
   alignas(64) float bound_[face_room];
   float separations_[face_room];
   alignas(64) float down_[3][face_room], below_[face_room];  ///< against the normals, in the other's frame

@@ -39,10 +39,6 @@ struct ScannedPair {
   ScannedShape<T> corners_a, corners_b;
   HullDifference<T> difference;
 };
-template <class T>
-bool is_hull(const Shape<T>& shape) {
-  return shape.template as<ConvexHull<T>>() != nullptr;
-}
 /// A hull and another such shape: all others have routines of their own.
 template <class T>
 bool are_scanned(const Shape<T>& a, const Shape<T>& b) {

@@ -1,7 +1,7 @@
 // The separating-axis test of two small polyhedra, on lanes within the pair: bounds for all faces and edges together,
 // then the vertices of one against each face of the other that is left.
 //
-// Guarantee: as `separating_axes.hpp`, but that an axis worse than the best one's face may be missing; the same bits at
+// Guarantee: as `separating_axes.hpp`, but that axes worse than the best face's may be missing; the same bits at
 // every level of the instruction set. Lanes of float only tell, with all their rounding allowed for, which axes cannot
 // be the best; what is left is measured in double. For shapes in float, of which a float holds all sizes.
 #pragma once
@@ -50,7 +50,7 @@ struct FacetedPair {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The best axes; or some axis that separates them by more than `enough`. False where so many edges may have the
+    /// Writes to `axes`, which are new, the best ones; or one that separates them by more than `enough`. False where so many edges may have the
     /// best that whoever finds the depth otherwise is sooner done, or sizes are beyond float.
     bool hull_axes(const FacetedPair& pair, double enough, SeparatingAxes& axes);)
 // clang-format on

@@ -9,7 +9,7 @@ namespace {
 
 /// What rounding may do to a separation in float, relative to the two extents and the way between: a normal, a rotation
 /// and a vertex are each off by two roundings at most, and three products of each of the three sums add two and a half;
-/// times the root of three. All that and as much again.
+/// times the root of three. Planes and inner balls of merged faces are off by eight each. All that and as much again.
 constexpr float slack_of_lanes = 48 * std::numeric_limits<float>::epsilon();
 
 /// Sizes whose squares a float holds: above, all that shapes may have.
@@ -96,6 +96,7 @@ struct EdgeList {
   edges_a.count = of_a.promising_edges(level, by_a ? seen_a.nearest : seen_b.vertex, edges_a.edges);
   if (edges_a.count == 0) return true;
   edges_b.count = of_b.promising_edges(level, by_a ? seen_a.vertex : seen_b.nearest, edges_b.edges);
+  if (edges_b.count == 0) return true;
   if (edges_a.count > most_promising || edges_b.count > most_promising) return false;
   best_of_edges(pair, edges_a, edges_b, axes.edge);
   return true;

@@ -1,23 +1,15 @@
 #include "narrow/polyhedral_pair.hpp"
 
-#include "narrow/contact_side.hpp"
+#include "narrow/scanned_shape.hpp"
 
 namespace graze {
 
 namespace {
 
-/// Pairs of edges up to which the separating axes give contacts about as soon as GJK with EPA. Measured on lanes: of a
-/// box with a hull of 4 points 0.87 of that time, of a triangle with one of 8 0.83, of two hulls 0.98 to 1.08; one by
-/// one, as doubles and flat hulls still do, 0.96 to 1.16. Two hulls of 32 points take 1.26 on lanes.
-constexpr std::size_t most_edge_pairs = 200;
-
 /// Two for the test on lanes, of which one at least is a hull: all others have routines of their own.
 template <class T>
 bool have_facets(const Shape<T>& a, const Shape<T>& b) {
-  if constexpr (std::is_same_v<T, float>) {
-    const auto is_hull = [](const Shape<T>& shape) { return shape.template as<ConvexHull<T>>() != nullptr; };
-    return (is_hull(a) || is_hull(b)) && has_facets(a) && has_facets(b);
-  }
+  if constexpr (std::is_same_v<T, float>) return (is_hull(a) || is_hull(b)) && has_facets(a) && has_facets(b);
   return false;
 }
 
@@ -136,7 +128,7 @@ std::optional<SeparatingAxes> PolyhedralPair<T>::axes(double enough) const {
   if (facets_a_) {
     static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_axes);
     const FacetedPair pair{facets_a_->view(), facets_b_->view(), rotation_matrix(b_in_a_.rotation),
-                              b_in_a_.translation};
+                           b_in_a_.translation};
     std::optional<SeparatingAxes> axes(std::in_place);
     if (!kernel(pair, enough, *axes)) axes.reset();
     return axes;
@@ -165,14 +157,14 @@ std::string PolyhedralPair<T>::name(const SeparatingAxis& axis) const {
 }
 
 template <class T>
-PlacedFace PolyhedralPair<T>::face_a(const Vec3d& normal) const {
-  if (facets_a_) return Side<T>(shape_a_, Posed{}).face(normal, true);
+PlacedFace PolyhedralPair<T>::face_a(const Side<T>& side, const Vec3d& normal) const {
+  if (facets_a_) return side.face(normal, true);
   return boxes_ ? box_face(boxes_->half_a, normal) : a_->support_face(normal);
 }
 
 template <class T>
-PlacedFace PolyhedralPair<T>::face_b(const Vec3d& normal) const {
-  if (facets_a_) return Side<T>(shape_b_, b_in_a_).face(-normal, true);
+PlacedFace PolyhedralPair<T>::face_b(const Side<T>& side, const Vec3d& normal) const {
+  if (facets_a_) return side.face(-normal, true);
   if (!boxes_) return b_->support_face(-normal);
   PlacedFace face = box_face(boxes_->half_b, -transposed_times(boxes_->rotation, normal));
   for (Vec3d& v : face.vertices) v = boxes_->rotation * v + boxes_->translation;

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "narrow/contact_side.hpp"
 #include "narrow/faceted_shape.hpp"
 #include "narrow/general.hpp"
 #include "narrow/pairs/box_box.hpp"
@@ -30,7 +31,7 @@ PlacedFace box_face(const Vec3d& half, const Vec3d& direction);
 template <class T>
 class PolyhedralPair {
  public:
-  /// Two shapes that have separating axes.
+  /// Two shapes that have separating axes, and outlive this.
   PolyhedralPair(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a);
 
   /// All axes that may be the best, or fewer where one is found that separates the cores by more than `enough`; nothing
@@ -39,9 +40,9 @@ class PolyhedralPair {
   /// All axes, each of them written to a trace.
   SeparatingAxes all_axes(Trace& trace) const;
   std::string name(const SeparatingAxis& axis) const;
-  /// The face of each that meets the other along `normal` (from A to B).
-  PlacedFace face_a(const Vec3d& normal) const;
-  PlacedFace face_b(const Vec3d& normal) const;
+  /// The face of each that meets the other along `normal` (from A to B); each has its side.
+  PlacedFace face_a(const Side<T>& side, const Vec3d& normal) const;
+  PlacedFace face_b(const Side<T>& side, const Vec3d& normal) const;
 
  private:
   void set_polyhedra(Polyhedron& a, Polyhedron& b) const;
@@ -50,7 +51,7 @@ class PolyhedralPair {
   Posed b_in_a_;
   std::optional<BoxPair<double>> boxes_;
   std::optional<FacetedShape> facets_a_, facets_b_;  ///< of two such
-  std::optional<Polyhedron> a_, b_;  ///< of what is neither
+  std::optional<Polyhedron> a_, b_;                    ///< of what is neither
 };
 
 }  // namespace graze

@@ -1,6 +1,7 @@
 // Any core with few corners as a hull that is scanned: a ball's middle, a segment, a triangle, a box, a small hull.
 //
-// Guarantee: the corners are those of `ShapeCore`, in some order.
+// Guarantee: the corners are those of `ShapeCore`, in an order in which the first of those that lie equally far along a
+// direction is the one that it gives.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +11,11 @@
 #include "shape/furthest_vertex.hpp"
 
 namespace graze {
+
+template <class T>
+bool is_hull(const Shape<T>& shape) {
+  return shape.template as<ConvexHull<T>>() != nullptr;
+}
 
 /// Whether a shape's core has few corners and no other points.
 template <class T>
@@ -34,6 +40,10 @@ class ScannedShape {
         view_ = scanned(c.data()), extent_ = c.data().extent;
       else if constexpr (std::is_same_v<C, Triangle<T>>)
         take({c.point(0), c.point(1), c.point(2)});
+      else if constexpr (std::is_same_v<C, LineSegment<T>>)
+        take({c.point(0), c.point(1)});
+      else if constexpr (std::is_same_v<C, Capsule<T>>)
+        take({{T(0), c.half_height(), T(0)}, {T(0), -c.half_height(), T(0)}});
       else
         take(core_of(c));
     });
@@ -47,10 +57,9 @@ class ScannedShape {
 
  private:
   void take(const PointCore<T>& core) { take({core.point}); }
-  void take(const SegmentCore<T>& core) { take({core.segment.a, core.segment.b}); }
   void take(const BoxCore<T>& core) {
     const auto& [x, y, z] = core.half;
-    take({{-x, -y, -z}, {x, -y, -z}, {-x, y, -z}, {x, y, -z}, {-x, -y, z}, {x, -y, z}, {-x, y, z}, {x, y, z}});
+    take({{x, y, z}, {-x, y, z}, {x, -y, z}, {-x, -y, z}, {x, y, -z}, {-x, y, -z}, {x, -y, -z}, {-x, -y, -z}});
   }
   template <class Other>
   void take(const Other&) {}  // no scannable shape has another core

@@ -1,7 +1,5 @@
 #include "narrow/separating_axes.hpp"
 
-#include <algorithm>
-
 #include "narrow/edge_arcs.hpp"
 
 namespace graze {

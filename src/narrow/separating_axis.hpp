@@ -18,7 +18,8 @@ struct SeparatingAxis {
   std::size_t a = 0, b = 0;  ///< numbers of A's and B's face or edge
 };
 
-/// The best axis of each kind; an edge's separation is minus infinity where no arcs cross.
+/// The best axis of each kind, or minus infinity where none is as good as the best face's: of edges, where no arcs cross
+/// that may be.
 struct SeparatingAxes {
   SeparatingAxis face_a{AxisKind::face_a}, face_b{AxisKind::face_b}, edge{AxisKind::edges};
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "graze/shape/triangle.hpp"
-#include "shape/facet_rows.hpp"
 #include "shape/furthest_vertex.hpp"
 #include "shape/hull_hierarchy.hpp"
 #include "shape/hull_polygons.hpp"
@@ -149,8 +148,6 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> points) {
   }
   for (const Vec3<T>& v : hull->vertices) hull->extent = greatest(hull->extent, length(v));
   fill_blocks(*hull);
-  if constexpr (std::is_same_v<T, float>)
-    if (hull->dimension == 3 && !hull->blocks.empty()) fill_facets(*hull);
   data_ = std::move(hull);
 }
 

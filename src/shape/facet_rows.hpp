@@ -1,19 +1,23 @@
 // The faces and edges of a small polyhedron as the separating-axis test reads them by lanes.
 //
-// Guarantee: no vertex lies beyond a face's plane but for the rounding to float, and no point of the inner ball outside
-// the polyhedron.
+// Guarantee: no vertex lies beyond a face's plane but for the rounding to float. Planes of merged faces stand off their
+// vertices, and the inner ball out of the polyhedron, by no more than faces are merged by.
 #pragma once
 
 #include <limits>
 #include <span>
 
 #include "graze/shape/convex_hull.hpp"
-#include "shape/hull_hierarchy.hpp"
 
 namespace graze {
 
-/// By Euler's formula, of triangles.
-inline constexpr std::size_t most_scanned_faces = 2 * scan_limit - 4, most_scanned_edges = 3 * scan_limit - 6;
+/// Pairs of edges up to which the separating axes give contacts about as soon as GJK with EPA. Measured on lanes: of a
+/// box with a hull of 4 points 0.87 of that time, of a triangle with one of 8 0.83, of two hulls 0.98 to 1.08; one by
+/// one, as doubles and flat hulls still do, 0.96 to 1.16. Two hulls of 32 points would take 1.26 on lanes.
+/// No polyhedron has fewer edges than a triangle's six, so that one with more than `most_faceted_edges` is never asked.
+inline constexpr std::size_t most_edge_pairs = 200, most_faceted_edges = (most_edge_pairs + 1) / 6;
+/// By Euler's formula, as every vertex and every face has at least three edges.
+inline constexpr std::size_t most_faceted_faces = 2 * most_faceted_edges / 3;
 
 constexpr std::size_t face_blocks(std::size_t faces) { return (faces + FaceBlock::size - 1) / FaceBlock::size; }
 constexpr std::size_t edge_blocks(std::size_t edges) { return (edges + EdgeBlock::size - 1) / EdgeBlock::size; }
@@ -66,12 +70,12 @@ inline InnerBall inner_ball(std::span<const Vec3d> vertices, std::span<const Pla
   return {middle, greatest(0.0f, static_cast<float>(radius) * (1 - std::numeric_limits<float>::epsilon()))};
 }
 
-/// Of a polyhedron whose vertices are scanned and whose normals are there.
-inline void fill_facets(HullData<float>& hull) {
+/// Of a polyhedron with few edges, by the unit normals of its faces.
+inline void fill_facets(HullData<float>& hull, std::span<const Vec3d> normals) {
   std::vector<Vec3d> vertices;
   for (const Vec3<float>& v : hull.vertices) vertices.push_back(cast<double>(v));
   FacetRows& rows = hull.facets;
-  for (Plane<double>& plane : rows.planes) move_out(plane, vertices);
+  for (const Vec3d& n : normals) move_out(rows.planes.emplace_back(Plane<double>{n, 0}), vertices);
   rows.faces.resize(face_blocks(rows.planes.size()));
   rows.edges.resize(edge_blocks(hull.edges.size()));
   write_faces(rows.planes, rows.faces.data());

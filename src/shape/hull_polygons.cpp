@@ -5,6 +5,8 @@
 #include <numeric>
 #include <optional>
 
+#include "shape/facet_rows.hpp"
+
 namespace graze {
 
 namespace {
@@ -194,10 +196,10 @@ void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> 
       v = place[v];
     }
   fill_lists(renumbered, hull.face_begin, hull.loops);
+  std::vector<Vec3d> normals;
   for (std::size_t f = 0; f < renumbered.size(); ++f) {
-    const Vec3d n = normalized(grid_normal(grid, loops[f]));
-    hull.planes.push_back(plane_of(hull, hull.loop(f), n));
-    if (std::is_same_v<T, float> && hull.vertices.size() <= scan_limit) hull.facets.planes.push_back({n, 0});
+    normals.push_back(normalized(grid_normal(grid, loops[f])));
+    hull.planes.push_back(plane_of(hull, hull.loop(f), normals.back()));
   }
 
   const auto edges = directed_edges(renumbered);
@@ -210,6 +212,8 @@ void fill_faces(HullData<T>& hull, const Loops& loops, std::span<const Vec3<T>> 
   }
   fill_lists(neighbors, hull.neighbor_begin, hull.neighbors);
   fill_lists(incident, hull.incident_begin, hull.incident);
+  if constexpr (std::is_same_v<T, float>)
+    if (hull.dimension == 3 && hull.edges.size() <= most_faceted_edges) fill_facets(hull, normals);
 }
 
 template void fill_faces(HullData<float>&, const Loops&, std::span<const Vec3<float>>, std::span<const GridPoint>);

@@ -3,7 +3,6 @@
 
 #include "graze/shape/convex_hull.hpp"
 #include "shape/hull_builder.hpp"
-#include "shape/hull_hierarchy.hpp"
 
 namespace graze {
 

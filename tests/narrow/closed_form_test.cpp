@@ -32,6 +32,19 @@ TEST(SphereSphere, ContactPositionIsWeightedByTheRadii) {
   }
 }
 
+// A point at a segment's end, up to the rounding of coordinates that cancel: the normal separates the two.
+TEST(SphereSegment, APointAtAnEndGetsANormalThatSeparates) {
+  Random random(2);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3d from = cast<double>(random_vector(random, 1)), to = cast<double>(random_vector(random, 1));
+    const Posed pose{cast<double>(random_vector(random, 1)), normalized(cast<double>(random_rotation(random)))};
+    const Vec3d end = transform(pose, from), along = transform(pose, to) - end;
+    const Distance<double> d = distance<double>(Sphere<double>(0), {end, {}}, LineSegment<double>(from, to), pose);
+    EXPECT_NEAR(d.distance, 0, 1e-15);
+    EXPECT_GE(dot(d.normal, along), -1e-12) << i;
+  }
+}
+
 TEST(SphereSphere, CoincidentCentresGetAUnitNormal) {
   const Distance<double> d = distance<double>(Sphere<double>(2), at(1, 1, 1), Sphere<double>(1), at(1, 1, 1));
   EXPECT_EQ(d.distance, -3);

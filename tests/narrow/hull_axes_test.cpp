@@ -21,7 +21,7 @@ Specimen random_polyhedron(int i, float scale, Random& random) {
   Specimen s = random_specimen(kinds[i % std::size(kinds)], scale, random);
   s.margin = 0;
   if (s.kind != Kind::hull) return s;
-  s.points.resize(4 + random() % 29);
+  s.points.resize(4 + random() % 9);
   for (Vec3f& p : s.points) p = random_vector(random, scale);
   return s;
 }
@@ -152,7 +152,7 @@ TEST_F(HullAxes, LeaveSizesWhoseSquaresNoFloatHoldsToOthers) {
   EXPECT_FALSE(TwoPolyhedra(tiny, tiny, Posed{}).on_lanes(all_axes, found));
 }
 
-/// The ball that bounds what a polyhedron can do lies inside, and no vertex beyond a plane.
+/// What lanes read is what the shape is: no vertex beyond a plane, a ball inside, edges with their faces.
 TEST_F(HullAxes, RowsHoldWhatTheirShapeDoes) {
   Random random(36);
   for (int i = 0; i < 200; ++i) {
@@ -168,16 +168,30 @@ TEST_F(HullAxes, RowsHoldWhatTheirShapeDoes) {
       const Plane<double>& plane = view.planes[f];
       EXPECT_LE(length(plane.normal - polyhedron.normals()[f]), tolerance);
       EXPECT_NEAR(plane.offset, polyhedron.offset(f), tolerance);
+      for (const Vec3d& v : polyhedron.vertices()) EXPECT_LE(signed_distance(plane, v), 0);
       EXPECT_LE(signed_distance(plane, cast<double>(view.ball.middle)), -static_cast<double>(view.ball.radius) + 1e-7);
-      const std::uint32_t vertex = view.faces[f / FaceBlock::size].vertex[f % FaceBlock::size];
-      EXPECT_NEAR(signed_distance(plane, corner(view, vertex)), 0, tolerance);
+      const FaceBlock& block = view.faces[f / FaceBlock::size];
+      const std::size_t k = f % FaceBlock::size;
+      EXPECT_EQ((Vec3f{block.x[k], block.y[k], block.z[k]}), cast<float>(plane.normal));
+      EXPECT_EQ(block.offset[k], static_cast<float>(plane.offset));
+      EXPECT_NEAR(signed_distance(plane, corner(view, block.vertex[k])), 0, tolerance);
     }
     for (std::uint32_t e = 0; e < view.edge_count; ++e) {
-      EXPECT_EQ(view.edges[e].vertex[0], polyhedron.edges()[e].vertex[0]);
-      EXPECT_EQ(view.edges[e].vertex[1], polyhedron.edges()[e].vertex[1]);
+      const HullEdge &edge = view.edges[e], &expected = polyhedron.edges()[e];
       const EdgeBlock& block = view.edge_blocks[e / EdgeBlock::size];
-      EXPECT_EQ(block.left[e % EdgeBlock::size], polyhedron.edges()[e].face[0]);
-      EXPECT_EQ(block.right[e % EdgeBlock::size], polyhedron.edges()[e].face[1]);
+      for (const std::size_t k : {0, 1}) {
+        EXPECT_EQ(edge.vertex[k], expected.vertex[k]);
+        EXPECT_EQ(edge.face[k], expected.face[k]);
+      }
+      EXPECT_EQ(block.left[e % EdgeBlock::size], expected.face[0]);
+      EXPECT_EQ(block.right[e % EdgeBlock::size], expected.face[1]);
+      EXPECT_NEAR(static_cast<double>(block.cosine[e % EdgeBlock::size]),
+                  dot(polyhedron.normals()[expected.face[0]], polyhedron.normals()[expected.face[1]]), tolerance);
+    }
+    for (std::uint32_t v = 0; v < view.corners.count; ++v) {
+      const VertexBlock& block = view.corners.blocks[v / VertexBlock::size];
+      const std::size_t k = v % VertexBlock::size;
+      EXPECT_EQ((Vec3f{block.x[k], block.y[k], block.z[k]}), view.corners.vertices[v]);
     }
   }
 }

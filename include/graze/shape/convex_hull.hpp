@@ -48,7 +48,7 @@ struct alignas(32) EdgeBlock {
 struct FacetRows {
   std::vector<FaceBlock> faces;
   std::vector<EdgeBlock> edges;
-  std::vector<Plane<double>> planes;  ///< of the faces; no vertex lies beyond one
+  std::vector<Plane<double>> planes;  ///< of the faces: no vertex lies beyond one
   Vec3<float> middle{};               ///< of a ball that lies inside
   float inner_radius = 0;             ///< its radius
 };
@@ -80,7 +80,7 @@ struct HullData {
     std::vector<std::uint32_t> neighbors;  ///< places in this level
   };
   std::vector<Level> hierarchy;
-  FacetRows facets;  ///< of a polyhedron in float that is scanned
+  FacetRows facets;  ///< of a polyhedron in float with few edges
 
   std::span<const std::uint32_t> loop(std::size_t face) const {
     return std::span(loops).subspan(face_begin[face], face_begin[face + 1] - face_begin[face]);
