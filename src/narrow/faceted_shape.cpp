@@ -63,13 +63,7 @@ void FacetedShape::write(const Triangle<float>& triangle) {
   for (std::size_t i = 0; i < 3; ++i) planes_[2 + i].normal = unit(cross(points[(i + 1) % 3] - points[i], normal));
   for (Plane<double>& plane : std::span(planes_, 5)) move_out(plane, points);
   write_rows(3, 5, vertex_of_face);
-  view_ = {{&block_, vertices_, 3, extent},
-           &faces_,
-           &triangle_edge_block,
-           planes_,
-           triangle_edges.data(),
-           5,
-           6,
+  view_ = {{&block_, vertices_, 3, extent}, &faces_, &triangle_edge_block, planes_, triangle_edges.data(), 5, 6,
            {cast<float>(sum / 3.0), 0}};
 }
 

@@ -25,12 +25,8 @@ constexpr EdgeBlock perpendicular_edges(const std::array<HullEdge, count>& edges
 inline constexpr EdgeBlock box_edge_block = perpendicular_edges(box_parts.edges);
 
 /// Each edge between the front (0) and a side, and again between the side and the back (1).
-inline constexpr std::array<HullEdge, 6> triangle_edges{{{{0, 1}, {0, 2}},
-                                                         {{0, 1}, {2, 1}},
-                                                         {{1, 2}, {0, 3}},
-                                                         {{1, 2}, {3, 1}},
-                                                         {{2, 0}, {0, 4}},
-                                                         {{2, 0}, {4, 1}}}};
+inline constexpr std::array<HullEdge, 6> triangle_edges{
+    {{{0, 1}, {0, 2}}, {{0, 1}, {2, 1}}, {{1, 2}, {0, 3}}, {{1, 2}, {3, 1}}, {{2, 0}, {0, 4}}, {{2, 0}, {4, 1}}}};
 inline constexpr EdgeBlock triangle_edge_block = perpendicular_edges(triangle_edges);
 
 class FacetedShape {

@@ -24,8 +24,8 @@ class Facing {
  public:
   /// `turn` turns directions from the other's frame into its own, where `apart` is the other's origin. `slack`: what
   /// rounding may do to a separation in float.
-  [[gnu::always_inline]] Facing(const FacetedHull& own, const FacetedHull& other, const Mat3d& turn,
-                                const Vec3d& apart, float slack)
+  [[gnu::always_inline]] Facing(const FacetedHull& own, const FacetedHull& other, const Mat3d& turn, const Vec3d& apart,
+                                float slack)
       : own_(own), other_(other), turn_(turn), apart_(apart), slack_(slack) {}
 
   /// For each face how far the other's inner ball lies in front of it: its separation is no more. Returns the face of
@@ -203,7 +203,7 @@ class Facing {
   std::uint32_t measured_ = 0, known_ = 0;  ///< faces with separations, and with depths
   alignas(64) float bound_[face_room];
   float separations_[face_room];
-  alignas(64) float down_[3][face_room], below_[face_room];  ///< against the normals, in the other's frame
+  alignas(64) float down_[3][face_room], below_[face_room];    ///< against the normals, in the other's frame
   alignas(64) float depth_[face_room][2 * VertexBlock::size];  ///< of the other's vertices below each face
 };
 

@@ -50,8 +50,8 @@ struct FacetedPair {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// Writes to `axes`, which are new, the best ones; or one that separates them by more than `enough`. False where so many edges may have the
-    /// best that whoever finds the depth otherwise is sooner done, or sizes are beyond float.
+    /// Writes to `axes`, which are new, the best ones; or one that separates them by more than `enough`. False where so
+    /// many edges may have the best that whoever finds the depth otherwise is sooner done, or sizes are beyond float.
     bool hull_axes(const FacetedPair& pair, double enough, SeparatingAxes& axes);)
 // clang-format on
 

@@ -1,8 +1,8 @@
 // The Minkowski difference of two small hulls, whose vertices are scanned; or of one and what `ScannedShape` makes a
 // hull of.
 //
-// Guarantee: as `MinkowskiDifference` of their cores, to the last bit, but that of corners which lie equally far along a
-// direction within rounding either may be found of what is no hull or triangle. A query is one call of a kernel, in which the
+// Guarantee: as `MinkowskiDifference` of their cores, to the last bit; only where two corners of a box or a segment lie
+// equally far along a direction but for rounding, it may be the other. A query is one call of a kernel, in which the
 // two scans run beside each other.
 #pragma once
 

@@ -51,7 +51,7 @@ class PolyhedralPair {
   Posed b_in_a_;
   std::optional<BoxPair<double>> boxes_;
   std::optional<FacetedShape> facets_a_, facets_b_;  ///< of two such
-  std::optional<Polyhedron> a_, b_;                    ///< of what is neither
+  std::optional<Polyhedron> a_, b_;                  ///< of what is neither
 };
 
 }  // namespace graze

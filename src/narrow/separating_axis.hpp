@@ -18,8 +18,8 @@ struct SeparatingAxis {
   std::size_t a = 0, b = 0;  ///< numbers of A's and B's face or edge
 };
 
-/// The best axis of each kind, or minus infinity where none is as good as the best face's: of edges, where no arcs cross
-/// that may be.
+/// The best axis of each kind; its separation is minus infinity where none is looked at, since it is no better than the
+/// best face's, and of edges where no arcs cross.
 struct SeparatingAxes {
   SeparatingAxis face_a{AxisKind::face_a}, face_b{AxisKind::face_b}, edge{AxisKind::edges};
 
