@@ -12,7 +12,9 @@ namespace {
 /// times the root of three. Planes and inner balls of merged faces are off by eight each. All that and as much again.
 constexpr float slack_of_lanes = 48 * std::numeric_limits<float>::epsilon();
 
-/// Sizes whose squares a float holds: above, all that shapes may have.
+/// Limits of what floats hold, not tolerances. The smallest product that matters is the slack, 6e-6 of the size, times
+/// the size: of 1e-15 that is 6e-36, and floats keep their digits down to 1e-38. The largest is a sum of some squares:
+/// of 1e18, more than shapes and poses may have together, 1e37 of 3e38.
 constexpr double least_size = 1e-15, most_size = 1e18;
 
 [[gnu::always_inline]] inline PlacedEdge edge_of(const FacetedHull& hull, std::uint32_t edge) {
