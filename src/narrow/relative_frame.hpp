@@ -1,6 +1,7 @@
 // One body seen from another as a matrix and a vector.
 //
-// Guarantee: rotations need not be of unit length; their matrices are divided by the squared length, without a root.
+// Guarantee: rotations need not be of unit length; their matrices are divided by the squared length, or stand times it,
+// without a root.
 // Exact operations in the order written, no branches, any lane type.
 #pragma once
 
@@ -24,6 +25,24 @@ Mat3<S> rotation_of(const Quat<S>& q) {
           wy = q.w * y, wz = q.w * z;
   return {
       {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}}};
+}
+
+/// A rotation matrix times `scale`, the squared length of its quaternion: it takes no division.
+template <class S>
+struct ScaledRotation {
+  Mat3<S> matrix;
+  S scale;
+};
+template <class S>
+ScaledRotation<S> scaled_rotation_of(const Quat<S>& q) {
+  const S x = q.x + q.x, y = q.y + q.y, z = q.z + q.z;
+  const S xy = q.x * y, xz = q.x * z, yz = q.y * z, wx = q.w * x, wy = q.w * y, wz = q.w * z;
+  const S xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, ww = q.w * q.w;
+  const S sum_wx = ww + xx, less_wx = ww - xx, sum_yz = yy + zz, less_yz = yy - zz;
+  return {{{{sum_wx - sum_yz, xy - wz, xz + wy},
+            {xy + wz, less_wx + less_yz, yz - wx},
+            {xz - wy, yz + wx, less_wx - less_yz}}},
+          sum_wx + sum_yz};
 }
 
 /// `turn_a` is A's rotation as a matrix.

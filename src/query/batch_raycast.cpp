@@ -1,6 +1,7 @@
 #include "graze/batch_raycast.hpp"
 
 #include "narrow/flatten.hpp"
+#include "narrow/rays/box_rays.hpp"
 #include "narrow/rays/field_walk.hpp"
 #include "narrow/rays/mesh_block.hpp"
 #include "query/shape_rays.hpp"
@@ -24,12 +25,6 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   const auto put = [&](std::size_t i, const Vec3<T>& p) {
     for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
   };
-  const auto put_box = [&](const Box<T>& box) {
-    const Vec3<T>& half = box.half_extents();
-    put(0, half);
-    const int flat = (half.x <= T(0)) + (half.y <= T(0)) + (half.z <= T(0));
-    if (margin == 0 && flat < 2) out.kind = BlockShape::box;
-  };
   // As `hit_balls`.
   const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
     const Vec3d between = cast<double>(b) - cast<double>(a);
@@ -47,8 +42,6 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
       put(0, c.center());
       out.radius = static_cast<double>(c.radius()) + margin;
       if (out.radius > 0) out.kind = BlockShape::ball;
-    } else if constexpr (std::is_same_v<C, Box<T>>) {
-      put_box(c);
     } else if constexpr (std::is_same_v<C, Capsule<T>>) {
       put_balls({T(0), -c.half_height(), T(0)}, c.radius_bottom(), {T(0), c.half_height(), T(0)}, c.radius_top());
     } else if constexpr (std::is_same_v<C, LineSegment<T>>) {
@@ -62,8 +55,6 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
       const Vec3<T>& radii = c.radii();
       put(0, radii);
       if (margin == 0 && least(radii.x, least(radii.y, radii.z)) > T(0)) out.kind = BlockShape::ellipsoid;
-    } else if constexpr (std::is_same_v<C, Rectangle<T>>) {
-      put_box(c.as_box());
     } else if constexpr (std::is_same_v<C, HalfSpace<T>>) {
       out.radius = margin;
       out.kind = BlockShape::half_space;
@@ -107,20 +98,31 @@ std::size_t lanes_for(std::size_t rays) { return (rays + 7) / 8 * 8; }
 template <class T>
 std::size_t load(RayBlock& block, std::span<const Ray<T>> rays, T length, const BlockFrame& frame) {
   static_assert(sizeof(Ray<T>) == 6 * sizeof(T) && std::is_standard_layout_v<Ray<T>>);
-  const double end = length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
   static const auto to_local = GRAZE_KERNEL(chosen_isa(), block_to_local<T>);
-  to_local(block, &rays.front().origin.x, rays.size(), end, frame);
+  to_local(block, &rays.front().origin.x, rays.size(), rays::end_of(length), frame);
   return lanes_for(rays.size());
 }
 
-/// Calls `f(block, filled, first, some)` for some rays after the other, `first` being the place of the first.
+/// Calls `f(block, first, some)` for some rays after the other, `first` being the place of the first.
 template <class T, class F>
-void each_block(std::span<const Ray<T>> rays, T length, const BlockFrame& frame, const F& f) {
+void each_block(std::span<const Ray<T>> rays, const F& f) {
   RayBlock block;
-  for (std::size_t first = 0; first < rays.size(); first += RayBlock::size) {
-    const auto some = rays.subspan(first, least(RayBlock::size, rays.size() - first));
-    f(block, load(block, some, length, frame), first, some);
-  }
+  for (std::size_t first = 0; first < rays.size(); first += RayBlock::size)
+    f(block, first, rays.subspan(first, least(RayBlock::size, rays.size() - first)));
+}
+
+/// Some rays at a box.
+template <class T>
+void find_hits(RayBlock& block, std::span<const Ray<T>> rays, T length, const rays::TurnedBox& box,
+               BlockHits<T>& hits) {
+  static const auto at_box = GRAZE_KERNEL(chosen_isa(), rays_at_box<T>);
+  at_box(block, &rays.front().origin.x, rays.size(), length, box, hits);
+}
+template <class T>
+std::optional<rays::TurnedBox> turned_box(const Shape<T>& shape, const Pose<T>& pose) {
+  const Vec3<T>* half = rays::plain_box(shape);
+  if (!half) return std::nullopt;
+  return rays::TurnedBox(*half, pose);
 }
 
 template <class T>
@@ -209,18 +211,24 @@ GRAZE_FLATTEN void find_hits(RayBlock& block, std::size_t count, const Shape<T>&
 template <class T>
 void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays,
              std::span<std::optional<RayHit<T>>> hits, T length, BackFaces back) {
+  const std::optional<rays::TurnedBox> box = turned_box(shape, pose);
   const BlockFrame frame = block_frame(pose);
   const BlockTarget<T> target(shape, back, false);
   static const auto to_world = GRAZE_KERNEL(chosen_isa(), block_to_world<T>);
   std::uint32_t pieces[RayBlock::size] = {};
   BlockHits<T> found;
-  each_block(rays.first(least(rays.size(), hits.size())), length, frame,
-             [&](RayBlock& block, std::size_t filled, std::size_t first, std::span<const Ray<T>> some) {
-               if (target.takes(some.size()))
-                 target.find_hits(block, some.size(), pieces);
-               else
-                 find_hits(block, some.size(), shape, back, pieces);
-               to_world(block, filled, frame, length, found);
+  each_block(rays.first(least(rays.size(), hits.size())),
+             [&](RayBlock& block, std::size_t first, std::span<const Ray<T>> some) {
+               if (box) {
+                 find_hits(block, some, length, *box, found);
+               } else {
+                 const std::size_t filled = load(block, some, length, frame);
+                 if (target.takes(some.size()))
+                   target.find_hits(block, some.size(), pieces);
+                 else
+                   find_hits(block, some.size(), shape, back, pieces);
+                 to_world(block, filled, frame, length, found);
+               }
                for (std::size_t i = 0; i < some.size(); ++i) {
                  // Written in any case: whether a ray hits is hard to foresee.
                  std::optional<RayHit<T>>& hit = hits[first + i];
@@ -235,11 +243,19 @@ void raycast(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>>
 template <class T>
 void raycast_any(const Shape<T>& shape, const Pose<T>& pose, std::span<const Ray<T>> rays, std::span<bool> hits,
                  T length, BackFaces back) {
+  const std::optional<rays::TurnedBox> box = turned_box(shape, pose);
   const BlockFrame frame = block_frame(pose);
   const BlockTarget<T> target(shape, back, true);
   std::uint32_t pieces[RayBlock::size] = {};
-  each_block(rays.first(least(rays.size(), hits.size())), length, frame,
-             [&](RayBlock& block, std::size_t, std::size_t first, std::span<const Ray<T>> some) {
+  BlockHits<T> found;
+  each_block(rays.first(least(rays.size(), hits.size())),
+             [&](RayBlock& block, std::size_t first, std::span<const Ray<T>> some) {
+               if (box) {
+                 find_hits(block, some, length, *box, found);
+                 for (std::size_t i = 0; i < some.size(); ++i) hits[first + i] = block.state[i] != rays::ray_missed;
+                 return;
+               }
+               load(block, some, length, frame);
                const bool together = target.takes(some.size());
                if (together) target.find_hits(block, some.size(), pieces);
                for (std::size_t i = 0; i < some.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "query/shape_rays.hpp"
 
 #include "narrow/flatten.hpp"
+#include "narrow/rays/box_rays.hpp"
 #include "narrow/rays/convex.hpp"
 
 namespace graze {
@@ -13,6 +14,14 @@ using namespace shape_rays;
 using rays::MaybeHit;
 
 namespace {
+
+template <class T>
+std::optional<RayHit<T>> box_hit(const Vec3<T>& half, const Pose<T>& pose, const Ray<T>& ray, T length) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), ray_at_box<T>);
+  std::optional<RayHit<T>> hit(std::in_place);
+  if (!kernel(half, pose, ray, length, *hit)) hit.reset();
+  return hit;
+}
 
 /// Of the concrete shape C, which is convex. One function, so that numbers stay in registers.
 template <class C, class T>
@@ -42,6 +51,7 @@ GRAZE_FLATTEN std::optional<RayHit<T>> composite_hit(const Shape<T>& shape, cons
 template <class T>
 std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
                                  BackFaces back) {
+  if (const Vec3<T>* half = rays::plain_box(shape)) return box_hit(*half, pose, ray, length);
   return shape.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>)
@@ -54,6 +64,7 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, con
 template <class T>
 GRAZE_FLATTEN bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
                                BackFaces back) {
+  if (const Vec3<T>* half = rays::plain_box(shape)) return box_hit(*half, pose, ray, length).has_value();
   std::optional<LocalRay> local = local_ray(ray, length, frame_of(pose));
   if (!local) return false;
   return hits_any(shape, *local, back);
@@ -62,6 +73,11 @@ GRAZE_FLATTEN bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const
 template <class T>
 std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, std::vector<RayHit<T>>& hits,
                         T length, BackFaces back) {
+  if (const Vec3<T>* half = rays::plain_box(shape)) {
+    const auto hit = box_hit(*half, pose, ray, length);
+    if (hit) hits.push_back(*hit);
+    return hit ? 1 : 0;
+  }
   const Frame frame = frame_of(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return 0;

@@ -12,27 +12,13 @@
 
 namespace graze::shape_rays {
 
+using rays::end_of;
 using rays::Frame;
 using rays::frame_of;
 using rays::LocalHit;
 using rays::LocalRay;
-
-/// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
-template <class T>
-constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
-
-/// How far a ray is followed; less than zero when it cannot hit. `direction` is the ray's, of any length that has a
-/// square.
-template <class T>
-double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
-  constexpr double most = longest<T>;
-  const Vec3d reach = abs(cast<double>(ray.origin));
-  const bool usable = (reach.x <= most) & (reach.y <= most) & (reach.z <= most);  // no NaN is
-  const double squared = length_squared(direction);
-  const bool aimed = (squared > 0) & (squared <= std::numeric_limits<double>::max());
-  if (!(usable & aimed & (length >= T(0)))) return -1;
-  return least(static_cast<double>(length), most);
-}
+using rays::longest;
+using rays::opposing;
 
 /// The ray in a frame, if it can hit.
 template <class T>
@@ -106,13 +92,6 @@ struct Candidate {
   LocalHit hit{rays::infinity, {}, {}};
   std::uint32_t piece = 0;
 };
-
-/// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
-inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
-  if (!(dot(normal, ray) > 0)) return normal;
-  const Vec3d direction = normalized(ray);
-  return normalized(normal - direction * dot(normal, direction), -direction);
-}
 
 template <class T>
 GRAZE_FLATTEN RayHit<T> in_world(const Candidate& c, const Frame& frame, const Ray<T>& ray, T length) {

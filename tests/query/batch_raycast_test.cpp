@@ -6,10 +6,13 @@
 #include <cstring>
 
 #include "common/specimen.hpp"
-#include "narrow/rays/ray_block.hpp"
+#include "narrow/rays/box_rays.hpp"
 
 namespace graze::testing {
 namespace {
+
+using rays::BlockHits;
+using rays::RayBlock;
 
 template <class T>
 using Hits = std::vector<std::optional<RayHit<T>>>;
@@ -126,25 +129,43 @@ TYPED_TEST(BatchRaycast, FillsNoMoreThanThereIsRoomFor) {
   EXPECT_TRUE(hits[0]);
 }
 
+template <class T>
+struct BlockAnswers {
+  RayBlock block{};
+  BlockHits<T> hits{};
+};
+/// Expects the same states, and the same hits of the rays that hit; returns how many do.
+template <class T>
+std::size_t expect_same(const BlockAnswers<T>& a, const BlockAnswers<T>& b) {
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < RayBlock::size; ++i) {
+    EXPECT_EQ(a.block.state[i], b.block.state[i]);
+    if (a.block.state[i] != rays::ray_hit) continue;
+    EXPECT_EQ(a.hits.t[i], b.hits.t[i]);
+    ++met;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(a.hits.point[k][i], b.hits.point[k][i]);
+      EXPECT_EQ(a.hits.normal[k][i], b.hits.normal[k][i]);
+    }
+  }
+  return met;
+}
+
 TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
   using T = TypeParam;
   using namespace rays;
   Random random(2);
   std::size_t met = 0;
-  struct Answers {
-    RayBlock block{};
-    BlockHits<T> hits{};
-  };
   const auto answers = [&](Isa level, const std::vector<Ray<T>>& rays, const BlockFrame& frame,
                            const BlockShape& shape) {
-    Answers a;
+    BlockAnswers<T> a;
     GRAZE_KERNEL(level, block_to_local<T>)(a.block, &rays[0].origin.x, rays.size(), 1e9, frame);
     GRAZE_KERNEL(level, block_hits)(a.block, RayBlock::size, shape);
     GRAZE_KERNEL(level, block_to_world<T>)(a.block, RayBlock::size, frame, T(1e9), a.hits);
     return a;
   };
-  for (const auto kind : {BlockShape::ball, BlockShape::box, BlockShape::half_space, BlockShape::triangle,
-                          BlockShape::ball_cone, BlockShape::frustum, BlockShape::ellipsoid})
+  for (const auto kind : {BlockShape::ball, BlockShape::half_space, BlockShape::triangle, BlockShape::ball_cone,
+                          BlockShape::frustum, BlockShape::ellipsoid})
     for (int round = 0; round < 20; ++round) {
       BlockShape shape;
       shape.kind = kind;
@@ -158,22 +179,37 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k) frame.rotation[i][k] = turn.row[i][k];
       const auto rays = random_rays<T>(random, RayBlock::size - 3, 2, {T(1), T(-2), T(3)});
-      const Answers first = answers(Isa::baseline, rays, frame, shape);
-      for (const Isa level : {Isa::avx2, Isa::avx512}) {
-        if (!isa_available(level)) continue;
-        const Answers other = answers(level, rays, frame, shape);
-        for (std::size_t i = 0; i < RayBlock::size; ++i) {
-          ASSERT_EQ(first.block.state[i], other.block.state[i]);
-          if (first.block.state[i] != ray_hit) continue;
-          ASSERT_EQ(first.hits.t[i], other.hits.t[i]);
-          met += 1;
-          for (std::size_t k = 0; k < 3; ++k) {
-            ASSERT_EQ(first.hits.point[k][i], other.hits.point[k][i]);
-            ASSERT_EQ(first.hits.normal[k][i], other.hits.normal[k][i]);
-          }
-        }
-      }
+      const BlockAnswers<T> first = answers(Isa::baseline, rays, frame, shape);
+      for (const Isa level : {Isa::avx2, Isa::avx512})
+        if (isa_available(level)) met += expect_same(first, answers(level, rays, frame, shape));
     }
+  EXPECT_TRUE(met > 500 || !isa_available(Isa::avx2)) << met;
+}
+
+TYPED_TEST(BatchRaycast, GivesTheSameBitsForABoxAtEveryLevel) {
+  using T = TypeParam;
+  Random random(3);
+  std::size_t met = 0;
+  const auto answers = [](Isa level, const std::vector<Ray<T>>& from, T length, const rays::TurnedBox& box) {
+    BlockAnswers<T> a;
+    GRAZE_KERNEL(level, rays_at_box<T>)(a.block, &from[0].origin.x, from.size(), length, box, a.hits);
+    return a;
+  };
+  for (int round = 0; round < 50; ++round) {
+    const Vec3<T> half{T(uniform(random, 0.1f, 2)), T(round % 5), T(uniform(random, 0.1f, 2))};
+    const Pose<T> pose{{T(1), T(-2), T(3)}, cast<T>(random_rotation(random))};
+    const rays::TurnedBox box(half, pose);
+    const auto some = random_rays<T>(random, RayBlock::size - 3, 2, pose.translation);
+    const T length(round % 3 == 0 ? 4 : 1e9);
+    const BlockAnswers<T> first = answers(Isa::baseline, some, length, box);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      RayHit<T> hit;
+      const bool hits = GRAZE_KERNEL(Isa::baseline, ray_at_box<T>)(half, pose, some[i], length, hit);
+      ASSERT_EQ(first.block.state[i] != rays::ray_missed, hits);
+    }
+    for (const Isa level : {Isa::avx2, Isa::avx512})
+      if (isa_available(level)) met += expect_same(first, answers(level, some, length, box));
+  }
   EXPECT_TRUE(met > 500 || !isa_available(Isa::avx2)) << met;
 }
 

@@ -14,6 +14,29 @@ namespace graze::rays {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+/// How large coordinates and lengths may be: sums of a few do not overflow in `T`, nor products of two in double.
+template <class T>
+constexpr double longest = std::is_same_v<T, float> ? 1e37 : 1e150;
+
+/// Whether a ray can hit: its origin, and its direction's square, in whichever unit that has one. No NaN can.
+template <class T, class S>
+auto usable(const Vec3<S>& origin, const S& squared) {
+  const Vec3<S> reach = abs(origin);
+  const S most(longest<T>), most_squared(std::numeric_limits<double>::max());
+  return (reach.x <= most) & (reach.y <= most) & (reach.z <= most) & (squared > S(0)) & (squared <= most_squared);
+}
+
+/// How far a ray is followed; less than zero when it cannot hit.
+template <class T>
+double end_of(T length) {
+  return length >= T(0) ? least(static_cast<double>(length), longest<T>) : -1;
+}
+/// `direction` is the ray's, of any length that has a square.
+template <class T>
+double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
+  return usable<T>(cast<double>(ray.origin), length_squared(direction)) ? end_of(length) : -1;
+}
+
 /// The points origin + t direction with begin <= t <= end.
 struct LocalRay {
   Vec3d origin, direction;
@@ -88,6 +111,13 @@ inline MaybeHit entered(const LocalRay& ray, double enter, double leave, const V
 /// `normal` or its opposite, whichever faces the ray.
 inline Vec3d against(const LocalRay& ray, const Vec3d& normal) {
   return dot(normal, ray.direction) > 0 ? -normal : normal;
+}
+
+/// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
+inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
+  if (!(dot(normal, ray) > 0)) return normal;
+  const Vec3d direction = normalized(ray);
+  return normalized(normal - direction * dot(normal, direction), -direction);
 }
 
 /// The real roots of a t^2 + 2 b t + c, lesser first; of a linear one, both the same. Each by the formula that does not

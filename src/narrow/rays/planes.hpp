@@ -2,7 +2,7 @@
 // "Generalized two- and three-dimensional clipping"; for boxes Kay, Kajiya 1986, "Ray tracing complex scenes").
 #pragma once
 
-#include "narrow/rays/limits.hpp"
+#include "narrow/rays/box_crossing.hpp"
 #include "narrow/rays/plane_clip.hpp"
 #include "narrow/rays/round.hpp"
 #include "narrow/rays/sheared.hpp"
@@ -25,19 +25,9 @@ inline MaybeHit hit_box(const LocalRay& far, const Vec3d& half) {
   if ((half.x <= 0) + (half.y <= 0) + (half.z <= 0) >= 2) return hit_balls(far, -half, 0, half, 0);
   Recentered near = recentered(far, {});
   const LocalRay& ray = near.ray;
-  const auto between = [](double o, double d, double h) {
-    if (std::abs(d) < no_component) return std::abs(o) > h ? Span{} : Span{-infinity, infinity};
-    const double per_d = 1 / d, low = (-h - o) * per_d, high = (h - o) * per_d;
-    return Span{least(low, high), greatest(low, high)};
-  };
-  Span x = between(ray.origin.x, ray.direction.x, half.x), y = between(ray.origin.y, ray.direction.y, half.y),
-       z = between(ray.origin.z, ray.direction.z, half.z);
-  const double enter = greatest(x.enter, greatest(y.enter, z.enter)), leave = least(x.leave, least(y.leave, z.leave));
-  const bool by_x = enter == x.enter, by_y = !by_x & (enter == y.enter), by_z = !by_x & !by_y;
-  // Counted, since nobody foresees which face it is.
-  const auto back = [](bool by, double d) { return static_cast<double>(int(by & (d < 0)) - int(by & (d > 0))); };
-  return near.restored(entered(
-      ray, enter, leave, {back(by_x, ray.direction.x), back(by_y, ray.direction.y), back(by_z, ray.direction.z)}));
+  const BoxCrossing<double> crossing(ray.origin, ray.direction, half);
+  if (!crossing.met()) return {};
+  return near.restored(entered(ray, crossing.enter(), crossing.leave(), crossing.normal()));
 }
 
 template <class T>

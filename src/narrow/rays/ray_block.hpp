@@ -41,10 +41,10 @@ struct BlockFrame {
 /// A shape without rounding that the closed forms do not cover; `ball_cone` is the hull of two balls, neither inside
 /// the other, and `frustum` one that has some thickness.
 struct BlockShape {
-  enum Kind { none, ball, box, half_space, triangle, ball_cone, frustum, ellipsoid } kind = none;
+  enum Kind { none, ball, half_space, triangle, ball_cone, frustum, ellipsoid } kind = none;
   double radius = 0;        ///< of the ball, the first or lower one; of the half-space its height
   double other_radius = 0;  ///< of the second ball, or at the frustum's top
-  /// The balls' centres, the half extents of box and frustum, the triangle's corners, the ellipsoid's radii.
+  /// The balls' centres, the frustum's half height, the triangle's corners, the ellipsoid's radii.
   double points[3][3] = {};
   double around = 0;  ///< of the ball about the frame's origin that a ray has to come near to
   bool both_sides = true;

@@ -1,7 +1,6 @@
-// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_box`, `hit_half_space`, `hit_polygon` and
+// Rays against shapes of closed form, several at a time: `hit_ball`, `hit_half_space`, `hit_polygon` and
 // what `quadric_lanes.hpp` names of one ray, with choices in place of branches. What those do for few rays only is left
 // to them.
-#include "narrow/rays/limits.hpp"
 #include "narrow/rays/quadric_lanes.hpp"
 
 namespace graze::GRAZE_ISA {
@@ -31,29 +30,6 @@ using namespace ray_lanes;
           select(inside, ray.begin, t),
           {p.x, select(inside, p.y, height), p.z},
           select(inside, -ray.direction, V{S(0), S(1), S(0)})};
-}
-
-[[gnu::always_inline]] inline Hits hit_box(Rays ray, const rays::BlockShape& shape) {
-  const S shift = ray.recenter({S(0), S(0), S(0)});
-  S enter[3], leave[3];
-  M met = !none();
-  const auto clip = [&](int i, const S& o, const S& d, double extent) __attribute__((always_inline)) {
-    const S half(extent), per_d = S(1) / d, low = (-half - o) * per_d, high = (half - o) * per_d;
-    const M still = abs(d) < S(rays::no_component);
-    met = met & (!(still & (abs(o) > half)));
-    enter[i] = select(still, S(-infinity), least(low, high));
-    leave[i] = select(still, S(infinity), greatest(low, high));
-  };
-  clip(0, ray.origin.x, ray.direction.x, shape.points[0][0]);
-  clip(1, ray.origin.y, ray.direction.y, shape.points[0][1]);
-  clip(2, ray.origin.z, ray.direction.z, shape.points[0][2]);
-  const S last = greatest(enter[0], greatest(enter[1], enter[2])), first = least(leave[0], least(leave[1], leave[2]));
-  const M by_x = last == enter[0], by_y = (!by_x) & (last == enter[1]), by_z = (!by_x) & (!by_y);
-  const auto back = [](const M& by, const S& d) __attribute__((always_inline)) {
-    return select(by, select(d > S(0), S(-1), S(1)), S(0));
-  };
-  return entered(ray, shift, met, last, first,
-                 {back(by_x, ray.direction.x), back(by_y, ray.direction.y), back(by_z, ray.direction.z)});
 }
 
 [[gnu::always_inline]] inline Hits hit_triangle(Rays ray, const rays::BlockShape& shape) {
@@ -127,7 +103,6 @@ void block_hits(rays::RayBlock& block, std::size_t count, const rays::BlockShape
   switch (shape.kind) {
   case rays::BlockShape::none: return;
   case rays::BlockShape::ball: return each(hit_ball);
-  case rays::BlockShape::box: return each(hit_box);
   case rays::BlockShape::half_space: return each(hit_half_space);
   case rays::BlockShape::triangle: return each(hit_triangle);
   case rays::BlockShape::ball_cone: return each(hit_ball_cone);
