@@ -22,12 +22,11 @@ TriangleFace<S> face_over_box(const Vec3<S> (&point)[3], const Vec3<S>& normal, 
                               const Vec3<S>& fall, const S& rounding) {
   using T = typename LaneOf<S>::type;
   const S steep = S(1) / n.z;
-  FlatVertex<S> vertex[3];
-  for (std::size_t i = 0; i < 3; ++i) {
+  const auto vertex_at = [&](std::size_t i) {
     const S apart = (point[i].z - height) * steep;
-    vertex[i] = {{point[i].x - n.x * apart, point[i].y - n.y * apart}, apart, S(static_cast<T>(i))};
-  }
-  return {vertex,
+    return FlatVertex<S>{{point[i].x - n.x * apart, point[i].y - n.y * apart}, apart, S(static_cast<T>(i))};
+  };
+  return {vertex_at,
           {-dot(normal, n),
            {normal.x, normal.y},
            {dot(point[0], n), dot(point[1], n), dot(point[2], n)},
@@ -58,8 +57,7 @@ void triangle_manifold(const BoxAndTriangle<S>& p, const TriangleDirections<S>& 
   const Several<S, 3> fall = abs(dot(directions.along, for_corners(choice.normal)));
   const detail::TriangleFace<S> face = detail::face_over_box(point, axes.turned(directions.normal), n, height,
                                                              Vec3<S>{fall[0], fall[1], fall[2]}, p.noise);
-  const detail::RectangleAndTriangle<S> faces{
-      {half.x, half.y}, {face.side[0], face.side[1], face.side[2]}, face.whole, face.edge, p.noise};
+  const detail::RectangleAndTriangle<S> faces{{half.x, half.y}, face.side, face.whole, face.edge, p.noise};
   const S shorter = least(half.x, half.y),
           near = S(T(same_place)) * sqrt(least(S(4) * shorter * shorter, face.shortest_squared())),
           near_squared = near * near;

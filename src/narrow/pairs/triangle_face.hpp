@@ -29,8 +29,10 @@ struct TriangleFace {
   FlatPoint<S> slope;  ///< how the vertices' `apart` changes
 
   TriangleFace() = default;
-  TriangleFace(const FlatVertex<S> (&seen)[3], const TriangleView<S>& view, const S& rounding)
-      : vertex{seen[0], seen[1], seen[2]} {
+  /// `vertex_at(i)` is the i-th, made in its place: one copied right after its numbers were written waits for them.
+  template <class VertexAt>
+  TriangleFace(const VertexAt& vertex_at, const TriangleView<S>& view, const S& rounding)
+      : vertex{vertex_at(0), vertex_at(1), vertex_at(2)} {
     using std::abs;
     using T = typename LaneOf<S>::type;
     whole = abs(view.facing) >= S(T(furthest_lean));

@@ -108,8 +108,8 @@ struct RectangleAndTriangle {
   using Mask = decltype(S() < S());
 
   FlatPoint<S> half;
-  FlatSide<S> side
-      [3];     ///< counter-clockwise, that of the smallest angle first; for an edge, it; for a vertex, one of no length
+  /// Counter-clockwise, that of the smallest angle first; for an edge, it; for a vertex, one of no length.
+  const FlatSide<S> (&side)[3];
   Mask whole;  ///< it is a triangle
   Mask edge;   ///< it is an edge
   S rounding;  ///< of a place

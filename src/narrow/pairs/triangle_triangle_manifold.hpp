@@ -184,9 +184,8 @@ struct FrameAcross {
   TriangleFace<S> face(const FlatTriangle<Row>& t, const S& outward, const S& most_fall, const S& rounding) const {
     const Row x = dot(to_all<Row>(u), t.point), y = dot(to_all<Row>(v), t.point), up = dot(to_all<Row>(n), t.point),
               rise = dot(to_all<Row>(n), t.edge), fall = rise * rise * t.per(), far = -up * Row(outward);
-    const auto vertex = [&](int i) { return FlatVertex<S>{{x[i], y[i]}, up[i], S(double(i))}; };
-    const FlatVertex<S> vertices[3] = {vertex(0), vertex(1), vertex(2)};
-    return {vertices,
+    const auto vertex_at = [&](int i) { return FlatVertex<S>{{x[i], y[i]}, up[i], S(double(i))}; };
+    return {vertex_at,
             {dot(t.normal, n) * outward,
              {-outward * dot(t.normal, u), -outward * dot(t.normal, v)},
              {far[0], far[1], far[2]},
@@ -223,10 +222,8 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
   const S &noise = m.axes.noise, &smaller = m.axes.smaller;
   const detail::ContactNormal<S> along = detail::contact_normal(m, rounded);
   const detail::FrameAcross<S> frame(along.normal);
-  const FlatTriangle<Row>* const triangle[2] = {&m.p.a, &m.p.b};
-  detail::TriangleFace<S> face[2];
-  for (int i = 0; i < 2; ++i) face[i] = frame.face(*triangle[i], S(static_cast<T>(1 - 2 * i)), along.most_fall, noise);
-  const detail::TriangleFace<S>&a = face[0], &b = face[1];
+  const detail::TriangleFace<S> a = frame.face(m.p.a, S(1), along.most_fall, noise),
+                                b = frame.face(m.p.b, S(-1), along.most_fall, noise);
   const S near = S(same_place) * sqrt(least(a.shortest_squared(), b.shortest_squared())), near_squared = near * near;
   // An edge that runs along a rim may lie beside the face by what the normal's rounding does to where it is seen.
   const S slack = select(a.edge | b.edge, S(along_rim) * near + S(rounded.normal) * smaller, noise);
@@ -259,9 +256,7 @@ void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded
         frame.u * at.x + frame.v * at.y + along.normal * select(along.in_point, height_of_nearest, a.apart_at(at));
     const Vec3<S> place = m.origin + on_a * m.unit;
     const S far = apart * m.unit;
-    S part[2];
-    for (int k = 0; k < 2; ++k) part[k] = face[k].part(at, near_squared);
-    found.put(i, {place, place + along.normal * far, far, part[0], part[1]});
+    found.put(i, {place, place + along.normal * far, far, a.part(at, near_squared), b.part(at, near_squared)});
     found.filled = found.filled + select(here, S(T(1 << i)), S(0));
   }
   const S allowed = select(along.gap, S(laid_slack) * noise, S(face_preference) * smaller);
