@@ -163,13 +163,14 @@ Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* tr
 template <class A, class B, class T>
 [[gnu::noinline]] GRAZE_FLATTEN std::optional<bool> other_boxes_overlap(const A& ca, const B& cb, const Body<T>& a,
                                                                         const Body<T>& b, bool faces_only) {
-  const BoxPair<double> pair = box_pair(cast<double>(core_of(ca).half), cast<double>(a.pose),
-                                        cast<double>(core_of(cb).half), cast<double>(b.pose));
-  const BoxRows<double> boxes(pair);
+  using Row = Several<double, 3>;
+  const ScaledBoxes<double> boxes(Row(cast<double>(core_of(ca).half)), PoseRows<double>(in_double(a.pose)),
+                                  Row(cast<double>(core_of(cb).half)), PoseRows<double>(in_double(b.pose)));
+  const Row& between = boxes.rows.translation;
   const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
-  const double noise = noise_of(a.shape, b.shape, pair.translation);
-  if (boxes_apart(boxes, reach + noise, faces_only)) return false;
-  if (faces_only || reach == 0 || !boxes_apart(boxes, noise)) return true;
+  const double noise = noise_of(a.shape, b.shape, Vec3d{between[0], between[1], between[2]} / boxes.scale);
+  if (boxes_apart(boxes, (reach + noise) * boxes.scale, faces_only)) return false;
+  if (faces_only || reach == 0 || !boxes_apart(boxes, noise * boxes.scale)) return true;
   return std::nullopt;
 }
 

@@ -16,15 +16,25 @@ struct RelativeFrame {
   Vec3<S> translation;
 };
 
-/// The rotation matrix of a quaternion that rounding has left not quite of unit length.
 template <class S>
-Mat3<S> rotation_of(const Quat<S>& q) {
-  const S s = S(2) / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w), one(1);
+S length_squared(const Quat<S>& q) {
+  return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+}
+
+/// The rotation matrix of a quaternion that rounding has left not quite of unit length, by the square of that.
+template <class S>
+Mat3<S> rotation_of(const Quat<S>& q, const S& squared) {
+  const S s = S(2) / squared, one(1);
   const S x = q.x * s, y = q.y * s, z = q.z * s;
   const S xx = q.x * x, yy = q.y * y, zz = q.z * z, xy = q.x * y, xz = q.x * z, yz = q.y * z, wx = q.w * x,
           wy = q.w * y, wz = q.w * z;
   return {
       {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}}};
+}
+
+template <class S>
+Mat3<S> rotation_of(const Quat<S>& q) {
+  return rotation_of(q, length_squared(q));
 }
 
 /// A rotation matrix times `scale`, the squared length of its quaternion: it takes no division.
@@ -48,7 +58,9 @@ ScaledRotation<S> scaled_rotation_of(const Quat<S>& q) {
 /// `turn_a` is A's rotation as a matrix.
 template <class S>
 RelativeFrame<S> relative_frame(const Pose<S>& a, const Mat3<S>& turn_a, const Pose<S>& b) {
-  return {rotation_of(conjugate(a.rotation) * b.rotation), transposed_times(turn_a, b.translation - a.translation)};
+  // The square of the product's length is known before the product.
+  return {rotation_of(conjugate(a.rotation) * b.rotation, length_squared(a.rotation) * length_squared(b.rotation)),
+          transposed_times(turn_a, b.translation - a.translation)};
 }
 template <class S>
 RelativeFrame<S> relative_frame(const Pose<S>& a, const Pose<S>& b) {

@@ -158,7 +158,7 @@ template <class T>
   const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
   const PoseRows<T> pose_a(*pair.pose_a), pose_b(*pair.pose_b);
   const BoxRows<T> boxes(Several<T, 3>(a.half_extents()), pose_a, Several<T, 3>(b.half_extents()), pose_b);
-  if (!regular_boxes(boxes)) {
+  if (!regular_boxes(boxes.half_a, boxes.half_b)) {
     found.known = T(0);
     return true;
   }

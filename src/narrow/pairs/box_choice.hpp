@@ -66,14 +66,14 @@ Several<S, 3> box_faces_of_a(const BoxRows<S>& p) {
   return abs(p.translation) - (p.half_a + reach);
 }
 
-/// And along B's.
+/// And along B's, with its half extents.
 template <class S>
-Several<S, 3> box_faces_of_b(const BoxRows<S>& p) {
+Several<S, 3> box_faces_of_b(const BoxRows<S>& p, const Several<S, 3>& half_b) {
   using Row = Several<S, 3>;
   const Row* const row = p.rotation.row;
   const Row reach =
       abs(row[0]) * spread<0>(p.half_a) + abs(row[1]) * spread<1>(p.half_a) + abs(row[2]) * spread<2>(p.half_a);
-  return abs(transposed_times(p.rotation, p.translation)) - (p.half_b + reach);
+  return abs(transposed_times(p.rotation, p.translation)) - (half_b + reach);
 }
 
 /// The first of the axes of faces along which the boxes are furthest apart.
@@ -85,7 +85,7 @@ template <class S>
 BoxFace<S> best_face(const BoxRows<S>& p) {
   using T = typename LaneOf<S>::type;
   using Row = Several<S, 3>;
-  const Row of_a = box_faces_of_a(p), of_b = box_faces_of_b(p);
+  const Row of_a = box_faces_of_a(p), of_b = box_faces_of_b(p, p.half_b);
   // The number is found after the separation, which all that follows waits for, and without a jump.
   const S separation = greatest_of(greatest(of_a, of_b));
   const Row numbers_a(S(0), S(1), S(2)), numbers_b(S(3), S(4), S(5)), none(S(T(6)));
@@ -167,8 +167,8 @@ auto regular_box(const Vec3<S>& half) {
 }
 /// Whether both are, of a single pair.
 template <class S>
-bool regular_boxes(const BoxRows<S>& p) {
-  return !any(!regular_lengths<S>(least(p.half_a, p.half_b), greatest(p.half_a, p.half_b)));
+bool regular_boxes(const Several<S, 3>& half_a, const Several<S, 3>& half_b) {
+  return !any(!regular_lengths<S>(least(half_a, half_b), greatest(half_a, half_b)));
 }
 
 /// The shape as such a box, without rounding; null if it is not.

@@ -45,15 +45,15 @@ Several<S, 3> transposed_times(const Rows<S>& m, const Several<S, 3>& v) {
   return m.row[0] * spread<0>(v) + m.row[1] * spread<1>(v) + m.row[2] * spread<2>(v);
 }
 
-/// As `rotation_of`, of a quaternion's vector and its real part, which is given three times.
+/// As `rotation_of`, of a quaternion's vector and its real part, which is given three times. `per` is two over the square
+/// of its length and `unit` one; or two and that square, for the matrix times it.
 template <class S>
-Rows<S> rotation_rows(const Several<S, 3>& vector, const Several<S, 3>& w) {
+Rows<S> rotation_rows(const Several<S, 3>& vector, const Several<S, 3>& w, const S& per, const S& unit) {
   using Row = Several<S, 3>;
-  const S s = S(2) / (sum(vector * vector) + (w * w)[0]);
-  const Row scaled = vector * Row(s);
+  const Row scaled = vector * Row(per);
   const Row squares = vector * scaled, products = permuted<0, 0, 1>(vector) * permuted<1, 2, 2>(scaled),
             by_w = w * permuted<2, 1, 0>(scaled);
-  const Row diagonal = Row(S(1)) - (permuted<1, 0, 0>(squares) + permuted<2, 2, 1>(squares)), more = products + by_w,
+  const Row diagonal = Row(unit) - (permuted<1, 0, 0>(squares) + permuted<2, 2, 1>(squares)), more = products + by_w,
             less = products - by_w;
   return {gathered<0, 0, 1>(diagonal, less, more), gathered<0, 1, 2>(more, diagonal, less),
           gathered<1, 2, 2>(less, more, diagonal)};
@@ -81,13 +81,25 @@ struct PoseRows {
     }
   }
   PoseRows(const Row& at, const Row& of_vector, const Row& real) : translation(at), vector(of_vector), w(real) {}
-  Rows<S> rotation() const { return rotation_rows(vector, w); }
+  /// Of the quaternion.
+  S length_squared() const { return sum(vector * vector) + (w * w)[0]; }
+  Rows<S> rotation() const { return rotation_rows(vector, w, S(2) / length_squared(), S(1)); }
 
   friend PoseRows select(const typename Row::Mask& condition, const PoseRows& yes, const PoseRows& no) {
     return {select(condition, yes.translation, no.translation), select(condition, yes.vector, no.vector),
             select(condition, yes.w, no.w)};
   }
 };
+
+/// The rotation of B seen from A; `per` and `unit` as of `rotation_rows`.
+template <class S>
+Rows<S> relative_rotation(const PoseRows<S>& a, const PoseRows<S>& b, const S& per, const S& unit) {
+  using Row = Several<S, 3>;
+  const Row back = -a.vector;
+  return rotation_rows(b.vector * a.w + back * b.w +
+                           (following(back) * preceding(b.vector) - preceding(back) * following(b.vector)),
+                       a.w * b.w - Row(sum(back * b.vector)), per, unit);
+}
 
 /// `BoxPair` in rows.
 template <class S>
@@ -105,10 +117,7 @@ struct BoxRows {
       : half_a(of_a), half_b(of_b), translation(from_a), rotation(turn) {}
   /// Two boxes in place.
   BoxRows(const Row& of_a, const PoseRows<S>& a, const Row& of_b, const PoseRows<S>& b) : half_a(of_a), half_b(of_b) {
-    const Row back = -a.vector;
-    rotation = rotation_rows(b.vector * a.w + back * b.w +
-                                 (following(back) * preceding(b.vector) - preceding(back) * following(b.vector)),
-                             a.w * b.w - Row(sum(back * b.vector)));
+    rotation = relative_rotation(a, b, S(2) / (a.length_squared() * b.length_squared()), S(1));
     translation = transposed_times(a.rotation(), b.translation - a.translation);
   }
 };

@@ -26,9 +26,9 @@ Touching<Lanes<T>> touching(const RowBundle<Sphere<T>, Sphere<T>, T>& p) {
 template <class T>
 Touching<Lanes<T>> touching(const RowBundle<Box<T>, Box<T>, T>& p) {
   using S = Lanes<T>;
-  const BoxRows<S> boxes(Several<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
-                         Several<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
-  return {!boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b))), p.regular()};
+  const ScaledBoxes<S> boxes(Several<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
+                             Several<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
+  return {!boxes_apart(boxes, box_noise(boxes)), p.regular()};
 }
 
 template <class T>
@@ -53,10 +53,10 @@ template <class A, class B, class T>
 template <class T>
 [[gnu::flatten]] std::optional<bool> boxes_touch(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b,
                                                  const Pose<T>& pose_b, bool faces_only) {
-  const BoxRows<T> boxes(Several<T, 3>(a.half_extents()), PoseRows<T>(pose_a), Several<T, 3>(b.half_extents()),
-                         PoseRows<T>(pose_b));
-  if (!regular_boxes(boxes)) return std::nullopt;
-  return !boxes_apart(boxes, box_noise(boxes, length(boxes.half_a), length(boxes.half_b)), faces_only);
+  const Several<T, 3> half_a(a.half_extents()), half_b(b.half_extents());
+  if (!regular_boxes<T>(half_a, half_b)) return std::nullopt;
+  const ScaledBoxes<T> boxes(half_a, PoseRows<T>(pose_a), half_b, PoseRows<T>(pose_b));
+  return !boxes_apart(boxes, box_noise(boxes), faces_only);
 }
 
 #define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
