@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "common/specimen.hpp"
@@ -115,6 +116,20 @@ TYPED_TEST(BatchRaycast, AnswersAsForEachRayAlone) {
         for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(same(part[i], alone[order[first + i]])) << shape.name();
         first += count;
       }
+    }
+}
+
+TYPED_TEST(BatchRaycast, LengthsThatAreNoneHitNothing) {
+  using T = TypeParam;
+  Random random(4);
+  for (const Shape<T>& shape : shapes<T>(random, 100))
+    for (const T length : {T(-1), T(-100), std::numeric_limits<T>::quiet_NaN()}) {
+      const std::vector<Ray<T>> rays = random_rays<T>(random, 100, 100, {});
+      for (const auto& hit : batch<T>(shape, {}, rays, length, BackFaces::hit)) EXPECT_FALSE(hit) << shape.name();
+      bool found[100];
+      raycast_any<T>(shape, {}, rays, found, length);
+      EXPECT_EQ(std::count(found, found + 100, true), 0) << shape.name();
+      for (const Ray<T>& ray : rays) EXPECT_FALSE(raycast<T>(shape, {}, ray, length)) << shape.name();
     }
 }
 

@@ -1,8 +1,8 @@
 // Rays at a box: from the caller's frame and back in one go.
 //
-// Guarantee: a ray among many gets the bits that it gets alone, at every level. Whether it hits is known before any root
-// or division but those by its direction's components: the box is seen through a matrix that stands times the squared
-// length of its quaternion, and the ray's direction has the length that it was given.
+// Guarantee: a ray among many gets the bits that it gets alone, at every level. Whether it hits waits for no division but
+// those by its direction's components: the box is seen through a matrix that stands times the squared length of its
+// quaternion, and the ray's direction has the length that it was given.
 #pragma once
 
 #include "graze/raycast.hpp"

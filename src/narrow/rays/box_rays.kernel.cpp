@@ -80,8 +80,8 @@ void rays_at_box(rays::RayBlock& block, const T* rays, std::size_t count, T leng
     const BoxCrossing<S> crossing = crossing_of(box, origin, direction);
     const S size = graze::length(direction), t = crossing.enter() * size, zero(0);
     const auto inside = crossing.enter() <= zero;
-    const auto hit = crossing.met() & (crossing.leave() >= zero) & (t <= S(end)) &
-                     rays::usable<T>(origin, dot(direction, direction));
+    const auto followed = (S(end) >= zero) & rays::usable<T>(origin, dot(direction, direction));
+    const auto hit = followed & crossing.met() & (crossing.leave() >= zero) & (t <= S(end));
     V normal = normal_of(box, crossing);
     const auto turned = hit & (!inside) & (dot(normal, direction) > zero);
     if (any(hit & inside)) normal = select(inside, -direction * (S(1) / size), normal);
