@@ -47,9 +47,9 @@ S box_noise(const ScaledBoxes<S>& p) {
   return box_noise(p.rows, length(p.rows.half_a), length(p.rows.half_b) * p.scale);
 }
 
-/// Whether some axis shows a gap of more than `enough` >= 0, which stands times the scale as well. The products of edges,
-/// which need neither root nor division for it, are tried only while faces leave some lane to know. With `faces_only`
-/// they are left out: of some boxes that are apart it is then not known, of none that touch is it said.
+/// Whether some axis shows a gap of more than `enough` >= 0, which stands times the scale as well. The products of
+/// edges, which need neither root nor division for it, are tried only while faces leave some lane to know. With
+/// `faces_only` they are left out: of some boxes that are apart it is then not known, of none that touch is it said.
 template <class S>
 auto boxes_apart(const ScaledBoxes<S>& boxes, const S& enough, bool faces_only = false) {
   using Row = Several<S, 3>;

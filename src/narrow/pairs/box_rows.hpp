@@ -1,5 +1,5 @@
-// Two boxes, their numbers in rows of three: what is done to three at once takes a third of the instructions of a single
-// pair, and no more across lanes.
+// Two boxes, their numbers in rows of three: what is done to three at once takes a third of the instructions of a
+// single pair, and no more across lanes.
 //
 // Guarantee: the bits of `relative_frame`.
 #pragma once
@@ -45,8 +45,8 @@ Several<S, 3> transposed_times(const Rows<S>& m, const Several<S, 3>& v) {
   return m.row[0] * spread<0>(v) + m.row[1] * spread<1>(v) + m.row[2] * spread<2>(v);
 }
 
-/// As `rotation_of`, of a quaternion's vector and its real part, which is given three times. `per` is two over the square
-/// of its length and `unit` one; or two and that square, for the matrix times it.
+/// As `rotation_of`, of a quaternion's vector and its real part, which is given three times. `per` is two over the
+/// square of its length and `unit` one; or two and that square, for the matrix times it.
 template <class S>
 Rows<S> rotation_rows(const Several<S, 3>& vector, const Several<S, 3>& w, const S& per, const S& unit) {
   using Row = Several<S, 3>;

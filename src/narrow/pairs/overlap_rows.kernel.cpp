@@ -1,4 +1,5 @@
-// Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles. And one pair of boxes.
+// Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles. And one pair of
+// boxes.
 #include "narrow/pairs/box_overlap.hpp"
 #include "narrow/pairs/box_triangle_overlap.hpp"
 #include "narrow/pairs/row_distance.hpp"

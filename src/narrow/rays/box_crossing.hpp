@@ -1,8 +1,8 @@
-// Where lines cross a box about the origin (Kay, Kajiya 1986, "Ray tracing complex scenes"), of one line or of a register
-// of them.
+// Where lines cross a box about the origin (Kay, Kajiya 1986, "Ray tracing complex scenes"), of one line or of a
+// register of them.
 //
-// Guarantee: exact operations in the order written; a lane has the bits of one line alone. Everything is inlined, so that
-// kernels may use it.
+// Guarantee: exact operations in the order written; a lane has the bits of one line alone. Everything is inlined, so
+// that kernels may use it.
 #pragma once
 
 #include "graze/vec3.hpp"

@@ -1,7 +1,7 @@
 // Rays at a box: from the caller's frame and back in one go.
 //
-// Guarantee: a ray among many gets the bits that it gets alone, at every level. Whether it hits waits for no division but
-// those by its direction's components: the box is seen through a matrix that stands times the squared length of its
+// Guarantee: a ray among many gets the bits that it gets alone, at every level. Whether it hits waits for no division
+// but those by its direction's components: the box is seen through a matrix that stands times the squared length of its
 // quaternion, and the ray's direction has the length that it was given.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace graze::rays {
 
-/// What the rays at one box share. Made in its place: numbers that are copied together right after they were written one
-/// by one wait for the memory.
+/// What the rays at one box share. Made in its place: numbers that are copied together right after they were written
+/// one by one wait for the memory.
 struct TurnedBox {
   ScaledRotation<double> turn;
   double per_scale;
