@@ -33,8 +33,8 @@ Closest<T> surface_closest(const Surface& surface, const Pose<T>& pose, const Ve
 }
 
 template <class T>
-Closest<T> convex_closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace) {
-  const Distance<T> d = convex_distance(shape, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, trace);
+Closest<T> convex_closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point) {
+  const Distance<T> d = convex_distance(shape, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}});
   return {d.distance, d.a, d.normal, d.status};
 }
 
@@ -46,7 +46,7 @@ Closest<T> compound_closest(const Shape<T>& shape, const Pose<T>& pose, const Ve
   visit_pieces(
       shape, pose, region, [&] { return best.distance; },
       [&](const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t) {
-        const Closest<T> found = any_closest(child, child_pose, point, nullptr);
+        const Closest<T> found = any_closest(child, child_pose, point);
         if (found.distance < best.distance) best = found;
       });
   return best;
@@ -55,16 +55,15 @@ Closest<T> compound_closest(const Shape<T>& shape, const Pose<T>& pose, const Ve
 }  // namespace
 
 template <class T>
-Closest<T> any_closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace) {
-  if (shape.convex()) return convex_closest(shape, pose, point, trace);
-  if (trace) trace->method = "pieces of composites";
+Closest<T> any_closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point) {
+  if (shape.convex()) return convex_closest(shape, pose, point);
   Closest<T> closest;
   const auto of_surface = [&](const auto& surface) { closest = surface_closest(surface, pose, point); };
   if (with_surface(shape, of_surface)) return closest;
   return compound_closest(shape, pose, point);
 }
 
-template Closest<float> any_closest(const Shape<float>&, const Pose<float>&, const Vec3f&, Trace*);
-template Closest<double> any_closest(const Shape<double>&, const Pose<double>&, const Vec3d&, Trace*);
+template Closest<float> any_closest(const Shape<float>&, const Pose<float>&, const Vec3f&);
+template Closest<double> any_closest(const Shape<double>&, const Pose<double>&, const Vec3d&);
 
 }  // namespace graze

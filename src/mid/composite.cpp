@@ -1,6 +1,5 @@
 #include "mid/composite.hpp"
 
-#include "mid/deciding_pair.hpp"
 #include "mid/group.hpp"
 #include "mid/internal_edges.hpp"
 #include "mid/piece_pairs.hpp"
@@ -47,33 +46,27 @@ bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
 }  // namespace
 
 template <class T>
-Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                         Trace* trace) {
-  if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b, trace);
+Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b);
   Distance<T> best;
   best.distance = infinity<T>;
-  DecidingPair<T> deciding(trace);
   auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
     if (ruled_out(pa, pb, best)) return;
-    const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
-    deciding.offer(d.distance, pa, pb);
+    const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose);
     if (d.distance < best.distance) best = d;
   };
   visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {best.distance, &best.normal}, PairVisitor<T>(nearer));
-  deciding.explain(a, b, convex_distance<T>);
   return best;
 }
 
 template <class T>
-bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  if (a.convex() && b.convex()) return convex_overlap(a, pose_a, b, pose_b, trace);
+bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  if (a.convex() && b.convex()) return convex_overlap(a, pose_a, b, pose_b);
   const T touching(0);
   auto apart = [&](const Part<T>& pa, const Part<T>& pb) {
-    return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose, nullptr);
+    return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose);
   };
-  const bool all_apart = visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {touching}, PairVisitor<T>(apart));
-  if (trace) any_distance(a, pose_a, b, pose_b, trace);
-  return !all_apart;
+  return !visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {touching}, PairVisitor<T>(apart));
 }
 
 namespace {
@@ -95,13 +88,12 @@ struct TouchingPieces {
   T margin;
   bool singly;  ///< without kernels
   ManifoldGroups<T> groups;
-  DecidingPair<T> deciding;
   T least_distance = infinity<T>;
   Manifold<T> instead = {};  ///< what is left where nothing else is
 
   void operator()(const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
-    take(pa, pb, convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold, nullptr), manifold);
+    take(pa, pb, convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold), manifold);
   }
   void operator()(const TriangleRun<T>& run) {
     const auto alone = [&](std::size_t i) {
@@ -124,7 +116,6 @@ struct TouchingPieces {
   /// The manifold of a pair of pieces, and their distance.
   void take(const Part<T>& pa, const Part<T>& pb, T distance, Manifold<T>& manifold) {
     if (from_behind(pa, manifold.normal) || from_behind(pb, -manifold.normal)) return;
-    deciding.offer(distance, pa, pb);
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
@@ -141,40 +132,26 @@ struct TouchingPieces {
 /// By themselves, so that two convex shapes do not pay for what only composites need.
 template <class T>
 [[gnu::noinline]] T composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                       const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds, Trace* trace,
-                                       const Surroundings<T>& beside) {
+                                       const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds,
+                                       const Surroundings<T>& beside, bool singly) {
   const std::size_t first = manifolds.size();
   const Part<T> whole_a{a, pose_a}, whole_b{b, pose_b};
-  TouchingPieces<T> found{whole_a,
-                          whole_b,
-                          beside,
-                          margin,
-                          trace || !(margin >= T(0)),
-                          ManifoldGroups<T>(manifolds),
-                          DecidingPair<T>(trace)};
+  TouchingPieces<T> found{whole_a, whole_b, beside, margin, singly || !(margin >= T(0)), ManifoldGroups<T>(manifolds)};
   visit_convex_pairs<T>(whole_a, whole_b, {margin, nullptr, true}, PairVisitor<T>(found));
   found.groups.finish();
   // What touches is not left without a point.
   if (manifolds.size() == first && !found.instead.points.empty()) manifolds.push_back(found.instead);
   const T size = least(size_about_origin(a), size_about_origin(b));
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
-  if (trace && manifolds.size() == first) {
-    any_distance(a, pose_a, b, pose_b, trace);
-  } else {
-    found.deciding.explain(a, b, [&](const auto& pa, const auto& qa, const auto& pb, const auto& qb, Trace* asked) {
-      Manifold<T> manifold;
-      convex_contacts(pa, qa, pb, qb, margin, manifold, asked);
-    });
-  }
   return found.least_distance;
 }
 
 /// A convex pair's where the list is full: nothing is allocated unless the pair touches.
 template <class T>
 [[gnu::noinline]] T added_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                   T margin, Manifolds<T>& manifolds, Trace* trace) {
+                                   T margin, Manifolds<T>& manifolds) {
   Manifold<T> manifold;
-  const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold);
   if (!manifold.points.empty()) manifolds.push_back(std::move(manifold));
   return distance;
 }
@@ -183,21 +160,21 @@ template <class T>
 
 template <class T>
 T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-               Manifolds<T>& manifolds, Trace* trace, const Surroundings<T>& beside) {
+               Manifolds<T>& manifolds, const Surroundings<T>& beside, bool singly) {
   if (!a.convex() || !b.convex() || !beside.empty())
-    return composite_contacts(a, pose_a, b, pose_b, margin, manifolds, trace, beside);
-  if (manifolds.size() == manifolds.capacity()) return added_contacts(a, pose_a, b, pose_b, margin, manifolds, trace);
+    return composite_contacts(a, pose_a, b, pose_b, margin, manifolds, beside, singly);
+  if (manifolds.size() == manifolds.capacity()) return added_contacts(a, pose_a, b, pose_b, margin, manifolds);
   Manifold<T>& manifold = manifolds.emplace_back();
-  const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+  const T distance = convex_contacts(a, pose_a, b, pose_b, margin, manifold);
   if (manifold.points.empty()) manifolds.pop_back();
   return distance;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);         \
-  template bool any_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);                 \
-  template T any_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*,  \
-                          const Surroundings<T>&);
+  template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                 \
+  template bool any_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                         \
+  template T any_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&,          \
+                          const Surroundings<T>&, bool);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -8,11 +8,10 @@
 namespace graze {
 
 template <class T>
-Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                         Trace* trace);
+Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
 template <class T>
-bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace);
+bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
 /// What stands still beside either shape and may continue its surface: contacts that only the seams make are settled as
 /// those between the pieces of one shape are.
@@ -23,9 +22,10 @@ struct Surroundings {
   bool empty() const { return of_a.empty() && of_b.empty(); }
 };
 
-/// Appends manifolds; returns the smallest signed distance found within the margin, or infinity.
+/// Appends manifolds; returns the smallest signed distance found within the margin, or infinity. `singly`: each triangle
+/// is answered by itself and not across lanes, which a test holds the lanes against.
 template <class T>
 T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-               Manifolds<T>& manifolds, Trace* trace, const Surroundings<T>& beside = {});
+               Manifolds<T>& manifolds, const Surroundings<T>& beside = {}, bool singly = false);
 
 }  // namespace graze

@@ -158,7 +158,7 @@ T distance_to(const PieceOf<T>& self, const Vec3<T>& place) {
     const auto nearest = closest_point_on_triangle(triangle->point(0), triangle->point(1), triangle->point(2), p);
     return length(nearest.point - p);
   }
-  return convex_distance<T>(self.piece, self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}, nullptr).distance;
+  return convex_distance<T>(self.piece, self.pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{place, {}}).distance;
 }
 
 template <class T>

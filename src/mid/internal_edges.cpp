@@ -50,7 +50,7 @@ std::optional<Vec3<T>> normal_of_surface(const PieceOf<T>& self, const Placed<T>
     if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
   }
   Manifold<T> beside;
-  convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside, nullptr);
+  convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside);
   if (!beside.points.empty()) {
     const PieceOf<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
     const Vec3<T> place = standing_point<T>(beside.points, &ContactPoint<T>::a);
@@ -140,7 +140,7 @@ std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal)
 /// over, though that edge is a ridge and touched.
 template <class T>
 std::optional<Correction<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
-  const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr);
+  const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose);
   if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
   return Correction<T>{d.normal, d};
 }
@@ -183,7 +183,7 @@ bool is_least_way(const PieceOf<T>& self, const PieceOf<T>& other, const SeenCon
 template <class T>
 Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const SeenContact<T>& contact) {
   const Vec3<T> of_points = standing_point<T>(contact.manifold.points, contact.side);
-  const Vec3<T> nearest = convex_distance<T>(self.piece, self.pose, other.piece, other.pose, nullptr).a;
+  const Vec3<T> nearest = convex_distance<T>(self.piece, self.pose, other.piece, other.pose).a;
   return dot(of_points - nearest, contact.outward) > own_noise(self, nearest) ? of_points : nearest;
 }
 

@@ -99,7 +99,7 @@ bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>
       return rises_above(c.point(0), c.point(1), c.point(2), p, n, noise);
     } else if constexpr (BoundedConvex<C>) {
       const T radius = rounding_radius(c, piece.margin()), size = c.core_extent() + radius;
-      const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}}, nullptr);
+      const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}});
       if (std::abs(d.distance) > on_piece<T> * size + noise) return false;
       return dot(c.core_support(n) - p, n) + radius > region_slack<T> * size + noise;
     } else {

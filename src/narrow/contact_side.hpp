@@ -77,7 +77,7 @@ class Side {
     const Shape<T> point = Sphere<T>(T(0));
     const Vec3d local = transposed_times(turn_, from - pose_.translation), direction = transposed_times(turn_, outward);
     for (int i = 0; i < newton_steps; ++i) {
-      const auto core = general_distance(shape_, point, Posed{local + direction * rise, {}}, nullptr).core;
+      const auto core = general_distance(shape_, point, Posed{local + direction * rise, {}}).core;
       const double short_of = radius_ - core.distance, slope = dot(core.normal, direction);
       if (!(std::abs(short_of) > rounding * size_) || !(slope > 0)) break;
       rise += short_of / slope;

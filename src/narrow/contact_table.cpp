@@ -2,7 +2,6 @@
 #include <array>
 
 #include "narrow/convex_pair.hpp"
-#include "narrow/explain.hpp"
 #include "narrow/flatten.hpp"
 #include "narrow/general_contacts.hpp"
 
@@ -42,7 +41,7 @@ template <class A, class B, class T>
       if (const auto distance = lying_contacts(*a.template as<A>(), a.margin(), pose_a, *b.template as<B>(), b.margin(),
                                                pose_b, margin, manifold))
         return *distance;
-  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr);
+  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
 
 /// Of the concrete shapes A and B, which stand in order. One function, so that numbers stay in registers on their way
@@ -59,14 +58,14 @@ GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Sh
 template <class T>
 T other_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                  Manifold<T>& manifold) {
-  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr);
+  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
 
 /// Of two shapes that stand against the order.
 template <class T>
 T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                     Manifold<T>& manifold) {
-  const T distance = convex_contacts<T>(b, pose_b, a, pose_a, margin, manifold, nullptr);
+  const T distance = convex_contacts<T>(b, pose_b, a, pose_a, margin, manifold);
   mirror(manifold);
   return distance;
 }
@@ -93,33 +92,17 @@ constexpr auto make_table(std::index_sequence<I...>) {
 template <class T>
 constexpr auto table = make_table<T>(std::make_index_sequence<Shape<T>::count * Shape<T>::count>());
 
-template <class T>
-[[gnu::noinline]] T explained_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                       const Pose<T>& pose_b, T margin, Manifold<T>& manifold, Trace* trace) {
-  const bool swapped = against_order(a, b);
-  const T distance = swapped ? general_contacts(b, pose_b, a, pose_a, margin, manifold, trace)
-                             : general_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
-  if (swapped) {
-    mirror(manifold);
-    mirror(*trace);
-  }
-  explain_axes(a, pose_a, b, pose_b, *trace);
-  if (!manifold.points.empty()) explain_normal(a, pose_a, b, pose_b, manifold.normal, *trace);
-  return distance;
-}
-
 }  // namespace
 
 template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                  Manifold<T>& manifold, Trace* trace) {
-  if (trace) return explained_contacts(a, pose_a, b, pose_b, margin, manifold, trace);
+                  Manifold<T>& manifold) {
   return table<T>[a.index() * Shape<T>::count + b.index()](a, pose_a, b, pose_b, margin, manifold);
 }
 
 template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
-                               Manifold<float>&, Trace*);
+                               Manifold<float>&);
 template double convex_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
-                                double, Manifold<double>&, Trace*);
+                                double, Manifold<double>&);
 
 }  // namespace graze

@@ -11,8 +11,8 @@
 #include "narrow/manifold.hpp"
 #include "narrow/minkowski.hpp"
 #include "narrow/outline.hpp"
-#include "narrow/pairs/box_choice.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "narrow/reference_axis.hpp"
 #include "narrow/rounded_face.hpp"
 #include "shape/rounding.hpp"
 
@@ -176,12 +176,6 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   manifold.points.push_back({d.a, d.b, d.distance, feature, position_weight(a, b)});
 }
 
-/// The axis that contacts stand on: that of a face, unless the edges' is clearly better.
-const SeparatingAxis& chosen_axis(const SeparatingAxes& axes, double smaller) {
-  const SeparatingAxis& face = axes.best_face();
-  return axes.edge.separation > face.separation + face_preference * smaller ? axes.edge : face;
-}
-
 /// The points of faces that meet along an axis; false, with none, where the faces miss what is nearest.
 template <class T>
 bool lay_faces(const Side<T>& a, const Side<T>& b, const MeetingFaces& faces, T margin, const Posed& frame,
@@ -192,44 +186,6 @@ bool lay_faces(const Side<T>& a, const Side<T>& b, const MeetingFaces& faces, T 
   if (nearest <= faces.distance + allowed && !manifold.points.empty() && (!faces.apart || faces.best)) return true;
   manifold.points.clear();
   return false;
-}
-
-/// The points of two polyhedra by their separating axes. Returns their signed distance (or, when nothing is within the
-/// margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since corners or edges are
-/// nearest that no axis belongs to, or when the faces miss what is nearest.
-template <class T>
-std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                                     T margin, Manifold<T>& manifold, Trace* trace) {
-  if (trace) trace->method = "separating axes";
-  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
-  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
-  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
-  const PolyhedralPair pair(a, b, b_in_a);
-  const double radii = side_a.radius() + side_b.radius();
-  const auto found = pair.axes(static_cast<double>(margin) + radii + noise);
-  if (!found) return std::nullopt;
-  const SeparatingAxes& axes = *found;
-  const SeparatingAxis& best = axes.best(noise);
-  const double signed_distance = best.separation - radii;
-  const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
-  if (distance > static_cast<double>(margin)) {
-    manifold.normal = cast<T>(rotate(frame.rotation, best.normal));
-    return static_cast<T>(distance);
-  }
-
-  const SeparatingAxis& axis = chosen_axis(axes, smaller_size(side_a, side_b));
-  const MeetingFaces faces{axis.normal,
-                           pair.face_a(side_a, axis.normal),
-                           pair.face_b(side_b, axis.normal),
-                           &axis == &best,
-                           distance,
-                           best.separation > noise,
-                           noise};
-  if (!lay_faces(side_a, side_b, faces, margin, frame, manifold)) return std::nullopt;
-  if (trace) trace->winner = pair.name(axis);
-  if (trace && &axis != &best)
-    trace->reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
-  return static_cast<T>(distance);
 }
 
 /// The support face of a body that lies on a half-space: each vertex with its own height.
@@ -257,14 +213,43 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
 }  // namespace
 
 template <class T>
+std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                     T margin, Manifold<T>& manifold) {
+  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
+  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
+  const PolyhedralPair pair(a, b, b_in_a);
+  const double radii = side_a.radius() + side_b.radius();
+  const auto found = pair.axes(static_cast<double>(margin) + radii + noise);
+  if (!found) return std::nullopt;
+  const SeparatingAxes& axes = *found;
+  const SeparatingAxis& best = axes.best(noise);
+  const double signed_distance = best.separation - radii;
+  const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
+  if (distance > static_cast<double>(margin)) {
+    manifold.normal = cast<T>(rotate(frame.rotation, best.normal));
+    return static_cast<T>(distance);
+  }
+
+  const SeparatingAxis& axis = reference_axis(axes, smaller_size(side_a, side_b));
+  const MeetingFaces faces{axis.normal,
+                           pair.face_a(side_a, axis.normal),
+                           pair.face_b(side_b, axis.normal),
+                           &axis == &best,
+                           distance,
+                           best.separation > noise,
+                           noise};
+  if (!lay_faces(side_a, side_b, faces, margin, frame, manifold)) return std::nullopt;
+  return static_cast<T>(distance);
+}
+
+template <class T>
 T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                   Manifold<T>& manifold, Trace* trace) {
-  const bool asked_as_boxes = !trace && plain_box(a) && plain_box(b);
+                   Manifold<T>& manifold) {
+  const bool asked_as_boxes = plain_box(a) && plain_box(b);
   if (!asked_as_boxes && has_separating_axes(a, b))
-    if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold, trace)) return *distance;
-  // An explanation shows how the distance is found, also where a proof that it exceeds the margin would do.
-  const T limit = trace ? std::numeric_limits<T>::infinity() : margin;
-  const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, limit, trace);
+    if (const auto distance = polyhedral_contacts(a, pose_a, b, pose_b, margin, manifold)) return *distance;
+  const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, margin);
   manifold.normal = d.normal;
   if (d.status == Status::unbounded || !(d.distance <= margin)) return d.distance;
   const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;
@@ -317,8 +302,12 @@ template void contacts_of_faces(const Shape<float>&, const Pose<float>&, const S
 template void contacts_of_faces(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
                                 double, const MeetingFaces&, const Distance<double>&, Manifold<double>&);
 template float general_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,
-                                Manifold<float>&, Trace*);
+                                Manifold<float>&);
 template double general_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&, const Pose<double>&,
-                                 double, Manifold<double>&, Trace*);
+                                 double, Manifold<double>&);
+template std::optional<float> polyhedral_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&,
+                                                  const Pose<float>&, float, Manifold<float>&);
+template std::optional<double> polyhedral_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&,
+                                                   const Pose<double>&, double, Manifold<double>&);
 
 }  // namespace graze

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "narrow/closed_form.hpp"
-#include "narrow/explain.hpp"
 #include "narrow/flatten.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"
@@ -55,13 +54,13 @@ concept OwnOverlap = requires(const A& a, const B& b, T margin, const Pose<T>& p
 };
 
 template <class T>
-Distance<T> general(const Body<T>& a, T radius_a, const Body<T>& b, T radius_b, T limit, Trace* trace) {
+Distance<T> general(const Body<T>& a, const Body<T>& b, T limit) {
+  const T radius_a = rounding_radius(a.shape), radius_b = rounding_radius(b.shape);
   const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
   // By so much more that it still exceeds the limit when rounded to T.
   const double beyond = static_cast<double>(limit) * (1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
-  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, trace, beyond + radii);
-  if (trace) to_world(*trace, frame);
+  GeneralDistance g = general_distance(a.shape, b.shape, b_in_a, beyond + radii);
   if (g.core.distance > beyond + radii + g.noise) {  // only proven, without points
     Distance<T> d;
     d.distance = static_cast<T>(g.core.distance - radii);
@@ -121,43 +120,52 @@ PlacedBox<double> placed(const C& concrete, const Body<T>& body) {
   return cast<double>(placed_box(rounded_core(concrete, body.shape.margin()), body.pose));
 }
 
-/// The routine for the concrete shapes A and B. Further apart than `limit`, it may stop at a proof of that.
+/// Shapes with a closed form, and whether these values of theirs have it.
 template <class A, class B, class T>
-Distance<T> pair_distance(const Body<T>& a, const Body<T>& b, T limit, Trace* trace) {
+std::optional<Distance<T>> closed_form_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b) {
+  const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
+  if constexpr (is_round_pair<A, B>) {
+    if (has_core(ca) && has_core(cb)) {
+      const auto pair = round_pair_of(ca, a, cb, b);
+      const CoreDistance<T> d = pair.in_world(pair.core(pair.nearest()));
+      return Distance<T>{d.distance, d.normal, d.a, d.b};
+    }
+  } else if constexpr (ClosedForm<A, B, T>) {
+    if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
+  } else if constexpr (ClosedForm<B, A, T>) {
+    if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
+  }
+  return std::nullopt;
+}
+
+/// The routine for the concrete shapes A and B, which has an answer for most of their values.
+template <class A, class B, class T>
+std::optional<Distance<T>> special_distance(const Body<T>& a, const Body<T>& b) {
   const A& ca = *a.shape.template as<A>();
   const B& cb = *b.shape.template as<B>();
-  const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
   constexpr bool half_a = std::is_same_v<A, HalfSpace<T>>, half_b = std::is_same_v<B, HalfSpace<T>>;
-  if (trace) trace->method = "closed form";
-  if constexpr (half_a && half_b) {
-    return half_spaces(a, ra, b, rb);
-  } else if constexpr (half_b) {
-    return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
+  if constexpr (half_b) {
+    const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
+    if constexpr (half_a)
+      return half_spaces(a, ra, b, rb);
+    else
+      return mirrored(finished(half_space_distance(ca, relative(b.pose, a.pose)), rb, ra, b.pose));
   } else {
     if constexpr (BoxAndSuch<A, B, T>) {
       if (has_core(ca) && has_core(cb))
-        if (const auto found = box_distance(placed(ca, a), placed(cb, b)); found.proven) {
-          // Two boxes go the same way there, and it is drawn.
-          if (Boxes<A, B, T> && trace) general(a, ra, b, rb, limit, trace);
-          return rounded<T>(found.at);
-        }
+        if (const auto found = box_distance(placed(ca, a), placed(cb, b)); found.proven) return rounded<T>(found.at);
     }
     if constexpr (OwnDistance<A, B, T>)
-      if (const auto own = own_distance_of(ca, a, cb, b)) return *own;
-    if constexpr (is_round_pair<A, B>) {
-      if (has_core(ca) && has_core(cb)) {
-        const auto pair = round_pair_of(ca, a, cb, b);
-        const CoreDistance<T> d = pair.in_world(pair.core(pair.nearest()));
-        return {d.distance, d.normal, d.a, d.b};
-      }
-    } else if constexpr (ClosedForm<A, B, T>) {
-      if (has_core(ca) && has_core(cb)) return closed_form(core_of(ca), ra, a.pose, core_of(cb), rb, b.pose);
-    } else if constexpr (ClosedForm<B, A, T>) {
-      if (has_core(ca) && has_core(cb)) return mirrored(closed_form(core_of(cb), rb, b.pose, core_of(ca), ra, a.pose));
-    }
-    return general(a, ra, b, rb, limit, trace);
+      if (const auto own = own_distance_of(ca, a, cb, b)) return own;
+    return closed_form_of(ca, a, cb, b);
   }
 }
+
+/// Whether there is one at all.
+template <class A, class B, class T>
+inline constexpr bool has_special_distance =
+    std::is_same_v<B, HalfSpace<T>> || BoxAndSuch<A, B, T> || OwnDistance<A, B, T> || is_round_pair<A, B> ||
+    ClosedForm<A, B, T> || ClosedForm<B, A, T>;
 
 /// Of boxes that are rounded or not regular.
 template <class A, class B, class T>
@@ -196,45 +204,46 @@ GRAZE_FLATTEN std::optional<bool> axes_overlap(const Box<T>& box, const Triangle
   return found.touch;
 }
 
+/// Pairs whose distance costs no more than a routine for overlap would.
 template <class A, class B, class T>
-bool pair_overlap(const Body<T>& a, const Body<T>& b, Trace* trace) {
-  constexpr bool unbounded = std::is_same_v<B, HalfSpace<T>>;
+inline constexpr bool overlaps_by_distance =
+    std::is_same_v<B, HalfSpace<T>> || ClosedForm<A, B, T> || ClosedForm<B, A, T>;
+
+template <class A, class B, class T>
+inline constexpr bool has_special_overlap = (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) ||
+                                            (!overlaps_by_distance<A, B, T> &&
+                                             (OwnOverlap<A, B, T> || OwnDistance<A, B, T> || Boxes<A, B, T> ||
+                                              (std::is_same_v<A, Box<T>> && std::is_same_v<B, Triangle<T>>)));
+
+template <class A, class B, class T>
+std::optional<bool> special_overlap(const Body<T>& a, const Body<T>& b) {
   const A& ca = *a.shape.template as<A>();
   const B& cb = *b.shape.template as<B>();
-  const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
-    if (trace) trace->method = "closed form";
     const auto pair = round_pair_of(ca, a, cb, b);
-    return spheres_overlap(pair.a.point, ra, pair.b.point, rb);
-  } else if constexpr (unbounded || ClosedForm<A, B, T> || ClosedForm<B, A, T>) {
-    return pair_distance<A, B>(a, b, std::numeric_limits<T>::infinity(), trace).distance <= T(0);
+    return spheres_overlap(pair.a.point, rounding_radius(ca, a.shape.margin()), pair.b.point,
+                           rounding_radius(cb, b.shape.margin()));
   } else {
     if constexpr (OwnOverlap<A, B, T>) {
-      if (trace) trace->method = "closed form";
       if (const auto own = own_overlap(ca, a.shape.margin(), a.pose, cb, b.shape.margin(), b.pose)) return *own;
     } else if constexpr (OwnDistance<A, B, T>) {
-      if (trace) trace->method = "closed form";
       if (const auto own = own_distance_of(ca, a, cb, b)) return own->distance <= T(0);
     }
-    if constexpr (Boxes<A, B, T>) {
-      if (trace) trace->method = "separating axes";
-      if (const auto touch = boxes_overlap(ca, cb, a, b, false)) return *touch;
-    }
-    if constexpr (std::is_same_v<A, Box<T>> && std::is_same_v<B, Triangle<T>>) {
-      if (trace) trace->method = "separating axes";
-      if (const auto touch = axes_overlap(ca, cb, a, b)) return *touch;
-    }
-    const bool touch = general_overlap(a.shape, b.shape, relative_in_double(a.pose, b.pose),
-                                       static_cast<double>(ra) + static_cast<double>(rb), trace);
-    if (trace) to_world(*trace, in_double(a.pose));
-    return touch;
+    if constexpr (Boxes<A, B, T>)
+      return boxes_overlap(ca, cb, a, b, false);
+    else if constexpr (std::is_same_v<A, Box<T>> && std::is_same_v<B, Triangle<T>>)
+      return axes_overlap(ca, cb, a, b);
+    else
+      return std::nullopt;
   }
 }
 
+/// The special routines of two kinds of shape; none where the general path has all their values.
 template <class T>
 struct Routines {
-  Distance<T> (*distance)(const Body<T>&, const Body<T>&, T, Trace*);
-  bool (*overlap)(const Body<T>&, const Body<T>&, Trace*);
+  std::optional<Distance<T>> (*distance)(const Body<T>&, const Body<T>&) = nullptr;
+  std::optional<bool> (*overlap)(const Body<T>&, const Body<T>&) = nullptr;
+  bool overlap_by_distance = false;
 };
 
 /// Composites never come here: the mid phase takes them apart first. Nor does a pair against the order of the list: it
@@ -246,10 +255,13 @@ template <class T, std::size_t A, std::size_t B>
 constexpr Routines<T> routines_of() {
   using CA = std::variant_alternative_t<A, ShapeList<T>>;
   using CB = std::variant_alternative_t<B, ShapeList<T>>;
-  if constexpr (A <= B && is_convex<T, CA> && is_convex<T, CB>)
-    return {&pair_distance<CA, CB, T>, &pair_overlap<CA, CB, T>};
-  else
-    return {nullptr, nullptr};
+  Routines<T> routines;
+  if constexpr (A <= B && is_convex<T, CA> && is_convex<T, CB>) {
+    if constexpr (has_special_distance<CA, CB, T>) routines.distance = &special_distance<CA, CB, T>;
+    if constexpr (has_special_overlap<CA, CB, T>) routines.overlap = &special_overlap<CA, CB, T>;
+    routines.overlap_by_distance = overlaps_by_distance<CA, CB, T>;
+  }
+  return routines;
 }
 
 template <class T, std::size_t... I>
@@ -267,50 +279,72 @@ const Routines<T>& routines(const Shape<T>& a, const Shape<T>& b) {
 }  // namespace
 
 template <class T>
+std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                            const Pose<T>& pose_b) {
+  const auto routine = routines(a, b).distance;
+  return routine ? routine({a, pose_a}, {b, pose_b}) : std::nullopt;
+}
+
+template <class T>
+std::optional<bool> special_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                    const Pose<T>& pose_b) {
+  const auto routine = routines(a, b).overlap;
+  return routine ? routine({a, pose_a}, {b, pose_b}) : std::nullopt;
+}
+
+template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                             T limit, Trace* trace) {
-  return routines(a, b).distance({a, pose_a}, {b, pose_b}, limit, trace);
+                             T limit) {
+  const auto special = special_distance(a, pose_a, b, pose_b);
+  return special ? *special : general<T>({a, pose_a}, {b, pose_b}, limit);
 }
 
 template <class T>
-Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                            Trace* trace) {
-  const bool swapped = against_order(a, b);
+bool overlaps_by_distance_alone(const Shape<T>& a, const Shape<T>& b) {
+  return routines(a, b).overlap_by_distance;
+}
+
+namespace {
+
+template <class T>
+bool ordered_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  if (const auto special = special_overlap(a, pose_a, b, pose_b)) return *special;
+  if (overlaps_by_distance_alone(a, b))
+    return ordered_distance(a, pose_a, b, pose_b, std::numeric_limits<T>::infinity()).distance <= T(0);
+  return general_overlap(a, b, relative_in_double(pose_a, pose_b),
+                         static_cast<double>(rounding_radius(a)) + static_cast<double>(rounding_radius(b)));
+}
+
+}  // namespace
+
+template <class T>
+Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
   const T no_limit = std::numeric_limits<T>::infinity();
-  const Distance<T> d = swapped ? mirrored(ordered_distance(b, pose_b, a, pose_a, no_limit, trace))
-                                : ordered_distance(a, pose_a, b, pose_b, no_limit, trace);
-  if (trace) {
-    if (swapped) mirror(*trace);
-    explain_axes(a, pose_a, b, pose_b, *trace);
-    explain_normal(a, pose_a, b, pose_b, d.normal, *trace);
-  }
-  return d;
+  return against_order(a, b) ? mirrored(ordered_distance(b, pose_b, a, pose_a, no_limit))
+                             : ordered_distance(a, pose_a, b, pose_b, no_limit);
 }
 
 template <class T>
-bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  const bool swapped = against_order(a, b);
-  const bool touch = swapped ? routines(b, a).overlap({b, pose_b}, {a, pose_a}, trace)
-                             : routines(a, b).overlap({a, pose_a}, {b, pose_b}, trace);
-  if (trace) {
-    if (swapped) mirror(*trace);
-    explain_axes(a, pose_a, b, pose_b, *trace);
-  }
-  return touch;
+bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  return against_order(a, b) ? ordered_overlap(b, pose_b, a, pose_a) : ordered_overlap(a, pose_a, b, pose_b);
 }
 
 template <class T>
 bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
   if (const auto* box_a = a.template as<Box<T>>(), *box_b = b.template as<Box<T>>(); box_a && box_b)
     return *boxes_overlap(*box_a, *box_b, Body<T>{a, pose_a}, Body<T>{b, pose_b}, true);
-  return convex_overlap<T>(a, pose_a, b, pose_b, nullptr);
+  return convex_overlap<T>(a, pose_a, b, pose_b);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Trace*);  \
-  template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);      \
+  template std::optional<Distance<T>> special_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&,               \
+                                                       const Pose<T>&);                                                \
+  template std::optional<bool> special_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);      \
+  template bool overlaps_by_distance_alone(const Shape<T>&, const Shape<T>&);                                          \
+  template Distance<T> ordered_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T);          \
+  template Distance<T> convex_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);              \
   template bool convex_may_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                  \
-  template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);
+  template bool convex_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -3,6 +3,8 @@
 // Guarantee: total. Every pair of the list of shapes has an entry; a shape that fits none does not compile.
 #pragma once
 
+#include <optional>
+
 #include "graze/query.hpp"
 
 namespace graze {
@@ -14,20 +16,35 @@ bool against_order(const Shape<T>& a, const Shape<T>& b) {
   return a.index() > b.index();
 }
 
-/// `distance` of two convex shapes that stand in order, without the axes of an explanation. Where it is more than
-/// `limit` the answer may be anything between the two that is proven, along its normal and without the points.
+/// The distance of two convex shapes that stand in order by the routine of their own that the pair has. Nothing where
+/// it has none, or none for these values.
+template <class T>
+std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                            const Pose<T>& pose_b);
+
+/// Overlap likewise.
+template <class T>
+std::optional<bool> special_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
+
+/// Whether overlap of two convex shapes that stand in order is read off their distance where no special routine tells:
+/// pairs with a closed form.
+template <class T>
+bool overlaps_by_distance_alone(const Shape<T>& a, const Shape<T>& b);
+
+/// `distance` of two convex shapes that stand in order: the special routine's answer if it has one, else the general
+/// path's. Where it is more than `limit` the answer may be anything between the two that is proven, along its normal
+/// and without the points.
 template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                             T limit, Trace* trace);
+                             T limit);
 
 /// `distance` of two convex shapes.
 template <class T>
-Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                            Trace* trace);
+Distance<T> convex_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
 /// `overlap` of two convex shapes.
 template <class T>
-bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace);
+bool convex_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
 /// `may_overlap` of two convex shapes.
 template <class T>
@@ -38,7 +55,7 @@ bool convex_may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>
 /// that separates them by as much, or of two boxes as it was.
 template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                  Manifold<T>& manifold, Trace* trace);
+                  Manifold<T>& manifold);
 
 /// The contacts of two bounded convex shapes along a normal that is given (unit, from A to B): their faces that meet
 /// along it, laid over each other. Appends the points up to `margin` apart; there may be none.

@@ -69,8 +69,8 @@ void slide(const Difference& difference, double noise, EpaResult& r) {
   }
 }
 
-template <class Difference>
-EpaResult epa(const Difference& difference, const Simplex& start, double tolerance, Trace* trace = nullptr) {
+template <class Difference, class Observer = Unobserved>
+EpaResult epa(const Difference& difference, const Simplex& start, double tolerance, const Observer& observer = {}) {
   const double noise = rounding * difference.reach();
   Polytope polytope(noise);
   EpaResult r{};
@@ -108,13 +108,13 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
     } else if (!polytope.expand(*facet, found)) {
       polytope.close(*facet);
     }
-    if (trace) trace->epa.push_back({-normal, offset, depth, traced(found), polytope.live_count()});
+    observer.expansion(-normal, offset, depth, found, polytope);
   }
   r.lower = least(r.lower, r.upper);
   r.normal = -outward;
   const bool held = polytope.witness(outward, deepest, r.a, r.b);
   if (!held || r.upper - r.lower > tolerance) slide(difference, noise, r);
-  if (trace) polytope.describe(*trace);
+  observer.final_polytope(polytope);
   return r;
 }
 

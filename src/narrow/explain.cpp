@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "narrow/convex_pair.hpp"
+#include "narrow/explain_search.hpp"
+#include "narrow/general.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "narrow/reference_axis.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -12,7 +16,7 @@ namespace {
 
 template <class T>
 double radius_of(const Shape<T>& shape) {
-  return shape.visit([&](const auto& c) { return static_cast<double>(rounding_radius(c, shape.margin())); });
+  return static_cast<double>(rounding_radius(shape));
 }
 
 template <class T>
@@ -88,8 +92,8 @@ double furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direc
   return static_cast<double>(dot(transform(pose, point), direction));
 }
 
-}  // namespace
-
+/// Writes the intervals of both shapes on every separating axis that the pair has: boxes' fifteen, other polyhedra's
+/// faces and crossing edges, the six of a box and a segment. Nothing for other pairs.
 template <class T>
 void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace) {
   const Posed frame_a = in_double(pose_a), frame_b = in_double(pose_b);
@@ -101,12 +105,13 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
   if (has_separating_axes(a, b)) {
     const Posed b_in_a = relative(frame_a, frame_b);
     const PolyhedralPair pair(a, b, b_in_a);
-    const SeparatingAxis best = pair.all_axes(trace).best(noise_of(a, b, b_in_a.translation));
+    const SeparatingAxis best = pair.all_axes().best(noise_of(a, b, b_in_a.translation));
     const bool apart = best.separation > radius_of(a) + radius_of(b);
     std::string reason = pair.name(best) + (apart ? " shows the widest gap of all axes" : " has the least overlap");
     if (!trace.reason.empty()) reason += "; " + trace.reason;
     trace.reason = reason;
     if (trace.winner.empty()) trace.winner = pair.name(best);
+    trace.axes = pair.intervals();
     move(trace.axes, frame_a);
   } else if (box_a && segment_b) {
     trace_segment_box(box_a->half, moved(*segment_b, relative(frame_a, frame_b)), "A", "B", trace);
@@ -119,6 +124,7 @@ void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
   widen(trace.axes, radius_of(a), radius_of(b));
 }
 
+/// Writes the axis of the answer, "normal", for any pair.
 template <class T>
 void explain_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                     const Vec3<T>& normal, Trace& trace) {
@@ -127,8 +133,8 @@ void explain_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                         -furthest(b, pose_b, -normal), furthest(b, pose_b, normal)});
 }
 
+/// Exchanges A and B in the steps of GJK and EPA.
 void mirror(Trace& trace) {
-  trace.winner.clear();  // its name counts from the other side
   const auto swap_ends = [](TraceSupport& p) { std::swap(p.a, p.b); };
   for (TraceGjk& step : trace.gjk) {
     for (TraceSupport& p : step.simplex) swap_ends(p);
@@ -143,10 +149,104 @@ void mirror(Trace& trace) {
   for (auto& t : trace.triangles) std::swap(t[1], t[2]);  // the difference is turned about the origin
 }
 
+template <class T>
+bool are_boxes(const Shape<T>& a, const Shape<T>& b) {
+  return box_core(a) && box_core(b);
+}
+
+/// How the distance of two shapes that stand in order was found.
+template <class T>
+void explain_ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                              const Distance<T>& answer, Trace& trace) {
+  const bool special = special_distance(a, pose_a, b, pose_b).has_value();
+  if (special && !are_boxes(a, b)) {
+    trace.method = "closed form";
+  } else if (special && answer.distance + rounding_radius(a) + rounding_radius(b) <= T(0)) {
+    trace.method = "separating axes";
+  } else {
+    explain_distance_search(a, pose_a, b, pose_b, trace);
+  }
+}
+
+/// How it was found whether two shapes that stand in order touch.
+template <class T>
+void explain_ordered_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                             Trace& trace) {
+  if (special_overlap(a, pose_a, b, pose_b))
+    trace.method = has_separating_axes(a, b) ? "separating axes" : "closed form";
+  else if (overlaps_by_distance_alone(a, b))
+    explain_ordered_distance(a, pose_a, b, pose_b, convex_distance(a, pose_a, b, pose_b), trace);
+  else
+    explain_overlap_search(a, pose_a, b, pose_b, trace);
+}
+
+/// Calls `f(a, pose_a, b, pose_b)` with the shapes in the order of the list of shapes, and turns what it wrote back.
+template <class T, class F>
+void in_order(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace, F&& f) {
+  if (!against_order(a, b)) return f(a, pose_a, b, pose_b);
+  f(b, pose_b, a, pose_a);
+  mirror(trace);
+}
+
+/// Whether the points of a manifold stand on one of the separating axes, or no point is due since one of them separates
+/// the shapes by more than the margin. Names the axis and why it was taken.
+template <class T>
+bool explain_reference_axis(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                            T margin, const Manifold<T>& answer, Trace& trace) {
+  if (!has_separating_axes(a, b)) return false;
+  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const PolyhedralPair pair(a, b, b_in_a);
+  const SeparatingAxes axes = pair.all_axes();
+  const SeparatingAxis& best = axes.best(noise_of(a, b, b_in_a.translation));
+  if (answer.points.empty()) return best.separation - radius_of(a) - radius_of(b) > static_cast<double>(margin);
+  const double smaller = least(Side<T>(a, Posed{}).size(), Side<T>(b, Posed{}).size());
+  const SeparatingAxis& axis = reference_axis(axes, smaller);
+  // The answer's normal is rounded to T, and the axis of two edges that are nearly parallel by more.
+  const Vec3d normal = rotate(frame.rotation, axis.normal);
+  if (length(normal - cast<double>(answer.normal)) > std::sqrt(static_cast<double>(std::numeric_limits<T>::epsilon())))
+    return false;
+  trace.winner = pair.name(axis);
+  if (&axis != &best)
+    trace.reason = "the best axis of a face is nearly as good and is taken: faces hold contacts steadier than edges";
+  return true;
+}
+
+}  // namespace
+
+template <class T>
+void explain_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                      const Distance<T>& answer, Trace& trace) {
+  in_order(a, pose_a, b, pose_b, trace, [&](const auto&... pair) { explain_ordered_distance(pair..., answer, trace); });
+  explain_axes(a, pose_a, b, pose_b, trace);
+  explain_normal(a, pose_a, b, pose_b, answer.normal, trace);
+}
+
+template <class T>
+void explain_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace) {
+  in_order(a, pose_a, b, pose_b, trace, [&](const auto&... pair) { explain_ordered_overlap(pair..., trace); });
+  explain_axes(a, pose_a, b, pose_b, trace);
+}
+
+template <class T>
+void explain_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                      const Manifold<T>& answer, Trace& trace) {
+  if (explain_reference_axis(a, pose_a, b, pose_b, margin, answer, trace)) {
+    trace.method = "separating axes";
+  } else {
+    const Distance<T> nearest = convex_distance(a, pose_a, b, pose_b);
+    in_order(a, pose_a, b, pose_b, trace,
+             [&](const auto&... pair) { explain_ordered_distance(pair..., nearest, trace); });
+  }
+  explain_axes(a, pose_a, b, pose_b, trace);
+  if (!answer.points.empty()) explain_normal(a, pose_a, b, pose_b, answer.normal, trace);
+}
+
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template void explain_axes(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace&);                \
-  template void explain_normal(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, const Vec3<T>&,       \
-                               Trace&);
+  template void explain_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, const Distance<T>&, \
+                                 Trace&);                                                                              \
+  template void explain_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace&);             \
+  template void explain_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T,                  \
+                                 const Manifold<T>&, Trace&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -1,23 +1,23 @@
-// What an explanation says of separating axes, whichever routine gave the answer.
+// Explanations of the answers for two convex shapes: how each was found, for show, after it has been found.
 //
-// Guarantee: nothing here is run, and nothing of it decides, when no explanation is asked for.
+// Guarantee: no answer is computed here and none depends on anything here. An explanation asks the routines that
+// answered once more where it has to know which of them did, and repeats the searches with an observer.
 #pragma once
 
 #include "graze/query.hpp"
 
 namespace graze {
 
-/// Writes the intervals of both shapes on every separating axis that the pair has: boxes' fifteen, other polyhedra's
-/// faces and crossing edges, the six of a box and a segment. Nothing for other pairs.
 template <class T>
-void explain_axes(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace);
+void explain_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                      const Distance<T>& answer, Trace& trace);
 
-/// Exchanges A and B in the steps of GJK and EPA.
-void mirror(Trace& trace);
-
-/// Writes the axis of the answer, "normal", for any pair.
 template <class T>
-void explain_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                    const Vec3<T>& normal, Trace& trace);
+void explain_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace& trace);
+
+/// `answer`: the manifold that was found, without points where none is within the margin.
+template <class T>
+void explain_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                      const Manifold<T>& answer, Trace& trace);
 
 }  // namespace graze

@@ -34,15 +34,12 @@ struct GeneralDistance {
 /// Cores that are further apart than `limit` are only proven to be: the distance is then a lower bound beyond it, along
 /// its normal, and the points are not the closest ones.
 template <class T>
-GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Trace* trace,
+GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a,
                                  double limit = std::numeric_limits<double>::infinity());
 
 /// Whether the cores come within `reach` (the sum of the rounding radii) of each other.
 template <class T>
-bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach, Trace* trace);
-
-/// Takes what the general path wrote into a trace, in A's frame, to the world.
-void to_world(Trace& trace, const Posed& pose_a);
+bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double reach);
 
 /// A pose in double, whatever the scalar, its rotation of unit length to double's precision.
 template <class T>

@@ -2,6 +2,8 @@
 // faces the points.
 #pragma once
 
+#include <optional>
+
 #include "graze/query.hpp"
 #include "narrow/features.hpp"
 #include "narrow/manifold.hpp"
@@ -9,10 +11,17 @@
 namespace graze {
 
 /// `convex_contacts` of two shapes that stand in order, for pairs without a form of their own and where that does not
-/// answer; without the axes of an explanation.
+/// answer.
 template <class T>
 T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                   Manifold<T>& manifold, Trace* trace);
+                   Manifold<T>& manifold);
+
+/// The points of two polyhedra by their separating axes (`has_separating_axes`). Returns their signed distance (or, when
+/// nothing is within the margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since
+/// corners or edges are nearest that no axis belongs to, or when the faces miss what is nearest.
+template <class T>
+std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                                     T margin, Manifold<T>& manifold);
 
 /// The faces of two shapes with flat sides that meet along an axis, in the frame of A.
 struct MeetingFaces {

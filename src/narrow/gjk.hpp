@@ -6,6 +6,7 @@
 // `upper` up to rounding, and `upper - lower` is within the tolerance unless the result says so.
 #pragma once
 
+#include "narrow/observer.hpp"
 #include "narrow/simplex.hpp"
 
 namespace graze {
@@ -42,15 +43,9 @@ struct GjkGoal {
   double proximity = -1;   ///< ... or not to exceed this (if >= 0)
 };
 
-/// The step that has just found the last point of the simplex, along a unit vector.
-inline void trace_step(const Simplex& simplex, const Vec3d& direction, double lower, double upper, Trace& trace) {
-  trace.gjk.push_back({{}, direction, traced(simplex.points.back()), lower, upper});
-  for (std::size_t i = 0; i + 1 < simplex.size(); ++i) trace.gjk.back().simplex.push_back(traced(simplex.points[i]));
-}
-
 /// From the simplex of `r`, whose points are the difference's.
-template <class Difference>
-void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal, Trace* trace) {
+template <class Difference, class Observer>
+void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Observer& observer) {
   using std::sqrt;
   r.lower = -std::numeric_limits<double>::infinity();
   const double touching = rounding * difference.reach();
@@ -81,7 +76,7 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
     if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation)
       r.normal = by_parts(direction);
     r.lower = greatest(r.lower, separation);
-    if (trace) trace_step(r.simplex, direction, r.lower, r.upper, *trace);
+    observer.gjk_step(r.simplex, direction, r.lower, r.upper);
     if (goal.separation >= 0 && r.lower > goal.separation) return ended(GjkEnd::apart);
     // Within the tolerance and known to be apart along a normal that tells how far, or within rounding of it.
     if (r.upper - r.lower <= goal.tolerance && (r.tells_normal() || r.upper - separation <= touching))
@@ -111,20 +106,20 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
 
 /// From a simplex of points that are the difference's, such as one that was left nearby.
 template <class Difference>
-GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal) {
   GjkResult r;  // not of zeros: most of its simplex is never looked at
   r.simplex = simplex;
-  gjk_onward(r, difference, goal, trace);
+  gjk_onward(r, difference, goal, Unobserved());
   return r;
 }
 
 /// The point along the unit vector `n`, which `query` finds, joins the simplex. Returns whether it separates them by
-/// enough at once; whoever wants to see the steps sees some.
-template <class Query>
-bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, const Vec3d& n, Trace* trace) {
+/// enough at once; an observer is shown the steps all the same.
+template <class Observer, class Query>
+bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, const Vec3d& n) {
   const SupportPoint& found = r.simplex.add([&] { return query(n); });
   const double separation = dot(found.w, n);
-  if (goal.separation < 0 || !(separation > goal.separation) || trace) return false;
+  if (goal.separation < 0 || !(separation > goal.separation) || Observer::observes) return false;
   r.end = GjkEnd::apart;
   r.nearest = found.w;
   r.normal = n;
@@ -137,12 +132,12 @@ bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, co
 }
 
 /// From the point along the way from centre to centre.
-template <class Difference>
-GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+template <class Difference, class Observer = Unobserved>
+GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Observer& observer = {}) {
   GjkResult r;
   const auto support = [&](const Vec3d& n) { return difference.support(n); };
-  if (!separates_at_once(r, support, goal, unit(difference.center_offset()), trace))
-    gjk_onward(r, difference, goal, trace);
+  if (!separates_at_once<Observer>(r, support, goal, unit(difference.center_offset())))
+    gjk_onward(r, difference, goal, observer);
   return r;
 }
 
@@ -150,8 +145,8 @@ GjkResult gjk(const Difference& difference, const GjkGoal& goal, Trace* trace = 
 /// point lies. They do not wait for each other as steps do, and take the place of about three. For polyhedra, of which
 /// all points are corners. How far the shapes are apart along these vectors answers a goal that it meets; else it is
 /// forgotten, since the first step that ends the search proves as much along a better one.
-template <class Difference>
-GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, Trace* trace = nullptr) {
+template <class Difference, class Observer = Unobserved>
+GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, const Observer& observer = {}) {
   // Unit vectors by their parts along that way, towards the point and across: 1, 0.3, 0 and 1, 0.5, +-0.5. Of three
   // dozen sets tried the one that left the fewest steps, for random hulls of 32 points.
   constexpr double leans[3][3] = {{0.95782628522115137, 0.28734788556634541, 0},
@@ -162,7 +157,7 @@ GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, Trace* trace =
   const Vec3d forward = unit(difference.center_offset());
   const auto first_support = [&](const Vec3d& n) { return difference.first_support(n); };
   const auto support = [&](const Vec3d& n) { return difference.support(n); };
-  if (separates_at_once(r, first_support, goal, forward, trace)) return r;
+  if (separates_at_once<Observer>(r, first_support, goal, forward)) return r;
   difference.place();
   Vec3d u, v;
   tangents_at(forward, u, v);
@@ -170,12 +165,12 @@ GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, Trace* trace =
   const double c = beside > 0 ? x / beside : 1, s = beside > 0 ? y / beside : 0;
   for (const auto& [ahead, toward, across] : leans) {
     const Vec3d n = forward * ahead + u * (c * toward - s * across) + v * (s * toward + c * across);
-    if (separates_at_once(r, support, goal, n, trace)) return r;
+    if (separates_at_once<Observer>(r, support, goal, n)) return r;
     const Vec3d& found = r.simplex.points.back().w;
-    if (trace) trace_step(r.simplex, n, dot(found, n), length(found), *trace);
+    if constexpr (Observer::observes) observer.gjk_step(r.simplex, n, dot(found, n), length(found));
     if (r.simplex.repeats()) r.simplex.points.pop_back();
   }
-  gjk_onward(r, difference, goal, trace);
+  gjk_onward(r, difference, goal, observer);
   return r;
 }
 

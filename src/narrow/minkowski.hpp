@@ -8,12 +8,9 @@
 #include <optional>
 
 #include "graze/shape.hpp"
-#include "graze/trace.hpp"
 #include "narrow/support_point.hpp"
 
 namespace graze {
-
-inline TraceSupport traced(const SupportPoint& p) { return {p.a, p.b}; }
 
 /// B - A for the cores of two concrete shapes, B seen from A. Any type with `core_support` and `core_extent` will do.
 template <class A, class B>

@@ -53,13 +53,14 @@ std::string box_axis_name(const SeparatingAxis& axis) {
   return axis.kind == AxisKind::face_a ? numbered("A", axis.a) : numbered("B", axis.b);
 }
 
-void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
+std::vector<TraceAxis> box_intervals(const BoxPair<double>& p) {
+  std::vector<TraceAxis> axes;
   const auto add = [&](AxisKind kind, std::size_t a, std::size_t b, const Vec3d& direction) {
     const double middle = dot(p.translation, direction);
     const Vec3d n = middle < 0 ? -direction : direction;
     const double reach_a = dot(abs(n), p.half_a), reach_b = dot(abs(transposed_times(p.rotation, n)), p.half_b);
-    trace.axes.push_back({box_axis_name({kind, 0, n, a, b}), n, -reach_a, reach_a, std::abs(middle) - reach_b,
-                          std::abs(middle) + reach_b});
+    axes.push_back({box_axis_name({kind, 0, n, a, b}), n, -reach_a, reach_a, std::abs(middle) - reach_b,
+                    std::abs(middle) + reach_b});
   };
   for (std::size_t i = 0; i < 3; ++i) add(AxisKind::face_a, i, i, detail::unit_axis<double>(i));
   for (std::size_t j = 0; j < 3; ++j) add(AxisKind::face_b, j, j, p.rotation.column(j));
@@ -72,6 +73,17 @@ void trace_box_axes(const BoxPair<double>& p, Trace& trace) {
     }
     return false;
   });
+  return axes;
+}
+
+std::vector<TraceAxis> polyhedra_intervals(const Polyhedron& a, const Polyhedron& b) {
+  std::vector<TraceAxis> axes;
+  for (const SeparatingAxis& axis : all_separating_axes(a, b)) {
+    const Vec3d& n = axis.normal;
+    axes.push_back({axis_name(axis), n, lowest(a.vertices(), n), -lowest(a.vertices(), -n), lowest(b.vertices(), n),
+                    -lowest(b.vertices(), -n)});
+  }
+  return axes;
 }
 
 }  // namespace
@@ -140,15 +152,20 @@ std::optional<SeparatingAxes> PolyhedralPair<T>::axes(double enough) const {
 }
 
 template <class T>
-SeparatingAxes PolyhedralPair<T>::all_axes(Trace& trace) const {
+SeparatingAxes PolyhedralPair<T>::all_axes() const {
   constexpr double all = std::numeric_limits<double>::infinity();
-  if (boxes_) {
-    trace_box_axes(*boxes_, trace);
-    return *axes(all);
-  }
+  if (boxes_) return *axes(all);
   Polyhedron a, b;
   set_polyhedra(a, b);
-  return separating_axes(a, b, all, &trace);
+  return separating_axes(a, b, all);
+}
+
+template <class T>
+std::vector<TraceAxis> PolyhedralPair<T>::intervals() const {
+  if (boxes_) return box_intervals(*boxes_);
+  Polyhedron a, b;
+  set_polyhedra(a, b);
+  return polyhedra_intervals(a, b);
 }
 
 template <class T>

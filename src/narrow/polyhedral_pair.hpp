@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "narrow/contact_side.hpp"
 #include "narrow/faceted_shape.hpp"
@@ -37,8 +38,10 @@ class PolyhedralPair {
   /// All axes that may be the best, or fewer where one is found that separates the cores by more than `enough`; nothing
   /// where the depth is sooner found otherwise.
   std::optional<SeparatingAxes> axes(double enough) const;
-  /// All axes, each of them written to a trace.
-  SeparatingAxes all_axes(Trace& trace) const;
+  /// All axes, whichever way the depth is found.
+  SeparatingAxes all_axes() const;
+  /// Every axis with the intervals of both cores on it, in the frame of A, for an explanation.
+  std::vector<TraceAxis> intervals() const;
   std::string name(const SeparatingAxis& axis) const;
   /// The face of each that meets the other along `normal` (from A to B); each has its side.
   PlacedFace face_a(const Side<T>& side, const Vec3d& normal) const;

@@ -178,10 +178,4 @@ bool Polytope::witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Ve
   return missed >= 0;
 }
 
-void Polytope::describe(Trace& trace) const {
-  for (const SupportPoint& p : vertices_) trace.polytope.push_back(traced(p));
-  for (const Facet& f : facets_)
-    if (f.live) trace.triangles.push_back({f.vertex[0], f.vertex[1], f.vertex[2]});
-}
-
 }  // namespace graze

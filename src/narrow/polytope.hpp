@@ -49,8 +49,9 @@ class Polytope {
   /// The two shapes' points where the ray from the origin along `direction` leaves the polytope. False when rounding
   /// lets the ray miss every facet: they are then those of the facet that it misses least. `likely` is looked at first.
   bool witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Vec3d& b) const;
-  /// Writes vertices and triangles for an explanation.
-  void describe(Trace& trace) const;
+  std::span<const SupportPoint> vertices() const { return {vertices_.begin(), vertices_.end()}; }
+  /// All facets ever made; those that are not `live` have been replaced.
+  std::span<const Facet> facets() const { return {facets_.begin(), facets_.end()}; }
 
  private:
   static constexpr std::size_t max_vertices = 256;

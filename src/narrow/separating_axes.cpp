@@ -4,13 +4,13 @@
 
 namespace graze {
 
-namespace {
-
 double lowest(std::span<const Vec3d> points, const Vec3d& direction) {
   double low = std::numeric_limits<double>::infinity();
   for (const Vec3d& p : points) low = least(low, dot(p, direction));
   return low;
 }
+
+namespace {
 
 /// How far B lies in front of each face of A, and B's vertex that is nearest to it.
 struct FaceSupports {
@@ -84,12 +84,6 @@ void visit_crossing_edges(const Polyhedron& a, const Edges& edges_a, const Polyh
   }
 }
 
-void trace_axis(Trace& trace, const SeparatingAxis& axis, const Polyhedron& a, const Polyhedron& b) {
-  const Vec3d& n = axis.normal;
-  trace.axes.push_back({axis_name(axis), n, lowest(a.vertices(), n), -lowest(a.vertices(), -n), lowest(b.vertices(), n),
-                        -lowest(b.vertices(), -n)});
-}
-
 }  // namespace
 
 std::string numbered(std::string name, std::size_t number) {
@@ -102,26 +96,33 @@ std::string axis_name(const SeparatingAxis& axis) {
   return axis.kind == AxisKind::face_a ? numbered("A face ", axis.a) : numbered("B face ", axis.b);
 }
 
-SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double enough, Trace* trace) {
+SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double enough) {
   SeparatingAxes axes;
   FaceSupports of_a, of_b;
   axes.face_a = best_face(AxisKind::face_a, a, b, of_a);
-  if (axes.face_a.separation > enough && !trace) return axes;
+  if (axes.face_a.separation > enough) return axes;
   axes.face_b = best_face(AxisKind::face_b, b, a, of_b);
   axes.face_b.normal = -axes.face_b.normal;
-  for (std::size_t f = 0; trace && f < a.normals().size(); ++f)
-    trace_axis(*trace, {AxisKind::face_a, 0, a.normals()[f], f, f}, a, b);
-  for (std::size_t f = 0; trace && f < b.normals().size(); ++f)
-    trace_axis(*trace, {AxisKind::face_b, 0, -b.normals()[f], f, f}, a, b);
   const double best = axes.best_face().separation;
-  if (best > enough && !trace) return axes;
-  // An explanation lists the axes of all crossing edges.
-  const auto edges_a = trace ? all_edges(a) : promising_edges(a, of_a, b, best);
-  const auto edges_b = trace ? all_edges(b) : promising_edges(b, of_b, a, best);
+  if (best > enough) return axes;
+  const auto edges_a = promising_edges(a, of_a, b, best), edges_b = promising_edges(b, of_b, a, best);
   visit_crossing_edges(a, edges_a, b, edges_b, [&](const SeparatingAxis& axis) {
     if (axis.separation > axes.edge.separation) axes.edge = axis;
-    if (trace) trace_axis(*trace, axis, a, b);
   });
+  return axes;
+}
+
+std::vector<SeparatingAxis> all_separating_axes(const Polyhedron& a, const Polyhedron& b) {
+  std::vector<SeparatingAxis> axes;
+  const auto faces = [&](AxisKind kind, const Polyhedron& whose, double sign) {
+    for (std::size_t f = 0; f < whose.normals().size(); ++f) {
+      const Vec3d n = whose.normals()[f] * sign;
+      axes.push_back({kind, lowest(b.vertices(), n) + lowest(a.vertices(), -n), n, f, f});
+    }
+  };
+  faces(AxisKind::face_a, a, 1);
+  faces(AxisKind::face_b, b, -1);
+  visit_crossing_edges(a, all_edges(a), b, all_edges(b), [&](const SeparatingAxis& axis) { axes.push_back(axis); });
   return axes;
 }
 

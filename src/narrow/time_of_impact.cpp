@@ -232,15 +232,15 @@ class Advancement {
     const Posed pose_b{b.pose().translation + motion_.offset_at(t), b.pose().rotation};
     if (is_half_space(a_) != is_half_space(b_)) return on_half_space(t, a, b);
     if constexpr (std::is_same_v<T, double>) {
-      const Distance<double> d = convex_distance(a_.shape, a.pose(), b_.shape, pose_b, nullptr);
+      const Distance<double> d = convex_distance(a_.shape, a.pose(), b_.shape, pose_b);
       return {t, d.distance, d.normal, d.a, d.b, d.status};
     } else if (is_half_space(a_)) {
-      const Distance<T> d = convex_distance(a_.shape, cast<T>(a.pose()), b_.shape, cast<T>(pose_b), nullptr);
+      const Distance<T> d = convex_distance(a_.shape, cast<T>(a.pose()), b_.shape, cast<T>(pose_b));
       return {t,       static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b),
               d.status};
     } else {
       // Closed forms of float shapes are no better than float: the general path answers in double.
-      const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b), nullptr);
+      const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b));
       const Vec3d n = rotate(a.pose().rotation, g.core.normal);
       return {t,
               g.core.distance - a_.radius - b_.radius,

@@ -148,8 +148,8 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const V
   const std::optional<PieceImpact> first = first_impact(asked);
   // In float `overlap` rounds more than a cast does. What it calls touching touches here too.
   if (std::is_same_v<T, float> && options.separating == Separating::hit && !(first && first->impact.t == 0) &&
-      !asked.begins_far() && any_overlap<T>(a, pose_a, b, pose_b, nullptr)) {
-    const Distance<T> d = any_distance<T>(a, pose_a, b, pose_b, nullptr);
+      !asked.begins_far() && any_overlap<T>(a, pose_a, b, pose_b)) {
+    const Distance<T> d = any_distance<T>(a, pose_a, b, pose_b);
     return CastHit<T>{T(0), (d.a + d.b) * T(0.5), d.normal, greatest(T(0), -d.distance), d.status};
   }
   return first ? std::optional(hit_of(*first, pose_a, velocity_a)) : std::nullopt;

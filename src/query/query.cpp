@@ -2,6 +2,7 @@
 
 #include "mid/closest.hpp"
 #include "mid/composite.hpp"
+#include "mid/explain.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
 
@@ -9,7 +10,9 @@ namespace graze {
 
 template <class T>
 bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  return any_overlap(a, pose_a, b, pose_b, trace);
+  const bool touch = any_overlap(a, pose_a, b, pose_b);
+  if (trace) explain_any_overlap(a, pose_a, b, pose_b, *trace);
+  return touch;
 }
 
 template <class T>
@@ -34,18 +37,28 @@ T contact_margin(const Shape<T>& a, const Shape<T>& b) {
 
 template <class T>
 Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  return any_distance(a, pose_a, b, pose_b, trace);
+  const Distance<T> d = any_distance(a, pose_a, b, pose_b);
+  if (trace) explain_any_distance(a, pose_a, b, pose_b, d, *trace);
+  return d;
 }
 
 template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace) {
-  return any_contacts(a, pose_a, b, pose_b, margin, manifolds, trace) <= T(0);
+  const std::size_t first = manifolds.size();
+  const T least_distance = any_contacts(a, pose_a, b, pose_b, margin, manifolds);
+  if (trace) {
+    const std::span<const Manifold<T>> found(manifolds);
+    explain_any_contacts(a, pose_a, b, pose_b, margin, found.subspan(first), *trace);
+  }
+  return least_distance <= T(0);
 }
 
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace) {
-  return any_closest(shape, pose, point, trace);
+  const Closest<T> nearest = any_closest(shape, pose, point);
+  if (trace) explain_any_closest(shape, pose, point, nearest, *trace);
+  return nearest;
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

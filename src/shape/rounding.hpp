@@ -13,4 +13,9 @@ T rounding_radius(const C& concrete, T margin) {
     return margin;
 }
 
+template <class T>
+T rounding_radius(const Shape<T>& shape) {
+  return shape.visit([&](const auto& concrete) { return rounding_radius(concrete, shape.margin()); });
+}
+
 }  // namespace graze

@@ -328,7 +328,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
   const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
   if ((either & trigger) != 0) {
-    const bool overlap = any_overlap<T>(a, pose_a, b, pose_b, nullptr);
+    const bool overlap = any_overlap<T>(a, pose_a, b, pose_b);
     if (!overlap) return keep_apart(place);
     return touch(place, task, found_[task.found].manifolds.size(), 0, true);
   }
@@ -337,7 +337,7 @@ void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t plac
   Vec3<T>* const axis = keeps_axes_ ? &axes_[place] : nullptr;
   if (axis && *axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, *axis, margin)) return keep_apart(place);
   Manifold<T> manifold;
-  const bool overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr) <= T(0);
+  const bool overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold) <= T(0);
   const bool none = manifold.points.empty();
   if (axis) *axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
   if (none && !overlap) return keep_apart(place);
@@ -354,7 +354,7 @@ void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_
   const std::size_t first_point = found.points.size();
   found.composite.clear();
   const T distance = any_contacts<T>(bodies.shapes()[pair.a], bodies.poses()[pair.a], bodies.shapes()[pair.b],
-                                     bodies.poses()[pair.b], margin_of(pair), found.composite, nullptr, beside(pair));
+                                     bodies.poses()[pair.b], margin_of(pair), found.composite, beside(pair));
   const bool overlap = distance <= T(0);
   if (!overlap && found.composite.empty()) return keep_apart(place);
   const std::size_t first_manifold = found.manifolds.size();

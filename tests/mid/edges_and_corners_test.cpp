@@ -146,7 +146,7 @@ TYPED_TEST(EdgesAndCorners, OfAFloorAndAWallThatAreBodies) {
         for (std::size_t i = 0; i < 2; ++i) {
           Manifolds<T> manifolds;
           any_contacts<T>(*bodies[i].shape, *bodies[i].pose, ball, pose, contact_margin(floor, ball), manifolds,
-                          nullptr, {bodies, {}});
+                          {bodies, {}});
           bool own = false;
           for (const Manifold<T>& m : manifolds) {
             const Vec3<T> n = rotate(conjugate(where.frame.rotation), m.normal);

@@ -48,7 +48,7 @@ TYPED_TEST(Near, TrianglesThatAreRuledOutAreFurtherApart) {
         for (Vec3<T>& p : corners) p += from;
         const T slack = T(64) * std::numeric_limits<T>::epsilon() * (T(16) + T(6) * away);
         const NearConvex<T> near(shape, pose, slack);
-        const T distance = convex_distance<T>(triangle_shape(corners), Pose<T>{}, shape, pose, nullptr).distance;
+        const T distance = convex_distance<T>(triangle_shape(corners), Pose<T>{}, shape, pose).distance;
         for (const T limit : {T(-0.3), T(0), T(0.5)}) {
           const bool out = near(bounds_of(corners)) > near.key(limit) || !near.may_reach(corners, limit);
           EXPECT_TRUE(!out || distance > limit) << shape.name() << " " << distance << " at " << limit;

@@ -102,8 +102,7 @@ struct Ground {
     const Aabb<T> box = inflated(bounds(slider, pose), T(0.1));
     for (const Placed<T>& body : bodies)
       if (overlap(box, bounds(body.shape, body.pose)))
-        any_contacts<T>(body.shape, body.pose, slider, pose, contact_margin(body.shape, slider), manifolds, nullptr,
-                        {refs, {}});
+        any_contacts<T>(body.shape, body.pose, slider, pose, contact_margin(body.shape, slider), manifolds, {refs, {}});
     return manifolds;
   }
 };

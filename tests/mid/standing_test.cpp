@@ -59,7 +59,7 @@ TYPED_TEST(Standing, ClearIsWhatTheSearchLeavesAsItIs) {
       const PieceOf<T> self{ground.shapes[i], ground.poses[i], ground.shapes[i], ground.poses[i], ground.all},
           other{body, pose, body, pose};
       Manifold<T> manifold;
-      const T distance = convex_contacts<T>(self.piece, self.pose, body, pose, T(0.005), manifold, nullptr);
+      const T distance = convex_contacts<T>(self.piece, self.pose, body, pose, T(0.005), manifold);
       if (manifold.points.empty()) continue;
       const Settled<T> settled = settle_normal<T>(self, other, T(0.005), manifold, distance);
       const bool same = length(settled.manifold.normal - manifold.normal) < T(1e-5) &&

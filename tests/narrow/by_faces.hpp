@@ -1,5 +1,5 @@
-// The points of contact that two shapes get by a routine of their own against those of the faces laid over each other,
-// which answer wherever an explanation is asked for.
+// The points of contact that two shapes get by a routine of their own against those of the general path, which lays the
+// faces over each other.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "graze/query.hpp"
-#include "graze/trace.hpp"
+#include "in_general.hpp"
 
 namespace graze::testing {
 
@@ -21,9 +21,8 @@ struct ByFaces {
   void compare(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                double scale) {
     Manifolds<T> fast, slow;
-    Trace trace;
-    const bool touch = contacts<T>(a, pose_a, b, pose_b, margin, fast, nullptr);
-    EXPECT_EQ(touch, contacts<T>(a, pose_a, b, pose_b, margin, slow, &trace));
+    const bool touch = contacts<T>(a, pose_a, b, pose_b, margin, fast);
+    EXPECT_EQ(touch, contacts_in_general<T>(a, pose_a, b, pose_b, margin, slow));
     ASSERT_EQ(fast.size(), slow.size());
     if (fast.empty()) return;
     const auto &p = fast[0].points, &q = slow[0].points;

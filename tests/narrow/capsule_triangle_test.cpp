@@ -9,6 +9,7 @@
 #include "by_faces.hpp"
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
+#include "in_general.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
 #include "narrow/round_batch.hpp"
@@ -63,7 +64,7 @@ void expect_as_in_general(unsigned seed, double near) {
 
     const Distance<T> d = distance(a, pose_a, b, pose_b);
     const auto radii = static_cast<double>(a.template as<Capsule<T>>()->core_radius() + a.margin() + b.margin());
-    const auto general = general_distance<T>(a, b, relative_in_double(pose_a, pose_b), nullptr);
+    const auto general = general_distance<T>(a, b, relative_in_double(pose_a, pose_b));
     ASSERT_NEAR(static_cast<double>(d.distance), general.core.distance - radii, allowed) << i;
     ASSERT_LT(length(cast<double>(d.b - d.a - d.normal * d.distance)), allowed) << i;
     if (general.core.distance > 0.01 * size) {
@@ -71,11 +72,10 @@ void expect_as_in_general(unsigned seed, double near) {
       ASSERT_LT(length(cast<double>(d.normal) - normal), 1000 * near) << i;
     }
     Manifolds<T> fast, slow;
-    Trace trace;
     const bool touch = contacts(a, pose_a, b, pose_b, T(0), fast);
     ASSERT_EQ(touch, d.distance <= T(0)) << i;
     ASSERT_EQ(touch, overlap(a, pose_a, b, pose_b)) << i;
-    contacts(a, pose_a, b, pose_b, T(0), slow, &trace);
+    contacts_in_general(a, pose_a, b, pose_b, T(0), slow);
     ASSERT_NO_FATAL_FAILURE(expect_alike(fast, slow, allowed, 0.02 * size, other_names, ties)) << i;
     touching += touch;
     single += touch && fast[0].points.size() == 1;
@@ -177,7 +177,7 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
     const auto alone = [&](std::size_t i, Manifold<T>& found) {
       return convex_contacts<T>(Shape<T>(*static_cast<const A*>(chunk[i].a)), *chunk[i].pose_a,
                                 Shape<T>(*static_cast<const Triangle<T>*>(chunk[i].b)), *chunk[i].pose_b,
-                                chunk[i].margin, found, nullptr);
+                                chunk[i].margin, found);
     };
     visit_round_contacts<A, Triangle<T>>(
         chunk, std::min(most_chunk, pairs.size() - first), false,

@@ -113,7 +113,7 @@ TEST(ClosedForms, AgreeWithTheGeneralPath) {
               return 0.0;
           });
         };
-        const GeneralDistance g = general_distance(sa, sb, relative_in_double(pa, pb), nullptr);
+        const GeneralDistance g = general_distance(sa, sb, relative_in_double(pa, pb));
         EXPECT_NEAR(distance(sa, pa, sb, pb).distance, g.core.distance - radius(sa) - radius(sb), 1e-10)
             << describe(a) << "\n"
             << describe(b);

@@ -80,7 +80,7 @@ void expect_as_in_general(unsigned seed, double near) {
     const double radius_a = static_cast<double>(s.ball.radius() + s.margin_ball), radius_b = s.margin_triangle;
 
     ASSERT_NEAR(static_cast<double>(d.distance), to_triangle(s) - radius_a - radius_b, allowed);
-    const auto general = general_distance<T>(a, b, relative_in_double(s.pose_ball, s.pose_triangle), nullptr);
+    const auto general = general_distance<T>(a, b, relative_in_double(s.pose_ball, s.pose_triangle));
     ASSERT_NEAR(static_cast<double>(d.distance), general.core.distance - radius_a - radius_b, allowed);
     const Vec3d normal = rotate(in_double(s.pose_ball).rotation, general.core.normal);
     if (general.core.distance > 0.01 * size) {

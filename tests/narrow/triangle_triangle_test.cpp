@@ -10,6 +10,7 @@
 
 #include "common/specimen.hpp"
 #include "graze/batch.hpp"
+#include "in_general.hpp"
 #include "narrow/pairs/triangle_triangle_manifold.hpp"
 #include "reference/certificate.hpp"
 
@@ -233,8 +234,7 @@ bool alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double allowed) {
                              same);
 }
 
-/// Distances, overlaps and contacts of one pair agree with each other; contacts with those that an explanation is of,
-/// for which the general path goes through all axes.
+/// Distances, overlaps and contacts of one pair agree with each other; contacts with those of the general path.
 template <class T>
 void expect_agreement(TrianglePair (*make)(Random&), int count, unsigned seed, double near, int most_different) {
   Random random(seed);
@@ -247,12 +247,11 @@ void expect_agreement(TrianglePair (*make)(Random&), int count, unsigned seed, d
     const Pose<T> pose_a = p.pose_a<T>(), pose_b = p.pose_b<T>(scale);
     const Distance<T> d = distance(a, pose_a, b, pose_b);
     Manifolds<T> fast, slow;
-    Trace trace;
     const bool touch = contacts(a, pose_a, b, pose_b, margin, fast);
     ASSERT_EQ(touch, d.distance <= T(0)) << i;
     ASSERT_EQ(touch, overlap(a, pose_a, b, pose_b)) << i;
     ASSERT_EQ(!fast.empty(), d.distance <= margin) << i;
-    contacts(a, pose_a, b, pose_b, margin, slow, &trace);
+    contacts_in_general(a, pose_a, b, pose_b, margin, slow);
     different += !alike(fast, slow, near * static_cast<double>(scale));
     touching += touch;
   }

@@ -55,7 +55,7 @@ T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
   BoxManifold<double> points;
   const auto up_to = static_cast<double>(margin);
   kernel(placed_a, placed_b, before_rounding<T>(up_to), up_to, answer_rounding<T>(), found, axes, points);
-  if (!found.proven) return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold, nullptr);
+  if (!found.proven) return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
   const Distance<T> d = rounded<T>(found.at);
   manifold.normal = d.normal;
   if (d.distance > margin) return d.distance;

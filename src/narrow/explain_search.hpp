@@ -1,0 +1,18 @@
+// The steps of GJK and EPA on two convex shapes that stand in the order of the list of shapes, in the world.
+#pragma once
+
+#include "graze/query.hpp"
+
+namespace graze {
+
+/// Those that find the distance: GJK, and EPA where the cores overlap.
+template <class T>
+void explain_distance_search(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                             Trace& trace);
+
+/// Those that find whether the shapes touch: GJK up to where that is known.
+template <class T>
+void explain_overlap_search(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                            Trace& trace);
+
+}  // namespace graze
