@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// A value that a builder cannot accept. `what()` reads "path: expected expectation, got found".

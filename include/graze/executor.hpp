@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// What runs tasks side by side: a job system behind two functions.

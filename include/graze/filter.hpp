@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// What a body is and what it collides with.

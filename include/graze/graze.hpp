@@ -1,19 +1,24 @@
-// All of Graze's core in one include.
+// All of Graze's core in one include: everything but the libraries beside it (`graze/io/`, `graze/tbb_executor.hpp`).
 #pragma once
 
 #include "graze/batch.hpp"
+#include "graze/batch_contacts.hpp"
 #include "graze/batch_raycast.hpp"
 #include "graze/broad_phase.hpp"
 #include "graze/cast.hpp"
 #include "graze/contact.hpp"
 #include "graze/contact_motion.hpp"
+#include "graze/dynamic_tree.hpp"
 #include "graze/error.hpp"
+#include "graze/executor.hpp"
 #include "graze/filter.hpp"
 #include "graze/geometry.hpp"
 #include "graze/pairs.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 #include "graze/shape.hpp"
+#include "graze/slide.hpp"
 #include "graze/swept.hpp"
 #include "graze/trace.hpp"
 #include "graze/wide.hpp"
+#include "graze/world.hpp"

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 template <class T, std::size_t N>

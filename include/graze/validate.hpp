@@ -38,6 +38,7 @@ namespace graze::validate {
 std::string number(double value);
 
 [[noreturn]] void fail(const std::string& path, const std::string& expectation, double found);
+[[noreturn]] void fail(const std::string& path, const std::string& expectation, const std::string& found);
 
 /// What is expected of a coordinate that `value` is not, or null.
 template <class T>
@@ -92,7 +93,7 @@ Quat<T> rotation(const Quat<T>& q, const std::string& path) {
     if (!std::isfinite(parts[i]))
       fail(path + "[" + std::to_string(i) + "]", "a finite number", static_cast<double>(parts[i]));
   if (q.x == T(0) && q.y == T(0) && q.z == T(0) && q.w == T(0))
-    throw InvalidValue(path, "a quaternion that is not zero", "[0, 0, 0, 0]");
+    fail(path, "a quaternion that is not zero", "[0, 0, 0, 0]");
   return normalized(q);
 }
 

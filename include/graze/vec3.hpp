@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// A vector or point, in the caller's unit of length.

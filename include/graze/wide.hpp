@@ -13,6 +13,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// N lanes of T (`float` or `double`), N a power of two. Comparisons give a `Mask`; `select` chooses by it.

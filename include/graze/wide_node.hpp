@@ -117,10 +117,10 @@ struct alignas(64) WideNode {
       Lanes enter(T(0)), leave = never;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const bool forward = ray.inverse[axis] >= T(0);
-        const Lanes near = Lanes::load(&(forward ? lower : upper)[axis][at]),
-                    far = Lanes::load(&(forward ? upper : lower)[axis][at]);
+        const Lanes entry_plane = Lanes::load(&(forward ? lower : upper)[axis][at]),
+                    exit_plane = Lanes::load(&(forward ? upper : lower)[axis][at]);
         const Lanes origin(ray.origin[axis]), inverse(ray.inverse[axis]), margin(ray.margin[axis]);
-        const Lanes first = (near - origin) * inverse - margin, last = (far - origin) * inverse + margin;
+        const Lanes first = (entry_plane - origin) * inverse - margin, last = (exit_plane - origin) * inverse + margin;
         enter = select(first > enter, first, enter);
         leave = select(last < leave, last, leave);
       }

@@ -40,5 +40,9 @@ void fail(const std::string& path, const std::string& expectation, double found)
   throw InvalidValue(path, expectation, number(found));
 }
 
+void fail(const std::string& path, const std::string& expectation, const std::string& found) {
+  throw InvalidValue(path, expectation, found);
+}
+
 }  // namespace validate
 }  // namespace graze

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "graze/standard.hpp"
+
 namespace graze::io {
 
 enum class Precision { single_precision, double_precision };

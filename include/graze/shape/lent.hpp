@@ -7,6 +7,8 @@
 
 #include <type_traits>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// Marks the constructors that lend.

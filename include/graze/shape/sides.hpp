@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 /// `front`: `contacts` leaves out what would push a body out through the back of a triangle, the side from which its

@@ -31,7 +31,7 @@ class UserConvex {
   /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger
   /// than `largest_magnitude`.
   explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
-    if (!function_) throw InvalidValue("function", "a support function", "null");
+    if (!function_) validate::fail("function", "a support function", "null");
     const Aabb<T> box = core_bounds({});
     validate::point(box.lower, "function.support(negative axes)");
     validate::point(box.upper, "function.support(positive axes)");

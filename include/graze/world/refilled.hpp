@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "graze/standard.hpp"
+
 namespace graze {
 
 template <class E>

@@ -1,0 +1,34 @@
+# What public headers promise of themselves, tried with each compiler of COMPILERS: they compile without exceptions and
+# run-time type information, an older standard is refused in one line, and graze.hpp includes all of the core.
+cmake_minimum_required(VERSION 3.22)
+
+file(MAKE_DIRECTORY "${WORK}")
+file(GLOB_RECURSE headers RELATIVE "${INCLUDE}" "${INCLUDE}/graze/*.hpp")
+if(NOT headers)
+  message(FATAL_ERROR "no headers in ${INCLUDE}")
+endif()
+set(everything "")
+foreach(header IN LISTS headers)
+  string(APPEND everything "#include <${header}>\n")
+endforeach()
+file(WRITE "${WORK}/everything.cpp" "${everything}")
+file(WRITE "${WORK}/core.cpp" "#include <graze/graze.hpp>\n")
+
+foreach(compiler IN LISTS COMPILERS)
+  execute_process(COMMAND "${compiler}" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "-I${INCLUDE}" "${WORK}/everything.cpp"
+                          COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${compiler}" -std=c++17 -fsyntax-only "-I${INCLUDE}" "${WORK}/core.cpp"
+                  RESULT_VARIABLE result ERROR_VARIABLE errors)
+  if(result EQUAL 0 OR NOT errors MATCHES "Graze needs C\\+\\+20")
+    message(FATAL_ERROR "${compiler} -std=c++17 does not say which standard is needed: ${errors}")
+  endif()
+endforeach()
+
+list(GET COMPILERS 0 compiler)
+execute_process(COMMAND "${compiler}" -std=c++20 -MM "-I${INCLUDE}" "${WORK}/core.cpp" OUTPUT_VARIABLE included
+                        COMMAND_ERROR_IS_FATAL ANY)
+foreach(header IN LISTS headers)
+  if(NOT header MATCHES "^graze/(io/|tbb_executor)" AND NOT included MATCHES "/${header}[ \n\\\\]")
+    message(FATAL_ERROR "graze.hpp does not include ${header}")
+  endif()
+endforeach()
