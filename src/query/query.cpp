@@ -8,11 +8,40 @@
 
 namespace graze {
 
+namespace {
+
+/// The traced questions, each the ordinary answer and then its explanation. By themselves, so that the ordinary ones
+/// only pass their question on: with both in one function contacts of spheres and boxes took a tenth longer.
+template <class T>
+[[gnu::noinline]] bool traced_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                      const Pose<T>& pose_b, Trace& trace) {
+  const bool touch = any_overlap(a, pose_a, b, pose_b);
+  explain_any_overlap(a, pose_a, b, pose_b, trace);
+  return touch;
+}
+
+template <class T>
+[[gnu::noinline]] Distance<T> traced_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                              const Pose<T>& pose_b, Trace& trace) {
+  const Distance<T> d = any_distance(a, pose_a, b, pose_b);
+  explain_any_distance(a, pose_a, b, pose_b, d, trace);
+  return d;
+}
+
+template <class T>
+[[gnu::noinline]] bool traced_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                       const Pose<T>& pose_b, T margin, Manifolds<T>& manifolds, Trace& trace) {
+  const std::size_t first = manifolds.size();
+  const bool touch = any_contacts(a, pose_a, b, pose_b, margin, manifolds) <= T(0);
+  explain_any_contacts(a, pose_a, b, pose_b, margin, std::span<const Manifold<T>>(manifolds).subspan(first), trace);
+  return touch;
+}
+
+}  // namespace
+
 template <class T>
 bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  const bool touch = any_overlap(a, pose_a, b, pose_b);
-  if (trace) explain_any_overlap(a, pose_a, b, pose_b, *trace);
-  return touch;
+  return trace ? traced_overlap(a, pose_a, b, pose_b, *trace) : any_overlap(a, pose_a, b, pose_b);
 }
 
 template <class T>
@@ -37,21 +66,14 @@ T contact_margin(const Shape<T>& a, const Shape<T>& b) {
 
 template <class T>
 Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, Trace* trace) {
-  const Distance<T> d = any_distance(a, pose_a, b, pose_b);
-  if (trace) explain_any_distance(a, pose_a, b, pose_b, d, *trace);
-  return d;
+  return trace ? traced_distance(a, pose_a, b, pose_b, *trace) : any_distance(a, pose_a, b, pose_b);
 }
 
 template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace) {
-  const std::size_t first = manifolds.size();
-  const T least_distance = any_contacts(a, pose_a, b, pose_b, margin, manifolds);
-  if (trace) {
-    const std::span<const Manifold<T>> found(manifolds);
-    explain_any_contacts(a, pose_a, b, pose_b, margin, found.subspan(first), *trace);
-  }
-  return least_distance <= T(0);
+  if (trace) return traced_contacts(a, pose_a, b, pose_b, margin, manifolds, *trace);
+  return any_contacts(a, pose_a, b, pose_b, margin, manifolds) <= T(0);
 }
 
 template <class T>
