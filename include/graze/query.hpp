@@ -10,35 +10,12 @@
 // when they overlap, and then minus the length of the shortest translation that separates them.
 #pragma once
 
-#include <cstdint>
-
 #include "graze/contact.hpp"
+#include "graze/result.hpp"
 #include "graze/shape.hpp"
 #include "graze/trace.hpp"
 
 namespace graze {
-
-/// How far an answer may be from the truth, relative to the size of the pair. Half of `float`'s is rounding of poses.
-template <class T>
-inline constexpr T tolerance = T(1e-10);
-template <>
-inline constexpr float tolerance<float> = 1e-5f;
-
-enum class Status : std::uint8_t {
-  converged,  ///< right within the tolerance
-  bounded,    ///< the iteration bound was reached first: right within `error`
-  unbounded,  ///< two half-spaces that are not opposite: they overlap without a finite depth
-};
-
-/// The signed distance of two shapes and the points that realise it, in world space.
-template <class T>
-struct Distance {
-  T distance{};
-  Vec3<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
-  Vec3<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
-  Status status = Status::converged;
-  T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
-};
 
 /// Whether the shapes touch: distance <= 0. Cheaper than the distance.
 template <class T>
@@ -80,16 +57,7 @@ bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const
 template <class T>
 T contact_margin(const Shape<T>& a, const Shape<T>& b);
 
-/// The point of a shape's surface nearest to a point of the world.
-template <class T>
-struct Closest {
-  T distance{};      ///< signed: negative inside a solid
-  Vec3<T> point{};   ///< on the surface
-  Vec3<T> normal{};  ///< unit, outward: question - point = distance * normal
-  Status status = Status::converged;
-};
-
-/// Negative inside of a convex shape, of a closed mesh (see `Mesh::closed`; its winding tells which side is inside), and
+/// The point of a shape's surface nearest to a point of the world. Negative inside of a convex shape, of a closed mesh (see `Mesh::closed`; its winding tells which side is inside), and
 /// of a compound that has such a child there; other meshes and height fields have no inside. On a mesh's surface the
 /// normal is the surface's own.
 template <class T>

@@ -1,6 +1,6 @@
 // Ray casts: what a ray hits first, whether it hits at all, and everything that it enters.
 //
-// Guarantee: every shape answers. The point of a hit lies on the surface within `tolerance<T>` (see `query.hpp`) times
+// Guarantee: every shape answers. The point of a hit lies on the surface within `tolerance<T>` (see `result.hpp`) times
 // the shape's size, plus the rounding of the ray itself: `T`'s epsilon times the distance of its origin. Everything is
 // computed in double and in the shape's own frame, so a scene far from the origin of the world loses nothing. A closed
 // mesh is watertight: no ray slips between triangles that share an edge or a vertex (Woop, Benthin, Wald 2013,
@@ -11,32 +11,15 @@
 // squared (beyond 1e37 in float, 1e150 in double) hits nothing; nor does any further along than that.
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "graze/lines.hpp"
+#include "graze/result.hpp"
 #include "graze/shape.hpp"
 
 namespace graze {
-
-/// Where a ray meets a shape, in world space.
-template <class T>
-struct RayHit {
-  T t{};            ///< how far along the ray, in units of length (not in multiples of its direction)
-  Vec3<T> point{};  ///< on the surface; the ray's origin when that lies inside a solid
-  Vec3<T>
-      normal{};  ///< unit, against the ray (by rounding across it); minus the ray's direction when its origin lies inside a solid
-  std::uint32_t piece = 0;  ///< the triangle of a mesh or the child of a compound (of the outermost one), else 0
-};
-
-/// What a ray meets that comes upon a triangle, alone or of a mesh, from behind: from where its vertices run clockwise.
-/// Triangles with a margin are solids and have no back.
-enum class BackFaces : std::uint8_t {
-  hit,     ///< the triangle, as from the front, with the normal turned against the ray
-  ignored  ///< nothing
-};
 
 /// The first hit with 0 <= t <= `length`; nothing on a miss. `ray.direction` need not be unit; `length` is in the
 /// caller's unit of length. A ray that starts in a solid (distance <= 0) hits at t = 0.

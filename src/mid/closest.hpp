@@ -1,7 +1,8 @@
 // The nearest point of any shape's surface, with its side.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 
 namespace graze {
 

@@ -3,7 +3,9 @@
 
 #include <span>
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 
 namespace graze {
 

@@ -6,7 +6,10 @@
 
 #include <span>
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
+#include "graze/trace.hpp"
 
 namespace graze {
 

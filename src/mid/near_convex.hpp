@@ -5,6 +5,7 @@
 #pragma once
 
 #include "graze/mat3.hpp"
+#include "graze/shape.hpp"
 #include "mid/triangle_pair.hpp"
 
 namespace graze {

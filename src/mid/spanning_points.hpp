@@ -6,7 +6,8 @@
 
 #include <algorithm>
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
 #include "graze/small_vector.hpp"
 #include "mid/piece_of.hpp"
 

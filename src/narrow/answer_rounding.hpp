@@ -1,7 +1,7 @@
 // How far off numbers are that were rounded to the scalar of an answer: for routines in double that serve both scalars.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
 #include "narrow/outline.hpp"
 
 namespace graze {

@@ -1,7 +1,8 @@
 // A pair of the simplest cores: B's brought to A's frame, and the answer back to the world with the rounding radii on.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/core.hpp"
 #include "narrow/general.hpp"
 #include "shape/rounding.hpp"

@@ -5,7 +5,9 @@
 
 #include <optional>
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 
 namespace graze {
 

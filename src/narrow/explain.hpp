@@ -4,7 +4,10 @@
 // answered once more where it has to know which of them did, and repeats the searches with an observer.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
+#include "graze/trace.hpp"
 
 namespace graze {
 

@@ -1,7 +1,9 @@
 // The steps of GJK and EPA on two convex shapes that stand in the order of the list of shapes, in the world.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
+#include "graze/trace.hpp"
 
 namespace graze {
 

@@ -2,7 +2,8 @@
 // and ellipsoids by descent on their closed forms where that is proven.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/core.hpp"
 #include "narrow/minkowski.hpp"
 #include "shape/rounding.hpp"

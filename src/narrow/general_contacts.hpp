@@ -4,7 +4,9 @@
 
 #include <optional>
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/features.hpp"
 #include "narrow/manifold.hpp"
 

@@ -2,7 +2,8 @@
 // are those of the answer.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/gjk.hpp"
 #include "narrow/hull_support.hpp"
 #include "narrow/minkowski.hpp"

@@ -10,7 +10,9 @@
 #include <optional>
 
 #include "graze/batch_contacts.hpp"
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "lanes/dispatch.hpp"
 
 namespace graze {

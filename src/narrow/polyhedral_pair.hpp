@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "graze/trace.hpp"
 #include "narrow/contact_side.hpp"
 #include "narrow/faceted_shape.hpp"
 #include "narrow/general.hpp"

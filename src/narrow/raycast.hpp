@@ -1,7 +1,8 @@
 // Ray casts at one convex shape, in its own frame.
 #pragma once
 
-#include "graze/raycast.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/rays/local_ray.hpp"
 
 namespace graze {

@@ -12,7 +12,8 @@
 // points nearest.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/flatten.hpp"
 #include "narrow/one_of_three.hpp"
 #include "narrow/pairs/box_choice.hpp"

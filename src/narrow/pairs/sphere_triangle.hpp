@@ -8,7 +8,8 @@
 #include <cmath>
 #include <optional>
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/closed_form.hpp"
 #include "narrow/flatten.hpp"
 #include "narrow/minkowski.hpp"

@@ -8,7 +8,9 @@
 #include <limits>
 #include <optional>
 
-#include "graze/query.hpp"
+#include "graze/contact.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/closed_form.hpp"
 #include "narrow/pair_kernels.hpp"
 #include "narrow/pairs/triangle_triangle_distance.hpp"

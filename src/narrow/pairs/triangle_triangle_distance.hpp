@@ -11,7 +11,8 @@
 // apart as the triangles are along its normal.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "narrow/pairs/triangle_triangle_axes.hpp"
 #include "narrow/power_of_two.hpp"
 

@@ -5,7 +5,7 @@
 // quaternion, and the ray's direction has the length that it was given.
 #pragma once
 
-#include "graze/raycast.hpp"
+#include "graze/result.hpp"
 #include "lanes/dispatch.hpp"
 #include "narrow/rays/ray_block.hpp"
 #include "narrow/relative_frame.hpp"

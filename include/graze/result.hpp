@@ -1,0 +1,62 @@
+// What questions are answered with: a signed distance, a nearest point, the hit of a ray, and how sure each is.
+//
+// Guarantee: plain aggregates without invariants. Normals are unit vectors that point from A to B; distances are signed:
+// positive between separated shapes, negative when they overlap, and then minus the length of the shortest translation
+// that separates them. Contacts have a header of their own, `contact.hpp`.
+#pragma once
+
+#include <cstdint>
+
+#include "graze/vec3.hpp"
+
+namespace graze {
+
+/// How far an answer may be from the truth, relative to the size of the pair. Half of `float`'s is rounding of poses.
+template <class T>
+inline constexpr T tolerance = T(1e-10);
+template <>
+inline constexpr float tolerance<float> = 1e-5f;
+
+enum class Status : std::uint8_t {
+  converged,  ///< right within the tolerance
+  bounded,    ///< the iteration bound was reached first: right within `error`
+  unbounded,  ///< two half-spaces that are not opposite: they overlap without a finite depth
+};
+
+/// The signed distance of two shapes and the points that realise it, in world space.
+template <class T>
+struct Distance {
+  T distance{};
+  Vec3<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
+  Vec3<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
+  Status status = Status::converged;
+  T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
+};
+
+/// The point of a shape's surface nearest to a point of the world.
+template <class T>
+struct Closest {
+  T distance{};      ///< signed: negative inside a solid
+  Vec3<T> point{};   ///< on the surface
+  Vec3<T> normal{};  ///< unit, outward: question - point = distance * normal
+  Status status = Status::converged;
+};
+
+/// Where a ray meets a shape, in world space.
+template <class T>
+struct RayHit {
+  T t{};            ///< how far along the ray, in units of length (not in multiples of its direction)
+  Vec3<T> point{};  ///< on the surface; the ray's origin when that lies inside a solid
+  /// Unit, against the ray (by rounding across it); minus the ray's direction when its origin lies inside a solid.
+  Vec3<T> normal{};
+  std::uint32_t piece = 0;  ///< the triangle of a mesh or the child of a compound (of the outermost one), else 0
+};
+
+/// What a ray meets that comes upon a triangle, alone or of a mesh, from behind: from where its vertices run clockwise.
+/// Triangles with a margin are solids and have no back.
+enum class BackFaces : std::uint8_t {
+  hit,     ///< the triangle, as from the front, with the normal turned against the ray
+  ignored  ///< nothing
+};
+
+}  // namespace graze
