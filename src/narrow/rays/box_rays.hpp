@@ -6,6 +6,7 @@
 #pragma once
 
 #include "graze/result.hpp"
+#include "graze/shape.hpp"
 #include "lanes/dispatch.hpp"
 #include "narrow/rays/ray_block.hpp"
 #include "narrow/relative_frame.hpp"
