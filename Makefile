@@ -19,16 +19,14 @@ check = ctest --preset $(1) --parallel $(JOBS) $(CTEST_ARGS)
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
 
-# A tree that exists stays as configured; a new one is made without tests, whose packages a demo does not need.
-# `make test` puts them in.
+# In a tree of its own, which is built for this machine's processor alone and lightly optimised: a newcomer waits for it.
+# The library that is installed and measured has all levels of the instruction set (`make install`).
 .PHONY: demo
 demo: ## build the program, collide an example scene and draw the contacts
 	@scripts/setup.sh demo
-	@test -f build/release/build.ninja || \
-	  cmake --preset release -DGRAZE_BUILD_TESTS=OFF -DGRAZE_BUILD_EXAMPLES=OFF $(CMAKE_ARGS)
-	$(call build,release) --target graze_cli
-	@mkdir -p build/demo
-	build/release/bin/graze collide examples/scenes/demo.gltf --out build/demo/contacts.glb --svg build/demo/contacts.svg
+	$(call configure,demo)
+	$(call build,demo)
+	build/demo/bin/graze collide examples/scenes/demo.gltf --out build/demo/contacts.glb --svg build/demo/contacts.svg
 	@echo "The picture:           $(CURDIR)/build/demo/contacts.svg  (any web browser)"
 	@echo "The scene in 3D:       $(CURDIR)/build/demo/contacts.glb  (any glTF viewer)"
 
@@ -113,6 +111,8 @@ lint: ## check the format, and the library and programs with clang-tidy
 	$(call configure,clang)
 	run-clang-tidy -quiet -p build/clang -j $(JOBS) '$(CURDIR)/(src|apps)/'
 
+# A tree that exists stays as configured; a new one is made without tests, whose packages an install does not need.
+# `make test` puts them in.
 .PHONY: install
 install: ## install library, headers and program below PREFIX (default /usr/local)
 	@scripts/setup.sh demo

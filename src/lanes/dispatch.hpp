@@ -23,8 +23,22 @@ Isa isa_by_name(const char* name);
 
 }  // namespace graze
 
+// GRAZE_ONLY_LEVEL: the one level that a build has, as on processors that have no others to choose from, or where
+// GRAZE_LEVELS is `native` (CMakeLists.txt).
+#if !defined(__x86_64__) && !defined(GRAZE_ONLY_LEVEL)
+#define GRAZE_ONLY_LEVEL baseline
+#endif
+
+#ifdef GRAZE_ONLY_LEVEL
 /// Declares a kernel, given with its semicolons, for all levels.
-#if defined(__x86_64__)
+#define GRAZE_DECLARE_KERNEL(...)                                                                                      \
+  namespace GRAZE_ONLY_LEVEL {                                                                                         \
+  __VA_ARGS__                                                                                                          \
+  }
+/// The address of the copy of a kernel for one level.
+#define GRAZE_KERNEL(level, ...)                                                                                       \
+  ((level) == ::graze::Isa::GRAZE_ONLY_LEVEL ? GRAZE_ONLY_LEVEL::__VA_ARGS__ : GRAZE_ONLY_LEVEL::__VA_ARGS__)
+#else
 #define GRAZE_DECLARE_KERNEL(...)                                                                                      \
   namespace baseline {                                                                                                 \
   __VA_ARGS__                                                                                                          \
@@ -35,16 +49,8 @@ Isa isa_by_name(const char* name);
   namespace avx512 {                                                                                                   \
   __VA_ARGS__                                                                                                          \
   }
-/// The address of the copy of a kernel for one level.
 #define GRAZE_KERNEL(level, ...)                                                                                       \
   ((level) == ::graze::Isa::avx512 ? avx512::__VA_ARGS__                                                               \
    : (level) == ::graze::Isa::avx2 ? avx2::__VA_ARGS__                                                                 \
                                    : baseline::__VA_ARGS__)
-#else
-#define GRAZE_DECLARE_KERNEL(...)                                                                                      \
-  namespace baseline {                                                                                                 \
-  __VA_ARGS__                                                                                                          \
-  }
-#define GRAZE_KERNEL(level, ...)                                                                                       \
-  ((level) == ::graze::Isa::baseline ? baseline::__VA_ARGS__ : baseline::__VA_ARGS__)
 #endif
