@@ -1,9 +1,11 @@
 // graze cast: one body of a scene moved through the rest.
 #include <fmt/format.h>
 
+#include "checked.hpp"
 #include "commands.hpp"
 #include "graze/io/cast_scene.hpp"
 #include "output.hpp"
+#include "progress.hpp"
 #include "scene_options.hpp"
 
 namespace graze::cli {
@@ -41,7 +43,7 @@ void print_hits_as_json(const io::Scene& scene, const io::SceneCast& question, c
 }
 
 void print_hits_as_table(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
-  for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
+  print_notes(scene.notices);
   if (hits.empty()) {
     fmt::print("{}: {} hits nothing in {:.6g}\n", scene.source, question.from, question.duration);
     return;
@@ -57,22 +59,24 @@ void print_hits_as_table(const io::Scene& scene, const io::SceneCast& question, 
                hit.status == Status::converged ? "" : "  (not certain: may only come near)");
 }
 
+std::vector<io::SceneHit> hits_of(const io::Scene& scene, const io::SceneCast& question) {
+  const Progress progress("casting");
+  return io::cast_scene(scene, question);
+}
+
 int run_cast(const CastArguments& options) {
-  const io::Scene scene = options.scene.load();
+  check_ending("--out", options.out, ".glb");
+  const io::Precision precision = precision_of(options.precision);
   io::SceneCast question;
   question.from = options.from;
   question.velocity = {vector_of(options.motion), vector_of(options.spin)};
-  question.duration = options.duration;
+  question.duration = checked_length("--duration", options.duration, precision);
   if (!options.about.empty()) question.about = vector_of(options.about);
   question.options.separating = options.slide ? Separating::ignored : Separating::hit;
-  question.precision = options.precision == "float" ? io::Precision::single_precision : io::Precision::double_precision;
-  std::vector<io::SceneHit> hits = io::cast_scene(scene, question);
-  if (!options.out.empty()) {
-    const auto& files = options.scene.files;
-    const std::string source = files.size() == 1 ? files[0] : "";  // several have no file to be drawn into
-    for (const std::string& notice : io::write_cast(options.out, scene, question, hits, source))
-      fmt::print(stderr, "note: {}\n", notice);
-  }
+  question.precision = precision;
+  const io::Scene scene = options.scene.load();
+  std::vector<io::SceneHit> hits = hits_of(scene, question);
+  if (!options.out.empty()) print_notes(io::write_cast(options.out, scene, question, hits, options.scene.only_file()));
   if (!options.all && hits.size() > 1) hits.resize(1);
   options.json ? print_hits_as_json(scene, question, hits) : print_hits_as_table(scene, question, hits);
   return 0;
@@ -93,9 +97,7 @@ Run add_cast(CLI::App& app) {
   add_vector(*command, "--spin", options->spin, "How it turns a unit of time: the axis times radians, x,y,z")
       ->capture_default_str();
   add_vector(*command, "--about", options->about, "The point it turns about (default: its first collider's origin)");
-  command->add_option("--duration", options->duration, "For how long")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  command->add_option("--duration", options->duration, "For how long")->capture_default_str();
   command->add_flag("--slide", options->slide, "What it touches and leaves or slides along does not count");
   command->add_flag("--all", options->all, "List everything on its way, not only what is hit first");
   command->add_flag("--json", options->json, "Print as JSON");

@@ -1,5 +1,7 @@
 #include "checked.hpp"
 
+#include <filesystem>
+
 #include "graze/validate.hpp"
 
 namespace graze::cli {
@@ -8,18 +10,27 @@ io::Precision precision_of(const std::string& name) {
   return name == "float" ? io::Precision::single_precision : io::Precision::double_precision;
 }
 
-double checked_margin(double margin, io::Precision precision) {
+double checked_length(const char* option, double value, io::Precision precision) {
   const char* fault = precision == io::Precision::single_precision
-                          ? validate::fault_of_length(static_cast<float>(margin))
-                          : validate::fault_of_length(margin);
-  if (fault) validate::fail("--margin", fault, margin);
-  return margin;
+                          ? validate::fault_of_length(static_cast<float>(value))
+                          : validate::fault_of_length(value);
+  if (fault) validate::fail(option, fault, value);
+  return value;
 }
 
 Vec3d checked_direction(const std::vector<double>& numbers) {
   const Vec3d direction = validate::point(Vec3d{numbers.at(0), numbers.at(1), numbers.at(2)}, "--direction");
   if (direction == Vec3d{}) throw InvalidValue("--direction", "a direction that is not zero", "0, 0, 0");
   return direction;
+}
+
+void check_ending(const char* option, const std::string& file, const std::string& ending) {
+  if (file.empty() || file.ends_with(ending)) return;
+  std::error_code failed;
+  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed) &&
+      !std::filesystem::is_directory(file, failed))
+    return;
+  throw InvalidValue(option, "a file name that ends in " + ending, file);
 }
 
 }  // namespace graze::cli

@@ -51,9 +51,9 @@ void print_pairs_as_json(const io::Scene& scene, const std::vector<io::TouchingP
 }
 
 void print_pairs_as_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
-  for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
-  fmt::print("{}: {} colliders in {} bodies, {} pairs in contact\n", scene.source, scene.colliders.size(),
-             scene.bodies.size(), pairs.size());
+  print_notes(scene.notices);
+  fmt::print("{}: {} in {}, {} in contact\n", scene.source, counted(scene.colliders.size(), "collider"),
+             counted(scene.bodies.size(), "body"), counted(pairs.size(), "pair"));
   if (pairs.empty()) return;
   std::size_t a = 1, b = 1;
   for (const io::TouchingPair& p : pairs) {
@@ -71,26 +71,29 @@ void print_pairs_as_table(const io::Scene& scene, const std::vector<io::Touching
   }
 }
 
+std::vector<io::TouchingPair> touching_pairs(const io::Scene& scene, io::CollideOptions how) {
+  Progress progress("colliding");
+  how.progress = std::ref(progress);
+  return io::collide(scene, how);
+}
+
 int run_collide(const CollideArguments& options) {
   io::CollideOptions how;
   how.precision = precision_of(options.precision);
-  how.margin = checked_margin(options.margin.value_or(0), how.precision);
+  how.margin = checked_length("--margin", options.margin.value_or(0), how.precision);
   const Vec3d direction = checked_direction(options.direction);
+  check_ending("--svg", options.svg, ".svg");
+  check_ending("--out", options.out, ".glb");
   if (options.frames.frames) {
     print_frames(options.scene.load(true), options.frames, options.margin, how.precision, options.json);
     return 0;
   }
   const io::Scene scene = options.scene.load();
-  how.progress = [progress = Progress()](std::size_t done, std::size_t all) mutable { progress(done, all); };
-  const auto pairs = io::collide(scene, how);
+  const std::vector<io::TouchingPair> pairs = touching_pairs(scene, how);
   options.json ? print_pairs_as_json(scene, pairs) : print_pairs_as_table(scene, pairs);
+  const Progress progress("drawing");
   if (!options.svg.empty()) io::write_picture(options.svg, scene, pairs, direction);
-  if (!options.out.empty()) {
-    const auto& files = options.scene.files;
-    const std::string source = files.size() == 1 ? files[0] : "";  // several have no file to be drawn into
-    for (const std::string& notice : io::write_contacts(options.out, scene, pairs, source))
-      fmt::print(stderr, "note: {}\n", notice);
-  }
+  if (!options.out.empty()) print_notes(io::write_contacts(options.out, scene, pairs, options.scene.only_file()));
   return 0;
 }
 

@@ -26,7 +26,7 @@ struct Record {
 
 Record play(const io::Scene& scene, const io::FrameOptions& options) {
   Record record;
-  Progress progress;
+  Progress progress("colliding");
   io::collide_frames(scene, options, [&](const io::Frame& f) {
     for (const io::FrameEvent& e : f.events) record.events.push_back({f.time, e});
     record.pairs.push_back(f.pairs);
@@ -64,11 +64,12 @@ void print_events_as_json(const io::Scene& scene, const io::FrameOptions& option
 
 void print_events_as_table(const io::Scene& scene, const io::FrameOptions& options, const Record& record) {
   const std::size_t moved = io::animated_colliders(scene, options.animation).size();
-  for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
-  if (moved == 0) fmt::print(stderr, "note: the animation moves no collider\n");
-  fmt::print("{}: {} of {} colliders move in \"{}\", {} frames to {:.6g} s, {} events\n", scene.source, moved,
-             scene.colliders.size(), scene.animations[options.animation].name, record.times.size(), record.times.back(),
-             record.events.size());
+  print_notes(scene.notices);
+  if (moved == 0) print_notes({"the animation moves no collider"});
+  fmt::print("{}: {} of {} {} in \"{}\", {} to {:.6g} s, {}\n", scene.source, moved,
+             counted(scene.colliders.size(), "collider"), moved == 1 ? "moves" : "move",
+             scene.animations[options.animation].name, counted(record.times.size(), "frame"), record.times.back(),
+             counted(record.events.size(), "event"));
   if (record.events.empty()) return;
   std::size_t a = 1, b = 1;
   for (const auto& [time, e] : record.events) {

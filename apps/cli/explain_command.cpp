@@ -1,13 +1,16 @@
 // graze explain: one question of the protocol, with everything that was done to answer it.
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "checked.hpp"
 #include "commands.hpp"
 #include "graze/error.hpp"
 #include "graze/io/explain.hpp"
+#include "graze/io/file.hpp"
+#include "output.hpp"
+#include "progress.hpp"
 
 namespace graze::cli {
 
@@ -16,32 +19,38 @@ namespace {
 struct ExplainArguments {
   std::string file, precision = "double", svg;
   std::size_t line = 1;
+  bool json = false;
   std::vector<double> direction{1, 0.6, 1.4};
 };
 
 /// The line that is asked for, counted from 1 among those that are not blank.
 std::string question_line(const ExplainArguments& options) {
+  if (options.line == 0) throw InvalidValue("--line", "a whole number >= 1", "0");
   std::ifstream file;
   const bool standard = options.file.empty() || options.file == "-";
   const std::string name = standard ? "standard input" : options.file;
-  if (!standard) file.open(options.file, std::ios::binary);
+  if (!standard) file = io::open_file(options.file);
   std::istream& in = standard ? std::cin : file;
-  if (!in) throw InvalidValue(name, "a file that can be read", "an error");
   std::size_t count = 0;
   for (std::string line; std::getline(in, line);)
     if (line.find_first_not_of(" \t\r\n\v\f") != std::string::npos && ++count == options.line) return line;
-  throw InvalidValue(name, fmt::format("a question as line {}", options.line), fmt::format("{} lines", count));
+  if (in.bad()) throw InvalidValue(name, "", "cannot be read to its end");
+  throw InvalidValue(name, fmt::format("a question as line {}", options.line), counted(count, "line"));
 }
 
 int run_explain(const ExplainArguments& options) {
   const Vec3d direction = checked_direction(options.direction);
-  const io::Explanation explanation = io::explain(question_line(options), precision_of(options.precision));
-  fmt::print("{}", io::explanation_text(explanation));
-  if (options.svg.empty()) return 0;
-  std::ofstream out(options.svg, std::ios::binary);
-  out << io::draw_explanation(explanation, direction);
-  out.close();
-  if (!out) throw InvalidValue(options.svg, "a file that can be written", "an error");
+  check_ending("--svg", options.svg, ".svg");
+  const std::string question = question_line(options);
+  const io::Precision precision = precision_of(options.precision);
+  std::optional<Progress> progress("explaining");
+  const io::Explanation explanation = io::explain(question, precision);
+  if (!options.svg.empty()) io::write_file(options.svg, io::draw_explanation(explanation, direction));
+  progress.reset();
+  if (options.json)
+    print(Json::parse(io::explained_line(question, precision).text));
+  else
+    fmt::print("{}", io::explanation_text(explanation));
   return 0;
 }
 
@@ -51,12 +60,11 @@ Run add_explain(CLI::App& app) {
   auto options = std::make_shared<ExplainArguments>();
   CLI::App* command = app.add_subcommand("explain", "Show how a question is answered, as a table and as a picture");
   command->add_option("FILE", options->file, "Questions, one JSON object a line (default: standard input)");
-  command->add_option("--line", options->line, "Which question of the file, counted from 1")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  command->add_option("--line", options->line, "Which question of the file, counted from 1")->capture_default_str();
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
+  command->add_flag("--json", options->json, "Print the answer with its trace as JSON, as the protocol has it");
   command->add_option("--svg", options->svg, "Draw the shapes, the axes and the contacts (.svg)");
   command->add_option("--direction", options->direction, "Where the picture is seen from, about: x,y,z")
       ->delimiter(',')

@@ -38,8 +38,9 @@ void print_colliders_as_json(const io::Scene& scene) {
 }
 
 void print_colliders_as_table(const io::Scene& scene) {
-  for (const std::string& notice : scene.notices) fmt::print(stderr, "note: {}\n", notice);
-  fmt::print("{}: {} colliders in {} bodies\n\n", scene.source, scene.colliders.size(), scene.bodies.size());
+  print_notes(scene.notices);
+  fmt::print("{}: {} in {}\n\n", scene.source, counted(scene.colliders.size(), "collider"),
+             counted(scene.bodies.size(), "body"));
   std::size_t name = 4, body = 4, shape = 5;
   for (const io::Collider& c : scene.colliders) {
     name = std::max(name, c.name.size());

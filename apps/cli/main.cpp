@@ -1,33 +1,77 @@
 // The program: one command a file.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
+#include <system_error>
 
 #include "commands.hpp"
+#include "output.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+using namespace graze::cli;
+
+constexpr int cannot_work = 2;
+
+/// The first word of the command line that is no option, if it names no command.
+const char* unknown_command(CLI::App& app, int argc, char** argv) {
+  const auto word = std::find_if(argv + 1, argv + argc, [](const char* argument) { return argument[0] != '-'; });
+  const auto commands = app.get_subcommands({});
+  const auto named = [&](const CLI::App* command) { return command->get_name() == *word; };
+  return word == argv + argc || std::any_of(commands.begin(), commands.end(), named) ? nullptr : *word;
+}
+
+std::string names_of_commands(CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+  return names;
+}
+
+/// Parses the command line and does what it says; returns the exit code.
+int run(int argc, char** argv) {
   CLI::App app{"Graze: do these things touch, where, how deep, how far apart"};
   app.name("graze");
   app.set_version_flag("--version", "graze " GRAZE_VERSION);
   app.require_subcommand(1);
   app.footer("graze COMMAND --help explains a command, with an example.");
 
-  const std::pair<const char*, graze::cli::Run> commands[] = {
-      {"cast", graze::cli::add_cast(app)},       {"collide", graze::cli::add_collide(app)},
-      {"explain", graze::cli::add_explain(app)}, {"info", graze::cli::add_info(app)},
-      {"query", graze::cli::add_query(app)},
+  const std::pair<const char*, Run> commands[] = {
+      {"cast", add_cast(app)}, {"collide", add_collide(app)}, {"explain", add_explain(app)},
+      {"info", add_info(app)}, {"query", add_query(app)},
   };
+  for (CLI::App* command : app.get_subcommands({}))
+    command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");
+  if (argc < 2) {
+    fmt::print("{}", app.help());
+    return 0;
+  }
+  if (const char* word = unknown_command(app, argc, argv)) {
+    fmt::print(stderr, "graze: {}: no such command; there are {} (graze --help)\n", word, names_of_commands(app));
+    return cannot_work;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     // The command line is input like any other: 2 for what cannot be read, 0 for --help and --version.
-    return app.exit(e) == 0 ? 0 : 2;
+    return app.exit(e) == 0 ? 0 : cannot_work;
   }
+  for (const auto& [name, act] : commands)
+    if (app.got_subcommand(name)) return act();
+  return cannot_work;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    for (const auto& [name, run] : commands)
-      if (app.got_subcommand(name)) return run();
+    const int code = run(argc, argv);
+    flush_output();
+    return code;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "graze: %s\n", e.what());
-    return 2;
+    return cannot_work;
   }
-  return 2;
 }

@@ -1,9 +1,12 @@
-// What the commands print, and how: JSON, and numbers in tables.
+// What the commands print, and how: JSON, numbers in tables, notes.
+//
+// Guarantee: what standard output does not take is an error of the program (see `flush_output`), never passed over.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 #include "graze/vec3.hpp"
 
@@ -20,5 +23,17 @@ void print(const Json& whole);
 
 /// Three numbers of four decimals, `width` characters each; what these show as zero has no sign.
 std::string shown(const Vec3d& v, int width);
+
+/// "1 collider", "2 colliders".
+std::string counted(std::size_t count, const std::string& noun);
+
+/// Whether only answers and errors are wanted (--quiet): neither notes nor progress.
+bool& quiet();
+
+/// Prints notes to standard error, a line each, unless all is to be quiet.
+void print_notes(const std::vector<std::string>& notes);
+
+/// Writes out all that was printed. Throws `std::system_error` unless standard output took every byte of it.
+void flush_output();
 
 }  // namespace graze::cli

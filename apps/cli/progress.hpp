@@ -1,31 +1,38 @@
 // How far a long piece of work is.
 #pragma once
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdio>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
 
 namespace graze::cli {
 
-/// A line that counts up on a terminal, and nothing elsewhere.
+/// A line on standard error that counts seconds while something takes longer than one, with the part that is done where
+/// that is known. Only on a terminal, and not when all is to be quiet; wiped off at the end.
 class Progress {
  public:
-  void operator()(std::size_t done, std::size_t all) {
-    if (!isatty(STDERR_FILENO)) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (done < all && now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    if (done < all) fmt::print(stderr, "\rcolliding: {} %", 100 * done / all);
-    if (done < all) shown_ = true;
-    if (done == all && shown_) fmt::print(stderr, "\r{:40}\r", "");
-    std::fflush(stderr);
-  }
+  /// `doing` is what takes its time: "colliding".
+  explicit Progress(std::string doing);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// From now on something else takes its time.
+  void now(std::string doing);
+  /// So much is done, of so much.
+  void operator()(std::size_t done, std::size_t all);
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  bool shown_ = false;
+  void show_until_stopped();
+
+  std::mutex mutex_;  ///< of what follows, but for the two counts
+  std::condition_variable changed_;
+  std::string doing_;
+  bool stopped_ = false;
+  std::atomic<std::size_t> done_{0}, all_{0};
+  std::thread shower_;
 };
 
 }  // namespace graze::cli

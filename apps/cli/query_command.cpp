@@ -1,13 +1,32 @@
 // graze query: the query protocol on files and pipes.
-#include <cstdio>
-#include <fstream>
+#include <unistd.h>
+
 #include <iostream>
+#include <optional>
 
 #include "checked.hpp"
 #include "commands.hpp"
+#include "graze/error.hpp"
+#include "graze/io/file.hpp"
 #include "graze/io/protocol.hpp"
+#include "output.hpp"
+#include "progress.hpp"
 
 namespace graze::cli {
+
+namespace {
+
+/// Answers all that is asked; returns the exit code.
+int answer_all(std::istream& in, const std::string& name, io::Precision precision) {
+  // Answers on the same terminal would be mixed up with it, and are progress enough.
+  std::optional<Progress> progress;
+  if (isatty(STDOUT_FILENO) == 0) progress.emplace("answering");
+  const std::size_t errors = io::answer_stream(in, std::cout, precision);
+  if (in.bad()) throw InvalidValue(name, "", "cannot be read to its end");
+  return errors == 0 ? 0 : 1;
+}
+
+}  // namespace
 
 Run add_query(CLI::App& app) {
   struct Options {
@@ -20,24 +39,18 @@ Run add_query(CLI::App& app) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->footer(
-      "Queries: overlap, distance, contacts, cast, closest. Exit code: 0 when every line was answered, 1 when an\n"
-      "answer was an error, 2 when the file cannot be read.\n\n"
+      "Queries: overlap, distance, contacts, raycast, cast, closest. Exit code: 0 when every line was answered, 1 "
+      "when\n"
+      "an answer was an error, 2 when a file cannot be read or standard output cannot be written.\n\n"
       "Example:\n"
       "  echo '{\"query\": \"closest\", \"a\": {\"shape\": {\"type\": \"box\"}}, \"point\": [2, 0, 0]}' | graze query");
   return [options] {
     const io::Precision precision = precision_of(options->precision);
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
-    if (options->file.empty() || options->file == "-")
-      return io::answer_stream(std::cin, std::cout, precision) == 0 ? 0 : 1;
-    std::ifstream file(options->file, std::ios::binary);
-    // A directory opens and then cannot be read, which looks like an empty file unless one asks.
-    if (!file || (file.peek(), file.bad())) {
-      std::fprintf(stderr, "graze: %s: cannot be read\n", options->file.c_str());
-      return 2;
-    }
-    file.clear();
-    return io::answer_stream(file, std::cout, precision) == 0 ? 0 : 1;
+    if (options->file.empty() || options->file == "-") return answer_all(std::cin, "standard input", precision);
+    std::ifstream file = io::open_file(options->file);
+    return answer_all(file, options->file, precision);
   };
 }
 

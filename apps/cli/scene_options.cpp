@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "output.hpp"
+#include "progress.hpp"
+
 namespace graze::cli {
 
 void SceneOptions::add_to(CLI::App& command) {
@@ -21,6 +24,7 @@ io::Scene SceneOptions::load(bool animations) const {
   if (colliders == "hull") options.mesh_colliders = io::MeshColliders::hull;
   if (colliders == "box") options.mesh_colliders = io::MeshColliders::box;
   if (colliders == "sphere") options.mesh_colliders = io::MeshColliders::sphere;
+  const Progress progress("reading");
   io::Scene scene;
   for (const std::string& file : files) io::append(scene, io::load_scene(file, options));
   return scene;
@@ -49,7 +53,7 @@ std::string words(const Ellipsoid<double>& e) {
 std::string words(const ConvexHull<double>& h) {
   return fmt::format("{} vertices, {} faces", h.data().vertices.size(), h.data().planes.size());
 }
-std::string words(const Mesh<double>& m) { return fmt::format("{} triangles", m.triangles().size()); }
+std::string words(const Mesh<double>& m) { return counted(m.triangles().size(), "triangle"); }
 std::string words(const HeightField<double>& f) { return fmt::format("{} x {} heights", f.columns(), f.rows()); }
 std::string words(const Compound<double>& c) {
   return c.children().size() == 1 ? "of one " + told(c.children()[0].shape)

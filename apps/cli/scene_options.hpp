@@ -17,6 +17,8 @@ struct SceneOptions {
   void add_to(CLI::App& command);
   /// All files in one scene, each at the origin, with their animations if these are asked for. Throws `InvalidValue`.
   io::Scene load(bool animations = false) const;
+  /// The file that something can be drawn into; empty when there are several.
+  std::string only_file() const { return files.size() == 1 ? files[0] : ""; }
 };
 
 /// How a shape is told in a table: its name and its numbers.

@@ -11,7 +11,7 @@
 
 namespace graze {
 
-/// A value that a builder cannot accept. `what()` reads "path: expected expectation, got found".
+/// A value that is refused. `what()`: "path: expected expectation, got found", or "path: found" without an expectation.
 class InvalidValue : public std::invalid_argument {
  public:
   InvalidValue(const std::string& path, const std::string& expectation, const std::string& found);

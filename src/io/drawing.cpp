@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 
 namespace graze::io {
@@ -116,13 +115,6 @@ std::string svg_head() {
   return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
                      "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" fill=\"#f8f9fa\"/>\n",
                      picture_width, picture_height);
-}
-
-void write_text(const std::string& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw InvalidValue(file, "a file that can be written", "an error");
 }
 
 }  // namespace graze::io

@@ -66,7 +66,4 @@ inline constexpr double least_size =
 /// The beginning of a picture with its background; `</svg>` ends it.
 std::string svg_head();
 
-/// Writes text to a file. Throws `InvalidValue` when that cannot be done.
-void write_text(const std::string& file, const std::string& text);
-
 }  // namespace graze::io

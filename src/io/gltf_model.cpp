@@ -2,10 +2,11 @@
 
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstring>
-#include <fstream>
 #include <optional>
 
+#include "graze/io/file.hpp"
 #include "io/gltf_document.hpp"
 
 namespace graze::io {
@@ -117,15 +118,14 @@ Json root_nodes(const Json& nodes) {
   return roots;
 }
 
-void write_word(std::ostream& out, std::size_t value) {
-  const auto v = static_cast<std::uint32_t>(value);
-  out.write(reinterpret_cast<const char*>(&v), 4);
-}
-
-void write_chunk(std::ostream& out, std::uint32_t type, std::string_view bytes) {
-  write_word(out, bytes.size());
-  write_word(out, type);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+/// Numbers of four bytes each.
+std::string words(std::initializer_list<std::size_t> values) {
+  std::string bytes;
+  for (const std::size_t value : values) {
+    const auto v = static_cast<std::uint32_t>(value);
+    bytes.append(reinterpret_cast<const char*>(&v), 4);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -133,8 +133,9 @@ void write_chunk(std::ostream& out, std::uint32_t type, std::string_view bytes) 
 GltfModel::GltfModel() : json_{{"asset", {{"version", "2.0"}, {"generator", "graze"}}}} { shown_scene(); }
 
 GltfModel::GltfModel(const std::filesystem::path& file) {
+  open_file(file);  // names what is not there
   const auto bytes = read_bytes(file);
-  if (!bytes) throw InvalidValue(file.string(), "a file that can be read", "nothing or something else");
+  if (!bytes) throw InvalidValue(file.string(), "", "not a regular file");
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   try {
     json_ = GltfDocument(std::string(bytes->begin(), bytes->end()), folder).json();
@@ -257,14 +258,9 @@ void GltfModel::save(const std::filesystem::path& file) const {
   const std::size_t size = 20 + text.size() + (binary.empty() ? 0 : 8 + binary.size());
   if (size >> 32 != 0) throw InvalidValue(file.string(), "a file below 4 GiB", std::to_string(size) + " bytes");
 
-  std::ofstream out(file, std::ios::binary);
-  out.write("glTF", 4);
-  write_word(out, 2);
-  write_word(out, size);
-  write_chunk(out, json_chunk, text);
-  if (!binary.empty()) write_chunk(out, binary_chunk, binary);
-  out.close();
-  if (!out) throw InvalidValue(file.string(), "a file that can be written", "an error");
+  const std::string head = "glTF" + words({2, size, text.size(), json_chunk});
+  const std::string binary_head = binary.empty() ? "" : words({binary.size(), binary_chunk});
+  write_file(file, std::array<std::string_view, 4>{head, text, binary_head, binary});
 }
 
 }  // namespace graze::io

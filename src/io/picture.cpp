@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "graze/io/file.hpp"
 #include "io/drawing.hpp"
 
 namespace graze::io {
@@ -92,7 +93,7 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
 void write_picture(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs,
                    const Vec3d& direction) {
   if (direction == Vec3d{}) throw InvalidValue("direction", "a direction that is not zero", "0, 0, 0");
-  write_text(file.string(), draw_picture(scene, pairs, direction));
+  write_file(file, draw_picture(scene, pairs, direction));
 }
 
 }  // namespace graze::io

@@ -11,49 +11,66 @@ namespace {
 
 bool blank(std::string_view line) { return line.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos; }
 
-/// The members of the answer, as text that begins after the id.
+/// How a line is to be answered.
+struct Manner {
+  Precision precision;
+  bool explained = false;  ///< with its trace, whatever the question says
+  std::size_t line = 0;    ///< counted from 1, for errors without an id; 0 for a line by itself
+};
+
+/// The whole answer.
 template <class T>
-std::string answered(const Json& json, const std::string& id) {
+std::string answered(const Json& json, const std::string& id, const Manner& manner) {
   JsonWriter out;
   out.open('{');
   if (!id.empty()) out.key("id").raw(id);
-  write_answer(read_question<T>(JsonValue(json, "")), out);
+  Question<T> question = read_question<T>(JsonValue(json, ""));
+  question.explain = question.explain || manner.explained;
+  write_answer(question, out);
   return out.close('}').take();
 }
 
-AnswerLine failed(const std::string& id, const std::string& why) {
+AnswerLine failed(const std::string& id, const std::string& why, const Manner& manner) {
   JsonWriter out;
   out.open('{');
   if (!id.empty()) out.key("id").raw(id);
-  out.key("error").raw(Json(why).dump(-1, ' ', true, Json::error_handler_t::replace)).close('}');
+  const bool placed = id.empty() && manner.line != 0;
+  const std::string message = (placed ? "line " + std::to_string(manner.line) + ": " : "") + why;
+  out.key("error").raw(Json(message).dump(-1, ' ', true, Json::error_handler_t::replace)).close('}');
   return {out.take(), true};
 }
 
-}  // namespace
-
-AnswerLine answer_line(std::string_view line, Precision precision) {
+AnswerLine answer(std::string_view line, const Manner& manner) {
   std::string id;
   try {
     const Json json = parse_json(line);
     if (!json.is_object()) throw InvalidValue("", "one JSON object", shown(json));
     // As it stands: parsed and written again, a long number would lose its digits.
     if (json.contains("id")) id = member_text(line, "id");
-    return {precision == Precision::double_precision ? answered<double>(json, id) : answered<float>(json, id), false};
+    const bool wide = manner.precision == Precision::double_precision;
+    return {wide ? answered<double>(json, id, manner) : answered<float>(json, id, manner), false};
   } catch (const InvalidValue& e) {
-    return failed(id, e.what());
+    return failed(id, e.what(), manner);
   } catch (const std::bad_alloc&) {
-    return failed(id, "expected a question that fits into memory, got a larger one");
+    return failed(id, "expected a question that fits into memory, got a larger one", manner);
   }
 }
 
+}  // namespace
+
+AnswerLine answer_line(std::string_view line, Precision precision) { return answer(line, {precision}); }
+
+AnswerLine explained_line(std::string_view line, Precision precision) { return answer(line, {precision, true}); }
+
 std::size_t answer_stream(std::istream& in, std::ostream& out, Precision precision) {
-  std::size_t errors = 0;
+  std::size_t errors = 0, number = 0;
   std::string line;
-  while (std::getline(in, line)) {
+  while (out && std::getline(in, line)) {
+    ++number;
     if (!blank(line)) {
-      const AnswerLine answer = answer_line(line, precision);
-      errors += answer.error;
-      out << answer.text << '\n';
+      const AnswerLine answered = answer(line, {precision, false, number});
+      errors += answered.error;
+      out << answered.text << '\n';
     }
     // Whoever asks one question at a time waits for its answer; whoever sends many at once is not slowed down.
     if (in.rdbuf()->in_avail() <= 0) out.flush();

@@ -1,8 +1,8 @@
 #include "graze/io/scene.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "graze/io/file.hpp"
 #include "io/mesh_collider.hpp"
 #include "io/mesh_file.hpp"
 #include "io/scene_file.hpp"
@@ -12,13 +12,11 @@ namespace graze::io {
 namespace {
 
 std::string read_file(const std::filesystem::path& file) {
+  std::ifstream in = open_file(file);
   std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed))
-    throw InvalidValue(file.string(), "a file that can be read",
-                       std::filesystem::exists(file, failed) ? "something else" : "nothing");
-  std::ifstream in(file, std::ios::binary);
+  if (!std::filesystem::is_regular_file(file, failed)) throw InvalidValue(file.string(), "", "not a regular file");
   std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  if (!in && !in.eof()) throw InvalidValue(file.string(), "a file that can be read", "an error");
+  if (!in && !in.eof()) throw InvalidValue(file.string(), "", "cannot be read to its end");
   return bytes;
 }
 

@@ -9,7 +9,8 @@
 namespace graze {
 
 InvalidValue::InvalidValue(const std::string& path, const std::string& expectation, const std::string& found)
-    : std::invalid_argument((path.empty() ? "" : path + ": ") + "expected " + expectation + ", got " + found),
+    : std::invalid_argument((path.empty() ? "" : path + ": ") +
+                            (expectation.empty() ? found : "expected " + expectation + ", got " + found)),
       path_(path),
       expectation_(expectation),
       found_(found) {}

@@ -1,29 +1,17 @@
 // The program as a person runs it: what it prints, writes and returns.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
 
+#include "run_program.hpp"
+
 namespace {
 
-struct Result {
-  int code;
-  std::string output;
-};
-
-Result run(const std::string& arguments) {
-  const std::string command = std::string(GRAZE_CLI_PATH) + " " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  std::string output;
-  std::array<char, 4096> part{};
-  for (std::size_t n = 0; (n = fread(part.data(), 1, part.size(), pipe)) > 0;) output.append(part.data(), n);
-  return {WEXITSTATUS(pclose(pipe)), output};
-}
+using graze::cli::Result;
+using graze::cli::run;
 
 const std::string demo = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
 

@@ -1,0 +1,171 @@
+// What the program says when something is not as it should be: full disks, missing files, misspelt words.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace graze::cli {
+namespace {
+
+const std::string example = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
+const std::string questions = std::string(GRAZE_SOURCE_DIR) + "/docs/separating-axes.jsonl";
+
+/// A folder of the test's own, removed at its end.
+class Folder {
+ public:
+  explicit Folder(const std::string& name) : path_(std::filesystem::temp_directory_path() / ("graze_" + name)) {
+    std::filesystem::create_directories(path_);
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& file) const { return (path_ / file).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class FullDisk : public testing::TestWithParam<std::string> {};
+
+// /dev/full takes no byte, as a disk without room.
+TEST_P(FullDisk, IsNoSuccess) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "a system without /dev/full";
+  const Result r = run(GetParam() + " > /dev/full");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.output.find("graze: "), std::string::npos) << r.output;
+  EXPECT_NE(r.output.find("No space left on device"), std::string::npos) << r.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, FullDisk,
+                         testing::Values("query " + questions, "query - < " + questions, "explain " + questions,
+                                         "explain --json " + questions, "info " + example, "info --json " + example,
+                                         "collide " + example, "collide --json " + example,
+                                         "collide " + std::string(GRAZE_SOURCE_DIR) +
+                                             "/examples/scenes/moving.gltf --frames",
+                                         "cast " + example + " --from 'crate 1' --motion 8,0,0 --slide", "--help",
+                                         "collide --help", "--version", ""));
+
+// Questions without end: the error is met on the way.
+TEST(Messages, AFullDiskEndsAStreamOfAnswers) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "a system without /dev/full";
+  const Result r = run("query > /dev/full", "yes '{\"query\": 1}' | ");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.output.find("No space left on device"), std::string::npos) << r.output;
+}
+
+TEST(Messages, AFullDiskUnderAFileIsNamed) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "a system without /dev/full";
+  const Folder folder("full_disk_test");
+  for (const char* name : {"full.svg", "full.glb"}) std::filesystem::create_symlink("/dev/full", folder / name);
+  const std::string cast = "cast " + example + " --from 'crate 1' --motion 8,0,0 --slide";
+  for (const std::string& arguments :
+       {"collide " + example + " --svg " + (folder / "full.svg"),
+        "explain " + questions + " --svg " + (folder / "full.svg"),
+        "collide " + example + " --out " + (folder / "full.glb"), cast + " --out " + (folder / "full.glb")}) {
+    const Result r = run(arguments);
+    EXPECT_EQ(r.code, 2) << arguments;
+    EXPECT_NE(r.output.find("cannot be written: no space left on device"), std::string::npos) << r.output;
+  }
+}
+
+TEST(Messages, AFileThatIsNotThere) {
+  for (const char* command : {"info", "collide", "cast --from x", "query", "explain"}) {
+    const Result r = run(std::string(command) + " /nonexistent.glb");
+    EXPECT_EQ(r.code, 2) << command;
+    EXPECT_EQ(r.output, "graze: /nonexistent.glb: no such file\n") << command;
+    const Result folder = run(std::string(command) + " /usr");
+    EXPECT_EQ(folder.code, 2) << command;
+    EXPECT_EQ(folder.output, "graze: /usr: a folder, not a file\n") << command;
+  }
+  EXPECT_EQ(run("collide " + example + " --svg /nonexistent/a.svg > /dev/null").output,
+            "graze: /nonexistent/a.svg: cannot be written: no such folder\n");
+}
+
+TEST(Messages, AnUnknownCommandIsNamedAndTheKnownOnesListed) {
+  const Result r = run("colide " + example);
+  EXPECT_EQ(r.code, 2);
+  EXPECT_EQ(r.output, "graze: colide: no such command; there are cast, collide, explain, info, query (graze --help)\n");
+}
+
+TEST(Messages, AloneItHelps) {
+  const Result alone = run("");
+  EXPECT_EQ(alone.code, 0);
+  EXPECT_EQ(alone.output, run("--help").output);
+}
+
+TEST(Messages, OneIsSingular) {
+  const Folder folder("singular_test");
+  std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_TRUE(run("info " + (folder / "one.obj")).output.starts_with("one.obj: 1 collider in 1 body\n"));
+  EXPECT_NE(run("info " + (folder / "one.obj")).output.find("mesh (1 triangle)"), std::string::npos);
+  EXPECT_EQ(run("collide " + (folder / "one.obj")).output, "one.obj: 1 collider in 1 body, 0 pairs in contact\n");
+  const std::string both = (folder / "one.obj") + " " + (folder / "one.obj");
+  EXPECT_NE(run("collide " + both).output.find("2 colliders in 2 bodies, 1 pair in contact\n"), std::string::npos)
+      << run("collide " + both).output;
+}
+
+TEST(Messages, AnErrorWithoutIdHasItsLine) {
+  const Folder folder("lines_test");
+  std::ofstream(folder / "q.jsonl") << "\n{\"query\": \"overlap\"}\nnonsense\n{\"id\": 7, \"query\": \"overlap\"}\n";
+  EXPECT_EQ(run("query " + (folder / "q.jsonl")).output.substr(0, 52),
+            "{\"error\":\"line 2: a: expected a value, got nothing\"}");
+  const std::string output = run("query " + (folder / "q.jsonl")).output;
+  EXPECT_NE(output.find("{\"error\":\"line 3: "), std::string::npos) << output;
+  EXPECT_NE(output.find("{\"id\":7,\"error\":\"a: expected a value, got nothing\"}"), std::string::npos) << output;
+}
+
+TEST(Messages, PicturesHaveTheirEnding) {
+  const auto refusal = [](const std::string& arguments) {
+    const Result r = run(arguments);
+    EXPECT_EQ(r.code, 2) << arguments;
+    return r.output;
+  };
+  EXPECT_EQ(refusal("collide " + example + " --svg x.png"),
+            "graze: --svg: expected a file name that ends in .svg, got x.png\n");
+  EXPECT_EQ(refusal("explain " + questions + " --svg x.png"),
+            "graze: --svg: expected a file name that ends in .svg, got x.png\n");
+  EXPECT_EQ(refusal("collide " + example + " --out x.gltf"),
+            "graze: --out: expected a file name that ends in .glb, got x.gltf\n");
+  EXPECT_EQ(refusal("cast " + example + " --from floor --out x"),
+            "graze: --out: expected a file name that ends in .glb, got x\n");
+  EXPECT_FALSE(std::filesystem::exists("x.png"));
+  // A pipe is no file that somebody opens by its name.
+  EXPECT_TRUE(run("explain " + questions + " --svg /dev/stdout").output.starts_with("<svg"));
+}
+
+TEST(Messages, NumbersOutOfRangeAreToldWithoutTheRangeOfDouble) {
+  EXPECT_EQ(run("explain " + questions + " --line 0").output, "graze: --line: expected a whole number >= 1, got 0\n");
+  EXPECT_EQ(run("cast " + example + " --from floor --duration -1").output,
+            "graze: --duration: expected a finite number >= 0, got -1\n");
+  EXPECT_EQ(run("explain " + questions + " --line 99").code, 2);
+  EXPECT_LT(run("explain " + questions + " --line -1").output.size(), 200u);
+}
+
+TEST(Messages, QuietHasNoNotes) {
+  const std::string chosen = "info " + example + " --colliders hull";
+  EXPECT_NE(run(chosen).output.find("note: "), std::string::npos);
+  EXPECT_EQ(run(chosen + " --quiet").output, run("info " + example).output);
+  EXPECT_EQ(run(chosen + " -q").output, run("info " + example).output);
+}
+
+TEST(Messages, HelpOfQueryNamesEveryQuery) {
+  const std::string help = run("query --help").output;
+  for (const char* query : {"overlap", "distance", "contacts", "raycast", "cast,", "closest"})
+    EXPECT_NE(help.find(query), std::string::npos) << query;
+}
+
+TEST(Messages, ExplainAsJsonIsTheAnswerOfTheProtocol) {
+  auto explained = nlohmann::json::parse(run("explain " + questions + " --line 2 --json").output);
+  EXPECT_TRUE(explained["trace"]["axes"].is_array());
+  explained.erase("trace");
+  const std::string answers = run("query " + questions).output;
+  const std::size_t second = answers.find('\n') + 1;
+  EXPECT_EQ(explained, nlohmann::json::parse(answers.substr(second, answers.find('\n', second) - second)));
+}
+
+}  // namespace
+}  // namespace graze::cli
