@@ -18,6 +18,7 @@
 #include "graze/lines.hpp"
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
+#include "graze/trace.hpp"
 
 namespace graze {
 
@@ -29,9 +30,11 @@ namespace graze {
 /// Sources: Kay, Kajiya 1986 (slabs); Cyrus, Beck 1978 (clipping by planes); Woop, Benthin, Wald 2013 (triangles);
 /// van den Bergen 2004, "Ray casting against general convex objects with application to continuous collision
 /// detection" (everything that is known by its distance or its support function).
+/// A `trace` gets what the ray met: spans, or steps, and of composites how much of the tree; after the answer.
 template <class T>
 std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
-                                 T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
+                                 T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit,
+                                 Trace* trace = nullptr);
 
 /// Whether the ray hits anything with 0 <= t <= `length`, as for shadows and lines of sight: `raycast` would return a
 /// hit. Parameters and cost as there, but a composite stops at whichever piece is found first.

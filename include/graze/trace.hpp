@@ -43,15 +43,33 @@ struct TraceEpa {
   std::size_t faces;  ///< of the polytope, after the expansion
 };
 
+/// One condition on the points of a shape (between two parallel faces, behind a plane, in a ball), and the part of a ray
+/// that meets it.
+struct TraceSpan {
+  std::string name;     ///< "slab x", "face 12", "ball", "side"
+  Vec3d normal;         ///< unit, outward, where the ray comes in; zero where it never does
+  double enter, leave;  ///< along the ray, in units of length; nowhere when enter > leave
+};
+
+/// One step of conservative advancement, of a ray or of moving shapes.
+struct TraceStep {
+  double t;         ///< where along the ray, or when
+  double distance;  ///< of the shapes there and then
+  Vec3d normal;     ///< unit, from A to B: of the plane that the step runs up to
+};
+
 /// Everything that one query did.
 struct Trace {
-  std::string method;  ///< "closed form", "separating axes", "gjk", "gjk + epa"
+  std::string method;  ///< "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement"
   std::vector<TraceAxis> axes;
   std::vector<TraceGjk> gjk;
   std::vector<TraceEpa> epa;
   std::vector<TraceSupport> polytope;                 ///< EPA's final vertices
   std::vector<std::array<std::size_t, 3>> triangles;  ///< and its triangles
-  std::string winner;                                 ///< the name of the axis that the answer stands on, if any
+  std::vector<TraceSpan> spans;                       ///< of a ray at a convex shape in closed form
+  std::vector<TraceStep> steps;                       ///< of casts, and of rays at what is known by its distance
+  std::size_t nodes = 0, pieces = 0;                  ///< of a composite's tree, that a ray visited
+  std::string winner;                                 ///< the axis or span that the answer stands on, if any
   std::string reason;                                 ///< why it won, in one sentence
 };
 

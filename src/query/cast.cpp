@@ -4,6 +4,7 @@
 
 #include "mid/composite.hpp"
 #include "mid/moving_pieces.hpp"
+#include "query/explain_cast.hpp"
 
 namespace graze {
 
@@ -143,7 +144,12 @@ Pose<T> pose_at(const Pose<T>& pose, const Velocity<T>& velocity, T t) {
 template <class T>
 std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
                                const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration,
-                               const CastOptions& options) {
+                               const CastOptions& options, Trace* trace) {
+  if (trace) {
+    const auto hit = cast(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
+    explain_cast<T>({a, pose_a, velocity_a}, {b, pose_b, velocity_b}, duration, hit, *trace);
+    return hit;
+  }
   const Asked<T> asked(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
   const std::optional<PieceImpact> first = first_impact(asked);
   // In float `overlap` rounds more than a cast does. What it calls touching touches here too.
@@ -177,7 +183,7 @@ void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& veloc
 template Pose<float> pose_at(const Pose<float>&, const Velocity<float>&, float);
 template std::optional<CastHit<float>> cast(const Shape<float>&, const Pose<float>&, const Velocity<float>&,
                                             const Shape<float>&, const Pose<float>&, const Velocity<float>&, float,
-                                            const CastOptions&);
+                                            const CastOptions&, Trace*);
 template void cast_all(const Shape<float>&, const Pose<float>&, const Velocity<float>&, const Shape<float>&,
                        const Pose<float>&, const Velocity<float>&, float, std::vector<CastHit<float>>&,
                        const CastOptions&);
@@ -185,7 +191,7 @@ template void cast_all(const Shape<float>&, const Pose<float>&, const Velocity<f
 template Pose<double> pose_at(const Pose<double>&, const Velocity<double>&, double);
 template std::optional<CastHit<double>> cast(const Shape<double>&, const Pose<double>&, const Velocity<double>&,
                                              const Shape<double>&, const Pose<double>&, const Velocity<double>&, double,
-                                             const CastOptions&);
+                                             const CastOptions&, Trace*);
 template void cast_all(const Shape<double>&, const Pose<double>&, const Velocity<double>&, const Shape<double>&,
                        const Pose<double>&, const Velocity<double>&, double, std::vector<CastHit<double>>&,
                        const CastOptions&);

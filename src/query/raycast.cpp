@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "query/explain_ray.hpp"
 #include "query/shape_rays.hpp"
 
 #include "narrow/flatten.hpp"
@@ -50,7 +51,12 @@ GRAZE_FLATTEN std::optional<RayHit<T>> composite_hit(const Shape<T>& shape, cons
 
 template <class T>
 std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, T length,
-                                 BackFaces back) {
+                                 BackFaces back, Trace* trace) {
+  if (trace) {
+    const std::optional<RayHit<T>> hit = raycast(shape, pose, ray, length, back);
+    explain_ray(shape, pose, ray, length, back, hit, *trace);
+    return hit;
+  }
   if (const Vec3<T>* half = rays::plain_box(shape)) return box_hit(*half, pose, ray, length);
   return shape.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
@@ -93,7 +99,7 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template std::optional<RayHit<T>> raycast(const Shape<T>&, const Pose<T>&, const Ray<T>&, T, BackFaces);             \
+  template std::optional<RayHit<T>> raycast(const Shape<T>&, const Pose<T>&, const Ray<T>&, T, BackFaces, Trace*);     \
   template bool raycast_any(const Shape<T>&, const Pose<T>&, const Ray<T>&, T, BackFaces);                             \
   template std::size_t raycast_all(const Shape<T>&, const Pose<T>&, const Ray<T>&, std::vector<RayHit<T>>&, T,         \
                                    BackFaces);

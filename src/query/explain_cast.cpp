@@ -1,0 +1,88 @@
+#include "query/explain_cast.hpp"
+
+#include "mid/composite.hpp"
+#include "shape/reach.hpp"
+
+namespace graze {
+
+namespace {
+
+/// A table of more steps is not read; those of shapes that turn fast near each other go on for thousands.
+constexpr std::size_t most_shown_steps = 64;
+
+/// The greatest speed of any point of a body by its turning alone.
+template <class T>
+double turning_speed(const BodyOnItsWay<T>& body) {
+  const double rate = length(cast<double>(body.velocity.angular));
+  return rate > 0 ? rate * static_cast<double>(reach_of(body.shape)) : 0;
+}
+
+/// Conservative advancement with a bound on the speed (Mirtich 1996, "Impulse-based dynamic simulation of rigid body
+/// systems", section 2.3): the plane between the shapes parts them until the gap along its normal is used up.
+template <class T>
+class ShownAdvancement {
+ public:
+  ShownAdvancement(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b)
+      : a_(a),
+        b_(b),
+        velocity_(cast<double>(b.velocity.linear) - cast<double>(a.velocity.linear)),
+        turning_(turning_speed(a) + turning_speed(b)) {}
+
+  Distance<T> at(T t, Trace* trace = nullptr) const {
+    return any_distance(a_.shape, pose_at(a_.pose, a_.velocity, t), b_.shape, pose_at(b_.pose, b_.velocity, t), trace);
+  }
+
+  /// Until when the plane of that distance parts the shapes; infinite when they do not come nearer along its normal.
+  double parted_until(double t, const Distance<T>& d) const {
+    const double closing = turning_ - dot(cast<double>(d.normal), velocity_);
+    return closing > 0 ? t + static_cast<double>(d.distance) / closing : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  const BodyOnItsWay<T>&a_, &b_;
+  Vec3d velocity_;
+  double turning_;
+};
+
+}  // namespace
+
+template <class T>
+void explain_cast(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b, T duration, const std::optional<CastHit<T>>& hit,
+                  Trace& trace) {
+  const ShownAdvancement<T> advancement(a, b);
+  const T last = hit ? hit->t : duration;
+  const auto show = [&](T t, const Distance<T>& d) {
+    trace.steps.push_back({static_cast<double>(t), static_cast<double>(d.distance), cast<double>(d.normal)});
+  };
+  std::string end = hit ? "the shapes touch" : "the time is over before they touch";
+  T t(0);
+  while (t < last && trace.steps.size() < most_shown_steps) {
+    const Distance<T> d = advancement.at(t);
+    if (d.status == Status::unbounded || !(d.distance > T(0))) break;
+    show(t, d);
+    const double until = advancement.parted_until(static_cast<double>(t), d);
+    if (!hit && !(until < static_cast<double>(last))) {
+      end = until < std::numeric_limits<double>::infinity() ? "this plane parts them for the rest of the time"
+                                                            : "they never come nearer along this normal";
+      break;
+    }
+    const T next = until < static_cast<double>(last) ? static_cast<T>(until) : last;
+    if (!(next > t)) break;
+    t = next;
+  }
+  const bool ended = trace.steps.size() == most_shown_steps && t < last;
+  if (hit || ended || !(t < last)) t = last;
+  const Distance<T> d = advancement.at(t, &trace);
+  if (d.status != Status::unbounded && (trace.steps.empty() || trace.steps.back().t < static_cast<double>(t)))
+    show(t, d);
+  if (ended) end += ", after steps that are not shown";
+  trace.reason = end + "; then " + trace.method + (trace.reason.empty() ? "" : ": " + trace.reason);
+  trace.method = "conservative advancement";
+}
+
+template void explain_cast(const BodyOnItsWay<float>&, const BodyOnItsWay<float>&, float,
+                           const std::optional<CastHit<float>>&, Trace&);
+template void explain_cast(const BodyOnItsWay<double>&, const BodyOnItsWay<double>&, double,
+                           const std::optional<CastHit<double>>&, Trace&);
+
+}  // namespace graze
