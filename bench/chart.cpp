@@ -92,6 +92,7 @@ std::string chart(const std::string& title, const std::string& note, const std::
                             : printed("%.0f µs", std::pow(10.0, decade - 3)),
                  "small", "middle");
   }
+  drawing.text(0, top - 12, "time for a pair, logarithmic", "small");
   double begin = top;
   for (const ChartRow& row : rows) {
     double y = begin;

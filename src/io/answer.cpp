@@ -6,6 +6,7 @@
 #include "graze/cast.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
+#include "io/trace_writer.hpp"
 
 namespace graze::io {
 
@@ -17,57 +18,10 @@ Vec3<T> in_plane(const Vec3<T>& normal, int dimension) {
   return dimension == 3 ? normal : normalized(Vec3<T>{normal.x, normal.y, T(0)});
 }
 
-void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
-  out.open('[');
-  for (const TraceSupport& p : points) out.open('{').key("a").vector(p.a).key("b").vector(p.b).close('}');
-  out.close(']');
-}
-
-/// [lower, upper]. A half-space reaches down without end, which no number of JSON says: "-infinity" does.
-void write_interval(double lower, double upper, JsonWriter& out) {
-  out.open('[');
-  for (const double end : {lower, upper})
-    std::isfinite(end) ? out.number(end) : out.raw(end < 0 ? R"("-infinity")" : R"("infinity")");
-  out.close(']');
-}
-
-void write_trace(const Trace& trace, JsonWriter& out) {
-  out.key("trace").open('{').key("method").raw(Json(trace.method).dump());
-  if (!trace.winner.empty()) out.key("winner").raw(Json(trace.winner).dump());
-  if (!trace.reason.empty()) out.key("reason").raw(Json(trace.reason).dump());
-  out.key("axes").open('[');
-  for (const TraceAxis& axis : trace.axes) {
-    out.open('{').key("name").raw(Json(axis.name).dump()).key("direction").vector(axis.direction);
-    write_interval(axis.a_lower, axis.a_upper, out.key("a"));
-    write_interval(axis.b_lower, axis.b_upper, out.key("b"));
-    out.key("overlap").number(axis.overlap()).close('}');
-  }
-  out.close(']').key("gjk").open('[');
-  for (const TraceGjk& step : trace.gjk) {
-    out.open('{').key("simplex");
-    write_points(step.simplex, out);
-    out.key("direction").vector(step.direction).key("found").open('{');
-    out.key("a").vector(step.found.a).key("b").vector(step.found.b).close('}');
-    out.key("lower").number(step.lower).key("upper").number(step.upper).close('}');
-  }
-  out.close(']').key("epa").open('[');
-  for (const TraceEpa& step : trace.epa) {
-    out.open('{').key("normal").vector(step.normal).key("faceDepth").number(step.face_depth);
-    out.key("foundDepth").number(step.found_depth).key("faces").number(static_cast<double>(step.faces)).close('}');
-  }
-  out.close(']');
-  if (!trace.polytope.empty()) {
-    out.key("polytope").open('{').key("points");
-    write_points(trace.polytope, out);
-    out.key("triangles").open('[');
-    for (const auto& t : trace.triangles) {
-      out.open('[');
-      for (const std::size_t i : t) out.number(static_cast<double>(i));
-      out.close(']');
-    }
-    out.close(']').close('}');
-  }
-  out.close('}');
+/// An answer that is not proven within the tolerance says how far off it may be.
+template <class T>
+void write_bounded(bool proven, T error, JsonWriter& out) {
+  if (!proven) out.key("bounded").number(error);
 }
 
 template <class T>
@@ -77,6 +31,7 @@ void write_distance(const Question<T>& q, Trace* trace, JsonWriter& out) {
     throw InvalidValue("a, b", "shapes of finite depth", "two half-spaces that are not opposite");
   out.key("distance").number(d.distance).key("normal").vector(in_plane(d.normal, q.dimension), q.dimension);
   out.key("a").vector(d.a, q.dimension).key("b").vector(d.b, q.dimension);
+  write_bounded(d.status == Status::converged, d.error, out);
 }
 
 template <class T>
@@ -96,6 +51,19 @@ void write_contacts(const Question<T>& q, Trace* trace, JsonWriter& out) {
     out.close(']').close('}');
   }
   out.close(']');
+  // The points of two convex shapes lie along the normal of their distance, and are as deep as that is known.
+  if (manifolds.empty() || !q.a->shape.convex() || !q.b->shape.convex()) return;
+  const Distance<T> d = distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose);
+  write_bounded(d.status != Status::bounded, d.error, out);
+}
+
+/// A point by itself is a ball without radius: what bounds the distance to it bounds that of the nearest point.
+template <class T>
+T error_of(const Question<T>& q, const Closest<T>& found) {
+  if constexpr (requires { found.error; })
+    return found.error;
+  else
+    return distance(q.a->shape, q.a->pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{*q.point, {}}).error;
 }
 
 template <class T>
@@ -103,12 +71,12 @@ void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
   const Closest<T> c = closest(q.a->shape, q.a->pose, *q.point, trace);
   out.key("distance").number(c.distance).key("point").vector(c.point, q.dimension);
   out.key("normal").vector(in_plane(c.normal, q.dimension), q.dimension);
+  if (c.status != Status::converged) write_bounded(false, error_of(q, c), out);
 }
 
 template <class T>
 void write_raycast(const Question<T>& q, Trace* trace, JsonWriter& out) {
-  const std::optional<RayHit<T>> hit = raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length);
-  if (trace) trace->method = "ray cast";
+  const std::optional<RayHit<T>> hit = raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length, BackFaces::hit, trace);
   out.key("hit").value(hit.has_value());
   if (!hit) return;
   out.key("t").number(hit->t).key("point").vector(hit->point, q.dimension);
@@ -119,15 +87,15 @@ template <class T>
 void write_cast(const Question<T>& q, Trace* trace, JsonWriter& out) {
   const auto &a = *q.a, &b = *q.b;
   const std::optional<CastHit<T>> hit =
-      cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular}, q.duration);
-  if (trace) trace->method = "conservative advancement";
-  if (hit && hit->status != Status::converged)
-    throw InvalidValue("a, b", "bodies that turn less often before they touch",
-                       "so many turns so near each other that their first contact cannot be told");
+      cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular}, q.duration, {}, trace);
   out.key("hit").value(hit.has_value());
   if (!hit) return;
   out.key("t").number(hit->t).key("normal").vector(in_plane(hit->normal, q.dimension), q.dimension);
   out.key("point").vector(hit->point, q.dimension);
+  // Before that time they do not touch. Whether they do then or later is proven of what touches at the start; of other
+  // bodies whose first contact could not be told it is anywhere up to the end.
+  const bool proven = hit->status == Status::converged || (hit->t == T(0) && overlap(a.shape, a.pose, b.shape, b.pose));
+  write_bounded(proven, q.duration - hit->t, out);
 }
 
 }  // namespace
@@ -168,6 +136,20 @@ void leave_plane_axes(Trace& trace) {
   trace.axes = std::move(kept);
 }
 
+void leave_plane_spans(Trace& trace) {
+  constexpr double same = 1e-9;  // as of axes
+  // A disc is the side of a prism whose balls lie off the plane.
+  std::erase_if(trace.spans, [&](const TraceSpan& span) {
+    return std::abs(span.normal.z) > same || span.name.starts_with("ball at") || span.name == "slab z";
+  });
+  for (TraceSpan& span : trace.spans) {
+    if (span.name != "balls and side") continue;
+    span.name = "circle";
+    trace.method = "quadratic";
+    if (!trace.winner.empty()) trace.winner = span.name, trace.reason = "the ray comes in through the circle";
+  }
+}
+
 template <class T>
 void write_answer(const Question<T>& q, JsonWriter& out) {
   Trace trace;
@@ -182,7 +164,10 @@ void write_answer(const Question<T>& q, JsonWriter& out) {
   case QueryKind::raycast: write_raycast(q, asked, out); break;
   case QueryKind::cast: write_cast(q, asked, out); break;
   }
-  if (q.dimension == 2) leave_plane_axes(trace);
+  if (q.dimension == 2) {
+    leave_plane_axes(trace);
+    leave_plane_spans(trace);
+  }
   if (asked) write_trace(trace, out);
 }
 

@@ -20,4 +20,7 @@ void leave_plane_points(Manifold<T>& manifold);
 /// that stand for the figures.
 void leave_plane_axes(Trace& trace);
 
+/// And of the spans those across the plane.
+void leave_plane_spans(Trace& trace);
+
 }  // namespace graze::io

@@ -7,12 +7,6 @@
 
 namespace graze::io {
 
-Color mixed(const Color& a, const Color& b, double part) {
-  Color c{};
-  for (std::size_t i = 0; i < 3; ++i) c[i] = a[i] + (b[i] - a[i]) * part;
-  return c;
-}
-
 std::string hex(const Color& c, double light) {
   const auto part = [&](std::size_t i) { return static_cast<int>(std::clamp(c[i] * light, 0.0, 255.0)); };
   return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
@@ -106,15 +100,33 @@ std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
   const double ux = dx / l, uy = dy / l, x = view.x(to), y = view.y(to);
   return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke-width=\"1.8\"/><path d=\"M{:.1f} {:.1f}L{:.1f} "
                      "{:.1f}L{:.1f} {:.1f}Z\" "
-                     "fill=\"#1d3557\"/>\n",
+                     "class=\"tip\"/>\n",
                      view.x(from), view.y(from), x - 4 * ux, y - 4 * uy, x + 2 * ux, y + 2 * uy, x - 7 * ux - 3.5 * uy,
                      y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
 }
 
+std::string text(double x, double y, double size, const std::string& words, const std::string& look,
+                 const char* anchor) {
+  const std::string color = look.starts_with('#') ? "fill=\"" + look + '"' : "class=\"" + look + '"';
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" {} text-anchor=\"{}\">{}</text>\n", x, y, size,
+                     color, anchor, escaped(words));
+}
+
 std::string svg_head() {
-  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
-                     "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" fill=\"#f8f9fa\"/>\n",
-                     picture_width, picture_height);
+  // Colours of paper, ink and lines follow the reader's choice; those of shapes stand out from both.
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
+      "<style>\n"
+      ".paper{{fill:#f8f9fa}} .ink{{fill:#212529}} .soft{{fill:#495057}} .chosen{{fill:#ffe8cc}} .tip{{fill:#1d3557}}\n"
+      ".red{{fill:#c1121f}} .arrow{{stroke:#1d3557}} .rule{{stroke:#adb5bd}} .gap{{stroke:#868e96}} "
+      ".shared{{stroke:#c1121f}} .rim{{stroke:#f8f9fa}}\n"
+      "@media (prefers-color-scheme:dark){{\n"
+      ".paper{{fill:#161b22}} .ink{{fill:#e6edf3}} .soft{{fill:#9aa4af}} .chosen{{fill:#5a3a14}} .tip{{fill:#a5c8ff}}\n"
+      ".red{{fill:#ff6b6b}} .arrow{{stroke:#a5c8ff}} .rule{{stroke:#57606a}} .gap{{stroke:#8b949e}} "
+      ".shared{{stroke:#ff6b6b}} .rim{{stroke:#161b22}}\n"
+      "}}\n</style>\n"
+      "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" class=\"paper\"/>\n",
+      picture_width, picture_height);
 }
 
 }  // namespace graze::io

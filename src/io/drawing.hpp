@@ -14,7 +14,11 @@ namespace graze::io {
 
 using Color = std::array<double, 3>;
 
-Color mixed(const Color& a, const Color& b, double part);
+constexpr Color mixed(const Color& a, const Color& b, double part) {
+  Color c{};
+  for (std::size_t i = 0; i < 3; ++i) c[i] = a[i] + (b[i] - a[i]) * part;
+  return c;
+}
 std::string hex(const Color& color, double light = 1);
 /// Text between tags.
 std::string escaped(const std::string& text);
@@ -57,13 +61,17 @@ std::string painted(std::vector<DrawnFace> faces);
 /// An arrow of fixed length on the picture, along a unit vector.
 std::string arrow(const View& view, const Vec3d& from, const Vec3d& along);
 
+/// Words in a look: a class of the picture's style ("ink", "soft", "red"), or a colour ("#5482b0").
+std::string text(double x, double y, double size, const std::string& words, const std::string& look = "ink",
+                 const char* anchor = "start");
+
 /// All pictures have one size, in pixels.
 inline constexpr double picture_width = 960, picture_height = 600;
 /// A scene may be one point. It is then drawn as if it had this size: the smallest that keeps the places of a picture
 /// finite, which are a few coordinates times the picture's width, divided by the size.
 inline constexpr double least_size =
     16 * picture_width * largest_magnitude<double> / std::numeric_limits<double>::max();
-/// The beginning of a picture with its background; `</svg>` ends it.
+/// The beginning of a picture with its style, for light paper and for dark, and its background; `</svg>` ends it.
 std::string svg_head();
 
 }  // namespace graze::io

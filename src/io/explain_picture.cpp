@@ -1,39 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "graze/io/explain.hpp"
-#include "io/drawing.hpp"
+#include "io/explain_parts.hpp"
+#include "io/labels.hpp"
 
 namespace graze::io {
 
 namespace {
 
-constexpr double page_margin = 28, head_height = 64;
-/// Where the shapes are, and beside them the axes one below the other.
-constexpr Panel shapes_panel{page_margin, head_height + 8, 520, picture_height - head_height - page_margin - 16};
-constexpr double list_x = 590, name_width = 138, bars_x = list_x + name_width, bars_width = 138, number_x = 936;
-constexpr std::size_t most_rows = 20, most_points = 10;
+constexpr std::size_t most_points = 10;
 constexpr double id_row = 15;
-
-constexpr Color color_a{84, 130, 176}, color_b{224, 142, 69}, color_shared{193, 18, 31}, ink{33, 37, 41};
-
-std::string text(double x, double y, double size, const std::string& words, const Color& color = ink,
-                 const char* anchor = "start") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\">{}</text>\n", x,
-                     y, size, hex(color), anchor, escaped(words));
-}
-std::string bar(double x0, double x1, double y, const Color& color) {
-  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"5\" rx=\"2\" fill=\"{}\"/>\n", x0, y,
-                     std::max(x1 - x0, 1.5), hex(color));
-}
-
-const TraceAxis* winner(const Trace& trace) {
-  const auto found =
-      std::find_if(trace.axes.begin(), trace.axes.end(), [&](const TraceAxis& a) { return a.name == trace.winner; });
-  return found == trace.axes.end() ? nullptr : &*found;
-}
 
 /// An axis in true length: the viewer looks across it, from about where was asked.
 Vec3d across(const Vec3d& toward, const Vec3d& axis) {
@@ -41,104 +20,80 @@ Vec3d across(const Vec3d& toward, const Vec3d& axis) {
   return length(seen) > 0.05 * length(toward) ? seen : any_perpendicular(axis);
 }
 
-/// The winning axis beside the shapes: the interval of each, what they share, and lines down from the shapes.
-class AxisDrawing {
+/// Bounds of the shapes that have any, and of the points that have to be seen besides; a box of 2 when nothing has.
+class Stage {
  public:
-  AxisDrawing(const TraceAxis& axis, const Vec3d& toward, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b)
-      : axis_(axis), beside_(normalized(cross(toward, axis.direction))), of_a_(a), of_b_(b) {
-    if (beside_.y > 0 || (beside_.y == 0 && beside_.x > 0)) beside_ = -beside_;  // below, or on the left
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double edge = -infinity, inner = infinity;
-    low_ = infinity, high_ = -infinity;
-    for (const auto* points : {&a, &b})
-      for (const Vec3d& p : *points) {
-        edge = std::max(edge, dot(p, beside_)), inner = std::min(inner, dot(p, beside_));
-        low_ = std::min(low_, dot(p, axis.direction)), high_ = std::max(high_, dot(p, axis.direction));
-      }
-    const double step = 0.07 * std::max(edge - inner, high_ - low_);
-    bar_a_ = edge + step, bar_b_ = edge + 2 * step;
+  void add(const Shaped& shape, const Posed& pose) {
+    if (const Aabbd of = bounds(shape, pose); max_abs(of.extent()) < 1e300) box_ = merged(box_, of);
   }
-
-  /// What the picture must have room for.
-  std::vector<Vec3d> corners() const { return {at(low_, bar_b_), at(high_, bar_b_)}; }
-
-  std::string draw(const View& view) const {
-    std::string out = shadow(view, of_a_, axis_.a_lower, axis_.a_upper, bar_a_, color_a) +
-                      shadow(view, of_b_, axis_.b_lower, axis_.b_upper, bar_b_, color_b);
-    // Between the bars: red where both are, grey where a gap is.
-    const bool overlap = axis_.overlap() >= 0;
-    const double middle = (bar_a_ + bar_b_) / 2;
-    out += line(view, at(axis_.b_lower, middle), at(axis_.a_upper, middle), overlap ? hex(color_shared) : "#868e96", 3);
-    return out + text(page_margin, picture_height - 14, 13,
-                      fmt::format("{}: {} {:.4g}", axis_.name, overlap ? "overlap" : "gap", std::abs(axis_.overlap())),
-                      overlap ? color_shared : ink);
-  }
+  void add(const Vec3d& p) { box_ = merged(box_, p); }
+  Aabbd box() const { return box_.lower.x <= box_.upper.x ? box_ : Aabbd{{-1, -1, -1}, {1, 1, 1}}; }
+  double size() const { return std::max(max_abs(box().extent()), least_size); }
 
  private:
-  Vec3d at(double along, double aside) const { return axis_.direction * along + beside_ * aside; }
-
-  static std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::string& stroke, double thickness,
-                          const char* more = "") {
-    return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", view.x(p),
-                       view.y(p), view.x(q), view.y(q), stroke, thickness, more);
-  }
-
-  /// One shape's interval as a bar, with a line to each end from the point of the shape that makes it. What is infinite
-  /// is drawn as far as the rest reaches.
-  std::string shadow(const View& view, const std::vector<Vec3d>& points, double lower, double upper, double bar,
-                     const Color& color) const {
-    const double from = std::clamp(lower, low_, high_), to = std::clamp(upper, low_, high_);
-    const auto before = [&](const Vec3d& p, const Vec3d& q) {
-      return dot(p, axis_.direction) < dot(q, axis_.direction);
-    };
-    const auto [first, last] = std::minmax_element(points.begin(), points.end(), before);
-    const auto dropped = [&](const Vec3d& p, double end) {
-      return line(view, at(end, dot(p, beside_)), at(end, bar), "#adb5bd", 1, " stroke-dasharray=\"3 3\"");
-    };
-    return dropped(*first, from) + dropped(*last, to) + line(view, at(from, bar), at(to, bar), hex(color), 7);
-  }
-
-  const TraceAxis& axis_;
-  Vec3d beside_;  ///< unit, across the axis in the plane of the picture
-  const std::vector<Vec3d>&of_a_, &of_b_;
-  double low_, high_, bar_a_, bar_b_;  ///< of the shapes along the axis; where along `beside_` the bars are
+  Aabbd box_ = Aabbd::empty();
 };
 
-std::string draw_points(const Explanation& e, const View& view) {
+/// What of a ray is drawn: from its origin, or where it comes near the shape if that is far away, to its hit or beyond
+/// the shape.
+struct DrawnRay {
+  Vec3d from, to, beyond;
+
+  DrawnRay(const ExplainedRay& asked, const Aabbd& box) {
+    const Vec3d way = normalized(asked.ray.direction);
+    const double size = std::max(max_abs(box.extent()), least_size), most = std::min(asked.length, 1e200);
+    const double middle = dot(box.center() - asked.ray.origin, way);
+    const double begin = std::clamp(middle - 1.6 * size, 0.0, most);
+    const double end = std::clamp(middle + 0.8 * size, begin, std::max(begin, most));
+    from = asked.ray.origin + way * begin;
+    to = asked.hit ? asked.hit->point : asked.ray.origin + way * end;
+    beyond = asked.ray.origin + way * std::max(end, begin);
+  }
+};
+
+std::string draw_ray(const ExplainedRay& asked, const DrawnRay& ray, const View& view) {
+  std::string out = line(view, ray.from, ray.to, "arrow", 1.8);
+  if (!asked.hit) return out + "<g class=\"arrow\">" + arrow(view, ray.to, normalized(asked.ray.direction)) + "</g>\n";
+  return out + line(view, ray.to, ray.beyond, "rule", 1.2, " stroke-dasharray=\"4 4\"") + "<g class=\"arrow\">" +
+         arrow(view, asked.hit->point, asked.hit->normal) + "</g>\n" + dot_at(view, asked.hit->point, "red");
+}
+
+/// How far a moving pair is drawn: to its hit, or to the end.
+double last_time(const ExplainedCast& cast) { return cast.hit ? cast.hit->t : cast.duration; }
+
+std::string draw_ways(const Explanation& e, const View& view) {
   std::string out;
-  const auto dot_at = [&](const Vec3d& p, const Color& color) {
-    out +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\" stroke=\"#fff\" stroke-width=\".8\"/>\n",
-                    view.x(p), view.y(p), hex(color));
-  };
+  const double t = last_time(*e.cast);
+  for (const auto& [body, velocity] : {std::pair{&*e.a, &e.cast->a}, std::pair{&*e.b, &e.cast->b}})
+    if (velocity->linear != Vec3d{})
+      out += line(view, body->pose.translation, body->pose.translation + velocity->linear * t, "arrow", 1.2,
+                  " stroke-dasharray=\"5 4\"");
+  if (!e.cast->hit) return out;
+  return out + "<g class=\"arrow\">" + arrow(view, e.cast->hit->point, e.cast->hit->normal) + "</g>\n" +
+         dot_at(view, e.cast->hit->point, "red");
+}
+
+/// Points of contact with their numbers, none upon another, and an arrow a manifold.
+std::string draw_points(const Explanation& e, const View& view) {
+  std::string arrows, dots, numbers;
+  Labels labels;
+  for (const Manifold<double>& m : e.manifolds)
+    for (const auto& p : m.points) labels.keep_clear(view.x(p.position()), view.y(p.position()), 4);
   int number = 0;
   for (const Manifold<double>& m : e.manifolds) {
     Vec3d middle;
     for (const auto& p : m.points) middle += p.position() / static_cast<double>(m.points.size());
-    out += R"(<g stroke="#1d3557" fill="none">)" + arrow(view, middle, m.normal) + "</g>\n";
+    arrows += arrow(view, middle, m.normal);
     for (const auto& p : m.points) {
-      dot_at(p.position(), color_shared);
-      out += text(view.x(p.position()), view.y(p.position()) - 7, 11, std::to_string(++number), ink, "middle");
+      dots += dot_at(view, p.position(), "red");
+      numbers += labels.at(view.x(p.position()), view.y(p.position()), std::to_string(++number));
     }
   }
-  if (e.distance) {
-    out += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#c1121f\" stroke-width=\"2\"/>\n",
-                       view.x(e.distance->a), view.y(e.distance->a), view.x(e.distance->b), view.y(e.distance->b));
-    dot_at(e.distance->a, color_a);
-    dot_at(e.distance->b, color_b);
-  }
+  std::string out = "<g class=\"arrow\">" + arrows + "</g>\n" + dots + numbers;
+  if (e.distance)
+    out += line(view, e.distance->a, e.distance->b, "shared", 2) + dot_at(view, e.distance->a, hex(color_a)) +
+           dot_at(view, e.distance->b, hex(color_b));
   return out;
-}
-
-/// The axes of least overlap, in the order in which they were tried.
-std::vector<const TraceAxis*> shown_axes(const Trace& trace) {
-  std::vector<const TraceAxis*> axes;
-  for (const TraceAxis& axis : trace.axes) axes.push_back(&axis);
-  if (axes.size() <= most_rows) return axes;
-  std::stable_sort(axes.begin(), axes.end(), [](auto* p, auto* q) { return p->overlap() < q->overlap(); });
-  axes.resize(most_rows);
-  std::sort(axes.begin(), axes.end());
-  return axes;
 }
 
 /// The ids of the points by their numbers in the picture, from the bottom up. Returns where the list begins.
@@ -151,91 +106,100 @@ double draw_ids(const Explanation& e, std::string& out) {
   double y = picture_height - page_margin - id_row * static_cast<double>(count);
   const double top = y - 8;
   for (std::size_t i = 0; i < count; ++i, y += id_row)
-    out += text(list_x, y + 12, 11,
-                fmt::format("{:>2}  {:08x}  {}", i + 1, points[i]->feature, feature_text(points[i]->feature))) +
-           text(number_x, y + 12, 11, fmt::format("{:.4g}", points[i]->distance), ink, "end");
+    out += text(list_x, y + 12, 11, fmt::format("{:>2}  {}", i + 1, feature_text(points[i]->feature, e))) +
+           text(number_x, y + 12, 11, fmt::format("{:.4g}", points[i]->distance), "ink", "end");
+  if (count < points.size())
+    out += text(list_x, y + 12, 11, fmt::format("and {} more points", points.size() - count), "soft");
   return top;
 }
 
-/// All axes as rows: the intervals of both shapes, to one scale; down to `bottom`.
-std::string draw_list(const Explanation& e, double bottom) {
-  const auto axes = shown_axes(e.trace);
-  double widest = 0;
-  const auto ends = [](const TraceAxis& axis) {
-    double low = std::min(axis.a_lower, axis.b_lower), high = std::max(axis.a_upper, axis.b_upper);
-    if (!std::isfinite(low)) low = std::max(axis.a_lower, axis.b_lower);
-    if (!std::isfinite(high)) high = std::min(axis.a_upper, axis.b_upper);
-    return std::pair{low, high};
-  };
-  for (const TraceAxis* axis : axes) widest = std::max(widest, ends(*axis).second - ends(*axis).first);
-  if (!(widest > 0)) return "";
-  const double row = std::min(26.0, (bottom - head_height - 34) / static_cast<double>(axes.size()));
-  std::string out = text(bars_x, head_height + 4, 12, "A", color_a) +
-                    text(bars_x + 14, head_height + 4, 12, "B", color_b) +
-                    text(number_x, head_height + 4, 12, "overlap", ink, "end");
-  double y = head_height + 14;
-  for (const TraceAxis* axis : axes) {
-    const auto [low, high] = ends(*axis);
-    const double scale = bars_width / widest, start = bars_x + (bars_width - (high - low) * scale) / 2;
-    const auto x = [&, low = low, high = high](double t) { return start + (std::clamp(t, low, high) - low) * scale; };
-    if (axis->name == e.trace.winner)
-      out += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"{}\" height=\"{:.1f}\" rx=\"4\" fill=\"#ffe8cc\"/>\n",
-                         list_x - 8, y - 1, number_x - list_x + 16, row - 1);
-    out += text(list_x, y + row / 2 + 4, 12, axis->name);
-    out += bar(x(axis->a_lower), x(axis->a_upper), y + row / 2 - 6, color_a);
-    out += bar(x(axis->b_lower), x(axis->b_upper), y + row / 2 + 1, color_b);
-    out += text(number_x, y + row / 2 + 4, 12, fmt::format("{:.4g}", axis->overlap()), ink, "end");
-    y += row;
-  }
-  if (axes.size() < e.trace.axes.size())
-    out += text(list_x, picture_height - 16, 12,
-                fmt::format("the {} of {} axes that overlap least", axes.size(), e.trace.axes.size()));
-  return out;
-}
-
 std::string headline(const Explanation& e) {
-  std::string words = e.query + ": the shapes " + (e.overlap ? "overlap" : "are apart");
-  if (e.distance) words += fmt::format(", {} {:.4g}", e.overlap ? "depth" : "distance", std::abs(e.distance->distance));
-  if (!e.manifolds.empty())
-    words += fmt::format(", {} point{}", e.manifolds[0].points.size(), e.manifolds[0].points.size() == 1 ? "" : "s");
   std::string method = e.trace.method;
   if (!e.trace.reason.empty()) method += ": " + e.trace.reason;
   constexpr std::size_t longest = 150;
   if (method.size() > longest) method = method.substr(0, longest) + "...";
-  return text(page_margin, 34, 17, words) + text(page_margin, 54, 12, method, {73, 80, 87});
+  return text(page_margin, 34, 17, e.query + ": " + outcome_text(e)) + text(page_margin, 54, 12, method, "soft");
+}
+
+/// Where on the picture the overlap or gap is.
+std::optional<Vec3d> place_of_contact(const Explanation& e) {
+  if (e.distance) return (e.distance->a + e.distance->b) * 0.5;
+  if (!e.manifolds.empty()) return e.manifolds[0].points[0].position();
+  if (e.cast && e.cast->hit) return e.cast->hit->point;
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
-  const TraceAxis* axis = winner(e.trace);
+  const TraceAxis* axis = e.ray ? nullptr : named(e.trace.axes, e.trace.winner);
   Vec3d toward = e.dimension == 2 ? Vec3d{0, 0, 1} : toward_viewer;
   if (axis && e.dimension == 3) toward = across(toward_viewer, axis->direction);
+  if (e.ray && e.dimension == 3) toward = across(toward_viewer, normalized(e.ray->ray.direction));
 
-  Aabbd box = Aabbd::empty();
-  for (const auto* body : {&*e.a, &*e.b})
-    if (const Aabbd of = bounds(body->shape, body->pose); max_abs(of.extent()) < 1e300) box = merged(box, of);
-  if (!(box.lower.x <= box.upper.x)) box = {{-1, -1, -1}, {1, 1, 1}};
-  const double size = std::max(max_abs(box.extent()), least_size);
-  const Polygons a = tessellate(e.a->shape, e.a->pose, box.center(), 0.7 * size);
-  const Polygons b = tessellate(e.b->shape, e.b->pose, box.center(), 0.7 * size);
-
+  Posed pose_a = e.a->pose, pose_b = e.b ? e.b->pose : Posed{};
+  Stage stage;
+  stage.add(e.a->shape, pose_a);
+  if (e.b) stage.add(e.b->shape, pose_b);
+  if (e.cast) {  // the shapes stand where they meet
+    pose_a = pose_at(pose_a, e.cast->a, last_time(*e.cast));
+    pose_b = pose_at(pose_b, e.cast->b, last_time(*e.cast));
+    stage.add(e.a->shape, pose_a);
+    stage.add(e.b->shape, pose_b);
+  }
+  std::optional<DrawnRay> ray;
+  if (e.ray) {
+    ray.emplace(*e.ray, stage.box());
+    for (const Vec3d& p : {ray->from, ray->to, ray->beyond}) stage.add(p);
+  }
+  const double size = stage.size();
+  const auto polygons = [&](const Shaped& shape, const Posed& pose) {
+    return tessellate(shape, pose, stage.box().center(), 0.7 * size);
+  };
+  const Polygons a = polygons(e.a->shape, pose_a), b = e.b ? polygons(e.b->shape, pose_b) : Polygons{};
   std::vector<Vec3d> points = a.points;
   points.insert(points.end(), b.points.begin(), b.points.end());
+  if (ray) points.insert(points.end(), {ray->from, ray->to, ray->beyond});
+
+  std::vector<std::pair<Polygons, Color>> ghosts;  // where bodies that move begin
+  constexpr Color pale{160, 166, 173};
+  if (e.cast)
+    for (const auto& [body, velocity, color] :
+         {std::tuple{&*e.a, &e.cast->a, color_a}, std::tuple{&*e.b, &e.cast->b, color_b}})
+      if (velocity->linear != Vec3d{} || velocity->angular != Vec3d{})
+        ghosts.emplace_back(polygons(body->shape, body->pose), mixed(color, pale, 0.7));
+  for (const auto& [ghost, color] : ghosts) points.insert(points.end(), ghost.points.begin(), ghost.points.end());
+
   std::optional<AxisDrawing> beside;
   if (axis) {
     beside.emplace(*axis, normalized(toward), a.points, b.points);
     for (const Vec3d& p : beside->corners()) points.push_back(p);
   }
-  const View view(toward, points, shapes_panel);
+  const std::optional<Vec3d> place = place_of_contact(e);
+  View view(toward, points, shapes_panel);
+  const bool inset = axis && place && needs_inset(view, *axis);
+  if (inset) {
+    Panel below = shapes_panel;
+    below.y += inset_height, below.height -= inset_height;
+    view = View(toward, points, below);
+  }
   std::vector<DrawnFace> faces;
+  for (const auto& [ghost, color] : ghosts) draw_shape(view, ghost, color, true, size, faces);
   draw_shape(view, a, color_a, true, size, faces);
-  draw_shape(view, b, color_b, true, size, faces);
+  if (e.b) draw_shape(view, b, color_b, true, size, faces);
   std::string out =
       svg_head() + painted(std::move(faces)) + "<g font-family=\"system-ui, sans-serif\" fill=\"none\">\n";
   if (beside) out += beside->draw(view);
   const double bottom = draw_ids(e, out);
-  return out + draw_points(e, view) + draw_list(e, bottom) + headline(e) + "</g>\n</svg>\n";
+  if (ray) out += draw_ray(*e.ray, *ray, view);
+  if (e.cast) out += draw_ways(e, view);
+  out += draw_points(e, view);
+  if (inset) out += draw_inset(view, *axis, *place);
+  if (!e.trace.steps.empty())
+    out += draw_steps(e, bottom);
+  else
+    out += e.ray ? draw_spans(e) : draw_axes(e, bottom);
+  return out + headline(e) + "</g>\n</svg>\n";
 }
 
 }  // namespace graze::io

@@ -32,8 +32,8 @@ std::string draw_contacts(const View& view, const std::vector<TouchingPair>& pai
       arrows += arrow(view, middle, m.normal);
     }
   }
-  return "<g stroke=\"#1d3557\" fill=\"none\">\n" + arrows +
-         "</g>\n<g fill=\"#c1121f\" stroke=\"#fff\" stroke-width=\".8\">\n" + dots + "</g>\n";
+  return "<g class=\"arrow\" fill=\"none\">\n" + arrows + "</g>\n<g class=\"red rim\" stroke-width=\".8\">\n" + dots +
+         "</g>\n";
 }
 
 /// The bounds of all that is bounded; a unit box when nothing is.
@@ -44,23 +44,48 @@ Aabbd scene_bounds(const Scene& scene) {
   return all.lower.x <= all.upper.x ? all : Aabbd{{-1, -1, -1}, {1, 1, 1}};
 }
 
-std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs) {
-  std::string out = fmt::format("<g font-family=\"system-ui, sans-serif\" font-size=\"14\" fill=\"#495057\"><text "
-                                "x=\"24\" y=\"32\" font-size=\"17\" "
-                                "fill=\"#212529\">{}: {} colliders, {} pairs in contact</text>\n",
-                                escaped(scene.source), scene.colliders.size(), pairs.size());
-  const std::pair<const char*, Color> entries[] = {
-      {"static", fixed_color}, {"moving", moving_color}, {"touching", touching_color}, {"trigger", trigger_color}};
+/// What a collider is drawn as. A body that does not move is tinted a little where it is touched.
+struct Tint {
+  const char* name;
+  Color color;
+};
+constexpr Tint looks[] = {{"static", fixed_color},
+                          {"static, touched", mixed(fixed_color, touching_color, 0.25)},
+                          {"moving", moving_color},
+                          {"touching", mixed(moving_color, touching_color, 0.75)},
+                          {"trigger", trigger_color}};
+
+std::size_t look_of(const Scene& scene, const Collider& collider, bool touching) {
+  if (collider.trigger) return 4;
+  const bool fixed = scene.bodies[collider.body].type == MotionType::fixed;
+  return (fixed ? 0u : 2u) + (touching ? 1u : 0u);
+}
+
+/// "1 pair", "2 pairs".
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+/// The title, and below the looks that are in the picture.
+std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs, const std::set<std::size_t>& used) {
+  std::string out = "<g font-family=\"system-ui, sans-serif\">\n" +
+                    text(24, 32, 17,
+                         fmt::format("{}: {}, {} in contact", scene.source, counted(scene.colliders.size(), "collider"),
+                                     counted(pairs.size(), "pair")));
   double x = 24;
-  for (const auto& [name, color] : entries) {
-    out += fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/><text x=\"{}\" y=\"{}\">{}</text>\n",
-        x, picture_height - 30, hex(color, 1), x + 19, picture_height - 18.5, name);
-    x += 92;
+  for (const std::size_t i : used) {
+    const std::string name = looks[i].name;
+    out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/>\n", x,
+                       picture_height - 30, hex(looks[i].color));
+    out += text(x + 19, picture_height - 18.5, 14, name, "soft");
+    x += 46 + 7.5 * static_cast<double>(name.size());
   }
-  return out + fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" fill=\"#c1121f\"/><text x=\"{}\" y=\"{}\">contact "
-                           "point, with its normal</text></g>\n",
-                           x + 4, picture_height - 23.5, x + 15, picture_height - 18.5);
+  const bool points =
+      std::any_of(pairs.begin(), pairs.end(), [](const TouchingPair& p) { return p.overlap && !p.trigger; });
+  if (points)
+    out += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"4\" class=\"red\"/>\n", x + 4, picture_height - 23.5) +
+           text(x + 15, picture_height - 18.5, 14, "contact point, with its normal", "soft");
+  return out + "</g>\n";
 }
 
 }  // namespace
@@ -79,15 +104,14 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
     if (p.overlap && !p.trigger) touching.insert({p.a, p.b});
 
   std::vector<DrawnFace> faces;
+  std::set<std::size_t> used;
   for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
     const Collider& c = scene.colliders[i];
-    const bool fixed = scene.bodies[c.body].type == MotionType::fixed;
-    const Color base = c.trigger ? trigger_color : fixed ? fixed_color : moving_color;
-    const double part = touching.count(i) == 0 ? 0 : fixed ? 0.25 : 0.75;
-    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), mixed(base, touching_color, part), c.trigger,
-               size, faces);
+    const std::size_t look = look_of(scene, c, touching.count(i) != 0);
+    used.insert(look);
+    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, size, faces);
   }
-  return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs) + "</svg>\n";
+  return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs, used) + "</svg>\n";
 }
 
 void write_picture(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs,

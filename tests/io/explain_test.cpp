@@ -125,14 +125,14 @@ TEST(Explain, WhatTheProtocolRefusesIsRefused) {
   EXPECT_THROW(explain("[]", Precision::double_precision), InvalidValue);
   EXPECT_THROW(explain(R"({"query": "overlap"})", Precision::double_precision), InvalidValue);
   EXPECT_THROW(explain(R"({"query": "raycast", "a": {"shape": {"type": "sphere", "sphere": {"radius": 1}}},
-                           "ray": {"origin": [0, 0, 0], "direction": [1, 0, 0]}})",
+                           "ray": {"origin": [0, 0, 0], "direction": [0, 0, 0]}})",
                        Precision::double_precision),
                InvalidValue);
 }
 
 TEST(Explain, FeaturesAreNamedByTheirParts) {
-  EXPECT_EQ(feature_text(0xc0054000), "A face 5, B vertex 0");
-  EXPECT_EQ(feature_text(0x80848002), "A edge 132, B edge 2");
+  EXPECT_EQ(feature_text(0xc0054000), "face 5 of A, vertex 0 of B");
+  EXPECT_EQ(feature_text(0x80848002), "edge 132 of A, edge 2 of B");
 }
 
 }  // namespace

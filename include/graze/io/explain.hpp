@@ -1,40 +1,65 @@
 // Why an answer is what it is: one question of the protocol, asked with its trace, as text and as a picture.
 //
-// Guarantee: the explanation is of the very computation that answers the question; nothing is computed again in another
-// way. Every question that the protocol answers can be explained.
+// Guarantee: the answer is the ordinary one, bit by bit, and what explains it is made after it. Every question that the
+// protocol answers can be explained.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "graze/cast.hpp"
 #include "graze/io/protocol.hpp"
 #include "graze/query.hpp"
+#include "graze/raycast.hpp"
 
 namespace graze::io {
 
+/// A ray that was cast, and what it hit.
+struct ExplainedRay {
+  Ray<double> ray;
+  double length;  ///< as it was asked; may be infinite
+  std::optional<RayHit<double>> hit;
+};
+
+/// Two bodies that moved, and how they met.
+struct ExplainedCast {
+  Velocity<double> a, b;
+  double duration;
+  std::optional<CastHit<double>> hit;
+};
+
 /// What was asked, what came out, and what was done for it. Numbers of a question in float are widened.
 struct Explanation {
-  std::string query;                   ///< "overlap", "distance", "contacts" or "closest"
-  int dimension = 3;                   ///< of two, figures are prisms along Z
-  std::optional<Placed<double>> a, b;  ///< of `closest` B is the point, as a ball of no radius
-  bool overlap = false;
+  std::string query;  ///< "overlap", "distance", "contacts", "raycast", "cast" or "closest"
+  int dimension = 3;  ///< of two, figures are prisms along Z
+  std::optional<Placed<double>> a,
+      b;                 ///< of `closest` B is the point, as a ball of no radius; of `raycast` there is none
+  bool overlap = false;  ///< of `raycast` and `cast` whether they hit
   std::optional<Distance<double>> distance;  ///< of `distance` and `closest`
   Manifolds<double> manifolds;               ///< of `contacts`
+  std::optional<ExplainedRay> ray;           ///< of `raycast`
+  std::optional<ExplainedCast> cast;         ///< of `cast`
   Trace trace;
 };
 
 /// Asks a question, one line of the protocol. Throws `InvalidValue` as the protocol would answer with an error.
 Explanation explain(std::string_view question, Precision precision);
 
+/// What came out, in one line: "the shapes overlap, depth 0.25".
+std::string outcome_text(const Explanation& explanation);
+
 /// The explanation as a table for a terminal.
 std::string explanation_text(const Explanation& explanation);
 
 /// As a picture: the shapes, the winning axis with the intervals of both, the points of contact with their ids, and all
-/// axes beside each other. Seen across the winning axis, from the side of `toward_viewer`.
+/// axes beside each other; of a ray its spans, of bodies that move both at the start and where they meet, and the steps
+/// up to there. Seen across the winning axis, from the side of `toward_viewer`.
 std::string draw_explanation(const Explanation& explanation, const Vec3d& toward_viewer);
 
-/// The features that a contact's number names: "A face 5, B vertex 0".
+/// The features that a contact's number names: "face 5 of A, vertex 0 of B"; with the shapes known, an edge by the two
+/// vertices that it joins ("edge 2-6 of A"), and of a round shape its surface, side or end.
 std::string feature_text(std::uint32_t feature);
+std::string feature_text(std::uint32_t feature, const Explanation& explanation);
 
 }  // namespace graze::io

@@ -1,0 +1,70 @@
+// The parts of an explanation's picture: the shapes and beside them, one below the other, what was tried.
+#pragma once
+
+#include "graze/io/explain.hpp"
+#include "io/drawing.hpp"
+
+namespace graze::io {
+
+inline constexpr double page_margin = 28, head_height = 64;
+/// Where the shapes are.
+inline constexpr Panel shapes_panel{page_margin, head_height + 8, 520, picture_height - head_height - page_margin - 16};
+/// Where the list is: names, bars and numbers.
+inline constexpr double list_x = 590, name_width = 138, bars_x = list_x + name_width, bars_width = 138, number_x = 936;
+inline constexpr std::size_t most_rows = 20;
+
+inline constexpr Color color_a{84, 130, 176}, color_b{224, 142, 69};
+
+/// The axis, span or whatever of that name in a list, or null.
+template <class Item>
+const Item* named(const std::vector<Item>& items, const std::string& name) {
+  for (const Item& item : items)
+    if (item.name == name) return &item;
+  return nullptr;
+}
+
+/// The winning axis beside the shapes: the interval of each, what they share, and lines down from the shapes.
+class AxisDrawing {
+ public:
+  AxisDrawing(const TraceAxis& axis, const Vec3d& toward, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b);
+
+  /// What the picture must have room for.
+  std::vector<Vec3d> corners() const { return {at(low_, bar_b_), at(high_, bar_b_)}; }
+  std::string draw(const View& view) const;
+
+ private:
+  Vec3d at(double along, double aside) const { return axis_.direction * along + beside_ * aside; }
+  std::string shadow(const View& view, const std::vector<Vec3d>& points, double lower, double upper, double bar,
+                     const Color& color) const;
+
+  const TraceAxis& axis_;
+  Vec3d beside_;  ///< unit, across the axis in the plane of the picture
+  const std::vector<Vec3d>&of_a_, &of_b_;
+  double low_, high_, bar_a_, bar_b_;  ///< of the shapes along the axis; where along `beside_` the bars are
+};
+
+/// A straight line between two places of the world; `look` is a class or a colour, `more` further attributes.
+std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::string& look, double thickness,
+                 const char* more = "");
+/// A bar of a list.
+std::string bar(double x0, double x1, double y, const Color& color);
+/// The background of the row of a list that won.
+std::string chosen_row(double y, double height);
+/// A dot upon everything.
+std::string dot_at(const View& view, const Vec3d& p, const std::string& look);
+
+/// Whether the overlap or the gap along an axis is too small to see.
+bool needs_inset(const View& view, const TraceAxis& axis);
+/// What the shapes leave free for an inset, from the top of their panel.
+inline constexpr double inset_height = 132;
+/// How far both shapes reach along the axis, enlarged, above the shapes, with a line to `place`, where it is.
+std::string draw_inset(const View& view, const TraceAxis& axis, const Vec3d& place);
+
+/// All axes as rows: the intervals of both shapes, to one scale; down to `bottom`.
+std::string draw_axes(const Explanation& e, double bottom);
+/// The spans of a ray as rows, to one scale, and where it hits.
+std::string draw_spans(const Explanation& e);
+/// The steps of conservative advancement as rows, the distance as a bar on a logarithmic scale; down to `bottom`.
+std::string draw_steps(const Explanation& e, double bottom);
+
+}  // namespace graze::io

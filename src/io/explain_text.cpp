@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/io/explain.hpp"
+
+namespace graze::io {
+
+namespace {
+
+std::string counted(std::size_t count, const char* one, const char* more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+std::string vector_text(const Vec3d& v) {
+  return fmt::format("{:9.5g} {:9.5g} {:9.5g}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+}
+
+std::string axes_text(const Explanation& e) {
+  if (e.trace.axes.empty()) return "";
+  std::size_t width = 6;
+  for (const TraceAxis& axis : e.trace.axes) width = std::max(width, axis.name.size());
+  std::string out = fmt::format("\n  {:<{}}  {:^29}  {:^21}  {:^21}  {:>10}\n", "axis", width, "direction, from A to B",
+                                "A covers", "B covers", "overlap");
+  for (const TraceAxis& axis : e.trace.axes)
+    out += fmt::format("{} {:<{}}  {}  {:>10.5g} {:>10.5g}  {:>10.5g} {:>10.5g}  {:>10.5g}\n",
+                       axis.name == e.trace.winner ? '>' : ' ', axis.name, width, vector_text(axis.direction),
+                       axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper, axis.overlap());
+  return out;
+}
+
+std::string steps_text(const Trace& trace) {
+  std::string out;
+  if (!trace.gjk.empty()) {
+    out += fmt::format("\n  {:>3}  {:>7}  {:^29}  {:>12} {:>12}\n", "GJK", "simplex", "direction, from A to B",
+                       "at least", "at most");
+    int step = 0;
+    for (const TraceGjk& s : trace.gjk)
+      out += fmt::format("  {:>3}  {:>7}  {}  {:>12.6g} {:>12.6g}\n", ++step, s.simplex.size(),
+                         vector_text(s.direction), s.lower, s.upper);
+  }
+  if (!trace.epa.empty()) {
+    out += fmt::format("\n  {:>3}  {:>7}  {:^29}  {:>12} {:>12}\n", "EPA", "facets", "normal, from A to B",
+                       "depth >=", "depth <=");
+    int step = 0;
+    for (const TraceEpa& s : trace.epa)
+      out += fmt::format("  {:>3}  {:>7}  {}  {:>12.6g} {:>12.6g}\n", ++step, s.faces, vector_text(s.normal),
+                         s.face_depth, s.found_depth);
+  }
+  return out;
+}
+
+/// A number of a table, or the words for one that is none.
+std::string end_text(double t) { return std::isfinite(t) ? fmt::format("{:.6g}", t) : t < 0 ? "always" : "never"; }
+
+std::string ray_text(const Trace& trace) {
+  std::string out;
+  if (trace.nodes + trace.pieces > 0)
+    out += fmt::format("  visited   {} of the tree and {} of the composite\n", counted(trace.nodes, "node", "nodes"),
+                       counted(trace.pieces, "piece", "pieces"));
+  if (!trace.spans.empty()) {
+    std::size_t width = 6;
+    for (const TraceSpan& span : trace.spans) width = std::max(width, span.name.size());
+    out += fmt::format("\n  {:<{}}  {:^29}  {:>12} {:>12}\n", "span", width, "normal", "enters", "leaves");
+    for (const TraceSpan& span : trace.spans) {
+      const bool met = span.enter <= span.leave;
+      out += fmt::format("{} {:<{}}  {:^29}  {:>12} {:>12}\n", span.name == trace.winner ? '>' : ' ', span.name, width,
+                         span.normal == Vec3d{} ? "" : vector_text(span.normal), met ? end_text(span.enter) : "never",
+                         met ? end_text(span.leave) : "");
+    }
+  }
+  if (!trace.steps.empty()) {
+    out += fmt::format("\n  {:>4}  {:>14}  {:>12}  {:^29}\n", "step", "t", "distance", "normal, from A");
+    int number = 0;
+    for (const TraceStep& step : trace.steps)
+      out +=
+          fmt::format("  {:>4}  {:>14.9g}  {:>12.5g}  {}\n", ++number, step.t, step.distance, vector_text(step.normal));
+  }
+  return out;
+}
+
+/// Half of a contact's number: two bits for the kind, fourteen for which.
+struct Feature {
+  enum Kind { part, vertex, edge, face } kind;
+  std::uint32_t number;
+
+  explicit Feature(std::uint32_t half) : kind(static_cast<Kind>((half >> 14) & 3)), number(half & 0x3fff) {}
+};
+
+std::string plain_feature(std::uint32_t half) {
+  static constexpr const char* kinds[] = {"part", "vertex", "edge", "face"};
+  const Feature feature(half);
+  return fmt::format("{} {}", kinds[feature.kind], feature.number);
+}
+
+/// How many vertices an edge's number tells apart: 127 times that of its first vertex, and that of its second.
+constexpr std::uint32_t numbered_vertices = 127;
+
+std::string feature_of(const Shaped& shape, std::uint32_t half) {
+  const Feature feature(half);
+  if (shape.as<Sphere<double>>() || shape.as<Ellipsoid<double>>() || shape.as<UserConvex<double>>()) return "surface";
+  if (shape.as<HalfSpace<double>>()) return "plane";
+  if (shape.as<Capsule<double>>())
+    return feature.kind == Feature::vertex ? fmt::format("end {}", feature.number) : "side";
+  const auto* hull = shape.as<ConvexHull<double>>();
+  const bool by_vertices = !hull || hull->data().vertices.size() <= numbered_vertices;
+  if (feature.kind != Feature::edge || !by_vertices || !shape.convex()) return plain_feature(half);
+  return fmt::format("edge {}-{}", feature.number / numbered_vertices, feature.number % numbered_vertices);
+}
+
+std::string contacts_text(const Explanation& e) {
+  std::string out;
+  for (const Manifold<double>& m : e.manifolds) {
+    out += fmt::format("  normal    {}\n\n  {:^29}  {:^29}  {:>10}  {:<8}\n", vector_text(m.normal), "on A", "on B",
+                       "distance", "id");
+    for (const ContactPoint<double>& p : m.points)
+      out += fmt::format("  {}  {}  {:>10.5g}  {:08x}  {}\n", vector_text(p.a), vector_text(p.b), p.distance, p.feature,
+                         feature_text(p.feature, e));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string feature_text(std::uint32_t feature) {
+  return plain_feature(feature >> 16) + " of A, " + plain_feature(feature & 0xffff) + " of B";
+}
+
+std::string feature_text(std::uint32_t feature, const Explanation& e) {
+  if (!e.a || !e.b) return feature_text(feature);
+  return feature_of(e.a->shape, feature >> 16) + " of A, " + feature_of(e.b->shape, feature & 0xffff) + " of B";
+}
+
+std::string outcome_text(const Explanation& e) {
+  if (e.ray) return e.ray->hit ? fmt::format("the ray hits at {:.6g}", e.ray->hit->t) : "the ray hits nothing";
+  if (e.cast)
+    return e.cast->hit ? fmt::format("the bodies touch at {:.6g}", e.cast->hit->t)
+                       : fmt::format("the bodies do not touch in {:.6g}", e.cast->duration);
+  std::string words = e.overlap ? "the shapes overlap" : "the shapes are apart";
+  if (e.distance) words += fmt::format(", {} {:.4g}", e.overlap ? "depth" : "distance", std::abs(e.distance->distance));
+  std::size_t points = 0;
+  for (const Manifold<double>& m : e.manifolds) points += m.points.size();
+  if (points > 0) words += ", " + counted(points, "point", "points");
+  return words;
+}
+
+std::string explanation_text(const Explanation& e) {
+  std::string out = e.query + ": " + outcome_text(e) + "\n";
+  const auto line = [&](const char* name, const Vec3d& v) { out += fmt::format("  {:<9} {}\n", name, vector_text(v)); };
+  if (e.distance) {
+    out += fmt::format("  {}  {:.9g}\n", e.distance->distance <= 0 ? "depth   " : "distance",
+                       std::abs(e.distance->distance));
+    line("normal", e.distance->normal);
+    line("on A", e.distance->a);
+    line("on B", e.distance->b);
+  }
+  if (e.ray && e.ray->hit) line("point", e.ray->hit->point), line("normal", e.ray->hit->normal);
+  if (e.cast && e.cast->hit) line("point", e.cast->hit->point), line("normal", e.cast->hit->normal);
+  out += contacts_text(e);
+  out += fmt::format("\n  method    {}\n", e.trace.method);
+  if (!e.trace.reason.empty()) out += fmt::format("  because   {}\n", e.trace.reason);
+  return out + ray_text(e.trace) + axes_text(e) + steps_text(e.trace);
+}
+
+}  // namespace graze::io

@@ -1,0 +1,99 @@
+#include "io/trace_writer.hpp"
+
+#include "io/json_value.hpp"
+
+namespace graze::io {
+
+namespace {
+
+void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
+  out.open('[');
+  for (const TraceSupport& p : points) out.open('{').key("a").vector(p.a).key("b").vector(p.b).close('}');
+  out.close(']');
+}
+
+/// [lower, upper]. A half-space reaches down without end, which no number of JSON says: "-infinity" does.
+void write_interval(double lower, double upper, JsonWriter& out) {
+  out.open('[');
+  for (const double end : {lower, upper})
+    std::isfinite(end) ? out.number(end) : out.raw(end < 0 ? R"("-infinity")" : R"("infinity")");
+  out.close(']');
+}
+
+void write_spans(const std::vector<TraceSpan>& spans, JsonWriter& out) {
+  out.key("spans").open('[');
+  for (const TraceSpan& span : spans) {
+    out.open('{').key("name").raw(Json(span.name).dump()).key("normal").vector(span.normal);
+    // A condition that the ray never meets has no span.
+    if (span.enter <= span.leave) write_interval(span.enter, span.leave, out.key("span"));
+    out.close('}');
+  }
+  out.close(']');
+}
+
+void write_steps(const std::vector<TraceStep>& steps, JsonWriter& out) {
+  out.key("steps").open('[');
+  for (const TraceStep& step : steps)
+    out.open('{')
+        .key("t")
+        .number(step.t)
+        .key("distance")
+        .number(step.distance)
+        .key("normal")
+        .vector(step.normal)
+        .close('}');
+  out.close(']');
+}
+
+/// Boxes and pieces of a composite that a ray came upon.
+void write_visits(const Trace& trace, JsonWriter& out) {
+  if (trace.nodes == 0 && trace.pieces == 0) return;
+  out.key("nodes").number(static_cast<double>(trace.nodes)).key("pieces").number(static_cast<double>(trace.pieces));
+}
+
+}  // namespace
+
+void write_trace(const Trace& trace, JsonWriter& out) {
+  out.key("trace").open('{').key("method").raw(Json(trace.method).dump());
+  if (!trace.winner.empty()) out.key("winner").raw(Json(trace.winner).dump());
+  if (!trace.reason.empty()) out.key("reason").raw(Json(trace.reason).dump());
+  out.key("axes").open('[');
+  for (const TraceAxis& axis : trace.axes) {
+    out.open('{').key("name").raw(Json(axis.name).dump()).key("direction").vector(axis.direction);
+    write_interval(axis.a_lower, axis.a_upper, out.key("a"));
+    write_interval(axis.b_lower, axis.b_upper, out.key("b"));
+    out.key("overlap").number(axis.overlap()).close('}');
+  }
+  out.close(']');
+  if (!trace.spans.empty()) write_spans(trace.spans, out);
+  if (!trace.steps.empty()) write_steps(trace.steps, out);
+  write_visits(trace, out);
+  out.key("gjk").open('[');
+  for (const TraceGjk& step : trace.gjk) {
+    out.open('{').key("simplex");
+    write_points(step.simplex, out);
+    out.key("direction").vector(step.direction).key("found").open('{');
+    out.key("a").vector(step.found.a).key("b").vector(step.found.b).close('}');
+    out.key("lower").number(step.lower).key("upper").number(step.upper).close('}');
+  }
+  out.close(']').key("epa").open('[');
+  for (const TraceEpa& step : trace.epa) {
+    out.open('{').key("normal").vector(step.normal).key("faceDepth").number(step.face_depth);
+    out.key("foundDepth").number(step.found_depth).key("faces").number(static_cast<double>(step.faces)).close('}');
+  }
+  out.close(']');
+  if (!trace.polytope.empty()) {
+    out.key("polytope").open('{').key("points");
+    write_points(trace.polytope, out);
+    out.key("triangles").open('[');
+    for (const auto& t : trace.triangles) {
+      out.open('[');
+      for (const std::size_t i : t) out.number(static_cast<double>(i));
+      out.close(']');
+    }
+    out.close(']').close('}');
+  }
+  out.close('}');
+}
+
+}  // namespace graze::io
