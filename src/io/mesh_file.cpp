@@ -6,6 +6,7 @@
 #include <assimp/Importer.hpp>
 
 #include "io/mesh_text.hpp"
+#include "io/obj_file.hpp"
 #include "io/ply_file.hpp"
 
 namespace graze::io {
@@ -62,9 +63,10 @@ TriangleSoup read_by_assimp(const std::string& bytes, const std::string& format)
 }  // namespace
 
 TriangleSoup read_mesh_file(const std::string& bytes, const std::string& format) {
-  if (format == "obj") check_obj(bytes);
   if (format == "stl") check_stl(bytes);
-  TriangleSoup soup = format == "ply" ? read_ply(bytes) : read_by_assimp(bytes, format);
+  TriangleSoup soup = format == "ply"   ? read_ply(bytes)
+                      : format == "obj" ? read_obj(bytes)
+                                        : read_by_assimp(bytes, format);
   if (soup.triangles.empty()) throw InvalidValue("", "a mesh with triangles", "none");
   return soup;
 }
