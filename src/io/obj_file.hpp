@@ -1,8 +1,7 @@
 // OBJ files, as far as they tell a shape: points and the faces over them.
 //
 // Guarantee: any bytes are either read or refused by line, value and expectation; nothing is allocated that the file does
-// not pay for. Read here and not by assimp 5.2, which names no line, holds numbers in single precision and loses 1.3 kB
-// with every file that it refuses.
+// not pay for.
 #pragma once
 
 #include <string_view>

@@ -1,8 +1,7 @@
 // PLY files (Turk 1994, "The PLY polygon file format"), ASCII and binary of either byte order, as triangles.
 //
 // Guarantee: memory stays within a small multiple of the file, whatever it claims: a count is compared with the bytes
-// that are left before anything is made of it. Read here and not by assimp 5.2, which believes the counts (a file of
-// 120 bytes took 11 GB) and takes a binary body that begins with the byte 10 for one that begins after it.
+// that are left before anything is made of it.
 #pragma once
 
 #include <string_view>

@@ -1,6 +1,7 @@
 #include "query/explain_cast.hpp"
 
 #include "mid/composite.hpp"
+#include "mid/explain.hpp"
 #include "shape/reach.hpp"
 
 namespace graze {
@@ -28,8 +29,9 @@ class ShownAdvancement {
         velocity_(cast<double>(b.velocity.linear) - cast<double>(a.velocity.linear)),
         turning_(turning_speed(a) + turning_speed(b)) {}
 
-  Distance<T> at(T t, Trace* trace = nullptr) const {
-    return any_distance(a_.shape, pose_at(a_.pose, a_.velocity, t), b_.shape, pose_at(b_.pose, b_.velocity, t), trace);
+  Distance<T> at(T t) const { return any_distance(a_.shape, pose_of(a_, t), b_.shape, pose_of(b_, t)); }
+  void explain(T t, const Distance<T>& answer, Trace& trace) const {
+    explain_any_distance(a_.shape, pose_of(a_, t), b_.shape, pose_of(b_, t), answer, trace);
   }
 
   /// Until when the plane of that distance parts the shapes; infinite when they do not come nearer along its normal.
@@ -39,6 +41,8 @@ class ShownAdvancement {
   }
 
  private:
+  static Pose<T> pose_of(const BodyOnItsWay<T>& body, T t) { return pose_at(body.pose, body.velocity, t); }
+
   const BodyOnItsWay<T>&a_, &b_;
   Vec3d velocity_;
   double turning_;
@@ -72,7 +76,8 @@ void explain_cast(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b, T duration
   }
   const bool ended = trace.steps.size() == most_shown_steps && t < last;
   if (hit || ended || !(t < last)) t = last;
-  const Distance<T> d = advancement.at(t, &trace);
+  const Distance<T> d = advancement.at(t);
+  advancement.explain(t, d, trace);
   if (d.status != Status::unbounded && (trace.steps.empty() || trace.steps.back().t < static_cast<double>(t)))
     show(t, d);
   if (ended) end += ", after steps that are not shown";

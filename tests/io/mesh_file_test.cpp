@@ -191,6 +191,31 @@ TEST(ObjFile, FaultsAreNamedByLineAndValue) {
             "expected a mesh with triangles, got a file without faces (lines that begin with f)");
 }
 
+// A quarter of a plate whose polygons have four and five corners, one of them turned in; two points are of no face.
+TEST(ObjFile, IsReadInFull) {
+  const std::string text = "# a comment\nmtllib none.mtl\no plate\nf 1/1 2/1 -1/1 3/1\n"  // a face before its points
+                           "v 9 9 9\n";
+  EXPECT_EQ(mesh_refusal(text, "obj").substr(0, 7), "line 4:");
+  const TriangleSoup soup =
+      read_mesh_file("v 9 9 9\nv 0 0 0 2\nv 0.1 0 0\nv 0.1 0.1 0\nv 0 0.1 0\nv 0.05 0.05 0\nv 8 8 8\n"
+                     "vt 0 0\nvn 0 0 1\ng one\nf 2/1/1 3/1/1 \\\n 4/1/1 5/1/1\ns off\n"
+                     "f 2 3 6 4 5\nf 2 3\nf 3\nl 2 3 4\np 1\n",
+                     "obj");
+  EXPECT_EQ(soup.points.size(), 5u);  // those that faces use
+  EXPECT_EQ(soup.triangles.size(), 5u);
+  EXPECT_EQ(soup.points[1].x, 0.1);  // in double
+  double area = 0;
+  for (const auto& t : soup.triangles)
+    area += cross(soup.points[t[1]] - soup.points[t[0]], soup.points[t[2]] - soup.points[t[0]]).z / 2;
+  EXPECT_NEAR(area, 0.01 + 0.0075, 1e-15);
+}
+
+TEST(ObjFile, APolygonOfManyCornersIsRefused) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int i = 0; i < 1025; ++i) text += " " + std::to_string(1 + i % 3);
+  EXPECT_EQ(mesh_refusal(text + "\n", "obj"), "line 4: expected a face of at most 1024 corners, got 1025");
+}
+
 std::string binary_stl(std::uint32_t count, std::size_t bytes, const std::string& begin = "") {
   std::string stl = begin + std::string(80 - begin.size(), ' ') + raw(count);
   for (const float v : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) stl += raw(v);
@@ -206,6 +231,25 @@ TEST(StlFile, CountIsWhatTheSizeSays) {
   EXPECT_EQ(mesh_refusal(binary_stl(0x80000001u, 134, "solid"), "stl").substr(0, 8), "expected");  // 134 modulo 2^32
   EXPECT_EQ(mesh_refusal("abc", "stl"),
             "expected a text that begins with solid, or a binary header of 84 bytes, got 3 bytes");
+}
+
+TEST(StlFile, BinaryCoordinatesAreReadAsTheyStand) {
+  const TriangleSoup soup = read_mesh_file(binary_stl(1, 134), "stl");
+  ASSERT_EQ(soup.points.size(), 3u);
+  EXPECT_EQ(soup.points[0], (Vec3d{0, 0, 0}));
+  EXPECT_EQ(soup.points[1], (Vec3d{1, 0, 0}));
+  EXPECT_EQ(soup.points[2], (Vec3d{0, 1, 0}));
+  std::string bad = binary_stl(1, 134);
+  bad.replace(84 + 12 + 12, 4, raw(std::numeric_limits<float>::infinity()));
+  EXPECT_EQ(mesh_refusal(bad, "stl"), "triangles[0][1][0]: expected a finite number, got inf");
+}
+
+TEST(StlFile, AFacetHasThreeVertices) {
+  const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
+                    tail = "endloop\nendfacet\nendsolid s\n";
+  EXPECT_EQ(mesh_refusal(head + tail, "stl"), "line 6: expected a facet of 3 vertices, got \"endloop\"");
+  EXPECT_EQ(mesh_refusal(head, "stl"), "expected facets of 3 vertices, got 2 in the last");
+  EXPECT_EQ(mesh_refusal("solid s\nendsolid s\n", "stl"), "expected a mesh with triangles, got no facets");
 }
 
 TEST(StlFile, TextIsReadAndItsFaultsAreNamedByLine) {
