@@ -112,7 +112,8 @@ void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
   manifolds.resize(kept);
 }
 
-/// Manifolds as they are found, joined whenever they have doubled.
+/// Manifolds as they are found, joined whenever what is held of them has doubled: by their points, since a join sorts all
+/// of these, and thousands may have become one manifold (a flat mesh on another).
 template <class T>
 class ManifoldGroups {
  public:
@@ -121,16 +122,24 @@ class ManifoldGroups {
 
   void add(const Manifold<T>& manifold) {
     manifolds_.push_back(manifold);
-    if (manifolds_.size() - first_ < next_) return;
+    held_ += size_of(manifold);
+    if (held_ < next_) return;
     finish();
-    next_ = 2 * (manifolds_.size() - first_) + few;
+    next_ = 2 * held_ + few;
   }
-  void finish() { group_by_normal(manifolds_, first_); }
+  void finish() {
+    group_by_normal(manifolds_, first_);
+    held_ = 0;
+    for (std::size_t i = first_; i < manifolds_.size(); ++i) held_ += size_of(manifolds_[i]);
+  }
 
  private:
-  static constexpr std::size_t few = 256;
+  static constexpr std::size_t room = 8;          ///< a manifold takes the memory of so many points, if it has none
+  static constexpr std::size_t few = 256 * room;  ///< points
+  static std::size_t size_of(const Manifold<T>& manifold) { return room + manifold.points.size(); }
+
   Manifolds<T>& manifolds_;
-  std::size_t first_, next_ = few;
+  std::size_t first_, held_ = 0, next_ = few;
 };
 
 }  // namespace graze
