@@ -49,8 +49,9 @@ std::vector<TouchingPair> collide_in(const Scene& scene, const CollideOptions& o
   std::vector<TouchingPair> touching;
   for (const ContactPair<T>& p : world.contacts().pairs) {
     TouchingPair pair{p.a, p.b, p.overlap, scene.colliders[p.a].trigger || scene.colliders[p.b].trigger, {}};
-    for (const ContactManifold<T>& m : world.contacts().manifolds_of(p))
-      pair.manifolds.push_back(in_double(world.contacts(), m));
+    const auto manifolds = world.contacts().manifolds_of(p);
+    pair.manifolds.reserve(manifolds.size());
+    for (const ContactManifold<T>& m : manifolds) pair.manifolds.push_back(in_double(world.contacts(), m));
     touching.push_back(std::move(pair));
   }
   return touching;
