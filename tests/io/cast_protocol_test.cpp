@@ -158,6 +158,21 @@ TEST(CastProtocol, TwoDimensions) {
   EXPECT_TRUE(plane(R"({"type": "plane"}, "angular": 1)", circle).contains("error"));
 }
 
+// Two bars that turn through each other's ways thousands of times and never meet: what could not be told says so, and the
+// first contact is no earlier than its time and, if there is one, within the rest of the duration.
+TEST(CastProtocol, WhatIsNotProvenIsBounded) {
+  const std::string bar = R"("shape": {"type": "box", "box": {"size": [2, 0.02, 0.1]}}, "angular": [0, 0, 5000])";
+  const Json answer = ask(R"({"query": "cast", "duration": 10, "a": {)" + bar + R"(}, "b": {)" + bar +
+                          R"(, "translation": [1.5, 0, 0], "rotation": [0, 0, 1, 1]}})");
+  ASSERT_TRUE(answer.contains("bounded")) << answer;
+  EXPECT_EQ(answer["hit"], true);
+  EXPECT_GT(answer["t"], 0);
+  EXPECT_NEAR(answer["t"].get<double>() + answer["bounded"].get<double>(), 10, 1e-12);
+  const Json proven = ask(R"({"query": "cast", "duration": 10, "a": {)" + bar + R"(}, "b": {)" + bar +
+                          R"(, "translation": [0.5, 0, 0], "rotation": [0, 0, 1, 1]}})");
+  EXPECT_FALSE(proven.contains("bounded")) << proven;
+}
+
 TEST(CastProtocol, CanBeExplained) {
   const Json answer =
       ask(at_box("{" + ball + R"(, "translation": [5.5, 0, 0], "linear": [-8, 0, 0]})", R"(, "explain": true)"));
