@@ -44,7 +44,10 @@ class World {
   BodyId add(Body<T> body) { return bodies_.add(std::move(body)); }
   /// These throw `InvalidValue` for a handle whose body was removed, and for what `add` refuses.
   void remove(BodyId id) { bodies_.remove(id); }
-  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear = {}, const Vec3<T>& angular = {}) {
+  /// Puts a body elsewhere; its velocities stay what they are.
+  void move(BodyId id, const Pose<T>& pose) { bodies_.move(id, pose); }
+  /// Puts a body elsewhere with other velocities, linear and angular in world axes.
+  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
     bodies_.move(id, pose, linear, angular);
   }
   void set_shape(BodyId id, Shape<T> shape) { bodies_.set_shape(id, std::move(shape)); }

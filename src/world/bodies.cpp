@@ -88,6 +88,12 @@ void BodyArrays<T>::remove(BodyId id) {
 }
 
 template <class T>
+void BodyArrays<T>::move(BodyId id, const Pose<T>& pose) {
+  const std::uint32_t index = checked(id);
+  move(id, pose, linear_[index], angular_[index]);
+}
+
+template <class T>
 void BodyArrays<T>::move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
   const std::uint32_t index = checked(id);
   const Pose<T> to = checked_pose(pose);

@@ -66,5 +66,30 @@ TYPED_TEST(Impacts, FastBodiesAreToldWhatTheyWouldPassThrough) {
   EXPECT_GT(met, 20u);
 }
 
+/// Whoever moves a body says where it is, not that it stands.
+TYPED_TEST(Impacts, AMovedBodyKeepsItsVelocities) {
+  using T = TypeParam;
+  World<T> world;
+  Body<T> wall{Shape<T>(Box<T>({T(0.1), T(4), T(4)}))};
+  wall.fixed = true;
+  world.add(wall);
+  Body<T> bullet{Shape<T>(Sphere<T>(T(0.01))), {{T(-3), T(0), T(0)}, {}}, {T(50), T(0), T(0)}, {T(1), T(2), T(3)}};
+  bullet.fast = true;
+  const BodyId id = world.add(bullet);
+  const Pose<T> nearer{{T(-2), T(0.5), T(0)}, {}};
+  world.move(id, nearer);
+  EXPECT_EQ(world.bodies().body(id).linear, bullet.linear);
+  EXPECT_EQ(world.bodies().body(id).angular, bullet.angular);
+  world.update(T(0.1));
+  ASSERT_EQ(world.impacts().size(), 1u);
+  EXPECT_NEAR(world.impacts()[0].hit.t, (T(2) - T(0.06)) / T(50), T(1e-6));
+  // Other velocities are named, and so is none.
+  world.move(id, nearer, {T(0), T(5), T(0)}, {});
+  EXPECT_EQ(world.bodies().body(id).linear, (Vec3<T>{T(0), T(5), T(0)}));
+  EXPECT_EQ(world.bodies().body(id).angular, Vec3<T>{});
+  world.update(T(0.1));
+  EXPECT_TRUE(world.impacts().empty());
+}
+
 }  // namespace
 }  // namespace graze

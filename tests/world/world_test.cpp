@@ -234,7 +234,7 @@ TEST(World, HandlesAreRefusedAfterRemoval) {
   EXPECT_THROW(world.move(second, {{std::nan(""), 0, 0}, {}}), InvalidValue);
   EXPECT_THROW(world.move(second, {{}, {0, 0, 0, 0}}), InvalidValue);
   EXPECT_THROW(world.move(second, {{1e60, 0, 0}, {}}), InvalidValue);
-  EXPECT_THROW(world.move(second, {}, {0, HUGE_VAL, 0}), InvalidValue);
+  EXPECT_THROW(world.move(second, {}, {0, HUGE_VAL, 0}, {}), InvalidValue);
   world.update();
   EXPECT_EQ(world.bodies().count(), 1u);
 }

@@ -51,6 +51,8 @@ class BodyArrays {
   BodyId add(Body<T> body);
   /// These throw `InvalidValue` for a handle whose body is gone.
   void remove(BodyId id);
+  /// The velocities stay what they are where none are given.
+  void move(BodyId id, const Pose<T>& pose);
   void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular);
   void set_shape(BodyId id, Shape<T> shape);
   void set_filter(BodyId id, const Filter& filter);
