@@ -1,11 +1,16 @@
 // When do two moving bodies first touch?
 //
-// Guarantee: no hit is missed and none is passed. With D = `cast_tolerance<T>` times the size of the pair (the larger
-// radius about a shape's own origin) plus the rounding of the path (some units in the last place of its length): at the
-// time of a hit the shapes are no more than D apart and overlap by no more than D (unless they did at the start), and at
-// no time before they were closer than D/4. So t is never later than the true time, and earlier by no more than D over
-// the speed at which the gap closes there. A pass at more than D is a miss, one at less may be a hit. In `float` rounding the time itself moves the bodies by as much again; it is rounded down. Answers are computed in double, in a
-// frame that moves with A: moving the scene does not change them. Nothing throws or prints; safe from any thread.
+// Guarantee: no hit is missed and none is passed, at any ratio of sizes. With D = `cast_tolerance<T>` times the size
+// of the smaller of the two shapes that meet (the radius about its body's origin; of a user's shape in any case) plus
+// `tolerance<double>` times that of the larger plus the rounding of the path (some units in the last place of its
+// length): at the time of a hit the shapes are no more than D apart and overlap by no more than D (unless they did at
+// the start), and at no time before they were closer than D/4. So t is never later than the true time, and earlier by
+// no more than D over the speed at which the gap closes there. A pass at more than D is a miss, one at less may be a
+// hit. Where rounding leaves the distance of a curved shape and one that is thousands of times as large no better
+// known, D is `cast_tolerance<double>` times the larger. In `float` rounding the time itself moves the bodies by as
+// much again; it is rounded down; and what `overlap` calls touching at the start hits there. Answers are computed in
+// double, in a frame that moves with A: moving the scene does not change them. Nothing throws or prints; safe from any
+// thread.
 //
 // Method: translations of convex shapes by GJK's ray cast (van den Bergen 2004, "Ray casting against general convex objects
 // with application to continuous collision detection"), all else by conservative advancement (Mirtich 1996,
@@ -22,7 +27,7 @@
 
 namespace graze {
 
-/// How near, relative to the size of the pair, counts as contact of moving shapes. Ten times the tolerance of a distance:
+/// How near, relative to the smaller shape, counts as contact of moving shapes. Ten times the tolerance of a distance:
 /// the normal is the direction of what is left of the gap, and loses as many digits as that has zeros. `float`'s is some
 /// ten roundings of the support points of a user's shape, and no more than rounding the time to float costs.
 template <class T>
@@ -51,6 +56,7 @@ struct CastHit {
   /// `bounded` when the bound on iterations was reached first: t is then the earliest time that is not excluded, and
   /// whether the shapes touch at all is not known. Bodies that turn a thousand times a hair's breadth apart do that, as
   /// does a half-space that turns, and in `float` one cast in some 50,000 of a user's shape.
+  /// `unbounded` of two half-spaces that are not opposite: they overlap from the start, by an infinite depth.
   Status status = Status::converged;
   std::uint32_t piece_a = 0, piece_b = 0;  ///< which child or triangle of a composite it is, else 0
 };
@@ -58,15 +64,19 @@ struct CastHit {
 /// What becomes of shapes that touch or overlap and do not approach.
 enum class Separating : std::uint8_t {
   hit,  ///< they touch: a hit, whatever they do next
-  /// Not a hit, so that a body can leave what it touches and slide along it, over the seams of a mesh too. A contact
-  /// is a hit from the time on at which the shapes press: they approach, and will before the end be deeper in each other
-  /// than they were at the start. How much deeper tells sliding from pressing: `sinking` times D.
+  /// Not a hit, so that a body can leave what it touches and slide along it, over the seams of a mesh too. Shapes
+  /// slide as long as some plane keeps them apart but for what they were in each other at the start and `sinking`
+  /// more; any other contact is a hit, from the time on at which the shapes press: they approach, and get deeper.
+  /// Nothing passes through anything by sliding: what a pair may sink is at most an eighth of what both measure across
+  /// the plane, however thin they are.
   ignored
 };
 
-/// How much deeper, in D, shapes in contact may get that are said to slide: what rounding of poses and velocities does
-/// along a way of many sizes. For shapes that start deep in each other and turn it is an eighth of their depth, if that
-/// is more. The last contact of a cast, with no time left to get as deep, counts from D on.
+/// How much deeper shapes in contact may get that are said to slide, in `cast_tolerance<T>` times the size of the
+/// smaller of the two that meet: what rounding of poses and velocities does along a way of many sizes. To that comes
+/// what rounding of their coordinates does, up to a sixteenth of the size. For shapes that start deep in each other
+/// and turn it is an eighth of their depth, if that is more. The last contact of a cast, with no time left to get as
+/// deep, counts from D on.
 inline constexpr int sinking = 1000;
 
 struct CastOptions {

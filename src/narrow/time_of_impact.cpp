@@ -1,11 +1,12 @@
 #include "narrow/time_of_impact.hpp"
 
 #include "narrow/convex_pair.hpp"
-#include "narrow/envelope.hpp"
 #include "narrow/general.hpp"
 #include "narrow/gjk.hpp"
 #include "narrow/pairs/box_cast.hpp"
+#include "narrow/pairs/half_space.hpp"
 #include "narrow/polyhedral_pair.hpp"
+#include "narrow/sliding.hpp"
 #include "narrow/translation.hpp"
 
 namespace graze {
@@ -17,15 +18,16 @@ namespace {
 /// thousandth, and cost some milliseconds.
 constexpr int most_steps = 1 << 14;
 
-/// Shapes that turn deep in each other may get deeper by so much of their depth: less takes thousands of steps a turn.
-constexpr double sinking_turned = 1.0 / 8;
-
 /// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are no
 /// better than the square root of their distance.
 template <class T>
 constexpr double sliding = 1e-6;
 template <>
 constexpr double sliding<float> = 1e-4;
+
+/// The cosine up to which two normals are those of one side of a shape: half of a right angle and more apart, one may
+/// be that of the edge over which it came.
+constexpr double same_normal = 0.7;
 
 /// The part of the interval in which the balls about the bodies' origins that hold the pieces come within `margin`.
 std::optional<Interval> when_near(const PairMotion& motion, double radii, Interval interval, double margin) {
@@ -53,7 +55,7 @@ constexpr double impact_goal = 1e-4;
 template <class T>
 class Advancement {
  public:
-  Advancement(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, double tolerance, Separating separating)
+  Advancement(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b, const CastRule& rule)
       : motion_(motion),
         a_(a),
         b_(b),
@@ -61,11 +63,13 @@ class Advancement {
         turning_radius_b_(turning_radius(b, motion.b)),
         envelope_a_(a, motion.a, turning_radius_a_),
         envelope_b_(b, motion.b, turning_radius_b_),
-        tolerance_(tolerance),
-        separating_(separating) {}
+        tolerance_(rule.tolerance),
+        coarse_(rule.coarse),
+        slack_(rule.slack),
+        separating_(rule.separating) {}
 
   std::optional<Impact> first(const Interval& interval) const {
-    double t = interval.begin, sink = sinking * tolerance_, floor = -sink;
+    double t = interval.begin;
     std::optional<Impact> known;  // the impact at t, when it is there already
     if (const auto boxes = free_boxes(interval)) {
       if (boxes->way.t == infinity) return std::nullopt;
@@ -80,7 +84,9 @@ class Advancement {
       known = difference.impact(free, t);
       if (known && touches(*known) && separating_ == Separating::hit) return known;
     }
-    std::optional<Impact> pressing;  // where the contact that is under way began to press
+    Sliding<T> sliding_along(motion_, a_, b_, tolerance_, slack_);
+    // Of the contact that is under way: where it began to press, and where it last slid.
+    std::optional<Impact> pressing, slid;
     for (int i = 0;; ++i) {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
@@ -91,31 +97,47 @@ class Advancement {
       const double left = interval.end - t;
       const bool touch = touches(impact);
       double step = 0;
+      const std::optional<Impact>& before = slid ? slid : pressing;
+      const auto pressed = [&] { return pressing ? pressing : slid; };
       if (!touch) {
+        if (before && sliding_along.passed_out(*before, impact)) return pressed();
         pressing.reset();
+        slid.reset();
         step = greatest(separation.stays_above(tolerance_ / 2, tolerance_ / 8, left),
                         stays_outside(impact.normal, t, a, b));
         if (step >= left) return std::nullopt;
       } else {
         if (separating_ == Separating::hit) return impact;
+        // What overlaps without end gets no deeper.
+        if (impact.status == Status::unbounded) return std::nullopt;
         // The distance of convex shapes is a convex function of a translation: one that does not fall never will.
-        if (still() && separation.opening() >= 0) return std::nullopt;
-        if (i == 0) {
-          if (!still()) sink = greatest(sink, -impact.distance * sinking_turned);
-          floor = least(0.0, impact.distance) - sink;
-        }
-        const double fell = pressing ? pressing->distance - impact.distance : 0;
-        if (!approaching(separation))
-          pressing.reset();
-        else if (!pressing)
-          pressing = impact;
+        const bool over = still() && separation.opening() >= 0;
+        if (over && !before) return std::nullopt;
+        if (i == 0) sliding_along.start(impact);
+        const double sink = sliding_along.may_sink(impact.normal, a, b), floor = sliding_along.base() - sink;
         if (impact.distance < floor) return pressing ? pressing : impact;
-        if (!(left > 0)) return fell > tolerance_ ? pressing : std::nullopt;
-        step = least(left, separation.stays_above(floor - sink / 2, tolerance_ / 8, left));
+        if (before && sliding_along.passed(*before, impact)) return pressed();
+        if (over) return std::nullopt;
+        const double fell = pressing ? pressing->distance - impact.distance : 0;
+        const bool approaches = approaching(separation);
+        if (!approaches) {
+          // What has been pressed in along much the same normal and rocks back a little is not out again.
+          if (!(fell > tolerance_) || dot(pressing->normal, impact.normal) < same_normal) pressing.reset();
+          slid = impact;
+        } else if (!pressing) {
+          pressing = impact;
+          slid.reset();
+        }
+        // Nor may a body that falls by less than D in each of many casts come through in the end.
+        if (!(left > 0)) {
+          const bool deeper = fell > tolerance_ || (fell > 0 && impact.distance < -tolerance_);
+          return approaches && deeper ? pressing : std::nullopt;
+        }
+        step = least(left, separation.stays_above(floor - greatest(sink, tolerance_ / 2) / 2, tolerance_ / 8, left));
       }
       if (i == most_steps || !(t + step > t)) {
         // Where a distance is not known well enough for another step, its points may still be as near as they have to be.
-        const bool near_enough = !touch && i < most_steps && impact.distance <= tolerance_;
+        const bool near_enough = !touch && i < most_steps && impact.distance <= coarse_;
         impact.status = near_enough ? Status::converged : Status::bounded;
         return impact;
       }
@@ -230,14 +252,11 @@ class Advancement {
 
   Impact at(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
     const Posed pose_b{b.pose().translation + motion_.offset_at(t), b.pose().rotation};
-    if (is_half_space(a_) != is_half_space(b_)) return on_half_space(t, a, b);
+    if (is_half_space(a_) && is_half_space(b_)) return of_half_spaces(t, a, b);
+    if (is_half_space(a_) || is_half_space(b_)) return on_half_space(t, a, b);
     if constexpr (std::is_same_v<T, double>) {
       const Distance<double> d = convex_distance(a_.shape, a.pose(), b_.shape, pose_b);
       return {t, d.distance, d.normal, d.a, d.b, d.status};
-    } else if (is_half_space(a_)) {
-      const Distance<T> d = convex_distance(a_.shape, cast<T>(a.pose()), b_.shape, cast<T>(pose_b));
-      return {t,       static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b),
-              d.status};
     } else {
       // Closed forms of float shapes are no better than float: the general path answers in double.
       const GeneralDistance g = general_distance(a_.shape, b_.shape, relative(a.pose(), pose_b));
@@ -262,11 +281,29 @@ class Advancement {
     return {t, distance, n, pa, pb, Status::converged};
   }
 
+  /// Opposite half-spaces have a gap. All others overlap without end, and the point is one in both: the middle of their
+  /// origins moved down into each.
+  Impact of_half_spaces(double t, const PieceAt<T>& a, const PieceAt<T>& b) const {
+    const auto up = [](const PieceAt<T>& at) { return unit(rotate(at.pose().rotation, Vec3d{0, 1, 0})); };
+    const Vec3d na = up(a), nb = up(b), origin_a = a.pose().translation,
+                origin_b = b.pose().translation + motion_.offset_at(t);
+    // As near to opposite as rotations are known in T.
+    if (opposite(cast<T>(rotate(conjugate(a.pose().rotation), nb)))) {
+      const double distance = dot(na, origin_b - origin_a) - radii();
+      const Vec3d pb = origin_b - na * b_.radius;
+      return {t, distance, na, pb - na * distance, pb, Status::converged};
+    }
+    const Vec3d middle = (origin_a + origin_b) * 0.5, down = -(na + nb);
+    const double above = greatest(dot(na, middle - origin_a) - a_.radius, dot(nb, middle - origin_b) - b_.radius);
+    const Vec3d common = middle + down * (greatest(above, 0.0) / (1 + dot(na, nb)));
+    return {t, -infinity, na, common, common, Status::unbounded};
+  }
+
   const PairMotion& motion_;
   const Piece<T>&a_, &b_;
   double turning_radius_a_, turning_radius_b_;
   Envelope<T> envelope_a_, envelope_b_;
-  double tolerance_;
+  double tolerance_, coarse_, slack_;
   Separating separating_;
 };
 
@@ -289,17 +326,17 @@ Piece<T>::Piece(const Shape<T>& of, const Posed& where) : shape(of), local(where
 
 template <class T>
 std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b,
-                                     const Interval& interval, double tolerance, Separating separating) {
-  const auto near = when_near(motion, a.reach() + b.reach(), interval, tolerance);
+                                     const Interval& interval, const CastRule& rule) {
+  const auto near = when_near(motion, a.reach() + b.reach(), interval, rule.tolerance);
   if (!near) return std::nullopt;
-  return Advancement<T>(motion, a, b, tolerance, separating).first(*near);
+  return Advancement<T>(motion, a, b, rule).first(*near);
 }
 
 template struct Piece<float>;
 template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<float>&, const Piece<float>&,
-                                              const Interval&, double, Separating);
+                                              const Interval&, const CastRule&);
 template struct Piece<double>;
 template std::optional<Impact> time_of_impact(const PairMotion&, const Piece<double>&, const Piece<double>&,
-                                              const Interval&, double, Separating);
+                                              const Interval&, const CastRule&);
 
 }  // namespace graze

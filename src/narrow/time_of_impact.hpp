@@ -57,9 +57,17 @@ struct Impact {
   Status status;
 };
 
-/// The first time in the interval at which the pieces come within `tolerance` (the D of `graze/cast.hpp`).
+/// What counts as contact.
+struct CastRule {
+  double tolerance;  ///< the D of `graze/cast.hpp`
+  double coarse;     ///< that of the larger shape alone, for curved shapes whose distance is known no better
+  double slack;      ///< what rounding to T may have done to where the bodies stand and move
+  Separating separating;
+};
+
+/// The first time in the interval at which the pieces come within the rule's tolerance.
 template <class T>
 std::optional<Impact> time_of_impact(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b,
-                                     const Interval& interval, double tolerance, Separating separating);
+                                     const Interval& interval, const CastRule& rule);
 
 }  // namespace graze

@@ -13,6 +13,11 @@ namespace {
 /// Roundings that a point of a path goes through: a product, a sum, and what came before them.
 constexpr double path_rounding = 8 * std::numeric_limits<double>::epsilon();
 
+/// What rounding to T does to poses and vertices before they are asked about: half a unit in the last place to each of
+/// two.
+template <class T>
+constexpr double coordinate_rounding = static_cast<double>(std::numeric_limits<T>::epsilon());
+
 /// A long way of composites that turn is gone in stretches of about the smaller body's size, so that each meets few
 /// pieces; more stretches than this cost more in looking them up than they save.
 constexpr double most_stretches = 64;
@@ -24,7 +29,7 @@ template <class T>
 struct Asked {
   PairMotion motion;
   Piece<T> a, b;
-  double duration, tolerance;
+  double duration, path, coordinates;
   Separating separating;
 
   Asked(const Shape<T>& shape_a, const Pose<T>& pose_a, const Velocity<T>& va, const Shape<T>& shape_b,
@@ -35,20 +40,32 @@ struct Asked {
               {in_b.rotation, cast<double>(vb.angular)},
               in_b.translation - in_a.translation,
               cast<double>(vb.linear) - cast<double>(va.linear)};
-    const double size = greatest(finite(a.reach()), finite(b.reach()));
-    const double path = length(motion.offset) + length(motion.velocity) * duration;
-    tolerance = static_cast<double>(cast_tolerance<T>) * size + path_rounding * path;
+    path = length(motion.offset) + length(motion.velocity) * duration;
+    coordinates = greatest(max_abs(in_a.translation), max_abs(in_b.translation)) + path;
+  }
+
+  /// The D of `graze/cast.hpp` for two pieces.
+  double tolerance_of(const Piece<T>& piece_a, const Piece<T>& piece_b) const {
+    const double ra = finite(piece_a.reach()), rb = finite(piece_b.reach());
+    double size = ra > 0 && rb > 0 ? least(ra, rb) : greatest(ra, rb);
+    for (const Piece<T>* piece : {&piece_a, &piece_b})
+      if (piece->shape.template as<UserConvex<T>>()) size = greatest(size, piece->reach());
+    return static_cast<double>(cast_tolerance<T>) * size + graze::tolerance<double> * greatest(ra, rb) +
+           path_rounding * path;
   }
 
   /// Whether the balls about the bodies' origins that hold them are clearly apart at the begin: by a thousandth of them,
   /// ten thousand times what float rounds.
   bool begins_far() const {
     constexpr double slack = 1 + 1e-3;
-    return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance;
+    return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance_of(a, b);
   }
 
   std::optional<Impact> of(const Piece<T>& piece_a, const Piece<T>& piece_b, const Interval& interval) const {
-    return time_of_impact(motion, piece_a, piece_b, interval, tolerance, separating);
+    const double reach = greatest(finite(piece_a.reach()), finite(piece_b.reach()));
+    const double slack = coordinate_rounding<T> * (coordinates + reach);
+    const double near = tolerance_of(piece_a, piece_b), coarse = greatest(near, cast_tolerance<double> * reach);
+    return time_of_impact(motion, piece_a, piece_b, interval, {near, coarse, slack, separating});
   }
 };
 
@@ -79,7 +96,7 @@ std::size_t stretches(const Asked<T>& asked) {
 template <class T, class Until, class Found>
 void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found) {
   const std::size_t count = stretches(asked);
-  const double step = asked.duration / static_cast<double>(count);
+  const double step = asked.duration / static_cast<double>(count), tolerance = asked.tolerance_of(asked.a, asked.b);
   for (std::size_t i = 0; i < count; ++i) {
     const Interval stretch{static_cast<double>(i) * step,
                            i + 1 == count ? asked.duration : static_cast<double>(i + 1) * step};
@@ -93,7 +110,7 @@ void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found
       const auto impact = asked.of(a.piece, b.piece, {stretch.begin, least(until(), stretch.end)});
       if (impact) found({*impact, a.number, b.number});
     };
-    visit_moving_pairs<T>(asked.motion, {asked.a}, {asked.b}, stretch, asked.tolerance, limit, meet);
+    visit_moving_pairs<T>(asked.motion, {asked.a}, {asked.b}, stretch, tolerance, limit, meet);
   }
 }
 
