@@ -31,7 +31,7 @@ Json json_of_hit(const io::Scene& scene, const io::SceneHit& hit) {
           {"point", json_of(hit.point)},
           {"normal", json_of(hit.normal)},
           {"depth", hit.depth},
-          {"certain", hit.status == Status::converged}};
+          {"certain", hit.status != Status::bounded}};
 }
 
 void print_hits_as_json(const io::Scene& scene, const io::SceneCast& question, const std::vector<io::SceneHit>& hits) {
@@ -56,7 +56,7 @@ void print_hits_as_table(const io::Scene& scene, const io::SceneCast& question, 
   for (const io::SceneHit& hit : hits)
     fmt::print("{:>12.9g}  {:<{}}  {}  {}  {:>10.4g}{}\n", hit.t, scene.colliders[hit.other].name, width,
                shown(hit.point, 9), shown(hit.normal, 9), hit.depth,
-               hit.status == Status::converged ? "" : "  (not certain: may only come near)");
+               hit.status != Status::bounded ? "" : "  (not certain: may only come near)");
 }
 
 std::vector<io::SceneHit> hits_of(const io::Scene& scene, const io::SceneCast& question) {

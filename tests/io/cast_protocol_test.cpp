@@ -117,6 +117,33 @@ TEST(CastProtocol, HalfSpacesMoveButDoNotTurn) {
             "a.angular: expected no angular velocity of a half-space, got [0,1,0]");
 }
 
+TEST(CastProtocol, HalfSpacesMeet) {
+  const auto planes = [&](const std::string& b, Precision precision) {
+    return ask(R"({"query": "cast", "a": {"shape": {"type": "plane"}}, "b": {"shape": {"type": "plane"})" + b + "}}",
+               precision);
+  };
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    // They overlap and do not turn: at once, whichever way they go.
+    for (const std::string motion : {"", R"(, "linear": [0, 5, 0])", R"(, "linear": [0, -5, 0])"}) {
+      for (const std::string turn : {"", R"(, "rotation": [0, 0, 1, 1])", R"(, "translation": [0, 7, 0])",
+                                     R"(, "rotation": [1, 0, 0, 0], "translation": [0, -1, 0])"}) {
+        const Json answer = planes(turn + motion, precision);
+        EXPECT_EQ(answer["hit"], true) << answer;
+        EXPECT_EQ(answer["t"], 0) << answer;
+        EXPECT_EQ(answer["normal"].size(), 3u) << answer;
+        EXPECT_TRUE(answer["point"][1].is_number()) << answer;
+      }
+    }
+    const std::string above = R"(, "rotation": [1, 0, 0, 0], "translation": [0, 2, 0])";
+    const Json answer = planes(above + R"(, "linear": [3, -4, 0])", precision);
+    EXPECT_NEAR(answer["t"].get<double>(), 0.5, 1e-6);
+    expect_vector(answer["normal"], {0, 1, 0});
+    EXPECT_NEAR(answer["point"][1].get<double>(), 0, 1e-5);
+    EXPECT_EQ(planes(above + R"(, "linear": [3, 4, 0])", precision)["hit"], false);
+    EXPECT_EQ(planes(above, precision)["hit"], false);
+  }
+}
+
 TEST(CastProtocol, NamesWhatIsWrong) {
   EXPECT_EQ(ask(at_box("{" + ball + "}", R"(, "duration": -1)"))["error"],
             "duration: expected a finite number >= 0, got -1");

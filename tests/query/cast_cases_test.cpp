@@ -237,6 +237,50 @@ TYPED_TEST(CastCases, HalfSpaces) {
   EXPECT_EQ(turned->status, Status::bounded);
 }
 
+TYPED_TEST(CastCases, HalfSpacesThatMeetEachOther) {
+  using T = TypeParam;
+  // Opposite, tilted, far from the origin, rounded: the gap of 2 closes at 4, but for what is up and down the slope.
+  const Quat<T> tilt = normalized(Quat<T>{T(0.2), T(-0.1), T(0.4), T(0.8)}), down{T(1), 0, 0, 0};
+  const Vec3<T> up = rotate(tilt, Vec3<T>{0, T(1), 0}), aside = rotate(tilt, Vec3<T>{T(1), 0, 0});
+  const Shape<T> thick{HalfSpace<T>(), T(0.25)};
+  const Pose<T> lower{{T(30), T(-20), T(10)}, tilt}, upper{lower.translation + up * T(2.5) + aside * T(7), tilt * down};
+  const auto move = [&](const Vec3<T>& v, T duration, Separating separating = Separating::hit) {
+    return cast(thick, lower, {}, thick, upper, {v, {}}, duration, {separating});
+  };
+  const T near = T(64) * std::numeric_limits<T>::epsilon() * T(50);
+  for (const Separating separating : {Separating::hit, Separating::ignored}) {
+    const auto hit = move(up * T(-4) + aside * T(3), T(1), separating);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->status, Status::converged);
+    EXPECT_NEAR(hit->t, T(0.5), near);
+    EXPECT_NEAR(dot(hit->normal, up), T(1), near);
+    EXPECT_NEAR(dot(hit->point - lower.translation, up), T(0.25), near);
+  }
+  EXPECT_FALSE(move(up * T(-4), T(0.49)));
+  EXPECT_FALSE(move(up * T(4) + aside, T(9)));
+  // Half a unit deep from the start.
+  const Pose<T> sunk{lower.translation, tilt * down};
+  const auto overlapping = cast(thick, lower, {}, thick, sunk, {up, {}}, T(1));
+  ASSERT_TRUE(overlapping);
+  EXPECT_EQ(overlapping->t, T(0));
+  EXPECT_NEAR(overlapping->depth, T(0.5), near);
+  EXPECT_FALSE(cast(thick, lower, {}, thick, sunk, {up, {}}, T(1), {Separating::ignored}));
+
+  // All others overlap without end, whatever they do: at once, at a point of both.
+  for (const Quat<T>& turned :
+       {Quat<T>{}, normalized(Quat<T>{T(0.9), 0, 0, T(0.5)}), normalized(Quat<T>{T(1), 0, 0, T(1e-3)})}) {
+    const Pose<T> other{{0, T(3), T(1)}, turned};
+    const auto endless = cast(this->ground, {}, {}, this->ground, other, {{0, T(9), 0}, {}}, T(1));
+    ASSERT_TRUE(endless);
+    EXPECT_EQ(endless->t, T(0));
+    EXPECT_EQ(endless->status, Status::unbounded);
+    EXPECT_NEAR(length(endless->normal), T(1), near);
+    for (const Pose<T>& plane : {Pose<T>{}, other})
+      EXPECT_LE(dot(endless->point - plane.translation, rotate(plane.rotation, Vec3<T>{0, T(1), 0})), near * T(1000));
+    EXPECT_FALSE(cast(this->ground, {}, {}, this->ground, other, {{0, T(9), 0}, {}}, T(1), {Separating::ignored}));
+  }
+}
+
 TYPED_TEST(CastCases, IgnoringWhatSeparatesChangesNoHitThatIsArrivedAt) {
   using T = TypeParam;
   unsigned state = 9;
