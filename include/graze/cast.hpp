@@ -85,8 +85,8 @@ struct CastOptions {
 
 /// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or overlap
 /// at the start hit at t = 0 (but see `Separating`). `duration` is finite and >= 0. Of composites the first contact of
-/// any pair of pieces; of several at the same time the deepest. A `trace` gets, after the answer, the steps of conservative
-/// advancement up to it and the separating axes there.
+/// any pair of pieces; of several at the same time the deepest. A `trace` gets, after the answer, the steps of
+/// conservative advancement up to it and the separating axes there.
 template <class T>
 std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
                                const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration,

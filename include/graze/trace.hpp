@@ -43,8 +43,8 @@ struct TraceEpa {
   std::size_t faces;  ///< of the polytope, after the expansion
 };
 
-/// One condition on the points of a shape (between two parallel faces, behind a plane, in a ball), and the part of a ray
-/// that meets it.
+/// One condition on the points of a shape (between two parallel faces, behind a plane, in a ball), and the part of a
+/// ray that meets it.
 struct TraceSpan {
   std::string name;     ///< "slab x", "face 12", "ball", "side"
   Vec3d normal;         ///< unit, outward, where the ray comes in; zero where it never does

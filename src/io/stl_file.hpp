@@ -1,7 +1,7 @@
 // STL files, text and binary.
 //
-// Guarantee: any bytes are either read or refused by place, value and expectation; nothing is allocated that the file does
-// not pay for.
+// Guarantee: any bytes are either read or refused by place, value and expectation; nothing is allocated that the file
+// does not pay for.
 #pragma once
 
 #include <string_view>

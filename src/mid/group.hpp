@@ -112,8 +112,8 @@ void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
   manifolds.resize(kept);
 }
 
-/// Manifolds as they are found, joined whenever what is held of them has doubled: by their points, since a join sorts all
-/// of these, and thousands may have become one manifold (a flat mesh on another).
+/// Manifolds as they are found, joined whenever what is held of them has doubled: by their points, since a join sorts
+/// all of these, and thousands may have become one manifold (a flat mesh on another).
 template <class T>
 class ManifoldGroups {
  public:

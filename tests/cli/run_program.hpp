@@ -14,8 +14,8 @@ struct Result {
   std::string output;
 };
 
-/// Runs the program in a shell: both its outputs together, and the exit code of the last of a pipeline. `before` is what
-/// comes first on the line.
+/// Runs the program in a shell: both its outputs together, and the exit code of the last of a pipeline. `before` is
+/// what comes first on the line.
 inline Result run(const std::string& arguments, const std::string& before = "") {
   const std::string command = before + GRAZE_CLI_PATH + " 2>&1 " + arguments;
   std::FILE* pipe = popen(command.c_str(), "r");

@@ -185,8 +185,8 @@ TEST(CastProtocol, TwoDimensions) {
   EXPECT_TRUE(plane(R"({"type": "plane"}, "angular": 1)", circle).contains("error"));
 }
 
-// Two bars that turn through each other's ways thousands of times and never meet: what could not be told says so, and the
-// first contact is no earlier than its time and, if there is one, within the rest of the duration.
+// Two bars that turn through each other's ways thousands of times and never meet: what could not be told says so, and
+// the first contact is no earlier than its time and, if there is one, within the rest of the duration.
 TEST(CastProtocol, WhatIsNotProvenIsBounded) {
   const std::string bar = R"("shape": {"type": "box", "box": {"size": [2, 0.02, 0.1]}}, "angular": [0, 0, 5000])";
   const Json answer = ask(R"({"query": "cast", "duration": 10, "a": {)" + bar + R"(}, "b": {)" + bar +

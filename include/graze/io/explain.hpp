@@ -33,9 +33,9 @@ struct ExplainedCast {
 struct Explanation {
   std::string query;  ///< "overlap", "distance", "contacts", "raycast", "cast" or "closest"
   int dimension = 3;  ///< of two, figures are prisms along Z
-  std::optional<Placed<double>> a,
-      b;                 ///< of `closest` B is the point, as a ball of no radius; of `raycast` there is none
-  bool overlap = false;  ///< of `raycast` and `cast` whether they hit
+  /// Of `closest` B is the point, as a ball of no radius; of `raycast` there is none.
+  std::optional<Placed<double>> a, b;
+  bool overlap = false;                      ///< of `raycast` and `cast` whether they hit
   std::optional<Distance<double>> distance;  ///< of `distance` and `closest`
   Manifolds<double> manifolds;               ///< of `contacts`
   std::optional<ExplainedRay> ray;           ///< of `raycast`

@@ -1,7 +1,7 @@
 // Files opened and written, with the reason where that fails.
 //
-// Guarantee: what cannot be read or written throws `InvalidValue` with the file's name and the system's reason ("no such
-// file", "a folder", "no space left on device"); nothing is taken for read or written that is not.
+// Guarantee: what cannot be read or written throws `InvalidValue` with the file's name and the system's reason ("no
+// such file", "a folder", "no space left on device"); nothing is taken for read or written that is not.
 #pragma once
 
 #include <filesystem>
