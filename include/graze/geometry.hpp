@@ -10,8 +10,10 @@
 #include <array>
 #include <limits>
 
+#include "graze/extended.hpp"
 #include "graze/lines.hpp"
 #include "graze/pose.hpp"
+#include "graze/wide.hpp"
 
 namespace graze {
 
@@ -66,9 +68,11 @@ struct TrianglePoint {
   Vec3<T> weight;  ///< of the vertices a, b, c; sums to one
 };
 
-/// The point of the triangle a, b, c nearest to `p`.
+namespace detail {
+
+/// By barycentric coordinates, which are areas, and the edges. An area loses as many digits as the triangle is slender.
 template <class T>
-TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p) {
+TrianglePoint<T> closest_point_by_areas(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p) {
   const Vec3<T> n = cross(b - a, c - a);
   const T area = dot(n, n);
   // Barycentric coordinates of the projection of p; all positive inside.
@@ -90,6 +94,25 @@ TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, c
   const Vec3<T> edge = select(take_ca, on_ca, first);
   const Vec3<T> edge_weight = select(take_ca, Vec3<T>{ca, T(0), T(1) - ca}, first_weight);
   return {select(inside, in_face.point, edge), select(inside, in_face.weight, edge_weight)};
+}
+
+}  // namespace detail
+
+/// The height of a triangle over its longest edge, relative to that edge, below which areas are computed in twice the
+/// digits: at this one they have lost two digits.
+inline constexpr double slender_triangle = 1.0 / 128;
+
+/// The point of the triangle a, b, c nearest to `p`, right to some roundings of the coordinates and of the distance
+/// however slender the triangle. Slender ones take some twenty times as long.
+template <class T>
+TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p) {
+  const TrianglePoint<T> by_areas = detail::closest_point_by_areas(a, b, c, p);
+  const T longest = greatest(length_squared(b - a), greatest(length_squared(c - b), length_squared(a - c)));
+  const auto slender = length_squared(cross(b - a, c - a)) < T(slender_triangle * slender_triangle) * longest * longest;
+  if (!any(slender)) return by_areas;
+  const auto exact = detail::closest_point_by_areas(extended(a), extended(b), extended(c), extended(p));
+  return {select(slender, cast<T>(exact.point), by_areas.point),
+          select(slender, cast<T>(exact.weight), by_areas.weight)};
 }
 
 /// Parameters of the nearest points of two segments or lines.

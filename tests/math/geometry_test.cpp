@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "graze/wide.hpp"
 
@@ -75,6 +77,53 @@ TEST(Geometry, ClosestPointOnTriangleAgreesWithAGrid) {
   const Vec3d a{0, 0, 0}, b{1, 0, 0};
   EXPECT_EQ(closest_point_on_triangle(a, b, b, Vec3d{0.5, 1, 0}).point, (Vec3d{0.5, 0, 0}));
   EXPECT_EQ(closest_point_on_triangle(a, a, a, Vec3d{0.5, 1, 0}).point, a);
+}
+
+/// Corners and a point over a known place of the triangle, all of them exact: whole numbers times a power of two,
+/// turned by a matrix of determinant one. The base runs along two neighbours of Fibonacci's sequence; earlier ones
+/// span an area of one with it.
+struct SlenderTriangle {
+  Vec3d corner[3], place, point;
+  double longest;
+};
+SlenderTriangle slender_triangle_of(Random& random) {
+  const auto whole = [&](int most) { return static_cast<double>(static_cast<int>(random() % (2 * most + 1)) - most); };
+  const int steps = 4 + static_cast<int>(random() % 28);
+  double f = 1, g = 1;
+  for (int i = 0; i < steps; ++i) f = std::exchange(g, f + g);
+  const double part = static_cast<double>(1 + random() % 15) / 16;
+  const Vec3d base{g, f, 0};
+  const Vec3d apex =
+      random() % 2 ? Vec3d{f, g - f, 0} : Vec3d{std::floor(part * g), std::floor(part * f) + whole(1), 0};
+  const double a = whole(2), b = whole(2), c = whole(2);
+  const auto turned = [&](const Vec3d& v) {  // by two shears
+    const double x = v.x, y = v.y + a * x, z = v.z + b * x + c * y;
+    return Vec3d{x + a * z, y, z};
+  };
+  SlenderTriangle t{{Vec3d{}, turned(base), turned(apex)}, {}, {}, 0};
+  const double u = static_cast<double>(random() % 60) + 2, v = static_cast<double>(random() % 60) + 2, all = 128;
+  t.place = (t.corner[1] * u + t.corner[2] * v) * (1 / all);
+  const Vec3d n = cross(t.corner[1], t.corner[2]);
+  t.longest = std::max({length(t.corner[1]), length(t.corner[2]), length(t.corner[1] - t.corner[2])});
+  const double up = std::exp2(std::floor(std::log2(t.longest / std::max(max_abs(n), 1.0))));
+  t.point = t.place + n * up;
+  return t;
+}
+
+TEST(Geometry, ClosestPointOnASlenderTriangleIsExact) {
+  Random random(5);
+  double least_aspect = 1;
+  for (int i = 0; i < 4000; ++i) {
+    const SlenderTriangle t = slender_triangle_of(random);
+    const Vec3d n = cross(t.corner[1], t.corner[2]);
+    if (n == Vec3d{}) continue;
+    const std::size_t k = random() % 3;  // whatever corner comes first
+    const auto found = closest_point_on_triangle(t.corner[k], t.corner[(k + 1) % 3], t.corner[(k + 2) % 3], t.point);
+    EXPECT_LE(length(found.point - t.place), 4e-15 * t.longest) << "aspect " << length(n) / (t.longest * t.longest);
+    EXPECT_NEAR(found.weight.x + found.weight.y + found.weight.z, 1, 1e-15);
+    least_aspect = std::min(least_aspect, length(n) / (t.longest * t.longest));
+  }
+  EXPECT_LT(least_aspect, 1e-10);
 }
 
 TEST(Geometry, SegmentsAgreeWithAGrid) {
