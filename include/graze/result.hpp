@@ -40,6 +40,7 @@ struct Closest {
   Vec3<T> point{};   ///< on the surface
   Vec3<T> normal{};  ///< unit, outward: question - point = distance * normal
   Status status = Status::converged;
+  T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
 };
 
 /// Where a ray meets a shape, in world space.

@@ -29,13 +29,13 @@ Closest<T> surface_closest(const Surface& surface, const Pose<T>& pose, const Ve
   // On the surface, where the way to it has no direction, it is the surface's own.
   const Vec3d normal = nearest.distance > noise ? normalized(inside ? -away : away) : normalized(around);
   return {static_cast<T>(inside ? -nearest.distance : nearest.distance), cast<T>(transform(frame, nearest.place.point)),
-          cast<T>(rotate(frame.rotation, normal)), Status::converged};
+          cast<T>(rotate(frame.rotation, normal)), Status::converged, T(0)};
 }
 
 template <class T>
 Closest<T> convex_closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point) {
   const Distance<T> d = convex_distance(shape, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}});
-  return {d.distance, d.a, d.normal, d.status};
+  return {d.distance, d.a, d.normal, d.status, d.error};
 }
 
 template <class T>

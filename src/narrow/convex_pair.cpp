@@ -19,6 +19,7 @@
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
+#include "narrow/pairs/sphere_tapered_capsule.hpp"
 #include "narrow/pairs/sphere_triangle.hpp"
 #include "narrow/pairs/triangle_triangle.hpp"
 
