@@ -190,4 +190,27 @@ CoreDistance<S> between(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& known
   return {d, select(is_known, toward, direction_of(v, d)), a, b};
 }
 
+/// Two cores nearer than this part of their coordinates have a normal whose digits the difference of their nearest
+/// points has lost, up to where it matters for the gap along the normal.
+inline constexpr double near_part = 1.0 / 64;
+
+/// The normal of two cores, one of them a segment that it leaves at `at`, without what rounding left of it along the
+/// segment: none within it, and at an end none that leads to points further out along the normal.
+template <class S>
+Vec3<S> leaving(const Vec3<S>& normal, const Segment<S>& segment, const Vec3<S>& at) {
+  const auto is = [](const Vec3<S>& p, const Vec3<S>& q) { return (p.x == q.x) & (p.y == q.y) & (p.z == q.z); };
+  const Vec3<S> d = segment.b - segment.a;
+  const S whole = dot(d, d), part = dot(normal, d) / select(whole > S(0), whole, S(1));
+  const auto at_a = is(at, segment.a), at_b = is(at, segment.b);
+  return normal - d * select(at_b, least(part, S(0)), select(at_a, greatest(part, S(0)), part));
+}
+
+/// The unit vector of what is left of a normal, or the normal itself where that is next to nothing.
+template <class S>
+Vec3<S> renormalized(const Vec3<S>& left, const Vec3<S>& normal) {
+  const S l = length(left);
+  const auto some = l > S(0.5);
+  return select(some, left / select(some, l, S(1)), normal);
+}
+
 }  // namespace graze

@@ -22,7 +22,8 @@ CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d&
 template <class Difference>
 GeneralDistance judged(const Difference& difference, const CoreDistance<double>& core, double gap, double noise) {
   const double allowed = 0.5 * tolerance<double> * difference.size() + rounding * difference.reach();
-  return {core, gap <= allowed ? Status::converged : Status::bounded, greatest(gap, 0.0), noise};
+  if (gap <= allowed) return {core, Status::converged, greatest(gap, 0.0), noise};
+  return {core, Status::bounded, gap + noise, noise};  // rounding too may take from the gap along the normal
 }
 
 /// Of cores of which one at least has an ellipsoid or a disc in it, where the descent answers within the tolerance. The

@@ -30,6 +30,7 @@ struct GjkResult {
   Vec3d nearest;    ///< of the difference, to the origin: b - a of the closest points
   Vec3d normal;     ///< unit: the direction of `nearest`, or an earlier one along which the shapes are further apart
   double lower = 0, upper = 0;
+  double along = 0;  ///< how far the shapes are apart along `normal`: the proof that goes with it
 
   /// Whether the shapes are known to be about as far apart along `normal` as they are: of two that are as good as
   /// touching, the way from point to point may be any.
@@ -43,11 +44,22 @@ struct GjkGoal {
   double proximity = -1;   ///< ... or not to exceed this (if >= 0)
 };
 
+/// The shapes are `separation` apart along the direction of the nearest point. That is the normal unless an earlier one
+/// is better: rounding can keep the direction from settling, and an earlier one's separation may gain more than it
+/// costs in agreement with the closest points.
+inline void take_normal(GjkResult& r, const Vec3d& direction, double separation) {
+  if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation) {
+    r.normal = by_parts(direction);
+    r.along = separation;
+  }
+  r.lower = greatest(r.lower, separation);
+}
+
 /// From the simplex of `r`, whose points are the difference's.
 template <class Difference, class Observer>
 void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Observer& observer) {
   using std::sqrt;
-  r.lower = -std::numeric_limits<double>::infinity();
+  r.lower = r.along = -std::numeric_limits<double>::infinity();
   const double touching = rounding * difference.reach();
 
   const Nearest first = nearest_to_origin(r.simplex);
@@ -71,11 +83,7 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
     // Not along the direction itself, which is longer in the making: a root and a division.
     const SupportPoint& found = r.simplex.add([&] { return difference.support(r.nearest); });
     const double separation = dot(found.w, direction);
-    // Rounding can keep the direction from settling: an earlier one is the better normal where its separation gains
-    // more than it costs in agreement with the closest points.
-    if (separation >= r.lower || length(r.nearest - r.normal * r.upper) >= r.lower - separation)
-      r.normal = by_parts(direction);
-    r.lower = greatest(r.lower, separation);
+    take_normal(r, direction, separation);
     observer.gjk_step(r.simplex, direction, r.lower, r.upper);
     if (goal.separation >= 0 && r.lower > goal.separation) return ended(GjkEnd::apart);
     // Within the tolerance and known to be apart along a normal that tells how far, or within rounding of it.
@@ -104,12 +112,100 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
   return;
 }
 
+/// How exactly the gap along the normal equals the distance of the points, relative to it, where shapes are so close
+/// that the goal's tolerance leaves the normal open: a gap that falls short by a part e leans by sqrt(2 e), here 3e-4.
+inline constexpr double settled_part = 5e-8;
+
+/// How many tolerances of the goal a search may miss by and yet end as well as its answer needs: the goal is far within
+/// what is promised.
+inline constexpr double open_part = 32;
+
+/// A tetrahedron whose volume falls below this part of the product of three of its edges tells with too few digits on
+/// which side of its faces the origin lies.
+inline constexpr double flat_volume = 1e-5;
+
+/// Points of a difference nearer than this part of its size are checked against their weights.
+inline constexpr double weights_part = 1e-3;
+
+/// More than any search that begins near its end takes, unless it goes in circles.
+inline constexpr int refining_iterations = 64;
+
+inline bool is_flat(const Simplex& s) {
+  const Vec3d a = s.w(0) - s.w(3), b = s.w(1) - s.w(3), c = s.w(2) - s.w(3);
+  const double volume = dot(cross(a, b), c);
+  return !(volume * volume > flat_volume * flat_volume * dot(a, a) * dot(b, b) * dot(c, c));
+}
+
+/// What rounding leaves open of the gap along a unit vector: a support query's turn and difference, and a product.
+inline double gap_rounding(double reach) { return 4 * std::numeric_limits<double>::epsilon() * reach; }
+
+/// Whether the search ended in numbers that do not prove what it says: the gap along the normal is not the distance of
+/// the points, the points are not the weights' own, or a flat tetrahedron holds the origin.
+template <class Difference>
+bool is_open(const GjkResult& r, const Difference& difference, const GjkGoal& goal) {
+  if (r.end == GjkEnd::touching) return r.simplex.size() == 4 && is_flat(r.simplex);
+  if (goal.separation >= 0 && r.along > goal.separation) return false;
+  const double apart = r.upper - r.along, noise = gap_rounding(difference.reach());
+  if (apart > greatest(noise, least(settled_part * r.upper, open_part * goal.tolerance))) return true;
+  // The weights of a triangle that is all but a segment have fewer digits than its nearest point.
+  return r.upper < weights_part * difference.reach() && length(r.simplex.point() - r.nearest) > noise;
+}
+
+/// Onward from where rounding ended the search, the nearest point of each simplex in twice the digits.
+template <class Difference, class Observer>
+[[gnu::noinline]] void gjk_refined(GjkResult& r, const Difference& difference, const GjkGoal& goal,
+                                   const Observer& observer) {
+  const double noise = gap_rounding(difference.reach()), touching = rounding * difference.reach();
+  Simplex simplex = r.simplex;
+  r.upper = std::numeric_limits<double>::infinity();
+  if (r.end == GjkEnd::touching) r.lower = r.along = -std::numeric_limits<double>::infinity();
+  r.end = GjkEnd::stalled;
+  int idle = 0;
+  for (int i = 0; i < refining_iterations; ++i) {
+    const ExactNearest found = exactly_nearest_to_origin(simplex);
+    if (found.nearest.enclosed) {
+      if (r.lower > touching) break;
+      r.end = GjkEnd::touching;
+      r.simplex = simplex;
+      r.nearest = {};
+      r.lower = r.upper = 0;
+      return;
+    }
+    if (found.distance >= r.upper && (found.distance > r.upper + noise || ++idle > idle_steps)) break;
+    reduce(simplex, found.nearest);
+    r.simplex = simplex;
+    r.nearest = found.nearest.point;
+    r.upper = found.distance;
+    if (r.upper <= touching || (goal.proximity >= 0 && r.upper <= goal.proximity)) {
+      r.end = GjkEnd::touching;
+      return;
+    }
+    const SupportPoint& next = simplex.add([&] { return difference.support(found.direction); });
+    take_normal(r, found.direction, dot(next.w, found.direction));
+    observer.gjk_step(simplex, found.direction, r.lower, r.upper);
+    const double apart = r.upper - r.along;
+    if ((goal.separation >= 0 && r.along > goal.separation) ||
+        (apart <= goal.tolerance && apart <= greatest(noise, settled_part * r.upper))) {
+      r.end = GjkEnd::apart;
+      break;
+    }
+    if (simplex.repeats()) break;
+  }
+}
+
+template <class Difference, class Observer>
+void refine_if_open(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Observer& observer) {
+  if (is_open(r, difference, goal)) gjk_refined(r, difference, goal, observer);
+  r.lower = least(r.lower, r.along);
+}
+
 /// From a simplex of points that are the difference's, such as one that was left nearby.
 template <class Difference>
 GjkResult gjk_from(const Simplex& simplex, const Difference& difference, const GjkGoal& goal) {
   GjkResult r;  // not of zeros: most of its simplex is never looked at
   r.simplex = simplex;
   gjk_onward(r, difference, goal, Unobserved());
+  refine_if_open(r, difference, goal, Unobserved());
   return r;
 }
 
@@ -123,7 +219,7 @@ bool separates_at_once(GjkResult& r, const Query& query, const GjkGoal& goal, co
   r.end = GjkEnd::apart;
   r.nearest = found.w;
   r.normal = n;
-  r.lower = separation;
+  r.lower = r.along = separation;
   r.upper = length(found.w);
   r.simplex.points[0] = found;
   r.simplex.points.truncate(1);
@@ -136,8 +232,9 @@ template <class Difference, class Observer = Unobserved>
 GjkResult gjk(const Difference& difference, const GjkGoal& goal, const Observer& observer = {}) {
   GjkResult r;
   const auto support = [&](const Vec3d& n) { return difference.support(n); };
-  if (!separates_at_once<Observer>(r, support, goal, unit(difference.center_offset())))
-    gjk_onward(r, difference, goal, observer);
+  if (separates_at_once<Observer>(r, support, goal, unit(difference.center_offset()))) return r;
+  gjk_onward(r, difference, goal, observer);
+  refine_if_open(r, difference, goal, observer);
   return r;
 }
 
@@ -171,6 +268,7 @@ GjkResult gjk_spread(Difference& difference, const GjkGoal& goal, const Observer
     if (r.simplex.repeats()) r.simplex.points.pop_back();
   }
   gjk_onward(r, difference, goal, observer);
+  refine_if_open(r, difference, goal, observer);
   return r;
 }
 

@@ -33,6 +33,8 @@ struct Simplex {
   }
   Vec3d point_a() const { return weighted(&SupportPoint::a); }
   Vec3d point_b() const { return weighted(&SupportPoint::b); }
+  /// The point that the weights give, which is the nearest one as far as their digits go.
+  Vec3d point() const { return weighted(&SupportPoint::w); }
 
  private:
   Vec3d weighted(Vec3d SupportPoint::*member) const {
@@ -46,16 +48,27 @@ struct Simplex {
 
 /// The point of a simplex nearest to the origin, and the vertices that carry it, in ascending order, with its weights,
 /// of any sum. `enclosed` when the simplex is a tetrahedron that holds the origin: all of it carries it then.
-struct Nearest {
-  Vec3d point;
-  double squared = 0;  ///< its length
+template <class S>
+struct NearestOf {
+  Vec3<S> point;
+  S squared = 0;  ///< its length
   bool enclosed = false;
   std::uint8_t size = 0;
   std::array<std::uint8_t, 3> index{};
-  std::array<double, 3> weight{};
+  std::array<S, 3> weight{};
 };
+using Nearest = NearestOf<double>;
 
 Nearest nearest_to_origin(const Simplex& simplex);
+
+/// The same in twice the digits of a double, rounded at the end, the weights of sum 1: a direction and a side that are
+/// right however flat the simplex and however close the origin.
+struct ExactNearest {
+  Nearest nearest;
+  Vec3d direction;  ///< of its point, unit; of any where that is the origin
+  double distance = 0;
+};
+ExactNearest exactly_nearest_to_origin(const Simplex& simplex);
 
 /// Leaves of the simplex only what carries the point; a tetrahedron that holds the origin as it is.
 void reduce(Simplex& simplex, const Nearest& nearest);

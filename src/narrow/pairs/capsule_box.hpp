@@ -74,6 +74,17 @@ SegmentBoxAxis<S> best_axis(const Vec3<S>& half, const Segment<S>& segment) {
   return best;
 }
 
+/// The normal at a point of a box without what rounding left of it along the sides between whose ends the point is, or
+/// inward from one.
+template <class S>
+Vec3<S> leaving(const Vec3<S>& normal, const BoxCore<S>& box, const Vec3<S>& at) {
+  Vec3<S> left;
+  for (std::size_t i = 0; i < 3; ++i)
+    left[i] = select(at[i] >= box.half[i], greatest(normal[i], S(0)), S(0)) +
+              select(at[i] <= -box.half[i], least(normal[i], S(0)), S(0));
+  return left;
+}
+
 /// The box is A. Separating axes decide whether they overlap (van den Bergen 2003, section 3.2). Of an overlapping pair
 /// the segment is first moved out along the axis, just to touch: the nearest of all pairs of features then are where
 /// the two are deepest, and otherwise what they are.
@@ -84,10 +95,14 @@ CoreDistance<S> core_distance(const BoxCore<S>& a, const SegmentCore<S>& b) {
   const CoreDistance<S> near = apart(a.half, Segment<S>{b.segment.a + out, b.segment.b + out});
   // The axis keeps its digits where the difference of two near points has few, so it is the normal wherever both are
   // the same line up to rounding.
-  const S noise = S(16) * epsilon<S> * (max_abs(a.half) + max_abs(b.segment.a) + max_abs(b.segment.b)) + b.error;
+  const S size = max_abs(a.half) + max_abs(b.segment.a) + max_abs(b.segment.b);
+  const S noise = S(16) * epsilon<S> * size + b.error;
   const auto along_axis = (axis.separation <= S(0)) | (length(near.b - near.a - axis.normal * near.distance) <= noise);
   const S distance = select(axis.separation <= S(0), axis.separation, near.distance);
-  return {distance, select(along_axis, axis.normal, near.normal), near.a, near.b - out};
+  // Of two edges that cross the axis is the normal; of all else one of the two settles what the other does not turn.
+  const Vec3<S> settled = -leaving(-leaving(near.normal, a, near.a), b.segment, near.b);
+  const Vec3<S> normal = select(near.distance < size * S(near_part), renormalized(settled, near.normal), near.normal);
+  return {distance, select(along_axis, axis.normal, normal), near.a, near.b - out};
 }
 
 /// Products of near-parallel edges have too few digits in float for the tolerance, and the nearest points too.

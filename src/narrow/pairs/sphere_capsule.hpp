@@ -17,6 +17,15 @@ CorePoints<S> nearest_points(const PointCore<S>& a, const TurnedAxis<S>& b) {
 
 namespace detail {
 
+/// The normal at right angles to the segment, or outward from its end, where the point is near.
+template <class S>
+CoreDistance<S> settled(CoreDistance<S> d, const Segment<S>& segment, const S& size) {
+  const auto close = d.distance < size * S(near_part);
+  if (!any(close)) return d;
+  d.normal = select(close, renormalized(-leaving(-d.normal, segment, d.b), d.normal), d.normal);
+  return d;
+}
+
 /// A point on the segment, whose axis `axis()` tells, gets a normal across it.
 template <class S, class Axis>
 CoreDistance<S> between_point_and_segment(const CorePoints<S>& nearest, const S& noise, const Axis& axis) {
@@ -30,8 +39,10 @@ CoreDistance<S> between_point_and_segment(const CorePoints<S>& nearest, const S&
 
 template <class S>
 CoreDistance<S> core_distance(const PointCore<S>& a, const SegmentCore<S>& b, const CorePoints<S>& nearest) {
-  const S noise = S(4) * epsilon<S> * (max_abs(a.point) + max_abs(b.segment.a) + max_abs(b.segment.b)) + b.error;
-  return detail::between_point_and_segment(nearest, noise, [&] { return normalized(b.segment.b - b.segment.a); });
+  const S size = max_abs(a.point) + max_abs(b.segment.a) + max_abs(b.segment.b);
+  const S noise = S(4) * epsilon<S> * size + b.error;
+  const auto axis = [&] { return normalized(b.segment.b - b.segment.a); };
+  return detail::settled(detail::between_point_and_segment(nearest, noise, axis), b.segment, size);
 }
 template <class S>
 CoreDistance<S> core_distance(const PointCore<S>& a, const TurnedAxis<S>& b, const CorePoints<S>& nearest) {
