@@ -66,7 +66,7 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, Difference& di
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
   if (g.end != GjkEnd::touching && g.tells_normal())
-    return judged(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()), g.upper - g.lower,
+    return judged(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()), g.upper - g.along,
                   noise);
   if (limit < std::numeric_limits<double>::infinity()) {  // a question of contacts, whose faces come next
     expect_faces(a);

@@ -196,7 +196,6 @@ template <class Difference, class Observer>
 template <class Difference, class Observer>
 void refine_if_open(GjkResult& r, const Difference& difference, const GjkGoal& goal, const Observer& observer) {
   if (is_open(r, difference, goal)) gjk_refined(r, difference, goal, observer);
-  r.lower = least(r.lower, r.along);
 }
 
 /// From a simplex of points that are the difference's, such as one that was left nearby.
