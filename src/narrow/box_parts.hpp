@@ -13,8 +13,6 @@ struct BoxParts {
   std::array<HullEdge, 12> edges{};
   std::array<std::uint32_t, 7> begins{};
   std::array<std::uint32_t, 24> loops{};
-  std::array<std::uint32_t, 9> incident_begins{};
-  std::array<std::uint32_t, 24> incident{};
 };
 
 constexpr BoxParts make_box_parts() {
@@ -39,10 +37,6 @@ constexpr BoxParts make_box_parts() {
     }
   }
   for (std::uint32_t f = 0; f <= 6; ++f) parts.begins[f] = 4 * f;
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    parts.incident_begins[i + 1] = 3 * (i + 1);
-    for (std::uint32_t axis = 0; axis < 3; ++axis) parts.incident[3 * i + axis] = 2 * axis + ((i >> axis) & 1);
-  }
   return parts;
 }
 inline constexpr BoxParts box_parts = make_box_parts();

@@ -14,6 +14,9 @@ constexpr double same_height = 64 * std::numeric_limits<double>::epsilon();
 
 /// Every vertex of a flat polygon touches its front and its back.
 constexpr std::array<std::uint32_t, 2> front_and_back{0, 1};
+/// The support face of a box is asked for among all of its faces: where a side has no length, as of a rectangle, the
+/// first of two vertices at one place may be the one that the face along a direction does not have.
+constexpr std::array<std::uint32_t, 6> faces_of_box{0, 1, 2, 3, 4, 5};
 
 /// A triangle whose height is less than this part of its longest side is an edge to the separating-axis test: half of
 /// double's digits are left for the normal of a thicker one.
@@ -49,8 +52,8 @@ void Polyhedron::set(const Box<T>& box) {
   edges_ = box_parts.edges;
   begins_ = box_parts.begins;
   loops_ = box_parts.loops;
-  incident_begins_ = box_parts.incident_begins;
-  incident_ = box_parts.incident;
+  incident_begins_ = {};
+  incident_ = faces_of_box;
 }
 
 template <class T>
@@ -147,7 +150,7 @@ PlacedFace Polyhedron::support_face(const Vec3d& direction) const {
     const auto corners = loop(f);
     const auto tied = std::count_if(corners.begin(), corners.end(),
                                     [&](std::uint32_t v) { return dot(vertices_[v], direction) >= level; });
-    if (along < furthest_lean || tied < most_tied || (tied == most_tied && along <= most)) continue;
+    if (tied == 0 || along < furthest_lean || tied < most_tied || (tied == most_tied && along <= most)) continue;
     most_tied = tied;
     most = along;
     best = f;

@@ -65,7 +65,9 @@ class Polyhedron {
   SmallVector<Vec3d, 96> vertices_, normals_;
   SmallVector<double, 96> offsets_;
   std::span<const HullEdge> edges_;
-  std::span<const std::uint32_t> begins_, loops_, incident_begins_, incident_;
+  std::span<const std::uint32_t> begins_, loops_;
+  /// The faces at each vertex; without begins the same list is looked at for every vertex.
+  std::span<const std::uint32_t> incident_begins_, incident_;
   // What a flat polygon has that its shape does not keep.
   SmallVector<HullEdge, 16> flat_edges_;
   SmallVector<std::uint32_t, 32> flat_begins_, flat_loops_;
