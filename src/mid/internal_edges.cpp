@@ -81,12 +81,13 @@ Manifold<T> laid_along(const PieceOf<T>& a, const PieceOf<T>& b, bool of_a, cons
   return manifold;
 }
 
-/// One point: where the other shape reaches furthest below the plane of the piece's face.
+/// One point: where the other shape reaches furthest below the plane of the piece's face. Its distance is `nearest` at
+/// least.
 template <class T>
 Manifold<T> furthest_below(const PieceOf<T>& self, const PieceOf<T>& other, bool of_a, const Vec3<T>& outward,
-                           const Manifold<T>& like) {
+                           const Manifold<T>& like, T nearest = -std::numeric_limits<T>::infinity()) {
   const Vec3<T> lowest = furthest(other.piece, other.pose, -outward);
-  const T distance = dot(lowest - furthest(self.piece, self.pose, outward), outward);
+  const T distance = greatest(nearest, dot(lowest - furthest(self.piece, self.pose, outward), outward));
   const Vec3<T> above = lowest - outward * distance;
   Manifold<T> manifold = between_same_pieces(like);
   manifold.normal = of_a ? outward : -outward;
@@ -214,6 +215,52 @@ std::optional<Correction<T>> corrected(const PieceOf<T>& self, const PieceOf<T>&
   return as_correction(over ? std::optional(over->normal) : std::nullopt);
 }
 
+/// How far apart two pieces are along a normal that leads out of one; negative is a depth.
+template <class T>
+T apart_along(const PieceOf<T>& self, const PieceOf<T>& other, const Vec3<T>& outward) {
+  return dot(furthest(other.piece, other.pose, -outward) - furthest(self.piece, self.pose, outward), outward);
+}
+
+/// The normal of the face of a piece that leans least from a direction; zero where it has none there.
+template <class T>
+Vec3<T> leaning_least(const PieceOf<T>& self, const Vec3<T>& outward) {
+  Face<T> face;
+  const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
+  self.piece.visit([&](const auto& c) {
+    if constexpr (requires { c.core_face(local, face, T()); })
+      c.core_face(local, face, side_lean<T>);
+    else if constexpr (requires { c.core_face(local, face); })
+      c.core_face(local, face);
+  });
+  Vec3<T> sum{};
+  for (std::size_t i = 2; i < face.vertices.size(); ++i)
+    sum += cross(face.vertices[i - 1] - face.vertices[0], face.vertices[i] - face.vertices[0]);
+  return rotate(self.pose.rotation, normalized(sum, Vec3<T>{}));
+}
+
+/// A correction that is no wall of a neighbour. Where three pieces meet in a corner the sight of one may end on the
+/// wall of another, and along that wall's normal the other shape is as deep as it is wide. A face of the piece itself,
+/// the one that leans least from the refused normal or from the way to the middle of the other shape, is taken before
+/// one along which the two are deeper, if nothing rises above it and nothing covers it.
+template <class T>
+std::optional<Correction<T>> least_deep(const PieceOf<T>& self, const PieceOf<T>& other, const SeenContact<T>& contact,
+                                        std::optional<Correction<T>> right) {
+  if (!right || right->least_way || self.piece.template as<Triangle<T>>()) return right;
+  const Vec3<T> point = standing_point<T>(contact.manifold.points, contact.side);
+  const T noise = own_noise(self, point);
+  T apart = apart_along(self, other, right->normal);
+  if (apart >= contact.distance - noise) return right;
+  const Vec3<T> to_middle = normalized(bounds(other.piece, other.pose).center() - point, contact.outward);
+  for (const Vec3<T>& direction : {contact.outward, to_middle}) {
+    const Vec3<T> own = leaning_least(self, direction);
+    if (own == Vec3<T>{} || apart_along(self, other, own) <= apart + noise) continue;
+    if (riser_around(self, point, own, Among::all) || surface_over(self, point, own, other)) continue;
+    right = Correction<T>{own};
+    apart = apart_along(self, other, own);
+  }
+  return right;
+}
+
 }  // namespace
 
 template <class T>
@@ -235,12 +282,13 @@ Settled<T> settle_normal(const PieceOf<T>& a, const PieceOf<T>& b, T margin, con
     const bool sliver = now.points.empty();
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const SeenContact<T> seen{sliver ? found : now, side, on_face ? face : outward, on_face, distance};
-    const auto right = corrected(self, other, seen, margin);
+    const auto right = least_deep(self, other, seen, corrected(self, other, seen, margin));
     if (right) {
       if (!sliver) found = now;
       now = laid_along(a, b, of_a, right->normal, margin, found);
       if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
-      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found);
+      // Whether the two are as deep as that at all, nothing laid along the normal has shown.
+      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found, distance);
     } else if (sliver) {
       const Manifold<T> corner = furthest_below(self, other, of_a, face, found);
       if (reaches_to(self, corner.points[0].*side))
