@@ -57,21 +57,12 @@ void write_contacts(const Question<T>& q, Trace* trace, JsonWriter& out) {
   write_bounded(d.status != Status::bounded, d.error, out);
 }
 
-/// A point by itself is a ball without radius: what bounds the distance to it bounds that of the nearest point.
-template <class T>
-T error_of(const Question<T>& q, const Closest<T>& found) {
-  if constexpr (requires { found.error; })
-    return found.error;
-  else
-    return distance(q.a->shape, q.a->pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{*q.point, {}}).error;
-}
-
 template <class T>
 void write_closest(const Question<T>& q, Trace* trace, JsonWriter& out) {
   const Closest<T> c = closest(q.a->shape, q.a->pose, *q.point, trace);
   out.key("distance").number(c.distance).key("point").vector(c.point, q.dimension);
   out.key("normal").vector(in_plane(c.normal, q.dimension), q.dimension);
-  if (c.status != Status::converged) write_bounded(false, error_of(q, c), out);
+  write_bounded(c.status == Status::converged, c.error, out);
 }
 
 template <class T>

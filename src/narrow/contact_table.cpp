@@ -4,6 +4,7 @@
 #include "narrow/convex_pair.hpp"
 #include "narrow/flatten.hpp"
 #include "narrow/general_contacts.hpp"
+#include "narrow/relative_frame.hpp"
 
 // The pairs with a form of their own. A pair without one takes the general path.
 #include "narrow/pairs/box_contacts.hpp"
@@ -70,6 +71,41 @@ T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
   return distance;
 }
 
+/// Whether a pair of one kind is answered the other way round. What the general path chooses where two choices are as
+/// good (the face that others are laid over, the edge that counts, the vertex that a search begins at) follows the order
+/// of the shapes. The larger shape tells theirs or, of two as large, where each sees the other: a swap swaps both to
+/// the last bit, and a motion of the two keeps them.
+template <class T>
+bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+  const auto extent = [](const Shape<T>& shape) {
+    return shape.visit([](const auto& c) {
+      if constexpr (requires { c.core_extent(); }) return c.core_extent();
+      return T(0);
+    });
+  };
+  const T size_a = extent(a) + a.margin(), size_b = extent(b) + b.margin();
+  if (size_a != size_b) return size_a < size_b;
+  const Posed b_of_a = relative_in_double(pose_a, pose_b), a_of_b = relative_in_double(pose_b, pose_a);
+  const Vec3d &at_b = b_of_a.translation, &at_a = a_of_b.translation;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (at_b[i] != at_a[i]) return at_b[i] < at_a[i];
+  const Vec3d turn_b = b_of_a.rotation.vector() * b_of_a.rotation.w,
+              turn_a = a_of_b.rotation.vector() * a_of_b.rotation.w;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (turn_b[i] != turn_a[i]) return turn_b[i] < turn_a[i];
+  return false;
+}
+
+/// Of two shapes of one kind.
+template <class T>
+T alike_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                 Manifold<T>& manifold) {
+  if (!stands_second(a, pose_a, b, pose_b)) return other_contacts(a, pose_a, b, pose_b, margin, manifold);
+  const T distance = other_contacts(b, pose_b, a, pose_a, margin, manifold);
+  mirror(manifold);
+  return distance;
+}
+
 template <class T, std::size_t A, std::size_t B>
 constexpr Routine<T> routine_of() {
   using CA = std::variant_alternative_t<A, ShapeList<T>>;
@@ -80,6 +116,8 @@ constexpr Routine<T> routine_of() {
     return &triangle_pair_contacts<T>;
   else if constexpr (HasOwnContacts<CA, CB, T>)
     return &pair_contacts<CA, CB, T>;
+  else if constexpr (A == B)
+    return &alike_contacts<T>;
   else
     return &other_contacts<T>;
 }
