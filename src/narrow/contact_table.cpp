@@ -72,9 +72,9 @@ T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
 }
 
 /// Whether a pair of one kind is answered the other way round. What the general path chooses where two choices are as
-/// good (the face that others are laid over, the edge that counts, the vertex that a search begins at) follows the order
-/// of the shapes. The larger shape tells theirs or, of two as large, where each sees the other: a swap swaps both to
-/// the last bit, and a motion of the two keeps them.
+/// good (the face that others are laid over, the edge that counts, the vertex that a search begins at) follows the
+/// order of the shapes. The larger shape tells theirs or, of two as large, where each sees the other: a swap swaps both
+/// to the last bit, and a motion of the two keeps them.
 template <class T>
 bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
   const auto extent = [](const Shape<T>& shape) {
