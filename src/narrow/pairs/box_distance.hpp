@@ -265,6 +265,11 @@ BoxNearest<S> nearest_of_boxes(const BoxPair<S>& p, const S& noise) {
   BoxNearest<S> corner = detail::at_corner(moved_apart, slack);
   corner.core.distance -= moved;
   corner.core.b -= away;
+  // A corner that hangs over a rim by less than the square root of a rounding is as near as the face, from so far away.
+  // Moved back, it lies beside the way along the normal by as much.
+  const CoreDistance<S>& core = corner.core;
+  const Vec3<S> beside = core.b - core.a - core.normal * core.distance;
+  corner.proven = corner.proven & (length_squared(beside) <= slack * slack);
   nearest.otherwise(corner);
   if (all(nearest.proven)) return nearest;
   nearest.otherwise(detail::at_crossing(p, axis, separation, slack));
