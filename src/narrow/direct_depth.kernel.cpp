@@ -140,9 +140,12 @@ class Descent {
     double best = overlap_along(n_);
     const Vec3d way = n_;
     int face = none;
+    // An axis as good as the way but for rounding is the way: only of the axis is it known which face it is normal to.
+    double slack = rise * size_;
     const auto better = [&](const Vec3d& n) {
       const double found = overlap_along(n);
-      if (!(found < best)) return false;
+      if (!(found < best + slack)) return false;
+      slack = 0;
       best = found;
       n_ = n;
       return true;
@@ -336,9 +339,23 @@ class Descent {
     return r;
   }
 
+  /// Cylinders and segments about parallel axes add up to a cylinder: how deep the way ends inside of it is their depth.
+  /// Minus infinity of others.
+  double inside_of_sum() const {
+    for (const SumSide& side : side_)
+      if ((side.round && !side.disc) || side.half.x > 0 || side.half.z > 0)
+        return -std::numeric_limits<double>::infinity();
+    const Vec3d axis = turn_.column(1);
+    const double lean = std::sqrt(axis.x * axis.x + axis.z * axis.z), radius = side_[0].radii.x + side_[1].radii.x;
+    if (!(lean <= inside_slack)) return -std::numeric_limits<double>::infinity();
+    const SumSide sum({{}, {0, side_[0].half.y + side_[1].half.y, 0}, {radius, 0, radius}});
+    return sum.inside(way_) - 2 * lean * size_;  // a core of up to `size_` from its axis' ends leans by so much
+  }
+
   /// What the depth does not fall below, given the deepest points and what is left of the gradient.
   double proven(const Vec3d& from_a, const Vec3d& from_b, double rest) {
-    const double inside = greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_)));
+    const double inside =
+        greatest(inside_of_sum(), greatest(side_[0].inside(from_b), side_[1].inside(local(1, from_a - way_))));
     if (inside >= depth_ - inside_slack * size_) return inside;
     tangents_at(n_, u_, v_);
     const std::array<Vec3d, 2> us{u_, local(1, u_)}, vs{v_, local(1, v_)};

@@ -69,6 +69,25 @@ void slide(const Difference& difference, double noise, EpaResult& r) {
   }
 }
 
+/// Takes one of the axes of the two shapes' frames, or the way between their centres, where that has less depth: a
+/// body of revolution may have its face there, which the polytope meets only by chance.
+template <class Difference>
+void try_axes(const Difference& difference, EpaResult& r) {
+  const auto take = [&](const Vec3d& outward) {
+    const double depth = dot(difference.support(-outward).w, outward);
+    if (!(depth < r.upper)) return;
+    r.upper = depth;
+    r.normal = -outward;
+  };
+  take(-unit(difference.center_offset()));
+  if constexpr (requires { difference.rotation_of_b(); })
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const Vec3d& axis : {Mat3d::identity().row[i], difference.rotation_of_b().column(i)}) {
+        take(axis);
+        take(-axis);
+      }
+}
+
 template <class Difference, class Observer = Unobserved>
 EpaResult epa(const Difference& difference, const Simplex& start, double tolerance, const Observer& observer = {}) {
   const double noise = rounding * difference.reach();
@@ -110,10 +129,25 @@ EpaResult epa(const Difference& difference, const Simplex& start, double toleran
     }
     observer.expansion(-normal, offset, depth, found, polytope);
   }
-  r.lower = least(r.lower, r.upper);
+  // Not the last facet's offset: what was closed is not counted in that, nor how rounding turned a sliver's plane.
+  r.lower = polytope.inner_radius(r.upper);
   r.normal = -outward;
-  const bool held = polytope.witness(outward, deepest, r.a, r.b);
-  if (!held || r.upper - r.lower > tolerance) slide(difference, noise, r);
+  polytope.witness(outward, deepest, r.a, r.b);
+  if (r.upper - r.lower > tolerance) {
+    try_axes(difference, r);
+    slide(difference, noise, r);
+  }
+  // The boundary of the polytope is no further from where the normal ends than the two bounds are from each other.
+  const Vec3d target = r.normal * -r.upper;
+  const double missed = length(r.b - r.a - target);
+  if (!(missed <= tolerance)) {
+    Vec3d a{}, b{};
+    polytope.nearest_witness(target, a, b);
+    if (!(length(b - a - target) >= missed)) {
+      r.a = a;
+      r.b = b;
+    }
+  }
   observer.final_polytope(polytope);
   return r;
 }

@@ -1,5 +1,6 @@
 #include "narrow/general.hpp"
 
+#include "narrow/core_inside.hpp"
 #include "narrow/direct_depth.hpp"
 #include "narrow/epa.hpp"
 #include "narrow/general_search.hpp"
@@ -26,7 +27,7 @@ GeneralDistance judged(const Difference& difference, const CoreDistance<double>&
   return {core, Status::bounded, gap + noise, noise};  // rounding too may take from the gap along the normal
 }
 
-/// Of cores of which one at least has an ellipsoid or a disc in it, where the descent answers within the tolerance. The
+/// Of cores of which one at least has an ellipsoid or a disc in it, where the descent ends; it may not be proven. The
 /// depths of boxes and points are known without.
 template <class T>
 std::optional<GeneralDistance> directly(const Difference<T>& difference, const ShapeCore<T>& a, const ShapeCore<T>& b,
@@ -38,10 +39,16 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
   if (!found) return std::nullopt;
   const double distance = -found->depth;
   if (distance > limit + noise) return GeneralDistance{{distance, found->normal, {}, {}}, Status::converged, 0, noise};
-  const auto answer =
-      judged(difference, centered(distance, found->normal, found->a, found->b), found->depth - found->lower, noise);
-  if (answer.status != Status::converged) return std::nullopt;
-  return answer;
+  return judged(difference, centered(distance, found->normal, found->a, found->b), found->depth - found->lower, noise);
+}
+
+/// Of two answers for cores that overlap the smaller depth, with the better proof of both.
+template <class Difference>
+GeneralDistance better_of(const Difference& difference, const GeneralDistance& one, const GeneralDistance& other) {
+  if (one.core.distance > 0 || other.core.distance > 0) return other;
+  const double lower = greatest(-one.core.distance - one.error, -other.core.distance - other.error);
+  const GeneralDistance& less = one.core.distance >= other.core.distance ? one : other;
+  return judged(difference, less.core, -less.core.distance - lower, less.noise);
 }
 
 template <class Difference>
@@ -59,20 +66,44 @@ EpaResult depth_of(const HullDifference<T>& difference, const Simplex& start, do
   return proven ? found : epa(difference, start, goal);
 }
 
+/// Raises the lower bound of a depth to how deep the point of one core is inside the other. Where that is the depth, the
+/// ball about the point touches the other's boundary along the normal, which gives the second point better than a search.
+template <class T>
+void prove_by_inside(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double noise, double tolerance,
+                     EpaResult& e) {
+  const Mat3d turn = rotation_matrix(b_in_a.rotation);
+  const double in_b = inside_core_of(b, transposed_times(turn, e.a - b_in_a.translation)) - noise;
+  const double in_a = inside_core_of(a, e.b) - noise;
+  if (!(greatest(in_a, in_b) > e.lower)) return;
+  e.lower = least(e.upper, greatest(in_a, in_b));
+  if (e.upper - e.lower > tolerance) return;
+  if (in_b >= in_a)
+    e.b = e.a - e.normal * e.upper;
+  else
+    e.a = e.b + e.normal * e.upper;
+}
+
 template <class T, class Difference>
-GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, Difference& difference, double noise, double limit) {
+GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, Difference& difference,
+                            double noise, double limit) {
   const GjkGoal goal = distance_goals(difference.size(), noise, limit);
   const GjkResult g = search(difference, goal);
   if (g.end == GjkEnd::apart && g.lower > limit + noise)
     return {{g.lower, g.normal, {}, {}}, Status::converged, 0, noise};
-  if (g.end != GjkEnd::touching && g.tells_normal())
-    return judged(difference, centered(g.upper, g.normal, g.simplex.point_a(), g.simplex.point_b()), g.upper - g.along,
-                  noise);
+  if (g.end != GjkEnd::touching && g.tells_normal()) {
+    const Vec3d point_a = g.simplex.point_a(), point_b = g.simplex.point_b();
+    // Rounding may shorten the way to a flat simplex to less than a direction proves: then its own two points tell.
+    const double upper = g.upper < g.lower - noise ? greatest(g.lower, length(point_b - point_a)) : g.upper;
+    return judged(difference, centered(upper, g.normal, point_a, point_b), upper - g.along, noise);
+  }
   if (limit < std::numeric_limits<double>::infinity()) {  // a question of contacts, whose faces come next
     expect_faces(a);
     expect_faces(b);
   }
-  const EpaResult e = depth_of(difference, g.simplex, depth_goal * difference.size() + noise);
+  const double tolerable = depth_goal * difference.size() + noise;
+  EpaResult e = depth_of(difference, g.simplex, tolerable);
+  if (e.upper - e.lower > tolerable)
+    prove_by_inside(a, b, b_in_a, noise, 0.5 * tolerance<double> * difference.size(), e);
   return judged(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
 }
 
@@ -83,7 +114,7 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
   const double noise = noise_of(a, b, b_in_a.translation);
   if (are_scanned(a, b)) {
     ScannedPair<T> scanned(a, b, b_in_a);
-    return iteratively(a, b, scanned.difference, noise, limit);
+    return iteratively(a, b, b_in_a, scanned.difference, noise, limit);
   }
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
@@ -94,8 +125,10 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
       return judged(difference, centered(core.distance, core.normal, core.a, core.b), 0, noise);
     }
   }
-  if (const auto direct = directly(difference, core_a, core_b, b_in_a, limit, noise)) return *direct;
-  return iteratively(a, b, difference, noise, limit);
+  const auto direct = directly(difference, core_a, core_b, b_in_a, limit, noise);
+  if (direct && direct->status == Status::converged) return *direct;
+  const GeneralDistance iterated = iteratively(a, b, b_in_a, difference, noise, limit);
+  return direct ? better_of(difference, *direct, iterated) : iterated;
 }
 
 template <class T>

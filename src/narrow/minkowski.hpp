@@ -31,6 +31,7 @@ class MinkowskiDifference {
   }
 
   const Vec3d& center_offset() const { return translation_; }
+  const Mat3d& rotation_of_b() const { return rotation_; }
   /// The larger of the two cores' extents: what tolerances are relative to.
   double size() const { return size_; }
   /// The largest coordinate that can occur: what rounding errors are relative to.

@@ -178,4 +178,42 @@ bool Polytope::witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Ve
   return missed >= 0;
 }
 
+void Polytope::nearest_witness(const Vec3d& target, Vec3d& a, Vec3d& b) const {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Facet& f : facets_) {
+    if (!f.live || std::abs(dot(f.normal, target) - f.offset) > best) continue;
+    Simplex triangle;
+    for (const std::uint16_t v : f.vertex) {
+      SupportPoint p = vertices_[v];
+      p.w -= target;
+      triangle.push(p);
+    }
+    const Nearest nearest = nearest_to_origin(triangle);
+    const double distance = std::sqrt(nearest.squared);
+    if (!(distance < best)) continue;
+    best = distance;
+    reduce(triangle, nearest);
+    a = triangle.point_a();
+    b = triangle.point_b();
+  }
+}
+
+double Polytope::least_along(const Facet& f, const Vec3d& direction) const {
+  const auto along = [&](std::size_t i) { return dot(direction, vertices_[f.vertex[i]].w); };
+  return least(along(0), least(along(1), along(2)));
+}
+
+double Polytope::inner_radius(double enough) const {
+  double radius = enough;
+  for (const Facet& f : facets_) {
+    if (!f.live) continue;
+    double known = least_along(f, f.normal);
+    // A sliver has a normal of rounding, and lies in the planes of its neighbours as well as in its own.
+    for (std::size_t i = 0; i < 3 && known < radius; ++i)
+      known = greatest(known, least_along(f, facets_[f.neighbor[i]].normal));
+    radius = least(radius, known);
+  }
+  return radius;
+}
+
 }  // namespace graze

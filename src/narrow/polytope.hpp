@@ -49,6 +49,13 @@ class Polytope {
   /// The two shapes' points where the ray from the origin along `direction` leaves the polytope. False when rounding
   /// lets the ray miss every facet: they are then those of the facet that it misses least. `likely` is looked at first.
   bool witness(const Vec3d& direction, const Facet* likely, Vec3d& a, Vec3d& b) const;
+  /// The two shapes' points nearest to a point of the difference's boundary that no facet's ray tells well: a sliver's
+  /// barycentric coordinates are rounding. Costs a comparison a facet, and a nearest point for the few that are near.
+  void nearest_witness(const Vec3d& target, Vec3d& a, Vec3d& b) const;
+  /// A ball about the origin of this radius lies inside, or of `enough` if it is smaller. Holds whatever rounding did
+  /// to the planes: no point of a triangle is nearer to the origin than the least of its vertices along any unit vector.
+  double inner_radius(double enough) const;
+
   std::span<const SupportPoint> vertices() const { return {vertices_.begin(), vertices_.end()}; }
   /// All facets ever made; those that are not `live` have been replaced.
   std::span<const Facet> facets() const { return {facets_.begin(), facets_.end()}; }
@@ -69,6 +76,7 @@ class Polytope {
   bool find_horizon(std::uint16_t seed, const Vec3d& w);
   bool horizon_is_loop() const;
   void add_vertex(const SupportPoint& p);
+  double least_along(const Facet& facet, const Vec3d& direction) const;
   double pierce(const Vec3d& direction, double facing, Vec3d& a, Vec3d& b) const;
   bool pierce(const Facet& facet, const Vec3d& direction, double& best, Vec3d& a, Vec3d& b) const;
 
