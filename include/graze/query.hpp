@@ -10,6 +10,9 @@
 // when they overlap, and then minus the length of the shortest translation that separates them.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "graze/contact.hpp"
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
@@ -29,10 +32,29 @@ bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const 
 template <class T>
 bool may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
-/// The signed distance. For composites the smallest over their convex pieces.
+/// The signed distance. For composites the smallest over their convex pieces; of what lies wholly inside a solid mesh
+/// (see `Mesh::solid`) minus the length of a translation along which it leaves, an upper bound of the depth: the points
+/// are then the one that is last to leave, and where it goes.
 template <class T>
 Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                      Trace* trace = nullptr);
+
+/// The signed distance of shapes that are no further apart than `limit` >= 0, the same bits as `distance`; nothing for
+/// those that are. Of composites the cost is that of what lies within the limit: pieces further away are not looked at.
+template <class T>
+std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                          const Pose<T>& pose_b, T limit);
+
+/// Whether the shapes are no further apart than `limit` >= 0: distance <= limit. Cheaper than `distance_up_to`, since it
+/// ends at the first pair of pieces that is.
+template <class T>
+bool within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit);
+
+/// Appends every pair of convex pieces that is no further apart than `margin` >= 0, with its distance, in the same order
+/// for the same input; of two convex shapes there is one pair. What lies inside a solid mesh is near no piece by that.
+template <class T>
+void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                 std::vector<PieceDistance<T>>& pieces);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
 /// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface that has `Sides::front`

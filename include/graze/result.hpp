@@ -33,6 +33,13 @@ struct Distance {
   T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
 };
 
+/// A convex piece of A and one of B, and how far apart they are.
+template <class T>
+struct PieceDistance {
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle of a mesh or the child of the outermost compound, else 0
+  Distance<T> distance{};
+};
+
 /// The point of a shape's surface nearest to a point of the world.
 template <class T>
 struct Closest {

@@ -26,6 +26,11 @@ void write_bounded(bool proven, T error, JsonWriter& out) {
 
 template <class T>
 void write_distance(const Question<T>& q, Trace* trace, JsonWriter& out) {
+  if (q.limit && !within(q.a->shape, q.a->pose, q.b->shape, q.b->pose, *q.limit)) {
+    if (trace) trace->method = "pieces within the limit";
+    out.key("beyond").value(true);
+    return;
+  }
   const Distance<T> d = distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, trace);
   if (d.status == Status::unbounded)
     throw InvalidValue("a, b", "shapes of finite depth", "two half-spaces that are not opposite");

@@ -43,7 +43,7 @@ std::vector<Vec3f> points(const From& from) {
 }
 inline ConvexHull<float> single(const ConvexHull<double>& h) { return ConvexHull<float>(points(h.data().vertices)); }
 inline Mesh<float> single(const Mesh<double>& m) {
-  return {points(m.points()), {m.triangles().begin(), m.triangles().end()}, m.sides()};
+  return {points(m.points()), {m.triangles().begin(), m.triangles().end()}, m.sides(), m.solid()};
 }
 inline HeightField<float> single(const HeightField<double>& f) {
   std::vector<float> heights;

@@ -65,7 +65,7 @@ bool is_half_space(const MovingBody<T>& body) {
 
 template <class T>
 Question<T> read_question(const JsonValue& json) {
-  json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "explain"});
+  json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
   Question<T> q;
   q.query = query_kind(json.at("query"));
   if (const auto d = json.find("dimension")) {
@@ -85,6 +85,10 @@ Question<T> read_question(const JsonValue& json) {
   if (const auto r = json.find("ray")) q.ray = read_ray<T>(*r, plane, q.ray_length);
   if (const auto p = json.find("point")) q.point = plane ? p->plane_vector<T>() : p->vector<T>();
   if (const auto d = json.find("duration")) q.duration = d->length<T>();
+  if (const auto l = json.find("limit")) {
+    if (q.query != QueryKind::distance) l->fail("no limit for this query");
+    q.limit = l->length<T>();
+  }
   if (const auto e = json.find("explain")) q.explain = e->boolean();
 
   if (q.query == QueryKind::raycast && !q.ray) json.at("ray");

@@ -29,6 +29,7 @@ struct Question {
   T ray_length = std::numeric_limits<T>::infinity();
   std::optional<Vec3<T>> point;
   T duration = T(1);
+  std::optional<T> limit;
   bool explain = false;
 };
 

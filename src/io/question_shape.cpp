@@ -50,7 +50,7 @@ Shape<T> read_triangle(const JsonValue& json, T margin) {
 
 template <class T>
 Shape<T> read_mesh(const JsonValue& json) {
-  json.keys({"points", "triangles"});
+  json.keys({"points", "triangles", "solid"});
   std::vector<Vec3<T>> points = read_points<T>(json.at("points"));
   std::vector<typename Mesh<T>::Index> triangles;
   for (const JsonValue& t : json.at("triangles").elements()) {
@@ -63,7 +63,9 @@ Shape<T> read_mesh(const JsonValue& json) {
     }
     triangles.push_back(index);
   }
-  return built(json, [&] { return Shape<T>(Mesh<T>(std::move(points), std::move(triangles))); });
+  const auto solid = json.find("solid");
+  const bool is_solid = solid && solid->boolean();
+  return built(json, [&] { return Shape<T>(Mesh<T>(std::move(points), std::move(triangles), Sides::both, is_solid)); });
 }
 
 template <class T>

@@ -54,7 +54,7 @@ MappedShape mapped_mesh(const Mesh<double>& mesh, const Affine& map) {
   std::vector<Mesh<double>::Index> triangles(mesh.triangles().begin(), mesh.triangles().end());
   if (determinant(map.linear) < 0)
     for (auto& t : triangles) std::swap(t[1], t[2]);  // a mirror turns the winding around
-  return {Mesh<double>(std::move(points), std::move(triangles), mesh.sides()), {map.translation, {}}, ""};
+  return {Mesh<double>(std::move(points), std::move(triangles), mesh.sides(), mesh.solid()), {map.translation, {}}, ""};
 }
 
 /// A height field as the triangles that it is: under most maps it is no grid any more.

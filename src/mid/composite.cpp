@@ -3,6 +3,7 @@
 #include "mid/group.hpp"
 #include "mid/internal_edges.hpp"
 #include "mid/piece_pairs.hpp"
+#include "mid/solid.hpp"
 #include "mid/spanning_points.hpp"
 #include "mid/triangles_together.hpp"
 #include "narrow/convex_pair.hpp"
@@ -20,7 +21,7 @@ constexpr T infinity = std::numeric_limits<T>::infinity();
 template <class T>
 bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   const Shape<T>&shape_a = a.shape, &shape_b = b.shape;
-  if (!(best.distance < infinity<T>) || shape_a.template as<HalfSpace<T>>() || shape_b.template as<HalfSpace<T>>() ||
+  if (best.normal == Vec3<T>{} || shape_a.template as<HalfSpace<T>>() || shape_b.template as<HalfSpace<T>>() ||
       (shape_a.template as<Triangle<T>>() && shape_b.template as<Triangle<T>>()))
     return false;
   // Seen from A, since far from the world's origin both points would be rounded.
@@ -45,18 +46,63 @@ bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
 
 }  // namespace
 
+namespace {
+
 template <class T>
-Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+bool is_compound(const Shape<T>& shape) {
+  return shape.template as<Compound<T>>() != nullptr;
+}
+
+/// What lies inside a solid mesh is deeper than its surface is far.
+template <class T>
+Distance<T> or_enclosed(const Distance<T>& best, const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                        const Pose<T>& pose_b) {
+  // Two shapes of one part each that touch do not lie inside one another.
+  if (!(best.distance > T(0)) && !is_compound(a) && !is_compound(b)) return best;
+  const std::optional<Enclosed<T>> inside = deepest_enclosed(a, pose_a, b, pose_b);
+  return inside && inside->distance.distance < best.distance ? inside->distance : best;
+}
+
+}  // namespace
+
+template <class T>
+Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit) {
   if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b);
   Distance<T> best;
-  best.distance = infinity<T>;
+  best.distance = limit;
+  bool found = false;
   auto nearer = [&](const Part<T>& pa, const Part<T>& pb) {
     if (ruled_out(pa, pb, best)) return;
     const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose);
-    if (d.distance < best.distance) best = d;
+    if (d.distance < best.distance || (!found && d.distance == best.distance)) {
+      best = d;
+      found = true;
+    }
   };
   visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {best.distance, &best.normal}, PairVisitor<T>(nearer));
-  return best;
+  if (!found) best.distance = infinity<T>;
+  return has_solid_mesh(a) || has_solid_mesh(b) ? or_enclosed(best, a, pose_a, b, pose_b) : best;
+}
+
+template <class T>
+bool any_within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit) {
+  if (!(limit > T(0))) return any_overlap(a, pose_a, b, pose_b);
+  if (a.convex() && b.convex()) return convex_distance(a, pose_a, b, pose_b).distance <= limit;
+  auto beyond = [&](const Part<T>& pa, const Part<T>& pb) {
+    return !(convex_distance(pa.shape, pa.pose, pb.shape, pb.pose).distance <= limit);
+  };
+  return !visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {limit}, PairVisitor<T>(beyond)) ||
+         any_enclosed(a, pose_a, b, pose_b);
+}
+
+template <class T>
+void any_near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                     std::vector<PieceDistance<T>>& out) {
+  auto keep = [&](const Part<T>& pa, const Part<T>& pb) {
+    const Distance<T> d = convex_distance(pa.shape, pa.pose, pb.shape, pb.pose);
+    if (d.distance <= margin) out.push_back({pa.number, pb.number, d});
+  };
+  visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {margin}, PairVisitor<T>(keep));
 }
 
 template <class T>
@@ -66,7 +112,8 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   auto apart = [&](const Part<T>& pa, const Part<T>& pb) {
     return !convex_overlap(pa.shape, pa.pose, pb.shape, pb.pose);
   };
-  return !visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {touching}, PairVisitor<T>(apart));
+  return !visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {touching}, PairVisitor<T>(apart)) ||
+         any_enclosed(a, pose_a, b, pose_b);
 }
 
 namespace {
@@ -129,6 +176,24 @@ struct TouchingPieces {
   }
 };
 
+/// A point for what lies inside a solid mesh. The way from within to the surface is no contact then: it would push inward.
+template <class T>
+void add_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, std::size_t first,
+                  T& least_distance, Manifolds<T>& manifolds) {
+  const bool of_one_part = !is_compound(a) && !is_compound(b);
+  if (of_one_part && least_distance <= T(0)) return;
+  const std::optional<Enclosed<T>> inside = deepest_enclosed(a, pose_a, b, pose_b);
+  if (!inside) return;
+  if (of_one_part) manifolds.resize(first);
+  const Distance<T>& d = inside->distance;
+  Manifold<T>& manifold = manifolds.emplace_back();
+  manifold.normal = d.normal;
+  manifold.piece_a = inside->piece_a;
+  manifold.piece_b = inside->piece_b;
+  manifold.points.push_back({d.a, d.b, d.distance});
+  least_distance = least(least_distance, d.distance);
+}
+
 /// By themselves, so that two convex shapes do not pay for what only composites need.
 template <class T>
 [[gnu::noinline]] T composite_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
@@ -139,6 +204,8 @@ template <class T>
   TouchingPieces<T> found{whole_a, whole_b, beside, margin, singly || !(margin >= T(0)), ManifoldGroups<T>(manifolds)};
   visit_convex_pairs<T>(whole_a, whole_b, {margin, nullptr, true}, PairVisitor<T>(found));
   found.groups.finish();
+  const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
+  if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds);
   // What touches is not left without a point.
   if (manifolds.size() == first && !found.instead.points.empty()) manifolds.push_back(found.instead);
   const T size = least(size_about_origin(a), size_about_origin(b));
@@ -171,7 +238,10 @@ T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, cons
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                 \
+  template Distance<T> any_distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T);              \
+  template bool any_within(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T);                       \
+  template void any_near_pieces(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T,                   \
+                                std::vector<PieceDistance<T>>&);                                                       \
   template bool any_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                         \
   template T any_contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&,          \
                           const Surroundings<T>&, bool);

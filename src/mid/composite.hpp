@@ -1,7 +1,9 @@
 // Any shape against any shape: composites descend to convex pieces, and the table of pairs answers for those.
 #pragma once
 
+#include <limits>
 #include <span>
+#include <vector>
 
 #include "graze/contact.hpp"
 #include "graze/result.hpp"
@@ -9,8 +11,19 @@
 
 namespace graze {
 
+/// With a limit, shapes that are further apart may be answered as infinitely far.
 template <class T>
-Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
+Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                         T limit = std::numeric_limits<T>::infinity());
+
+/// Whether the shapes are no further apart than `limit` >= 0.
+template <class T>
+bool any_within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit);
+
+/// Appends every pair of convex pieces that is no further apart than `margin` >= 0.
+template <class T>
+void any_near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                     std::vector<PieceDistance<T>>& out);
 
 template <class T>
 bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);

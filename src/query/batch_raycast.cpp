@@ -155,7 +155,8 @@ template <class T>
 class BlockTarget {
  public:
   BlockTarget(const Shape<T>& shape, BackFaces back, bool any) : closed_(block_shape(shape, back)) {
-    if (const auto* mesh = shape.template as<Mesh<T>>())
+    // Whether a ray begins inside a solid mesh is asked one by one.
+    if (const auto* mesh = shape.template as<Mesh<T>>(); mesh && !mesh->solid())
       mesh_ = block_mesh(mesh->data(), back, any);
     else if (const auto* field = shape.template as<HeightField<T>>())
       field_ = block_field(field->data(), back, any);

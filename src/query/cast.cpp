@@ -4,6 +4,7 @@
 
 #include "mid/composite.hpp"
 #include "mid/moving_pieces.hpp"
+#include "mid/solid.hpp"
 #include "query/explain_cast.hpp"
 
 namespace graze {
@@ -128,6 +129,19 @@ std::optional<PieceImpact> first_impact(const Asked<T>& asked) {
   return first;
 }
 
+/// What begins wholly inside a solid mesh touches at once, unless it is leaving and separating bodies are ignored.
+template <class T>
+std::optional<CastHit<T>> hit_inside(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
+                                     const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b,
+                                     const CastOptions& options) {
+  const std::optional<Enclosed<T>> inside = deepest_enclosed(a, pose_a, b, pose_b);
+  if (!inside) return {};
+  const Distance<T>& d = inside->distance;
+  const bool leaves = dot(velocity_b.linear - velocity_a.linear, d.normal) >= T(0);
+  if (options.separating == Separating::ignored && leaves) return {};
+  return CastHit<T>{T(0), (d.a + d.b) * T(0.5), d.normal, -d.distance, d.status, inside->piece_a, inside->piece_b};
+}
+
 /// The largest T that is no later.
 template <class T>
 T rounded_down(double t) {
@@ -169,6 +183,8 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const V
   }
   const Asked<T> asked(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
   const std::optional<PieceImpact> first = first_impact(asked);
+  if ((has_solid_mesh(a) || has_solid_mesh(b)) && !(first && first->impact.t == 0))
+    if (const auto hit = hit_inside(a, pose_a, velocity_a, b, pose_b, velocity_b, options)) return hit;
   // In float `overlap` rounds more than a cast does. What it calls touching touches here too.
   if (std::is_same_v<T, float> && options.separating == Separating::hit && !(first && first->impact.t == 0) &&
       !asked.begins_far() && any_overlap<T>(a, pose_a, b, pose_b)) {
@@ -194,6 +210,8 @@ void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& veloc
   const auto again = [&](const PieceImpact& x, const PieceImpact& y) { return pair_of(x) == pair_of(y); };
   impacts.erase(std::unique(impacts.begin(), impacts.end(), again), impacts.end());
   std::sort(impacts.begin(), impacts.end(), earlier);
+  if (has_solid_mesh(a) || has_solid_mesh(b))
+    if (const auto hit = hit_inside(a, pose_a, velocity_a, b, pose_b, velocity_b, options)) hits.push_back(*hit);
   for (const PieceImpact& impact : impacts) hits.push_back(hit_of(impact, pose_a, velocity_a));
 }
 

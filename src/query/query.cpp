@@ -70,6 +70,24 @@ Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b
 }
 
 template <class T>
+std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                          const Pose<T>& pose_b, T limit) {
+  const Distance<T> d = any_distance(a, pose_a, b, pose_b, limit);
+  return d.distance <= limit ? std::optional(d) : std::nullopt;
+}
+
+template <class T>
+bool within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit) {
+  return any_within(a, pose_a, b, pose_b, limit);
+}
+
+template <class T>
+void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                 std::vector<PieceDistance<T>>& pieces) {
+  any_near_pieces(a, pose_a, b, pose_b, margin, pieces);
+}
+
+template <class T>
 bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace) {
   if (trace) return traced_contacts(a, pose_a, b, pose_b, margin, manifolds, *trace);
@@ -88,6 +106,11 @@ Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& po
   template bool may_overlap(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&);                         \
   template T contact_margin(const Shape<T>&, const Shape<T>&);                                                         \
   template Distance<T> distance(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, Trace*);             \
+  template std::optional<Distance<T>> distance_up_to(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, \
+                                                     T);                                                               \
+  template bool within(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T);                           \
+  template void near_pieces(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T,                       \
+                            std::vector<PieceDistance<T>>&);                                                           \
   template bool contacts(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifolds<T>&, Trace*);  \
   template Closest<T> closest(const Shape<T>&, const Pose<T>&, const Vec3<T>&, Trace*);
 GRAZE_INSTANTIATE(float)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "mid/pieces.hpp"
+#include "mid/solid.hpp"
 #include "narrow/flatten.hpp"
 #include "narrow/raycast.hpp"
 #include "narrow/rays/surface.hpp"
@@ -40,6 +41,9 @@ template <class T, class Report>
 [[gnu::always_inline]] inline void visit_single(const Shape<T>& shape, const LocalRay& ray, BackFaces back,
                                                 const Report& report) {
   const bool both_sides = back == BackFaces::hit;
+  if (const auto* mesh = shape.template as<Mesh<T>>())
+    if (mesh->solid() && encloses(mesh->data(), ray.at(ray.begin)) && report(rays::hit_inside(ray), 0u) < ray.begin)
+      return;
   if (with_surface(shape, [&](const auto& surface) { rays::cast_at_surface(surface, ray, both_sides, report); }))
     return;
   if (const auto hit = convex_raycast(shape, ray, back)) report(*hit, 0u);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "shape/mesh_data.hpp"
 #include "shape/mesh_topology.hpp"
@@ -49,10 +50,34 @@ T longest_side(const MeshData<T>& data) {
   return longest;
 }
 
+/// A point of each connected part: triangles are connected that share a point by its number.
+template <class T>
+std::vector<std::uint32_t> islands(std::size_t points, std::span<const typename Mesh<T>::Index> triangles) {
+  std::vector<std::uint32_t> parent(points);
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const auto& t : triangles) {
+    const std::uint32_t a = root(t[0]), b = root(t[1]), c = root(t[2]);
+    const std::uint32_t first = least(a, least(b, c));
+    parent[a] = parent[b] = parent[c] = first;
+  }
+  std::vector<std::uint32_t> found;
+  std::vector<bool> seen(points, false);
+  for (const auto& t : triangles) {
+    const std::uint32_t first = root(t[0]);
+    if (!seen[first]) found.push_back(first);
+    seen[first] = true;
+  }
+  return found;
+}
+
 }  // namespace
 
 template <class T>
-Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides) {
+Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides, bool solid) {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!(std::isfinite(points[i].x) && std::isfinite(points[i].y) && std::isfinite(points[i].z)))
       validate::point(points[i], "points[" + std::to_string(i) + "]");
@@ -68,11 +93,15 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
   {
     const EdgeUses edges(triangles, points.size());
     data->closed = edges.bound_solid();
+    if (solid && !data->closed)
+      throw InvalidValue("solid", "triangles that bound a solid", "a mesh that is not closed");
+    data->solid = solid;
     data->level = level_triangles<T>(points, triangles, edges);
   }
   data->points = std::move(points);
   data->triangles = std::move(triangles);
   data->longest = longest_side(*data);
+  data->islands = islands<T>(data->points.size(), data->triangles);
   std::vector<TreePiece<T>> pieces;
   pieces.reserve(data->triangles.size());
   for (const std::uint32_t i : different_triangles<T>(data->points, data->triangles))
@@ -98,6 +127,10 @@ bool Mesh<T>::closed() const {
 template <class T>
 Sides Mesh<T>::sides() const {
   return data_->sides;
+}
+template <class T>
+bool Mesh<T>::solid() const {
+  return data_->solid;
 }
 template <class T>
 T Mesh<T>::core_extent() const {

@@ -22,6 +22,8 @@ struct MeshData {
   bool closed = false;             ///< bounds a solid
   std::vector<bool> level;         ///< of each triangle: lies level with all around it
   Sides sides = Sides::both;
+  bool solid = false;                  ///< its inside counts; then it is closed
+  std::vector<std::uint32_t> islands;  ///< a point, by number, of each connected part
 
   const WideTree<T>& hierarchy() const { return tree; }
   std::array<Vec3<T>, 3> triangle(std::uint32_t number) const {

@@ -29,8 +29,9 @@ class Mesh {
   using Index = std::array<std::uint32_t, 3>;
 
   /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a million
-  /// triangles; besides points and triangles some 50 bytes for each triangle are kept. Throws `InvalidValue`.
-  Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both);
+  /// triangles; besides points and triangles some 50 bytes for each triangle are kept. A `solid` mesh is a body and no
+  /// skin: what lies wholly inside it touches it. Throws `InvalidValue`, also for a solid that is not `closed`.
+  Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both, bool solid = false);
   Mesh(const Mesh& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
   std::span<const Vec3<T>> points() const;
@@ -39,6 +40,8 @@ class Mesh {
   /// directions. Such a mesh has a mass, and an inside for `closest`.
   bool closed() const;
   Sides sides() const;
+  /// Whether the inside counts as the mesh's own: for `overlap`, `distance`, `contacts`, casts and rays.
+  bool solid() const;
   const MeshData<T>& data() const { return *data_; }
 
   T core_extent() const;
