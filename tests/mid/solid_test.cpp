@@ -59,8 +59,8 @@ TYPED_TEST(Solid, WhatLiesInsideTouchesAndLeavesAlongTheNormal) {
 
 TYPED_TEST(Solid, MeshesInsideMeshes) {
   using T = TypeParam;
-  for (const bool solid : {false, true}) {
-    const Shape<T> small = this->cube(T(0.25), solid);
+  for (const bool filled : {false, true}) {
+    const Shape<T> small = this->cube(T(0.25), filled);
     EXPECT_TRUE(overlap(small, this->inside, this->solid, this->origin));
     EXPECT_FALSE(overlap(small, this->inside, this->hollow, this->origin));
     EXPECT_NEAR(distance(small, this->inside, this->solid, this->origin).distance, T(-1.25), this->noise);
