@@ -12,7 +12,8 @@
 
 #include <optional>
 
-#include "graze/cast.hpp"
+#include "graze/motion.hpp"
+#include "graze/shape.hpp"
 
 namespace graze {
 

@@ -37,7 +37,7 @@ TEST(Picture, LabelsDoNotCollide) {
   for (const auto& [x, y] : points) labels.keep_clear(x, y, 4);
   std::vector<Box> placed;
   const std::regex place(R"re(<text x="([0-9.]+)" y="([0-9.]+)")re");
-      for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string words = std::to_string(i + 1), svg = labels.at(points[i].first, points[i].second, words);
     std::smatch found;
     ASSERT_TRUE(std::regex_search(svg, found, place)) << svg;
