@@ -108,6 +108,7 @@ format: ## format all sources in place
 lint: ## check the format, and the library and programs with clang-tidy
 	@scripts/setup.sh lint
 	clang-format --dry-run -Werror $(sources)
+	@awk 'length > 120 && /^ *\/\// { print FILENAME ":" FNR ": a comment of over 120 columns"; bad = 1 } END { exit bad }' $(sources)
 	$(call configure,clang)
 	run-clang-tidy -quiet -p build/clang -j $(JOBS) '$(CURDIR)/(src|apps)/'
 
