@@ -39,9 +39,8 @@ Run add_query(CLI::App& app) {
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
   command->footer(
-      "Queries: overlap, distance, contacts, raycast, cast, closest. Exit code: 0 when every line was answered, 1 "
-      "when\n"
-      "an answer was an error, 2 when a file cannot be read or standard output cannot be written.\n\n"
+      "Queries: overlap, distance, contacts, raycast, cast, closest, response. Exit code: 0 when every line was\n"
+      "answered, 1 when an answer was an error, 2 when a file cannot be read or standard output cannot be written.\n\n"
       "Example:\n"
       "  echo '{\"query\": \"closest\", \"a\": {\"shape\": {\"type\": \"box\"}}, \"point\": [2, 0, 0]}' | graze query");
   return [options] {

@@ -13,6 +13,8 @@
 #include "graze/executor.hpp"
 #include "graze/filter.hpp"
 #include "graze/geometry.hpp"
+#include "graze/impulse.hpp"
+#include "graze/mass.hpp"
 #include "graze/pairs.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"

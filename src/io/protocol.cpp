@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "io/answer.hpp"
+#include "io/response.hpp"
 
 namespace graze::io {
 
@@ -24,9 +25,16 @@ std::string answered(const Json& json, const std::string& id, const Manner& mann
   JsonWriter out;
   out.open('{');
   if (!id.empty()) out.key("id").raw(id);
-  Question<T> question = read_question<T>(JsonValue(json, ""));
-  question.explain = question.explain || manner.explained;
-  write_answer(question, out);
+  const JsonValue value(json, "");
+  if (asks_for_response(value)) {
+    ResponseQuestion<T> question = read_response<T>(value);
+    question.explain = question.explain || manner.explained;
+    write_response(question, out);
+  } else {
+    Question<T> question = read_question<T>(value);
+    question.explain = question.explain || manner.explained;
+    write_answer(question, out);
+  }
   return out.close('}').take();
 }
 

@@ -11,15 +11,7 @@ QueryKind query_kind(const JsonValue& json) {
   if (json.json().is_string())
     for (const auto& [name, kind] : names)
       if (json.json() == name) return kind;
-  json.fail("one of overlap, distance, contacts, raycast, cast, closest");
-}
-
-template <class T>
-Quat<T> read_rotation(const JsonValue& json) {
-  const auto parts = json.elements(4);
-  const Quat<T> q{parts[0].number<T>(), parts[1].number<T>(), parts[2].number<T>(), parts[3].number<T>()};
-  if (q == Quat<T>{T(0), T(0), T(0), T(0)}) json.fail("a quaternion that is not zero");
-  return normalized(q);
+  json.fail("one of overlap, distance, contacts, raycast, cast, closest, response");
 }
 
 template <class T>
@@ -64,6 +56,14 @@ bool is_half_space(const MovingBody<T>& body) {
 }  // namespace
 
 template <class T>
+Quat<T> read_rotation(const JsonValue& json) {
+  const auto parts = json.elements(4);
+  const Quat<T> q{parts[0].number<T>(), parts[1].number<T>(), parts[2].number<T>(), parts[3].number<T>()};
+  if (q == Quat<T>{T(0), T(0), T(0), T(0)}) json.fail("a quaternion that is not zero");
+  return normalized(q);
+}
+
+template <class T>
 Question<T> read_question(const JsonValue& json) {
   json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
   Question<T> q;
@@ -105,5 +105,7 @@ Question<T> read_question(const JsonValue& json) {
 
 template Question<float> read_question(const JsonValue&);
 template Question<double> read_question(const JsonValue&);
+template Quat<float> read_rotation(const JsonValue&);
+template Quat<double> read_rotation(const JsonValue&);
 
 }  // namespace graze::io

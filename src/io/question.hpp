@@ -41,6 +41,14 @@ Question<T> read_question(const JsonValue& json);
 template <class T>
 Shape<T> read_shape(const JsonValue& json);
 
+/// A quaternion that is not zero, at unit length.
+template <class T>
+Quat<T> read_rotation(const JsonValue& json);
+
+/// A figure of the plane, as the prism |z| <= `depth` over it.
+template <class T>
+Shape<T> read_prism(const JsonValue& json, T depth);
+
 /// The two bodies of a question in the plane, as prisms. Both at once, since each must be deeper than the other can
 /// reach into it.
 template <class T>

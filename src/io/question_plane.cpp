@@ -153,6 +153,13 @@ void read_plane_bodies(const JsonValue& json, Question<T>& question) {
   both(wide > T(0) ? T(2) * wide : T(1));
 }
 
+template <class T>
+Shape<T> read_prism(const JsonValue& json, T depth) {
+  return read_figure<T>(json, depth);
+}
+
+template Shape<float> read_prism(const JsonValue&, float);
+template Shape<double> read_prism(const JsonValue&, double);
 template void read_plane_bodies(const JsonValue&, Question<float>&);
 template void read_plane_bodies(const JsonValue&, Question<double>&);
 

@@ -1,0 +1,36 @@
+// How hard a body is to move and to turn: its mass and inertia, inverted and turned into world space.
+//
+// Guarantee: `InverseMass` is a plain value. An immovable body is one whose inverses are zero, so that no formula needs
+// a case of its own for it. The functions that make one throw `InvalidValue` for what is neither a mass nor an inertia,
+// naming it, and otherwise neither under- nor overflow where the result is a finite number.
+#pragma once
+
+#include "graze/shape.hpp"
+
+namespace graze {
+
+/// The inverse of a body's mass and of its inertia about the centre of mass, in world space. By default immovable.
+template <class T>
+struct InverseMass {
+  T mass{};
+  Mat3<T> inertia{};
+
+  bool movable() const { return mass > T(0); }
+};
+
+/// The inverse mass of a body of `mass` (> 0; infinite for one that does not move or turn, whatever its inertia) whose
+/// `inertia` is diagonal in the frame `rotation`: each component > 0, or infinite for an axis about which the body
+/// does not turn. Throws `InvalidValue` for anything else, and for a mass too small to be inverted.
+template <class T>
+InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation = {});
+
+/// The same of an inertia tensor in the frame `rotation`: symmetric and positive definite.
+template <class T>
+InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation = {});
+
+/// The inertia of `shape` about its own centre of mass, in its own frame, when it has `mass` spread evenly. Throws
+/// `InvalidValue` for a shape without volume: a surface, a flat one, or a half-space.
+template <class T>
+Mat3<T> inertia_of(const Shape<T>& shape, T mass);
+
+}  // namespace graze

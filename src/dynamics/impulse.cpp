@@ -1,0 +1,84 @@
+#include "graze/impulse.hpp"
+
+#include <limits>
+
+namespace graze {
+
+namespace {
+
+/// How an impulse on B at the point, and its opposite on A, changes the relative velocity there: the matrix K.
+template <class T>
+struct Yielding {
+  const InverseMass<T>& a;
+  const InverseMass<T>& b;
+  Vec3<T> from_a, from_b;  ///< the point seen from the centres of mass
+
+  Vec3<T> operator*(const Vec3<T>& impulse) const {
+    return impulse * (a.mass + b.mass) + cross(a.inertia * cross(from_a, impulse), from_a) +
+           cross(b.inertia * cross(from_b, impulse), from_b);
+  }
+};
+
+/// The impulse perpendicular to `normal` that changes the tangential velocity by minus `sliding`: the tangential
+/// 2×2 block of K is solved by elimination, the larger pivot first, so that the smaller one stays positive.
+template <class T>
+Vec3<T> stopping(const Yielding<T>& k, const Vec3<T>& normal, const Vec3<T>& sliding) {
+  Vec3<T> u = any_perpendicular(normal), v = cross(normal, u);
+  Vec3<T> ku = k * u, kv = k * v;
+  if (dot(u, ku) < dot(v, kv)) {
+    std::swap(u, v);
+    std::swap(ku, kv);
+  }
+  const T uu = dot(u, ku), uv = dot(u, kv), vv = dot(v, kv);
+  const T factor = uv / uu;
+  const T y = -(dot(v, sliding) - factor * dot(u, sliding)) / (vv - factor * uv);
+  const T x = -(dot(u, sliding) + uv * y) / uu;
+  return u * x + v * y;
+}
+
+}  // namespace
+
+template <class T>
+Motion<T> apply_impulse(const StruckBody<T>& body, const Vec3<T>& impulse, const Vec3<T>& point) {
+  Motion<T> after = body.motion;
+  after.linear += impulse * body.mass.mass;
+  after.angular += body.mass.inertia * cross(point - body.motion.center, impulse);
+  return after;
+}
+
+template <class T>
+Response<T> response(const StruckContact<T>& contact, const StruckBody<T>& a, const StruckBody<T>& b) {
+  const Vec3<T>& n = contact.normal;
+  ContactPoint<T> at;
+  at.a = at.b = contact.point;
+  const Yielding<T> k{a.mass, b.mass, contact.point - a.motion.center, contact.point - b.motion.center};
+
+  Response<T> r;
+  r.a = a.motion;
+  r.b = b.motion;
+  r.approach = relative_velocity(at, n, a.motion, b.motion);
+  r.at_fault = at_fault(at, n, a.motion, b.motion);
+  const bool movable = a.mass.movable() || b.mass.movable();
+  const Vec3<T> kn = k * n;
+  r.effective_mass = movable ? T(1) / dot(n, kn) : std::numeric_limits<T>::infinity();
+  if (!movable || !(r.approach.normal < T(0))) return r;
+
+  r.normal_impulse = -(T(1) + contact.restitution) * r.approach.normal * r.effective_mass;
+  const Vec3<T> left = r.approach.tangential + kn * r.normal_impulse;
+  r.sliding = left - n * dot(n, left);
+  r.stopping_impulse = stopping(k, n, r.sliding);
+  r.friction_limit = contact.friction * r.normal_impulse;
+  const T stop = length(r.stopping_impulse);
+  r.friction_impulse = stop > r.friction_limit ? r.stopping_impulse * (r.friction_limit / stop) : r.stopping_impulse;
+  r.impulse = n * r.normal_impulse + r.friction_impulse;
+  r.a = apply_impulse(a, -r.impulse, contact.point);
+  r.b = apply_impulse(b, r.impulse, contact.point);
+  return r;
+}
+
+template Motion<float> apply_impulse(const StruckBody<float>&, const Vec3<float>&, const Vec3<float>&);
+template Motion<double> apply_impulse(const StruckBody<double>&, const Vec3<double>&, const Vec3<double>&);
+template Response<float> response(const StruckContact<float>&, const StruckBody<float>&, const StruckBody<float>&);
+template Response<double> response(const StruckContact<double>&, const StruckBody<double>&, const StruckBody<double>&);
+
+}  // namespace graze

@@ -1,0 +1,72 @@
+#include "graze/mass.hpp"
+
+#include <limits>
+
+namespace graze {
+
+namespace {
+
+/// Returns the inverse of a number > 0, zero for an infinite one.
+template <class T>
+T inverse(T value, const std::string& path) {
+  const T inverted = T(1) / value;
+  if (!(value > T(0)) || !std::isfinite(inverted))
+    validate::fail(path, "a number > 0 with a finite inverse", static_cast<double>(value));
+  return inverted;
+}
+
+template <class T>
+Mat3<T> turned(const Mat3<T>& tensor, const Quat<T>& rotation) {
+  const Mat3<T> r = rotation_matrix(rotation);
+  return r * tensor * transposed(r);
+}
+
+/// The inverse of a symmetric matrix by its cofactors; `matrix` has been scaled to a largest element of 1. Positive
+/// definite is, by Sylvester's criterion, what has positive leading minors.
+template <class T>
+Mat3<T> inverse_of_scaled(const Mat3<T>& m, const char* path, T found) {
+  const Vec3<T> x = cross(m.row[1], m.row[2]), y = cross(m.row[2], m.row[0]), z = cross(m.row[0], m.row[1]);
+  const T volume = dot(m.row[0], x);
+  if (!(m.row[0].x > T(0) && z.z > T(0) && volume > T(0)))
+    validate::fail(path, "a positive definite tensor", static_cast<double>(found));
+  return Mat3<T>::from_columns(x / volume, y / volume, z / volume);
+}
+
+}  // namespace
+
+template <class T>
+InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation) {
+  InverseMass<T> inverted{inverse(mass, "mass"), {}};
+  Vec3<T> about{};
+  for (std::size_t i = 0; i < 3; ++i) about[i] = inverse(inertia[i], "inertia[" + std::to_string(i) + "]");
+  if (inverted.movable()) inverted.inertia = turned(Mat3<T>::diagonal(about), rotation);
+  return inverted;
+}
+
+template <class T>
+InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation) {
+  InverseMass<T> inverted{inverse(mass, "mass"), {}};
+  if (!inverted.movable()) return inverted;
+  T largest(0);
+  for (const Vec3<T>& row : inertia.row) largest = greatest(largest, max_abs(row));
+  const T scale = inverse(largest, "inertia");
+  inverted.inertia = turned(inverse_of_scaled(inertia * scale, "inertia", largest) * scale, rotation);
+  return inverted;
+}
+
+template <class T>
+Mat3<T> inertia_of(const Shape<T>& shape, T mass) {
+  const MassProperties<T> of = mass_properties(shape);
+  if (!(of.volume > T(0)))
+    validate::fail("shape", "a solid, of which the volume is > 0", static_cast<double>(of.volume));
+  return of.inertia * (mass / of.volume);
+}
+
+template InverseMass<float> inverse_mass(float, const Vec3<float>&, const Quat<float>&);
+template InverseMass<double> inverse_mass(double, const Vec3<double>&, const Quat<double>&);
+template InverseMass<float> inverse_mass(float, const Mat3<float>&, const Quat<float>&);
+template InverseMass<double> inverse_mass(double, const Mat3<double>&, const Quat<double>&);
+template Mat3<float> inertia_of(const Shape<float>&, float);
+template Mat3<double> inertia_of(const Shape<double>&, double);
+
+}  // namespace graze

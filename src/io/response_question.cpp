@@ -1,0 +1,148 @@
+// The query `response`: reading it.
+#include "io/question.hpp"
+#include "io/response.hpp"
+
+namespace graze::io {
+
+namespace {
+
+/// A normal may be off unit length by what is lost when it is written with four digits.
+constexpr double longest_off_unit = 1e-3;
+
+template <class T>
+Vec3<T> read_vector(const JsonValue& json, int dimension) {
+  return dimension == 2 ? json.plane_vector<T>() : json.vector<T>();
+}
+
+/// A number > 0 whose inverse is one too, or the text "infinity".
+template <class T>
+T read_resistance(const JsonValue& json) {
+  if (json.json() == "infinity") return std::numeric_limits<T>::infinity();
+  const T value = json.json().is_number() ? static_cast<T>(json.json().template get<double>()) : T(0);
+  if (!(value > T(0) && std::isfinite(value) && std::isfinite(T(1) / value)))
+    json.fail("a finite number > 0, or \"infinity\"");
+  return value;
+}
+
+template <class T>
+Vec3<T> read_inertia(const JsonValue& json, int dimension) {
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  if (dimension == 2) return {infinity, infinity, read_resistance<T>(json)};
+  const auto parts = json.elements(3);
+  return {read_resistance<T>(parts[0]), read_resistance<T>(parts[1]), read_resistance<T>(parts[2])};
+}
+
+/// Area and its moments about the origin of the plane, of what a prism is made of.
+template <class T>
+struct PlaneMoments {
+  T area, x, y, polar;
+
+  explicit PlaneMoments(const MassProperties<T>& of)
+      : area(of.volume),
+        x(of.volume * of.center.x),
+        y(of.volume * of.center.y),
+        polar(of.inertia.row[2].z + x * of.center.x + y * of.center.y) {}
+};
+
+/// The inertia of a figure of the plane that has `mass` spread evenly. Where a prism is rounded it has caps; of two
+/// prisms over the same figure the deeper one has more of the figure, and the same caps: their difference is the
+/// figure's alone. Exact but for tapered capsules, which `mass_properties` samples.
+template <class T>
+T plane_inertia(const JsonValue& json, T mass) {
+  const Aabb<T> box = bounds(read_prism<T>(json, T(0)), Pose<T>{});
+  const T wide = length(box.upper - box.lower);
+  if (!(wide > T(0) && std::isfinite(wide))) return T(0);
+  const PlaneMoments<T> shallow(mass_properties(read_prism<T>(json, wide)));
+  const PlaneMoments<T> deep(mass_properties(read_prism<T>(json, T(2) * wide)));
+  const T area = deep.area - shallow.area, x = deep.x - shallow.x, y = deep.y - shallow.y;
+  if (!(area > T(0))) return T(0);
+  return mass * (deep.polar - shallow.polar - (x * x + y * y) / area) / area;
+}
+
+[[noreturn]] void fail_for_lack_of_volume(const JsonValue& body) {
+  throw InvalidValue(body.path() + ".inertia", "a value, since the shape has no volume to take it from", "nothing");
+}
+
+template <class T>
+InverseMass<T> read_mass_of_shape(const JsonValue& body, T mass, const Quat<T>& rotation, int dimension) {
+  const JsonValue json = body.at("shape");
+  if (dimension == 2) {
+    constexpr T infinity = std::numeric_limits<T>::infinity();
+    const T inertia = plane_inertia(json, mass);
+    if (!(inertia > T(0))) fail_for_lack_of_volume(body);
+    return inverse_mass(mass, Vec3<T>{infinity, infinity, inertia}, rotation);
+  }
+  const Shape<T> shape = read_shape<T>(json);
+  if (!(mass_properties(shape).volume > T(0))) fail_for_lack_of_volume(body);
+  return inverse_mass(mass, inertia_of(shape, mass), rotation);
+}
+
+/// The body's own `mass` and `inertia`. What is not needed is read all the same, so that its faults are named.
+template <class T>
+InverseMass<T> read_mass(const JsonValue& json, const Quat<T>& rotation, int dimension) {
+  const T mass = read_resistance<T>(json.at("mass"));
+  std::optional<Vec3<T>> inertia;
+  if (const auto i = json.find("inertia")) inertia = read_inertia<T>(*i, dimension);
+  const bool movable = std::isfinite(mass);
+  if (movable && !inertia) return read_mass_of_shape(json, mass, rotation, dimension);
+  if (const auto shape = json.find("shape")) dimension == 2 ? read_prism<T>(*shape, T(1)) : read_shape<T>(*shape);
+  return movable ? inverse_mass(mass, *inertia, rotation) : InverseMass<T>{};
+}
+
+template <class T>
+StruckBody<T> read_struck_body(const JsonValue& json, int dimension) {
+  json.keys({"shape", "mass", "inertia", "translation", "rotation", "linear", "angular"});
+  StruckBody<T> body;
+  Quat<T> rotation;
+  if (const auto v = json.find("translation")) body.motion.center = read_vector<T>(*v, dimension);
+  if (const auto v = json.find("rotation")) {
+    // In the plane a turn leaves the inertia about its normal as it is.
+    dimension == 2 ? static_cast<void>(v->template number<T>()) : static_cast<void>(rotation = read_rotation<T>(*v));
+  }
+  if (const auto v = json.find("linear")) body.motion.linear = read_vector<T>(*v, dimension);
+  if (const auto v = json.find("angular"))
+    body.motion.angular = dimension == 2 ? Vec3<T>{T(0), T(0), v->template number<T>()} : v->template vector<T>();
+  body.mass = read_mass(json, rotation, dimension);
+  return body;
+}
+
+template <class T>
+StruckContact<T> read_contact(const JsonValue& json, int dimension) {
+  json.keys({"point", "normal"});
+  StruckContact<T> contact;
+  contact.point = read_vector<T>(json.at("point"), dimension);
+  const JsonValue normal = json.at("normal");
+  contact.normal = read_vector<T>(normal, dimension);
+  if (!(std::abs(static_cast<double>(length(contact.normal)) - 1) <= longest_off_unit)) normal.fail("a unit vector");
+  contact.normal = normalized(contact.normal);
+  return contact;
+}
+
+}  // namespace
+
+bool asks_for_response(const JsonValue& json) {
+  const auto query = json.find("query");
+  return query && query->json() == "response";
+}
+
+template <class T>
+ResponseQuestion<T> read_response(const JsonValue& json) {
+  json.keys({"id", "query", "a", "b", "contact", "restitution", "friction", "dimension", "explain"});
+  ResponseQuestion<T> q;
+  if (const auto d = json.find("dimension")) {
+    if (d->json() != 2 && d->json() != 3) d->fail("2 or 3");
+    q.dimension = d->json() == 2 ? 2 : 3;
+  }
+  q.a = read_struck_body<T>(json.at("a"), q.dimension);
+  q.b = read_struck_body<T>(json.at("b"), q.dimension);
+  q.contact = read_contact<T>(json.at("contact"), q.dimension);
+  if (const auto r = json.find("restitution")) q.contact.restitution = r->positive_or_zero<T>();
+  if (const auto f = json.find("friction")) q.contact.friction = f->positive_or_zero<T>();
+  if (const auto e = json.find("explain")) q.explain = e->boolean();
+  return q;
+}
+
+template ResponseQuestion<float> read_response(const JsonValue&);
+template ResponseQuestion<double> read_response(const JsonValue&);
+
+}  // namespace graze::io
