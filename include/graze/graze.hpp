@@ -12,6 +12,7 @@
 #include "graze/error.hpp"
 #include "graze/executor.hpp"
 #include "graze/filter.hpp"
+#include "graze/free_motion.hpp"
 #include "graze/geometry.hpp"
 #include "graze/impulse.hpp"
 #include "graze/mass.hpp"

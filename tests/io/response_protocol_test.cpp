@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -137,6 +139,26 @@ TEST(ResponseProtocol, NoNumberIsEverLost) {
               Precision::single_precision);
   EXPECT_EQ(answer["error"],
             "a, b: expected masses and velocities of which the products are finite numbers, got larger ones");
+}
+
+// What docs/resolution.md works through.
+TEST(ResponseProtocol, ThePageSaysWhatTheProgramAnswers) {
+  std::ifstream file(GRAZE_SOURCE_DIR "/docs/resolution.jsonl");
+  std::map<std::string, Json> answers;
+  for (std::string line; std::getline(file, line);) {
+    const Json answer = ask(line);
+    answers[answer.at("id").get<std::string>()] = answer;
+  }
+  EXPECT_NEAR(answers["crate"]["trace"]["effectiveMass"].get<double>(), 7.5, 1e-12);
+  EXPECT_NEAR(answers["crate"]["b"]["linear"][1].get<double>(), -1.125, 1e-12);
+  EXPECT_NEAR(answers["crate"]["b"]["angular"][2].get<double>(), -2.25, 1e-12);
+  EXPECT_NEAR(answers["ball"]["trace"]["friction"]["limit"].get<double>(), 7.2, 1e-12);
+  EXPECT_NEAR(answers["ball"]["b"]["linear"][0].get<double>(), 3 * 5 / 7.0, 1e-12);
+  EXPECT_NEAR(answers["ball"]["b"]["angular"][2].get<double>(), -3 * 10 / 7.0, 1e-12);
+  EXPECT_NEAR(answers["two"]["trace"]["effectiveMass"].get<double>(), 1.085, 5e-4);
+  EXPECT_NEAR(answers["two"]["normalImpulse"].get<double>(), 4.556, 5e-4);
+  EXPECT_NEAR(answers["two"]["trace"]["friction"]["stopping"][1].get<double>(), 2.050, 5e-4);
+  EXPECT_EQ(answers["two"]["trace"]["atFault"], "both");
 }
 
 }  // namespace
