@@ -16,6 +16,7 @@
 #include "graze/geometry.hpp"
 #include "graze/impulse.hpp"
 #include "graze/mass.hpp"
+#include "graze/material.hpp"
 #include "graze/pairs.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
