@@ -4,6 +4,7 @@
 #include "graze/batch.hpp"
 #include "graze/batch_contacts.hpp"
 #include "graze/batch_raycast.hpp"
+#include "graze/blows.hpp"
 #include "graze/broad_phase.hpp"
 #include "graze/cast.hpp"
 #include "graze/contact.hpp"
