@@ -1,13 +1,14 @@
 // Blows that are passed on: what bodies do that touch each other while one of them is struck.
 //
-// Guarantee: momentum stays what it was up to rounding, and with restitutions of at most 1 kinetic energy does not grow.
-// What five touching balls pass on is what a cradle does: the last one leaves with the speed of the first. The result is a
-// function of the input alone, ties being decided by the order of the blows. Without friction, which is a solver's.
+// Guarantee: momentum stays what it was up to rounding, and with restitutions of at most 1 kinetic energy does not
+// grow. What touching balls pass on is what a cradle does: the last one leaves with the speed of the first. The result
+// is a function of the input alone, ties being decided by the order of the blows. Friction is left to a solver.
 //
-// Newton's law of impact holds for one contact at a time. Where several touch, it is repeated: the contact that approaches
-// fastest is struck, which may let its neighbours approach, until none does. All points of one manifold are struck at once,
-// by Moreau's law of impact (1988): where a point is pushed, its velocity along the normal is reversed and times e; the
-// impulses solve a linear complementarity problem, by projected Gauss and Seidel. A box that falls flat rebounds flat.
+// Newton's law of impact holds for one contact at a time. Where several touch, it is repeated: the contact that
+// approaches fastest is struck, which may let its neighbours approach, until none does. All points of one manifold are
+// struck at once, by Moreau's law of impact (1988): where a point is pushed, its velocity along the normal is reversed
+// and times e. The impulses solve a linear complementarity problem, by projected Gauss-Seidel iteration. A box that
+// falls flat rebounds flat.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +34,8 @@ struct PassedOn {
   T approach{};            ///< the fastest approach that is left: at most the resting speed, unless `most` were struck
 };
 
-/// Strikes blows until none approaches faster than `resting_speed` (>= 0), or `most` were struck. Changes the motions of
-/// the bodies, and adds what each point pushed to its impulse. `points` are in world space, as many as `impulses`.
+/// Strikes blows until none approaches faster than `resting_speed` (>= 0), or `most` were struck. Changes the motions
+/// of the bodies, and adds what each point pushed to its impulse. `points` are in world space, as many as `impulses`.
 /// Costs a look at all blows for each that is struck.
 template <class T>
 PassedOn<T> pass_on(std::span<StruckBody<T>> bodies, std::span<const Blow<T>> blows, std::span<const Vec3<T>> points,

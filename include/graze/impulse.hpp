@@ -13,8 +13,8 @@
 //
 //     K p = p/m_A + p/m_B + (I_A⁻¹ (r_A × p)) × r_A + (I_B⁻¹ (r_B × p)) × r_B.
 //
-// The normal impulse is j = max(0, -(1 + restitution) v·n / n·K n). Friction acts on the sliding that is left once j has
-// been applied: the impulse in the tangent plane that would end it, shortened to friction · j where it is longer.
+// The normal impulse is j = max(0, -(1 + restitution) v·n / n·K n). Friction acts on the sliding that is left once j
+// has been applied: the impulse in the tangent plane that would end it, shortened to friction · j where it is longer.
 #pragma once
 
 #include "graze/contact_motion.hpp"

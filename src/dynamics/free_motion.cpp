@@ -6,8 +6,8 @@ namespace graze {
 
 namespace {
 
-/// The largest angle of one step of rotation. Its error grows with the fifth power. A book that is spun about its middle
-/// axis, a thousandth beside it, turns over 9 times in 20 s at 10 rad/s; with steps 2.5 times as large 10 times.
+/// The largest angle of one step of rotation. Its error grows with the fifth power. A book that is spun about its
+/// middle axis, a thousandth beside it, turns over 9 times in 20 s at 10 rad/s; with steps 2.5 times as large 10 times.
 template <class T>
 constexpr T step_angle = T(0.1);
 

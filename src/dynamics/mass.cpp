@@ -6,13 +6,13 @@ namespace graze {
 
 namespace {
 
-/// Returns the inverse of a number > 0, zero for an infinite one.
+/// The inverse of a number > 0, zero for an infinite one. The path is put together only for an error.
 template <class T>
-T inverse(T value, const std::string& path) {
+T inverse(T value, const char* name, int index = -1) {
   const T inverted = T(1) / value;
-  if (!(value > T(0)) || !std::isfinite(inverted))
-    validate::fail(path, "a number > 0 with a finite inverse", static_cast<double>(value));
-  return inverted;
+  if (value > T(0) && std::isfinite(inverted)) return inverted;
+  validate::fail(index < 0 ? name : std::string(name) + "[" + std::to_string(index) + "]",
+                 "a number > 0 with a finite inverse", static_cast<double>(value));
 }
 
 template <class T>
@@ -37,8 +37,8 @@ Mat3<T> inverse_of_scaled(const Mat3<T>& m, const char* path, T found) {
 template <class T>
 InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation) {
   InverseMass<T> inverted{inverse(mass, "mass"), {}};
-  Vec3<T> about{};
-  for (std::size_t i = 0; i < 3; ++i) about[i] = inverse(inertia[i], "inertia[" + std::to_string(i) + "]");
+  const Vec3<T> about{inverse(inertia.x, "inertia", 0), inverse(inertia.y, "inertia", 1),
+                      inverse(inertia.z, "inertia", 2)};
   if (inverted.movable()) inverted.inertia = turned(Mat3<T>::diagonal(about), rotation);
   return inverted;
 }
