@@ -26,7 +26,7 @@ class Draw {
 /// a sheet or a block that is a hull.
 template <class T>
 Placed<T> random_tile(Draw& draw) {
-  const T q(half_tile), height(draw(0.2, 0.6));
+  const T q(half_tile), height = static_cast<T>(draw(0.2, 0.6));
   const int kind = static_cast<int>(draw(0, 4));
   if (kind == 0) return {Box<T>({2 * q, height, 2 * q}), {{0, -height / 2, 0}, {}}};
   if (kind == 1) return {Rectangle<T>(2 * q, 2 * q), {}};
@@ -55,7 +55,7 @@ std::vector<Placed<T>> random_floor(Draw& draw) {
 template <class T>
 Shape<T> random_body(double size, Draw& draw) {
   const double x = size, y = size * draw(0.3, 1), z = size * draw(0.3, 1.2);
-  const T margin(draw(0, 1) < 0.5 ? 0 : draw(0.02, 0.25) * size);
+  const T margin = draw(0, 1) < 0.5 ? T(0) : static_cast<T>(draw(0.02, 0.25) * size);
   const int kind = static_cast<int>(draw(0, 5));
   if (kind < 2) return Shape<T>(Box<T>({T(x), T(y), T(z)}), margin);
   if (kind == 2) return Shape<T>(Cylinder<T>(T(y), T(x / 2)), margin);
