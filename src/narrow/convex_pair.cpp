@@ -71,8 +71,10 @@ Distance<T> general(const Body<T>& a, const Body<T>& b, T limit) {
   // A distance that rounding cannot tell from none is none: the shapes touch.
   if (std::abs(g.core.distance - radii) <= g.noise) g.core.distance = radii;
   Distance<T> d = finished_in_double(g.core, radius_a, radius_b, frame);
-  d.status = g.status;
   d.error = static_cast<T>(g.error);
+  // The general path judges itself by double's tolerance, whichever scalar a support function of the user's answers in.
+  const double allowed = static_cast<double>(tolerance<T>) / 2 * pair_size(a.shape, b.shape);
+  d.status = g.error <= allowed ? Status::converged : g.status;
   return d;
 }
 

@@ -10,9 +10,9 @@
 
 namespace graze {
 
-/// What rounding may do to the distance of a pair: relative to its largest coordinate, in the frame of A.
+/// The size of a pair: the larger radius about a shape's own origin, of those that are bounded.
 template <class T>
-double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) {
+double pair_size(const Shape<T>& a, const Shape<T>& b) {
   const auto extent = [](const Shape<T>& shape) {
     return shape.visit([&](const auto& c) {
       if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
@@ -21,7 +21,13 @@ double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) 
         return 0.0;
     });
   };
-  return rounding * (greatest(extent(a), extent(b)) + max_abs(translation));
+  return greatest(extent(a), extent(b));
+}
+
+/// What rounding may do to the distance of a pair: relative to its largest coordinate, in the frame of A.
+template <class T>
+double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) {
+  return rounding * (pair_size(a, b) + max_abs(translation));
 }
 
 /// A signed distance of cores with its honesty.
