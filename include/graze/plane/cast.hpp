@@ -1,0 +1,73 @@
+// Rays and moving bodies in the plane: what a ray hits first, and when two bodies first touch.
+//
+// Guarantee: rays as `graze/raycast.hpp`, casts as `graze/cast.hpp`: no hit is missed and none is passed. With D =
+// `cast_tolerance<T>` times the size of the pair plus the rounding of the path, shapes are no more than D apart at the
+// time of a hit. Translations of shapes with straight sides, rounded or not, and of circles and capsules are exact: a
+// ray against their Minkowski difference. All else goes by conservative advancement (Mirtich 1996, section 2.3).
+// Nothing throws or prints; safe from any thread.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "graze/cast.hpp"
+#include "graze/plane/query.hpp"
+
+namespace graze::plane {
+
+/// The points origin + t direction with t >= 0.
+template <class T>
+struct Ray {
+  Vec2<T> origin{}, direction{};
+};
+
+/// Where a ray meets a shape, in world space.
+template <class T>
+struct RayHit {
+  T t{};                    ///< how far along the ray, in units of length (not in multiples of its direction)
+  Vec2<T> point{};          ///< on the surface; the ray's origin when that lies inside a solid
+  Vec2<T> normal{};         ///< unit, against the ray; minus the ray's direction when its origin lies inside a solid
+  std::uint32_t piece = 0;  ///< the child of a compound (of the outermost one), else 0
+  /// `bounded` when the iteration bound was reached first: the ray passes so close by that it may miss. Only of
+  /// ellipses, tapered capsules and users' shapes.
+  Status status = Status::converged;
+};
+
+/// The first hit with 0 <= t <= `length`; nothing on a miss, and for a direction that is zero. A ray that starts in a
+/// solid (distance <= 0) hits at t = 0.
+template <class T>
+std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
+                                 T length = std::numeric_limits<T>::infinity());
+
+/// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant
+/// rate.
+template <class T>
+struct Velocity {
+  Vec2<T> linear{};
+  T angular{};  ///< radians per unit of time, counter-clockwise
+};
+
+/// Where a body stands at time t: translation + t linear, turned by t angular.
+template <class T>
+Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t);
+
+template <class T>
+struct CastHit {
+  T t{};
+  Vec2<T> point{};   ///< in the world at time t, in the middle of what is left of the gap
+  Vec2<T> normal{};  ///< unit, from A to B, in the world at time t
+  T depth{};         ///< of shapes that overlap at the start: how deep, as `distance` says; else 0 (or up to D)
+  /// `bounded` when the iteration bound was reached first: t is then the earliest time that is not excluded, and
+  /// whether the shapes touch at all is not known.
+  Status status = Status::converged;
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound it is, else 0
+};
+
+/// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or
+/// overlap at the start hit at t = 0. `duration` is finite and >= 0. A half-plane that turns has a bounded answer at
+/// best.
+template <class T>
+std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
+                               const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration);
+
+}  // namespace graze::plane

@@ -1,0 +1,107 @@
+// Rigid placements in the plane, and boxes aligned with its axes.
+//
+// Guarantee: as `pose.hpp`: a relative pose is made from the difference of two translations, so it does not lose digits
+// when both bodies are far from the origin. A rotation is held as its cosine and sine, so no query takes either.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "graze/plane/vec2.hpp"
+
+namespace graze::plane {
+
+/// A rotation of the plane, counter-clockwise: the unit vector to which it turns the X axis.
+template <class T>
+struct Rot2 {
+  T cosine{T(1)}, sine{};
+
+  /// The rotation by `angle` radians. Needs a sine, and so is for set-up and not for kernels.
+  static Rot2 from_angle(T angle) {
+    using std::cos, std::sin;
+    return {cos(angle), sin(angle)};
+  }
+  friend constexpr Rot2 operator*(const Rot2& a, const Rot2& b) {
+    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+  }
+  friend constexpr bool operator==(const Rot2&, const Rot2&) = default;
+};
+
+template <class T>
+constexpr Rot2<T> inverse(const Rot2<T>& q) {
+  return {q.cosine, -q.sine};
+}
+template <class T>
+constexpr Vec2<T> rotate(const Rot2<T>& q, const Vec2<T>& v) {
+  return {q.cosine * v.x - q.sine * v.y, q.sine * v.x + q.cosine * v.y};
+}
+template <class T>
+constexpr Vec2<T> inverse_rotate(const Rot2<T>& q, const Vec2<T>& v) {
+  return {q.cosine * v.x + q.sine * v.y, q.cosine * v.y - q.sine * v.x};
+}
+template <class S, class T>
+constexpr Rot2<S> cast(const Rot2<T>& q) {
+  return {static_cast<S>(q.cosine), static_cast<S>(q.sine)};
+}
+/// The rotation at unit length, as rounding or conversion to another scalar may have left it a little off.
+template <class T>
+Rot2<T> normalized(const Rot2<T>& q) {
+  const Vec2<T> x = normalized(Vec2<T>{q.cosine, q.sine}, {T(1), T(0)});
+  return {x.x, x.y};
+}
+
+/// A rigid motion from a body's frame to the world: p -> translation + rotation p.
+template <class T>
+struct Pose2 {
+  Vec2<T> translation{};
+  Rot2<T> rotation{};  ///< of unit length
+
+  friend constexpr bool operator==(const Pose2&, const Pose2&) = default;
+};
+
+using Rot2d = Rot2<double>;
+using Pose2f = Pose2<float>;
+using Pose2d = Pose2<double>;
+
+template <class T>
+constexpr Vec2<T> transform(const Pose2<T>& pose, const Vec2<T>& point) {
+  return pose.translation + rotate(pose.rotation, point);
+}
+template <class T>
+constexpr Vec2<T> inverse_transform(const Pose2<T>& pose, const Vec2<T>& point) {
+  return inverse_rotate(pose.rotation, point - pose.translation);
+}
+/// The motion `b` followed by `a`.
+template <class T>
+constexpr Pose2<T> compose(const Pose2<T>& a, const Pose2<T>& b) {
+  return {transform(a, b.translation), a.rotation * b.rotation};
+}
+/// `b` seen from `a`.
+template <class T>
+constexpr Pose2<T> relative(const Pose2<T>& a, const Pose2<T>& b) {
+  return {inverse_transform(a, b.translation), inverse(a.rotation) * b.rotation};
+}
+template <class S, class T>
+constexpr Pose2<S> cast(const Pose2<T>& pose) {
+  return {cast<S>(pose.translation), cast<S>(pose.rotation)};
+}
+
+/// All points between `lower` and `upper`, both included.
+template <class T>
+struct Aabb2 {
+  Vec2<T> lower{}, upper{};
+
+  friend constexpr bool operator==(const Aabb2&, const Aabb2&) = default;
+};
+
+/// Whether the boxes have a point in common; boxes that touch do.
+template <class T>
+constexpr bool overlap(const Aabb2<T>& a, const Aabb2<T>& b) {
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
+}
+template <class T>
+constexpr Aabb2<T> merged(const Aabb2<T>& a, const Aabb2<T>& b) {
+  return {least(a.lower, b.lower), greatest(a.upper, b.upper)};
+}
+
+}  // namespace graze::plane

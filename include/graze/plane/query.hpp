@@ -1,0 +1,91 @@
+// The questions of `graze/query.hpp` in the plane: do two shapes touch, how far apart or how deep are they, where do
+// they touch, what point is nearest.
+//
+// Guarantee: that of `graze/query.hpp`. Every question answers for every pair of shapes, right within `tolerance<T>`
+// times the size of the pair (the larger radius about a shape's own origin), or its status says that it is not. Answers
+// are computed in double, in a frame relative to the pair: moving the scene does not change them. Nothing throws,
+// aborts or prints. Safe from any thread.
+//
+// Normals are unit vectors that point from A to B; distances are signed: positive between separated shapes, negative
+// when they overlap, and then minus the length of the shortest translation that separates them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "graze/plane/shape.hpp"
+#include "graze/query.hpp"
+#include "graze/small_vector.hpp"
+
+namespace graze::plane {
+
+/// The signed distance of two shapes and the points that realise it, in world space.
+template <class T>
+struct Distance {
+  T distance{};
+  Vec2<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
+  Vec2<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
+  Status status = Status::converged;
+  T error{};  ///< a proven bound of |distance - truth| when the status is `bounded`
+};
+
+/// One point of contact, in world space.
+template <class T>
+struct ContactPoint {
+  Vec2<T> a{}, b{};         ///< on the surface of A, and of B: b - a = distance * normal
+  T distance{};             ///< signed: negative is penetration
+  std::uint32_t feature{};  ///< names the features of A (high half) and of B (low half) that touch
+  T weight = T(0.5);        ///< how far from a to b `position()` lies
+
+  /// The point between the two that a solver wants: the middle; for two circles the radius-weighted point P with
+  /// |P - c1| / |P - c2| = r1 / r2.
+  Vec2<T> position() const { return a + (b - a) * weight; }
+};
+
+/// Points of contact that share a normal.
+template <class T>
+struct Manifold {
+  Vec2<T> normal{};                        ///< unit, from A to B
+  SmallVector<ContactPoint<T>, 2> points;  ///< at most two
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound (of the outermost one) touches, else 0
+};
+
+template <class T>
+using Manifolds = std::vector<Manifold<T>>;
+
+/// Whether the shapes touch: distance <= 0.
+template <class T>
+bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+             Trace* trace = nullptr);
+
+/// The signed distance. For compounds the smallest over their children. Cost: linear in the vertices of both.
+template <class T>
+Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                     Trace* trace = nullptr);
+
+/// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart, one for each pair of convex
+/// pieces. Returns whether the shapes overlap (distance <= 0, whatever the margin).
+///
+/// Where two edges face each other, a manifold has a point at both ends of the stretch that they share; its feature
+/// names the vertices of both edges at that end, so that it is the same whichever edge ends first, and mirrored when
+/// the shapes are swapped. The deepest point is as deep as `distance`.
+///
+/// Two half-planes that are not opposite overlap without a depth and so without points.
+template <class T>
+bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
+              Manifolds<T>& manifolds, Trace* trace = nullptr);
+
+/// The point of a shape's surface nearest to a point of the world.
+template <class T>
+struct Closest {
+  T distance{};      ///< signed: negative inside a solid
+  Vec2<T> point{};   ///< on the surface
+  Vec2<T> normal{};  ///< unit, outward: question - point = distance * normal
+  Status status = Status::converged;
+  T error{};  ///< as for `Distance`
+};
+
+template <class T>
+Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace = nullptr);
+
+}  // namespace graze::plane

@@ -1,0 +1,95 @@
+// A shape of the plane: one value that is any of the shapes there are, with its rounding radius.
+//
+// Guarantee: a value, immutable once built, cheap to copy, safe to read from any thread. `ShapeList` is the one list of
+// shapes: a shape that stands in it takes part in every query, and one without a core (`src/plane/core.hpp`) does not
+// compile.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "graze/plane/pose2.hpp"
+#include "graze/plane/shape/compound.hpp"
+#include "graze/plane/shape/flat.hpp"
+#include "graze/plane/shape/round.hpp"
+#include "graze/plane/shape/user_convex.hpp"
+
+namespace graze::plane {
+
+/// All shapes of the plane.
+template <class T>
+using ShapeList = std::variant<Circle<T>, Capsule<T>, Box<T>, Segment<T>, ConvexPolygon<T>, Ellipse<T>, UserConvex<T>,
+                               HalfPlane<T>, Compound<T>>;
+
+template <class T>
+class Shape {
+ public:
+  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;
+
+  /// `concrete`, rounded by `rounding`: the Minkowski sum with a disc of that radius. Throws `InvalidValue` for a
+  /// rounding that is negative, larger than `largest_magnitude`, or given to a compound.
+  template <class C>
+  requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T rounding = T(0))
+      : list_(std::move(concrete)), rounding_(validate::extent(rounding, "rounding")) {
+    if constexpr (std::is_same_v<C, Compound<T>>)
+      if (rounding != T(0))
+        validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
+  }
+
+  T rounding() const { return rounding_; }
+  /// The shape's place in `ShapeList`.
+  std::size_t index() const { return list_.index(); }
+  const char* name() const {
+    return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
+  }
+
+  /// The concrete shape, or null when it is another.
+  template <class C>
+  const C* as() const {
+    return std::get_if<C>(&list_);
+  }
+  /// Calls `f` with the concrete shape.
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    return visit_from<0>(std::forward<F>(f));
+  }
+
+ private:
+  /// A chain of comparisons that compilers turn into one jump, where `std::visit` calls through a table.
+  template <std::size_t I, class F>
+  decltype(auto) visit_from(F&& f) const {
+    if constexpr (I + 1 == count) {
+      return f(*std::get_if<I>(&list_));
+    } else {
+      if (list_.index() == I) return f(*std::get_if<I>(&list_));
+      return visit_from<I + 1>(std::forward<F>(f));
+    }
+  }
+
+  ShapeList<T> list_;
+  T rounding_;
+};
+
+using Shapef = Shape<float>;
+using Shaped = Shape<double>;
+
+/// A shape and where it stands.
+template <class T>
+struct Placed {
+  Shape<T> shape;
+  Pose2<T> pose{};
+};
+
+/// How far a shape reaches from its own origin, rounding included. Zero for a half-plane without rounding.
+template <class T>
+T extent(const Shape<T>& shape) {
+  return shape.visit([](const auto& c) { return c.core_extent(); }) + shape.rounding();
+}
+
+/// The bounds of a shape under a pose, rounding included; not less than the true ones.
+template <class T>
+Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose);
+
+}  // namespace graze::plane

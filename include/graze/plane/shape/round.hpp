@@ -1,0 +1,68 @@
+// The round shapes of the plane: circle, capsule, ellipse.
+//
+// Guarantee: any sizes >= 0; a zero one makes what geometry says (a capsule of no height a circle, an ellipse of one
+// zero radius a segment). Constructors throw `InvalidValue` for all else.
+#pragma once
+
+#include "graze/plane/vec2.hpp"
+#include "graze/validate.hpp"
+
+namespace graze::plane {
+
+/// A disc about the origin.
+template <class T>
+class Circle {
+ public:
+  static constexpr const char* name = "circle";
+
+  explicit Circle(T radius) : radius_(validate::extent(radius, "radius")) {}
+
+  T radius() const { return radius_; }
+  T core_extent() const { return radius_; }
+
+ private:
+  T radius_;
+};
+
+/// The convex hull of two discs on the Y axis, of equal radius or not (tapered). One disc may hold the other: then the
+/// capsule is that disc.
+template <class T>
+class Capsule {
+ public:
+  static constexpr const char* name = "capsule";
+
+  /// `height` between the centres of the discs, which lie on the Y axis about the origin.
+  Capsule(T height, T radius_bottom, T radius_top)
+      : half_height_(validate::extent(height, "height") / T(2)),
+        radius_bottom_(validate::extent(radius_bottom, "radiusBottom")),
+        radius_top_(validate::extent(radius_top, "radiusTop")) {}
+  Capsule(T height, T radius) : Capsule(height, radius, radius) {}
+
+  T half_height() const { return half_height_; }
+  T radius_bottom() const { return radius_bottom_; }
+  T radius_top() const { return radius_top_; }
+  bool tapered() const { return radius_bottom_ != radius_top_; }
+  T core_extent() const { return half_height_ + greatest(radius_bottom_, radius_top_); }
+
+ private:
+  T half_height_, radius_bottom_, radius_top_;
+};
+
+/// An ellipse about the origin.
+template <class T>
+class Ellipse {
+ public:
+  static constexpr const char* name = "ellipse";
+
+  /// `radii` along the axes.
+  explicit Ellipse(const Vec2<T>& radii)
+      : radii_{validate::extent(radii.x, "radii[0]"), validate::extent(radii.y, "radii[1]")} {}
+
+  const Vec2<T>& radii() const { return radii_; }
+  T core_extent() const { return max_abs(radii_); }
+
+ private:
+  Vec2<T> radii_;
+};
+
+}  // namespace graze::plane

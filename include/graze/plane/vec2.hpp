@@ -1,0 +1,104 @@
+// Vectors of the plane.
+//
+// Guarantee: as `vec3.hpp`: branch-free arithmetic in IEEE-exact operations (+ - * / sqrt), in the order written.
+#pragma once
+
+#include "graze/vec3.hpp"
+
+namespace graze::plane {
+
+using graze::greatest;
+using graze::least;
+
+/// A vector or point of the plane, in the caller's unit of length.
+template <class T>
+struct Vec2 {
+  T x{}, y{};
+
+  constexpr Vec2& operator+=(const Vec2& v) { return *this = *this + v; }
+  constexpr Vec2& operator-=(const Vec2& v) { return *this = *this - v; }
+  constexpr Vec2& operator*=(const T& s) { return *this = *this * s; }
+
+  friend constexpr Vec2 operator+(const Vec2& a, const Vec2& b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vec2 operator-(const Vec2& a, const Vec2& b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vec2 operator-(const Vec2& a) { return {-a.x, -a.y}; }
+  friend constexpr Vec2 operator*(const Vec2& a, const T& s) { return {a.x * s, a.y * s}; }
+  friend constexpr Vec2 operator*(const T& s, const Vec2& a) { return {a.x * s, a.y * s}; }
+  friend constexpr Vec2 operator/(const Vec2& a, const T& s) { return {a.x / s, a.y / s}; }
+  friend constexpr bool operator==(const Vec2& a, const Vec2& b) { return a.x == b.x && a.y == b.y; }
+};
+
+using Vec2f = Vec2<float>;
+using Vec2d = Vec2<double>;
+
+template <class T>
+constexpr T dot(const Vec2<T>& a, const Vec2<T>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// The z component of the cross product: positive where `b` lies to the left of `a`.
+template <class T>
+constexpr T cross(const Vec2<T>& a, const Vec2<T>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// `v` turned by a quarter to the left, and to the right.
+template <class T>
+constexpr Vec2<T> left(const Vec2<T>& v) {
+  return {-v.y, v.x};
+}
+template <class T>
+constexpr Vec2<T> right(const Vec2<T>& v) {
+  return {v.y, -v.x};
+}
+
+template <class T>
+constexpr T length_squared(const Vec2<T>& v) {
+  return dot(v, v);
+}
+
+template <class T>
+T length(const Vec2<T>& v) {
+  using std::sqrt;
+  return sqrt(dot(v, v));
+}
+
+template <class T>
+Vec2<T> abs(const Vec2<T>& v) {
+  using std::abs;
+  return {abs(v.x), abs(v.y)};
+}
+
+template <class T>
+constexpr Vec2<T> least(const Vec2<T>& a, const Vec2<T>& b) {
+  return {least(a.x, b.x), least(a.y, b.y)};
+}
+template <class T>
+constexpr Vec2<T> greatest(const Vec2<T>& a, const Vec2<T>& b) {
+  return {greatest(a.x, b.x), greatest(a.y, b.y)};
+}
+
+/// The largest absolute coordinate: the size that tolerances refer to.
+template <class T>
+T max_abs(const Vec2<T>& v) {
+  const Vec2<T> a = abs(v);
+  return greatest(a.x, a.y);
+}
+
+/// Conversion between scalars, component by component.
+template <class S, class T>
+constexpr Vec2<S> cast(const Vec2<T>& v) {
+  return {static_cast<S>(v.x), static_cast<S>(v.y)};
+}
+
+/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero. Divides by the largest component
+/// first, so that no square under- or overflows.
+template <class T>
+Vec2<T> normalized(const Vec2<T>& v, const Vec2<T>& fallback = {T(0), T(1)}) {
+  const T scale = max_abs(v);
+  if (!(scale > T(0))) return fallback;
+  const Vec2<T> w = v / scale;
+  return w / length(w);
+}
+
+}  // namespace graze::plane

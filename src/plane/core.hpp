@@ -1,0 +1,171 @@
+// A convex shape as its queries see it: a core, and the radius of the disc that rounds it.
+//
+// Guarantee: one type for every convex shape, made by the overloads of `core_of`; a shape in `ShapeList` without one
+// does not compile. Vertices stay in `T` and are read as doubles, in which all kernels work: the products of two floats
+// are exact there.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "graze/plane/shape.hpp"
+#include "narrow/features.hpp"
+
+namespace graze::plane {
+
+enum class CoreKind : std::uint8_t {
+  polygon,     ///< one vertex (circle), two (capsule, segment) or more
+  tapered,     ///< the hull of a disc and a point on the Y axis
+  ellipse,     ///< by its radii
+  user,        ///< by its support function
+  half_plane,  ///< y <= 0
+};
+
+template <class T>
+struct Core {
+  CoreKind kind = CoreKind::polygon;
+  double radius = 0;                 ///< of the disc that is added
+  std::uint32_t count = 0;           ///< of vertices
+  std::array<Vec2<T>, 8> inside{};   ///< up to eight vertices, counter-clockwise
+  const Vec2<T>* outside = nullptr;  ///< more of them
+  Vec2d radii{};                     ///< of an ellipse; of a tapered core those of the lower and the upper disc
+  double half_height = 0;            ///< of a tapered core
+  const SupportFunction<T>* user = nullptr;
+
+  Vec2d vertex(std::uint32_t i) const { return plane::cast<double>(outside ? outside[i] : inside[i]); }
+  std::uint32_t next(std::uint32_t i) const { return i + 1 == count ? 0 : i + 1; }
+  std::uint32_t previous(std::uint32_t i) const { return i == 0 ? count - 1 : i - 1; }
+  /// Edge i leads from vertex i to the next.
+  Vec2d edge(std::uint32_t i) const { return vertex(next(i)) - vertex(i); }
+};
+
+template <class T>
+Core<T> polygon_core(std::initializer_list<Vec2<T>> vertices, double radius = 0) {
+  Core<T> core;
+  core.radius = radius;
+  for (const Vec2<T>& v : vertices) core.inside[core.count++] = v;
+  return core;
+}
+
+template <class T>
+Core<T> core_of(const Circle<T>& c) {
+  return polygon_core<T>({{}}, double(c.radius()));
+}
+template <class T>
+Core<T> core_of(const Capsule<T>& c) {
+  const T h = c.half_height();
+  const double bottom = double(c.radius_bottom()), top = double(c.radius_top());
+  if (!c.tapered()) return polygon_core<T>({{T(0), -h}, {T(0), h}}, top);
+  // One disc in the other: the capsule is that disc.
+  if (2 * double(h) <= std::abs(bottom - top))
+    return polygon_core<T>({{T(0), bottom > top ? -h : h}}, greatest(bottom, top));
+  Core<T> core;
+  core.kind = CoreKind::tapered;
+  core.radius = least(bottom, top);
+  core.radii = {bottom - core.radius, top - core.radius};
+  core.half_height = double(h);
+  return core;
+}
+template <class T>
+Core<T> core_of(const Box<T>& box) {
+  const Vec2<T> h = box.half_extents();
+  return polygon_core<T>({-h, {h.x, -h.y}, h, {-h.x, h.y}});
+}
+template <class T>
+Core<T> core_of(const Segment<T>& s) {
+  return polygon_core<T>({s.a(), s.b()});
+}
+template <class T>
+Core<T> core_of(const ConvexPolygon<T>& p) {
+  Core<T> core;
+  core.count = static_cast<std::uint32_t>(p.vertices().size());
+  if (core.count > core.inside.size())
+    core.outside = p.vertices().data();
+  else
+    for (std::uint32_t i = 0; i < core.count; ++i) core.inside[i] = p.vertices()[i];
+  return core;
+}
+template <class T>
+Core<T> core_of(const Ellipse<T>& e) {
+  if (e.radii().x == e.radii().y) return polygon_core<T>({{}}, double(e.radii().x));
+  if (e.radii().x == T(0)) return polygon_core<T>({{T(0), -e.radii().y}, {T(0), e.radii().y}});
+  if (e.radii().y == T(0)) return polygon_core<T>({{-e.radii().x, T(0)}, {e.radii().x, T(0)}});
+  Core<T> core;
+  core.kind = CoreKind::ellipse;
+  core.radii = plane::cast<double>(e.radii());
+  return core;
+}
+template <class T>
+Core<T> core_of(const UserConvex<T>& u) {
+  Core<T> core;
+  core.kind = CoreKind::user;
+  core.user = &u.function();
+  return core;
+}
+template <class T>
+Core<T> core_of(const HalfPlane<T>&) {
+  Core<T> core;
+  core.kind = CoreKind::half_plane;
+  return core;
+}
+
+/// The core of a shape that is not a compound.
+template <class T>
+Core<T> convex_core(const Shape<T>& shape) {
+  return shape.visit([&](const auto& c) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(c)>, Compound<T>>) {
+      return Core<T>();
+    } else {
+      Core<T> core = core_of(c);
+      core.radius += double(shape.rounding());
+      return core;
+    }
+  });
+}
+
+/// The feature of edge i.
+constexpr std::uint32_t side_feature(std::uint32_t i) { return graze::detail::feature_of_kind(2, i); }
+
+/// A point of a core, and what of the shape it lies on.
+struct CorePoint {
+  Vec2d point;
+  std::uint32_t feature = 0;
+};
+
+/// The vertex that lies furthest along `direction`; of equals the first.
+template <class T>
+std::uint32_t furthest_vertex(const Core<T>& core, const Vec2d& direction) {
+  std::uint32_t best = 0;
+  double most = dot(core.vertex(0), direction);
+  for (std::uint32_t i = 1; i < core.count; ++i)
+    if (const double d = dot(core.vertex(i), direction); d > most) most = d, best = i;
+  return best;
+}
+
+/// The point of a bounded core that lies furthest along `direction`, in its own frame.
+template <class T>
+CorePoint support(const Core<T>& core, const Vec2d& direction) {
+  switch (core.kind) {
+  case CoreKind::polygon: {
+    const std::uint32_t i = furthest_vertex(core, direction);
+    return {core.vertex(i), vertex_feature(i)};
+  }
+  case CoreKind::tapered: {
+    const Vec2d n = normalized(direction);
+    const double h = core.half_height;
+    const bool up = h * n.y + core.radii.y >= core.radii.x - h * n.y;
+    return {Vec2d{0, up ? h : -h} + n * (up ? core.radii.y : core.radii.x), vertex_feature(up ? 1 : 0)};
+  }
+  case CoreKind::ellipse: {
+    const Vec2d scaled = normalized(Vec2d{core.radii.x * direction.x, core.radii.y * direction.y}, Vec2d{});
+    return {{core.radii.x * scaled.x, core.radii.y * scaled.y}, vertex_feature(0)};
+  }
+  case CoreKind::user:
+    return {plane::cast<double>(core.user->support(plane::cast<T>(normalized(direction)))), vertex_feature(0)};
+  case CoreKind::half_plane: break;
+  }
+  return {};
+}
+
+}  // namespace graze::plane

@@ -1,0 +1,128 @@
+#include "plane/explain.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "plane/nearest.hpp"
+
+namespace graze::plane {
+
+namespace {
+
+struct Interval {
+  double lower, upper;
+};
+
+/// What a placed shape covers along a direction of the world.
+template <class T>
+Interval interval(const Core<T>& core, const Pose2d& pose, const Vec2d& direction) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const double at = dot(pose.translation, direction);
+  const Vec2d own = inverse_rotate(pose.rotation, direction);
+  if (core.kind == CoreKind::half_plane) {
+    // Along its normal, within the rounding of a rotation, it ends; along all others it does not.
+    const bool along = std::abs(own.x) <= 1e-12;
+    return {along && own.y < 0 ? at - core.radius : -inf, along && own.y > 0 ? at + core.radius : inf};
+  }
+  return {at + dot(support(core, -own).point, own) - core.radius,
+          at + dot(support(core, own).point, own) + core.radius};
+}
+
+template <class T>
+void add_axis(const LeafPair<T>& pair, std::string name, const Vec2d& direction, Trace& trace) {
+  const Interval a = interval(pair.a, pair.pose_a, direction), b = interval(pair.b, pair.pose_b, direction);
+  trace.axes.push_back({std::move(name), {direction.x, direction.y, 0}, a.lower, a.upper, b.lower, b.upper});
+}
+
+/// The normals of a core's edges, each turned so that the shapes overlap less along it. Of a box the two of its frame,
+/// named by axis.
+template <class T>
+void add_edges(const LeafPair<T>& pair, const Core<T>& core, const Pose2d& pose, bool box, const std::string& letter,
+               Trace& trace) {
+  const auto add = [&](const std::string& name, const Vec2d& own, bool both_ways) {
+    const Vec2d n = rotate(pose.rotation, own);
+    add_axis(pair, name, letter == "A" ? n : -n, trace);
+    if (!both_ways) return;
+    const TraceAxis tried = trace.axes.back();
+    add_axis(pair, name, letter == "A" ? -n : n, trace);
+    const bool second = trace.axes.back().overlap() < tried.overlap();
+    if (second)
+      trace.axes.erase(trace.axes.end() - 2);
+    else
+      trace.axes.pop_back();
+  };
+  if (core.kind == CoreKind::half_plane) return add(letter + " edge 0", {0, 1}, false);
+  if (core.kind != CoreKind::polygon) return;
+  if (box) {
+    add(letter + "0", {1, 0}, true);
+    add(letter + "1", {0, 1}, true);
+    return;
+  }
+  // A segment's two edges are one axis; the other runs along it.
+  if (core.count == 2) {
+    const Vec2d e = core.edge(0);
+    if (length(e) > 0) {
+      add(letter + " edge 0", normalized(right(e)), true);
+      add(letter + " along", normalized(e), true);
+    }
+    return;
+  }
+  if (core.count < 3) return;
+  for (std::uint32_t i = 0; i < core.count; ++i)
+    if (const Vec2d e = core.edge(i); length(e) > 0)
+      add(letter + " edge " + std::to_string(i), normalized(right(e)), false);
+}
+
+template <class T>
+bool is_box(const Core<T>& core) {
+  return core.kind == CoreKind::polygon && core.count == 4 && core.edge(0).y == 0 && core.edge(1).x == 0 &&
+         core.edge(2).y == 0 && core.edge(3).x == 0;
+}
+
+template <class T>
+bool closed_form(const Core<T>& a, const Core<T>& b) {
+  const auto simple = [](const Core<T>& c) {
+    return c.kind == CoreKind::half_plane || (c.kind == CoreKind::polygon && c.count <= 2);
+  };
+  return simple(a) && simple(b);
+}
+
+}  // namespace
+
+template <class T>
+Trace explained(const LeafPair<T>& pair, const Distance<double>& answer) {
+  Trace trace;
+  const bool half_plane = !pair.bounded();
+  const bool polygons = pair.a.kind == CoreKind::polygon && pair.b.kind == CoreKind::polygon;
+  if (!half_plane && !polygons)
+    nearest(pair.a, pair.b, relative(pair.pose_a, pair.pose_b), pair.size(), &trace, pair.pose_a);
+  trace.method = half_plane || closed_form(pair.a, pair.b) ? "closed form"
+                 : polygons                                ? "separating axes"
+                 : trace.epa.empty()                       ? "gjk"
+                                                           : "gjk + epa";
+  add_edges(pair, pair.a, pair.pose_a, is_box(pair.a), "A", trace);
+  add_edges(pair, pair.b, pair.pose_b, is_box(pair.b), "B", trace);
+  if (answer.status == Status::unbounded) {
+    trace.reason = "the half-planes are not opposite: they overlap without end";
+    return trace;
+  }
+  const auto best = std::min_element(trace.axes.begin(), trace.axes.end(),
+                                     [](const TraceAxis& p, const TraceAxis& q) { return p.overlap() < q.overlap(); });
+  const double size = pair.size() + std::abs(answer.distance);
+  // The axis of an edge is the answer's normal within some roundings, or corners are nearest.
+  constexpr double same = 1e-9;
+  if (best != trace.axes.end() && std::abs(best->overlap() + answer.distance) <= same * size) {
+    trace.winner = best->name;
+    trace.reason = best->name + (best->overlap() >= 0 ? " has the least overlap" : " shows the widest gap of all axes");
+  } else {
+    trace.winner = "normal";
+    trace.reason = "corners or round sides are nearest to each other: no edge's normal is the way between them";
+  }
+  add_axis(pair, "normal", answer.normal, trace);
+  return trace;
+}
+
+template Trace explained(const LeafPair<float>&, const Distance<double>&);
+template Trace explained(const LeafPair<double>&, const Distance<double>&);
+
+}  // namespace graze::plane

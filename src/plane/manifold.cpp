@@ -1,0 +1,192 @@
+#include "plane/manifold.hpp"
+
+#include <limits>
+
+namespace graze::plane {
+
+namespace {
+
+/// How far, as the cosine, an edge may lean from the normal and still be laid over the other's: 60 degrees.
+constexpr double least_facing = 0.5;
+
+/// The straight side of a shape that faces a normal, seen along that normal: its ends by their place across it and
+/// their height along it, each rounded by a radius of its own.
+struct Side {
+  struct End {
+    double across = 0, height = 0, radius = 0;
+    std::uint32_t vertex = 0;
+  };
+  bool straight = false;
+  Vec2d own{};           ///< its own normal, in the frame of its core
+  End low{}, high{};     ///< in order across
+  double slope = 0;      ///< of the side's surface: height gained per length across
+  double facing = 1;     ///< cosine between its own normal and the given one
+  double leaning = 0;    ///< and the sine: how far its own normal leans across
+  bool endless = false;  ///< of a half-plane
+
+  /// Height of the surface at a place across: that of the straight piece or, beyond it, of the disc at the end.
+  double height_at(double across) const {
+    if (endless) return low.height;
+    const auto on_disc = [&](const End& end) {
+      const double off = across - end.across, under = end.radius * end.radius - off * off;
+      return end.height + std::sqrt(greatest(under, 0.0));
+    };
+    const double from = low.across + low.radius * leaning, to = high.across + high.radius * leaning;
+    if (across < from) return on_disc(low);
+    if (across > to) return on_disc(high);
+    return low.height + low.radius * facing + (across - from) * slope;
+  }
+};
+
+/// The side of a core towards `n` (unit, in the core's frame), if it has one that faces it. `along` runs across the
+/// normal, to the left of A's.
+template <class T>
+Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along) {
+  Side side;
+  if (core.kind == CoreKind::half_plane) {
+    side.straight = side.endless = true;
+    side.low.height = side.high.height = core.radius;
+    side.low.across = -std::numeric_limits<double>::infinity();
+    side.high.across = std::numeric_limits<double>::infinity();
+    return side;
+  }
+  Vec2d p, q, own;
+  double radius_p = core.radius, radius_q = core.radius;
+  std::uint32_t vertex_p = 0, vertex_q = 1;
+  if (core.kind == CoreKind::polygon && core.count > 1) {
+    const std::uint32_t top = furthest_vertex(core, n);
+    double best = -1;
+    const auto offer = [&](std::uint32_t from) {
+      const Vec2d e = core.edge(from);
+      const double l = length(e), facing = l > 0 ? dot(right(e), n) / l : -1;
+      if (facing > best) {
+        best = facing, own = right(e) / l;
+        vertex_p = from, vertex_q = core.next(from);
+      }
+      return l > 0;
+    };
+    std::uint32_t ahead = top, behind = core.previous(top);
+    for (std::uint32_t k = 0; k < core.count && !offer(ahead); ++k) ahead = core.next(ahead);
+    for (std::uint32_t k = 0; k < core.count && !offer(behind); ++k) behind = core.previous(behind);
+    if (best < least_facing) return side;
+    p = core.vertex(vertex_p), q = core.vertex(vertex_q);
+  } else if (core.kind == CoreKind::tapered) {
+    p = {0, -core.half_height}, q = {0, core.half_height};
+    radius_p += core.radii.x, radius_q += core.radii.y;
+    // The side leans from the axis by the angle whose sine is the difference of the radii over the height.
+    const double sine = (radius_p - radius_q) / (2 * core.half_height),
+                 cosine = std::sqrt(greatest(1 - sine * sine, 0.0));
+    own = {n.x < 0 ? -cosine : cosine, sine};
+    if (dot(own, n) < least_facing) return side;
+  } else {
+    return side;
+  }
+  side.straight = true;
+  side.own = own;
+  side.facing = dot(own, n);
+  side.leaning = dot(own, along);
+  side.slope = -side.leaning / side.facing;
+  side.low = {dot(p, along), dot(p, n), radius_p, vertex_p};
+  side.high = {dot(q, along), dot(q, n), radius_q, vertex_q};
+  if (side.low.across > side.high.across) std::swap(side.low, side.high);
+  return side;
+}
+
+/// Makes the deepest point that of the nearest points. Where a disc of a tapered core meets a corner, the end of the
+/// stretch that both sides share is off by as much as the normal is, which is more than the distance is.
+template <class T>
+void take_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, const Nearest& found) {
+  ContactPoint<double>* deepest = nullptr;
+  for (ContactPoint<double>& p : out.points)
+    if (!deepest || p.distance < deepest->distance) deepest = &p;
+  if (!deepest) return;
+  deepest->distance = found.distance - a.radius - b.radius;
+  deepest->a = found.a.point + found.normal * a.radius;
+  deepest->b = deepest->a + found.normal * deepest->distance;
+}
+
+/// The normal of tapered cores, which steps found within the root of their goal (a depth changes by the square of what
+/// a normal is off), made that of the straight side that it stands for.
+template <class T>
+Vec2d settled_normal(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& n) {
+  if (a.kind != CoreKind::tapered && b.kind != CoreKind::tapered) return n;
+  const double same = 4 * std::sqrt(goal);
+  const auto stands_for = [&](const Side& side) {
+    return side.straight && !side.endless && std::abs(side.leaning) <= same && side.facing > 0;
+  };
+  const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
+  if (const Side side = side_towards(a, n, left(n)); stands_for(side)) return side.own;
+  if (const Side side = side_towards(b, toward_a, left(toward_a)); stands_for(side))
+    return -rotate(b_in_a.rotation, side.own);
+  return n;
+}
+
+/// B's side seen from A's frame: its heights grow against the normal.
+Side seen_from_a(Side side, const Vec2d& translation, const Vec2d& n, const Vec2d& along) {
+  const double across = dot(translation, along), height = -dot(translation, n);
+  for (Side::End* end : {&side.low, &side.high}) end->across += across, end->height += height;
+  return side;
+}
+
+void add_point(Manifold<double>& out, const Vec2d& along, double across, double height_a, double height_b,
+               std::uint32_t feature, double margin) {
+  const double distance = height_b - height_a;
+  if (!(distance <= margin)) return;
+  const Vec2d foot = along * across;
+  out.points.push_back({foot + out.normal * height_a, foot + out.normal * height_b, distance, feature, 0.5});
+}
+
+/// One point: where the shapes are nearest. Of two discs its weight goes by their radii.
+template <class T>
+void add_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, const Nearest& found, double margin) {
+  const double distance = found.distance - a.radius - b.radius;
+  if (!(distance <= margin)) return;
+  const bool discs = a.kind == CoreKind::polygon && b.kind == CoreKind::polygon && a.count == 1 && b.count == 1;
+  const double radii = a.radius + b.radius;
+  const Vec2d on_a = found.a.point + found.normal * a.radius;
+  out.points.push_back({on_a, on_a + found.normal * distance, distance, feature_id(found.a.feature, found.b.feature),
+                        discs && radii > 0 ? a.radius / radii : 0.5});
+}
+
+}  // namespace
+
+template <class T>
+Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found,
+                          double margin) {
+  Manifold<double> out;
+  out.normal = found.normal;
+  if (found.status == Status::unbounded || !(found.distance - a.radius - b.radius <= margin)) return out;
+  const Vec2d n = settled_normal(a, b, b_in_a, found.normal), along = left(n);
+  const Side of_a = side_towards(a, n, along);
+  const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n), along_b = inverse_rotate(b_in_a.rotation, along);
+  const Side of_b =
+      of_a.straight ? seen_from_a(side_towards(b, toward_a, along_b), b_in_a.translation, n, along) : Side{};
+  const double low = greatest(of_a.low.across, of_b.low.across), high = least(of_a.high.across, of_b.high.across);
+  const bool faces = of_a.straight && of_b.straight && !(of_a.endless && of_b.endless);
+  if (!faces || !(low < high)) {
+    add_nearest(out, a, b, found, margin);
+    return out;
+  }
+  out.normal = n;
+  const auto name = [](const Side& side, const Side::End& end) {
+    return side.endless ? side_feature(0) : vertex_feature(end.vertex);
+  };
+  // A's outline runs to the left of its normal and B's to the right: at the low end lies the first vertex of A's edge
+  // and the last of B's, whichever of them bounds the stretch.
+  add_point(out, along, low, of_a.height_at(low), -of_b.height_at(low),
+            feature_id(name(of_a, of_a.low), name(of_b, of_b.low)), margin);
+  add_point(out, along, high, of_a.height_at(high), -of_b.height_at(high),
+            feature_id(name(of_a, of_a.high), name(of_b, of_b.high)), margin);
+  const bool tapered = a.kind == CoreKind::tapered || b.kind == CoreKind::tapered;
+  if (tapered && n == found.normal) take_nearest(out, a, b, found);
+  if (out.points.empty()) {
+    out.normal = found.normal;
+    add_nearest(out, a, b, found, margin);
+  }
+  return out;
+}
+
+template Manifold<double> manifold(const Core<float>&, const Core<float>&, const Pose2d&, const Nearest&, double);
+template Manifold<double> manifold(const Core<double>&, const Core<double>&, const Pose2d&, const Nearest&, double);
+
+}  // namespace graze::plane

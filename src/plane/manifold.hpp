@@ -1,0 +1,18 @@
+// The points of contact of two cores along a normal.
+//
+// Guarantee: at most two points, each with b - a = distance * normal. Both shapes are treated alike: there is no
+// reference edge, so that swapping them mirrors the points and their features and changes nothing else.
+#pragma once
+
+#include "graze/plane/query.hpp"
+#include "plane/nearest.hpp"
+
+namespace graze::plane {
+
+/// Of two cores in A's frame, with `found` their nearest points: the points that are up to `margin` apart, roundings
+/// taken into account.
+template <class T>
+Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found,
+                          double margin);
+
+}  // namespace graze::plane

@@ -1,0 +1,40 @@
+// The nearest points of two cores: what every query in the plane stands on.
+//
+// Guarantee: answers for every pair of kinds, in A's frame. Polygons exactly, from the edges of their Minkowski
+// difference; curved cores within `goal` times their size, or `bounded` with a proven error.
+#pragma once
+
+#include "graze/query.hpp"
+#include "plane/core.hpp"
+
+namespace graze::plane {
+
+/// The signed distance of two cores, rounding aside, and the points that realise it.
+struct Nearest {
+  double distance = 0;
+  Vec2d normal{0, 1};  ///< unit, from A to B
+  CorePoint a{}, b{};  ///< on the cores, both in A's frame
+  Status status = Status::converged;
+  double error = 0;
+};
+
+/// How near the bounds of a curved core's distance come to each other, relative to the size of the pair: a tenth of the
+/// tolerance for double, and in the reach of doubles' rounding.
+inline constexpr double goal = 1e-11;
+
+/// The nearest points of any two cores. `size`: of the pair, which the goal refers to. With `steps`, what was done is
+/// recorded there: A's pose is given for that.
+template <class T>
+Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps = nullptr,
+                const Pose2d& pose_a = {});
+
+/// Of two polygons.
+template <class T>
+Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
+
+/// Of two bounded cores by their support functions.
+template <class T>
+Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps,
+                       const Pose2d& pose_a);
+
+}  // namespace graze::plane

@@ -1,0 +1,115 @@
+#include "graze/plane/query.hpp"
+
+#include <limits>
+
+#include "plane/explain.hpp"
+#include "plane/leaves.hpp"
+#include "plane/manifold.hpp"
+
+namespace graze::plane {
+
+namespace {
+
+/// The answer of a pair of convex shapes in world space, in double.
+template <class T>
+Distance<double> pair_distance(const LeafPair<T>& pair) {
+  const Nearest found = nearest(pair.a, pair.b, relative(pair.pose_a, pair.pose_b), pair.size());
+  Distance<double> out;
+  out.distance = found.distance - pair.a.radius - pair.b.radius;
+  out.normal = rotate(pair.pose_a.rotation, found.normal);
+  out.a = transform(pair.pose_a, found.a.point + found.normal * pair.a.radius);
+  out.b = transform(pair.pose_a, found.b.point - found.normal * pair.b.radius);
+  out.status = found.status;
+  out.error = found.error;
+  // Within the tolerance of T after all.
+  if (out.status == Status::bounded && out.error <= double(tolerance<T>) / 2 * pair.size()) {
+    out.status = Status::converged;
+    out.error = 0;
+  }
+  return out;
+}
+
+template <class T>
+Distance<T> narrowed(const Distance<double>& d) {
+  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b), d.status, static_cast<T>(d.error)};
+}
+
+/// The smallest distance over all pairs. With a trace, explains the pair that has it.
+template <class T>
+Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                          Trace* trace) {
+  Distance<double> best;
+  best.distance = std::numeric_limits<double>::infinity();
+  for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
+    if (pair.apart() >= best.distance) return;
+    if (const Distance<double> d = pair_distance(pair); d.distance < best.distance) {
+      best = d;
+      if (trace) *trace = explained(pair, d);
+    }
+  });
+  return best;
+}
+
+template <class T>
+Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
+  Manifold<T> out;
+  out.normal = cast<T>(rotate(pair.pose_a.rotation, of_a.normal));
+  out.piece_a = pair.piece_a;
+  out.piece_b = pair.piece_b;
+  for (const ContactPoint<double>& p : of_a.points)
+    out.points.push_back({cast<T>(transform(pair.pose_a, p.a)), cast<T>(transform(pair.pose_a, p.b)),
+                          static_cast<T>(p.distance), p.feature, static_cast<T>(p.weight)});
+  return out;
+}
+
+}  // namespace
+
+template <class T>
+bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, Trace* trace) {
+  if (trace) return smallest(a, pose_a, b, pose_b, trace).distance <= 0;
+  bool found = false;
+  for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
+    found = found || (pair.apart() <= 0 && pair_distance(pair).distance <= 0);
+  });
+  return found;
+}
+
+template <class T>
+Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                     Trace* trace) {
+  return narrowed<T>(smallest(a, pose_a, b, pose_b, trace));
+}
+
+template <class T>
+bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
+              Manifolds<T>& manifolds, Trace* trace) {
+  bool overlaps = false;
+  for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
+    if (pair.apart() > double(margin)) return;
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+    overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
+    const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, double(margin));
+    if (!m.points.empty()) manifolds.push_back(in_world(m, pair));
+  });
+  if (trace) smallest(a, pose_a, b, pose_b, trace);
+  return overlaps;
+}
+
+template <class T>
+Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace) {
+  const Distance<double> d = smallest<T>(shape, pose, Circle<T>(T(0)), {point, {}}, trace);
+  return {static_cast<T>(d.distance), cast<T>(d.a), cast<T>(d.normal), d.status, static_cast<T>(d.error)};
+}
+
+#define GRAZE_PLANE_QUERIES(T)                                                                                         \
+  template bool overlap(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Trace*);                   \
+  template Distance<T> distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Trace*);           \
+  template bool contacts(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T, Manifolds<T>&,         \
+                         Trace*);                                                                                      \
+  template Closest<T> closest(const Shape<T>&, const Pose2<T>&, const Vec2<T>&, Trace*);
+GRAZE_PLANE_QUERIES(float)
+GRAZE_PLANE_QUERIES(double)
+#undef GRAZE_PLANE_QUERIES
+
+}  // namespace graze::plane

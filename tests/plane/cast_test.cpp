@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include "plane/figures.hpp"
+
+namespace graze::plane {
+namespace {
+
+constexpr int looks = 64;
+
+template <class F>
+void for_moving_pairs(bool turning, const F& f) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const double scale : {1e-4, 1.0, 1e5, 0.01, 30.0, 1e3})
+    for (int i = 0; i < figure_kinds; ++i)
+      for (int j = 0; j < figure_kinds; ++j) {
+        const auto a = random_figure<double>(i, scale, random), b = random_figure<double>(j, scale, random);
+        const Pose2d pose_a = random_pose<double>(scale, random), pose_b = random_pose<double>(2 * scale, random);
+        const auto velocity = [&] {
+          return Velocity<double>{{4 * scale * uniform(random), 4 * scale * uniform(random)},
+                                  turning ? uniform(random) : 0};
+        };
+        f(a, pose_a, velocity(), b, pose_b, velocity(), scale);
+      }
+}
+
+/// No contact is missed and none is passed: shapes are apart before a hit and touch there.
+void expect_first_contacts(bool turning) {
+  int hits = 0, misses = 0;
+  for_moving_pairs(turning, [&](const auto& a, const auto& pose_a, const auto& of_a, const auto& b, const auto& pose_b,
+                                const auto& of_b, double scale) {
+    const auto hit = cast<double>(a.shape, pose_a, of_a, b.shape, pose_b, of_b, 1);
+    const auto apart = [&](double t) {
+      return distance(a.shape, pose_at(pose_a, of_a, t), b.shape, pose_at(pose_b, of_b, t)).distance;
+    };
+    const std::string pair = std::string(a.shape.name()) + " and " + b.shape.name() + " of " + std::to_string(scale);
+    const double near = 10 * cast_tolerance<double> * scale;
+    if (hit) {
+      ASSERT_EQ(hit->status, Status::converged) << pair;
+    }
+    const double until = hit ? hit->t : 1;
+    for (int k = 0; k < looks; ++k)
+      if (!hit || hit->t > 0) {
+        ASSERT_GT(apart(until * k / looks), 0) << pair << " at " << until * k / looks;
+      }
+    ++(hit ? hits : misses);
+    if (!hit) return;
+    if (hit->t > 0) {
+      ASSERT_NEAR(apart(hit->t), 0, near) << pair;
+    } else {
+      ASSERT_LE(apart(0), near) << pair;
+    }
+    if (hit->t > 0) {
+      ASSERT_LE(std::abs(closest(a.shape, pose_at(pose_a, of_a, hit->t), hit->point).distance), near) << pair;
+    }
+  });
+  EXPECT_GT(hits, 40);
+  EXPECT_GT(misses, 40);
+}
+
+TEST(PlaneCast, TranslationsHitAtTheFirstContact) { expect_first_contacts(false); }
+TEST(PlaneCast, TurningBodiesHitAtTheFirstContact) { expect_first_contacts(true); }
+
+TEST(PlaneCast, KnownTimes) {
+  const Shaped box = Box<double>({2, 2}), circle = Circle<double>(0.5);
+  const auto hit = cast<double>(box, {}, {}, circle, {{5.5, 0.5}, {}}, {{-8, 0}, 0}, 1);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->t, 0.5);
+  EXPECT_EQ(hit->normal, (Vec2d{1, 0}));
+  EXPECT_FALSE(cast<double>(box, {}, {}, circle, {{5.5, 1.6}, {}}, {{-9, 0}, 0}, 1));
+  // End on: two segments on one line.
+  const Shaped piece = Segment<double>({-1, 0}, {1, 0});
+  const auto met = cast<double>(piece, {}, {}, piece, {{5, 0}, {}}, {{-6, 0}, 0}, 1);
+  ASSERT_TRUE(met);
+  EXPECT_NEAR(met->t, 0.5, 1e-15);
+}
+
+TEST(PlaneRaycast, HitsAreOnTheSurfaceAndFirst) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int hits = 0;
+  for (const double scale : {1e-4, 1.0, 1e5})
+    for (int round = 0; round < 120; ++round)
+      for (int kind = 0; kind < figure_kinds; ++kind) {
+        const auto figure = random_figure<double>(kind, scale, random);
+        const Pose2d pose = random_pose<double>(scale, random);
+        const Ray<double> ray{{4 * scale * uniform(random), 4 * scale * uniform(random)},
+                              {uniform(random), uniform(random)}};
+        const auto hit = raycast(figure.shape, pose, ray, 8 * scale);
+        const Vec2d along = normalized(ray.direction);
+        const auto apart = [&](double t) { return closest(figure.shape, pose, ray.origin + along * t).distance; };
+        const double until = hit ? hit->t : 8 * scale;
+        for (int k = 0; k < looks; ++k)
+          if (!hit || hit->t > 0) {
+            ASSERT_GT(apart(until * k / looks), 0) << figure.shape.name();
+          }
+        if (!hit) continue;
+        ++hits;
+        if (hit->t == 0) {
+          ASSERT_LE(apart(0), 0);
+          continue;
+        }
+        ASSERT_NEAR(apart(hit->t), 0, 4 * tolerance<double> * scale) << figure.shape.name();
+        ASSERT_LE(dot(hit->normal, along), 1e-7) << figure.shape.name();
+      }
+  EXPECT_GT(hits, 150);
+}
+
+TEST(PlaneRaycast, ThroughEveryCornerOfAPolygon) {
+  std::vector<Vec2d> points;
+  for (int i = 0; i < 7; ++i) points.push_back({std::cos(0.9 * i), std::sin(0.9 * i)});
+  const ConvexPolygon<double> polygon(points);
+  for (const Vec2d& corner : polygon.vertices())
+    for (const double angle : {0.0, 0.3, -0.3}) {
+      const Vec2d from = rotate(Rot2<double>::from_angle(angle), corner) * 3.0;
+      const auto hit = raycast<double>(polygon, {}, {from, corner - from});
+      ASSERT_TRUE(hit);
+      EXPECT_NEAR(hit->t, length(corner - from), 1e-12);
+    }
+}
+
+TEST(PlaneCompound, AnswersAsItsChildren) {
+  const Shaped two = Compound<double>({{Box<double>({1, 1}), {{-3, 0}, {}}}, {Circle<double>(1), {{3, 0}, {}}}});
+  EXPECT_EQ(closest<double>(two, {}, {3, 2}).distance, 1);
+  EXPECT_EQ(closest<double>(two, {}, {-3, 0.25}).distance, -0.25);
+  const auto hit = raycast<double>(two, {}, {{3, 5}, {0, -1}});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->piece, 1u);
+  EXPECT_EQ(hit->t, 4);
+  const auto met = cast<double>(two, {}, {}, Circle<double>(0.5), {{-3, 5}, {}}, {{0, -8}, 0}, 1);
+  ASSERT_TRUE(met);
+  EXPECT_EQ(met->t, 0.5);
+  EXPECT_EQ(met->piece_a, 0u);
+}
+
+}  // namespace
+}  // namespace graze::plane
