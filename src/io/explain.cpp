@@ -2,6 +2,7 @@
 
 #include "io/answer.hpp"
 #include "io/convert.hpp"
+#include "io/plane_answer.hpp"
 
 namespace graze::io {
 
@@ -105,11 +106,14 @@ Explanation explain(std::string_view question, Precision precision) {
     e.b = Placed<double>{Sphere<double>(0), {*q.point, {}}};
   else if (q.query != QueryKind::raycast)
     e.b = Placed<double>{q.b->shape, q.b->pose};
-  if (precision == Precision::double_precision)
-    ask(q, e);
-  else
-    ask(read_question<float>(JsonValue(json, "")), e);
-  if (e.dimension == 2) {
+  const bool wide = precision == Precision::double_precision, moves = q.query == QueryKind::raycast || q.query == QueryKind::cast;
+  if (e.dimension == 2 && !moves) {
+    wide ? explain_in_plane(read_plane_question<double>(JsonValue(json, "")), e)
+         : explain_in_plane(read_plane_question<float>(JsonValue(json, "")), e);
+    return e;
+  }
+  wide ? ask(q, e) : ask(read_question<float>(JsonValue(json, "")), e);
+  if (e.dimension == 2) {  // shown by the prisms that stand for the figures
     leave_plane_axes(e.trace);
     leave_plane_spans(e.trace);
     for (Manifold<double>& m : e.manifolds) leave_plane_points(m);

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "io/answer.hpp"
+#include "io/plane_answer.hpp"
 #include "io/response.hpp"
 
 namespace graze::io {
@@ -26,15 +27,16 @@ std::string answered(const Json& json, const std::string& id, const Manner& mann
   out.open('{');
   if (!id.empty()) out.key("id").raw(id);
   const JsonValue value(json, "");
-  if (asks_for_response(value)) {
-    ResponseQuestion<T> question = read_response<T>(value);
+  const auto asked = [&](auto question) {
     question.explain = question.explain || manner.explained;
-    write_response(question, out);
-  } else {
-    Question<T> question = read_question<T>(value);
-    question.explain = question.explain || manner.explained;
-    write_answer(question, out);
-  }
+    return question;
+  };
+  if (asks_for_response(value))
+    write_response(asked(read_response<T>(value)), out);
+  else if (in_the_plane(json))
+    write_plane_answer(asked(read_plane_question<T>(value)), out);
+  else
+    write_answer(asked(read_question<T>(value)), out);
   return out.close('}').take();
 }
 

@@ -2,9 +2,7 @@
 
 namespace graze::io {
 
-namespace {
-
-QueryKind query_kind(const JsonValue& json) {
+QueryKind read_query_kind(const JsonValue& json) {
   static constexpr std::pair<const char*, QueryKind> names[] = {
       {"overlap", QueryKind::overlap}, {"distance", QueryKind::distance}, {"contacts", QueryKind::contacts},
       {"raycast", QueryKind::raycast}, {"cast", QueryKind::cast},         {"closest", QueryKind::closest}};
@@ -13,6 +11,8 @@ QueryKind query_kind(const JsonValue& json) {
       if (json.json() == name) return kind;
   json.fail("one of overlap, distance, contacts, raycast, cast, closest, response");
 }
+
+namespace {
 
 template <class T>
 MovingBody<T> read_body(const JsonValue& json) {
@@ -67,7 +67,7 @@ template <class T>
 Question<T> read_question(const JsonValue& json) {
   json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
   Question<T> q;
-  q.query = query_kind(json.at("query"));
+  q.query = read_query_kind(json.at("query"));
   if (const auto d = json.find("dimension")) {
     if (d->json() != 2 && d->json() != 3) d->fail("2 or 3");
     q.dimension = d->json() == 2 ? 2 : 3;

@@ -33,6 +33,9 @@ struct Question {
   bool explain = false;
 };
 
+/// The query that a question names.
+QueryKind read_query_kind(const JsonValue& json);
+
 /// Reads a whole question; throws `InvalidValue` with the path of the first value at fault.
 template <class T>
 Question<T> read_question(const JsonValue& json);

@@ -112,9 +112,9 @@ TEST(Protocol, MagnitudesAreBounded) {
             ball + "}"),
       "a.linear: expected a velocity that leads no further than 1e+48 within the duration, got [2e+47,0,0]");
   EXPECT_EQ(
-      error(R"({"dimension": 2, "query": "overlap", "a": {"shape": {"type": "circle", "circle": {"radius": 5e47}}},
+      error(R"({"dimension": 2, "query": "overlap", "a": {"shape": {"type": "circle", "circle": {"radius": 5e48}}},
                       "b": {"shape": {"type": "circle", "circle": {"radius": 1}}}})"),
-      "a, b: expected figures that reach at most 2.5e+47 from their origins, together, got 5e+47");
+      "a.shape.circle.radius: expected a magnitude of at most 1e48, got 5e+48");
   // Children of children add up.
   std::string child = placed("1e48");
   for (int i = 0; i < 9; ++i)

@@ -1,0 +1,165 @@
+#include "io/plane_question.hpp"
+
+namespace graze::io {
+
+namespace {
+
+template <class T>
+plane::Vec2<T> read_vector2(const JsonValue& json) {
+  const Vec3<T> v = json.plane_vector<T>();
+  return {v.x, v.y};
+}
+
+template <class T>
+plane::Rot2<T> read_angle(const JsonValue& json) {
+  // In double, whatever the precision: a float's sine would lose a digit that its cosine keeps.
+  const plane::Rot2<double> turn = plane::Rot2<double>::from_angle(double(json.number<T>()));
+  return plane::cast<T>(turn);
+}
+
+template <class T>
+void read_place(const JsonValue& json, plane::Pose2<T>& pose) {
+  if (const auto v = json.find("translation")) pose.translation = read_vector2<T>(*v);
+  if (const auto v = json.find("rotation")) pose.rotation = read_angle<T>(*v);
+}
+
+/// What `make` builds, with the path of what it refuses.
+template <class F>
+auto built_below(const JsonValue& json, const F& make) {
+  try {
+    return make();
+  } catch (const InvalidValue& e) {
+    throw e.below(json.path());
+  }
+}
+
+template <class T>
+plane::Shape<T> read_plane_shape(const JsonValue& json);
+
+template <class T>
+plane::Shape<T> read_plane_compound(const JsonValue& json) {
+  json.keys({"children"});
+  const JsonValue list = json.at("children");
+  std::vector<plane::Placed<T>> children;
+  for (const JsonValue& child : list.elements()) {
+    child.keys({"shape", "translation", "rotation"});
+    plane::Placed<T> placed{read_plane_shape<T>(child.at("shape")), {}};
+    read_place(child, placed.pose);
+    children.push_back(std::move(placed));
+  }
+  if (children.empty()) list.fail("at least one child");
+  return built_below(json, [&] { return plane::Shape<T>(plane::Compound<T>(std::move(children))); });
+}
+
+template <class T>
+plane::Shape<T> read_points_shape(const JsonValue& json, bool segment, T margin) {
+  json.keys({"points"});
+  const JsonValue list = json.at("points");
+  std::vector<plane::Vec2<T>> points;
+  const std::optional<std::size_t> count = segment ? std::optional<std::size_t>(2) : std::nullopt;
+  for (const JsonValue& p : list.elements(count)) points.push_back(read_vector2<T>(p));
+  if (points.empty()) list.fail("at least one point");
+  if (segment) return {plane::Segment<T>(points[0], points[1]), margin};
+  return {plane::ConvexPolygon<T>(points), margin};
+}
+
+template <class T>
+plane::Shape<T> read_plane_shape(const JsonValue& json) {
+  if (!json.json().is_object()) json.fail("an object");
+  const JsonValue type = json.at("type");
+  const std::string name = type.json().is_string() ? type.string() : "";
+  static constexpr const char* names[] = {"circle", "box", "capsule", "plane", "convex", "segment", "compound"};
+  const char* known = nullptr;
+  for (const char* n : names)
+    if (name == n) known = n;
+  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, compound");
+  name == "compound" ? json.keys({"type", known}) : json.keys({"type", known, "margin"});
+  T margin(0);
+  if (const auto m = json.find("margin")) margin = m->length<T>();
+  if (name == "plane") {
+    if (const auto own = json.find("plane")) own->keys({});
+    return {plane::HalfPlane<T>(), margin};
+  }
+  const JsonValue own = json.at(known);
+  const auto length = [&](const char* key) { return own.at(key).template length<T>(); };
+  if (name == "circle") {
+    own.keys({"radius"});
+    return {plane::Circle<T>(length("radius")), margin};
+  }
+  if (name == "box") {
+    own.keys({"size"});
+    const auto size = own.at("size").elements(2);
+    return {plane::Box<T>({size[0].length<T>(), size[1].length<T>()}), margin};
+  }
+  if (name == "capsule") {
+    own.keys({"height", "radiusBottom", "radiusTop"});
+    return {plane::Capsule<T>(length("height"), length("radiusBottom"), length("radiusTop")), margin};
+  }
+  if (name == "compound") return read_plane_compound<T>(own);
+  return read_points_shape<T>(own, name == "segment", margin);
+}
+
+template <class T>
+PlaneBody<T> read_plane_body(const JsonValue& json) {
+  json.keys({"shape", "translation", "rotation", "linear", "angular"});
+  PlaneBody<T> body{read_plane_shape<T>(json.at("shape"))};
+  read_place(json, body.pose);
+  if (const auto v = json.find("linear")) body.velocity.linear = read_vector2<T>(*v);
+  if (const auto v = json.find("angular")) body.velocity.angular = v->number<T>();
+  return body;
+}
+
+template <class T>
+void read_plane_ray(const JsonValue& json, PlaneQuestion<T>& q) {
+  json.keys({"origin", "direction", "length"});
+  q.ray = plane::Ray<T>{read_vector2<T>(json.at("origin")), read_vector2<T>(json.at("direction"))};
+  if (q.ray->direction == plane::Vec2<T>{}) json.at("direction").fail("a direction that is not zero");
+  if (const auto l = json.find("length")) q.ray_length = l->positive_or_zero<T>();
+}
+
+/// Where the body ends is a coordinate like any other, and a half-plane does not turn.
+template <class T>
+void check_plane_motion(const JsonValue& json, const PlaneBody<T>& body, T duration) {
+  if (!(plane::max_abs(body.velocity.linear * duration) <= largest_magnitude<T>))
+    json.at("linear").fail("a velocity that leads no further than " +
+                           validate::number(static_cast<double>(largest_magnitude<T>)) + " within the duration");
+  if (body.shape.template as<plane::HalfPlane<T>>() && body.velocity.angular != T(0))
+    json.at("angular").fail("no angular velocity of a half-space");
+}
+
+}  // namespace
+
+bool in_the_plane(const Json& question) {
+  const auto dimension = question.find("dimension");
+  return dimension != question.end() && *dimension == 2;
+}
+
+template <class T>
+PlaneQuestion<T> read_plane_question(const JsonValue& json) {
+  json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
+  PlaneQuestion<T> q;
+  q.query = read_query_kind(json.at("query"));
+  json.at("a");
+  if (q.query != QueryKind::raycast && q.query != QueryKind::closest) json.at("b");
+  q.a = read_plane_body<T>(json.at("a"));
+  if (const auto b = json.find("b")) q.b = read_plane_body<T>(*b);
+  if (const auto m = json.find("margin")) q.margin = m->length<T>();
+  if (const auto r = json.find("ray")) read_plane_ray(*r, q);
+  if (const auto p = json.find("point")) q.point = read_vector2<T>(*p);
+  if (const auto d = json.find("duration")) q.duration = d->length<T>();
+  if (const auto l = json.find("limit")) l->length<T>();  // a distance costs no more than to know that it is larger
+  if (const auto e = json.find("explain")) q.explain = e->boolean();
+
+  if (q.query == QueryKind::raycast && !q.ray) json.at("ray");
+  if (q.query == QueryKind::closest && !q.point) json.at("point");
+  if (q.query == QueryKind::cast) {
+    check_plane_motion(json.at("a"), *q.a, q.duration);
+    check_plane_motion(json.at("b"), *q.b, q.duration);
+  }
+  return q;
+}
+
+template PlaneQuestion<float> read_plane_question(const JsonValue&);
+template PlaneQuestion<double> read_plane_question(const JsonValue&);
+
+}  // namespace graze::io

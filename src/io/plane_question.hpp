@@ -1,0 +1,38 @@
+// A question of the protocol in two dimensions, as data.
+#pragma once
+
+#include <optional>
+
+#include "graze/plane/cast.hpp"
+#include "io/json_value.hpp"
+#include "io/question.hpp"
+
+namespace graze::io {
+
+template <class T>
+struct PlaneBody {
+  plane::Shape<T> shape;
+  plane::Pose2<T> pose{};
+  plane::Velocity<T> velocity{};
+};
+
+template <class T>
+struct PlaneQuestion {
+  QueryKind query = QueryKind::overlap;
+  std::optional<PlaneBody<T>> a, b;
+  T margin = T(0);
+  std::optional<plane::Ray<T>> ray;
+  T ray_length = std::numeric_limits<T>::infinity();
+  std::optional<plane::Vec2<T>> point;
+  T duration = T(1);
+  bool explain = false;
+};
+
+/// Whether the question is one of the plane. A `dimension` that is neither 2 nor 3 is for `read_question` to refuse.
+bool in_the_plane(const Json& question);
+
+/// Reads a whole question; throws `InvalidValue` with the path of the first value at fault.
+template <class T>
+PlaneQuestion<T> read_plane_question(const JsonValue& json);
+
+}  // namespace graze::io
