@@ -8,6 +8,43 @@ namespace graze::io {
 
 namespace {
 
+/// Of a question in the plane, leaves of the axes those that lie in the plane, each direction once: the rest belong to
+/// the prisms that stand for the figures.
+void leave_plane_axes(Trace& trace) {
+  // Between unit vectors: far above the few roundings of 1e-16 that an axis comes about with, far below any angle of a
+  // figure.
+  constexpr double same = 1e-9;
+  std::vector<TraceAxis> kept;
+  for (TraceAxis& axis : trace.axes) {
+    if (std::abs(axis.direction.z) > same) continue;
+    const auto twin = std::find_if(kept.begin(), kept.end(), [&](const TraceAxis& k) {
+      return length(cross(k.direction, axis.direction)) <= same;
+    });
+    const bool product = axis.name.find("×") != std::string::npos;
+    if (twin == kept.end() || !product) {
+      kept.push_back(std::move(axis));
+    } else if (axis.name == trace.winner) {
+      trace.winner = twin->name;
+    }
+  }
+  trace.axes = std::move(kept);
+}
+
+/// And of the spans those across the plane.
+void leave_plane_spans(Trace& trace) {
+  constexpr double same = 1e-9;  // as of axes
+  // A disc is the side of a prism whose balls lie off the plane.
+  std::erase_if(trace.spans, [&](const TraceSpan& span) {
+    return std::abs(span.normal.z) > same || span.name.starts_with("ball at") || span.name == "slab z";
+  });
+  for (TraceSpan& span : trace.spans) {
+    if (span.name != "balls and side") continue;
+    span.name = "circle";
+    trace.method = "quadratic";
+    if (!trace.winner.empty()) trace.winner = span.name, trace.reason = "the ray comes in through the circle";
+  }
+}
+
 template <class T>
 Distance<double> widened(const Distance<T>& d) {
   return {static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b), d.status,
@@ -106,7 +143,8 @@ Explanation explain(std::string_view question, Precision precision) {
     e.b = Placed<double>{Sphere<double>(0), {*q.point, {}}};
   else if (q.query != QueryKind::raycast)
     e.b = Placed<double>{q.b->shape, q.b->pose};
-  const bool wide = precision == Precision::double_precision, moves = q.query == QueryKind::raycast || q.query == QueryKind::cast;
+  const bool wide = precision == Precision::double_precision,
+             moves = q.query == QueryKind::raycast || q.query == QueryKind::cast;
   if (e.dimension == 2 && !moves) {
     wide ? explain_in_plane(read_plane_question<double>(JsonValue(json, "")), e)
          : explain_in_plane(read_plane_question<float>(JsonValue(json, "")), e);
@@ -116,8 +154,6 @@ Explanation explain(std::string_view question, Precision precision) {
   if (e.dimension == 2) {  // shown by the prisms that stand for the figures
     leave_plane_axes(e.trace);
     leave_plane_spans(e.trace);
-    for (Manifold<double>& m : e.manifolds) leave_plane_points(m);
-    if (e.distance) e.distance->a.z = e.distance->b.z = 0;
   }
   return e;
 }
