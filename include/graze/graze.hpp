@@ -19,6 +19,7 @@
 #include "graze/mass.hpp"
 #include "graze/material.hpp"
 #include "graze/pairs.hpp"
+#include "graze/plane/cast.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 #include "graze/shape.hpp"

@@ -4,7 +4,8 @@
 // difference; curved cores within `goal` times their size, or `bounded` with a proven error.
 #pragma once
 
-#include "graze/query.hpp"
+#include "graze/result.hpp"
+#include "graze/trace.hpp"
 #include "plane/core.hpp"
 
 namespace graze::plane {

@@ -5,7 +5,7 @@ cmake_minimum_required(VERSION 3.22)
 set(floors
     "^src/lanes/|^include/graze/[a-z0-9_]+\\.hpp$"
     "^src/shape/|^include/graze/(shape[./]|swept\\.hpp$)"
-    "^src/(narrow|broad)/|^include/graze/(broad_phase|dynamic_tree|pairs)\\.hpp$"
+    "^src/(narrow|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs)\\.hpp$)"
     "^src/mid/"
     "^src/query/|^include/graze/(query|cast|raycast|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$)"

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "graze/cast.hpp"
+#include "graze/motion.hpp"
 #include "graze/plane/query.hpp"
 
 namespace graze::plane {

@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "graze/plane/shape.hpp"
-#include "graze/query.hpp"
+#include "graze/result.hpp"
 #include "graze/small_vector.hpp"
+#include "graze/trace.hpp"
 
 namespace graze::plane {
 

@@ -27,7 +27,7 @@ class UserConvex {
   /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger
   /// than `largest_magnitude`.
   explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
-    if (!function_) throw InvalidValue("function", "a support function", "null");
+    if (!function_) validate::fail("function", "a support function", "null");
     Vec2<T> reach{};
     for (const Vec2<T>& d : {Vec2<T>{T(1), T(0)}, {T(0), T(1)}, {T(-1), T(0)}, {T(0), T(-1)}}) {
       const Vec2<T> p = detail::checked_point(function_->support(d), "function.support(axis)");
