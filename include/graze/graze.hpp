@@ -28,3 +28,4 @@
 #include "graze/trace.hpp"
 #include "graze/wide.hpp"
 #include "graze/world.hpp"
+#include "graze/world/reduce.hpp"

@@ -25,11 +25,11 @@ std::vector<Event> events_of(const EventTracker& tracker) {
   return events;
 }
 
-struct Bodies {
+struct Row {
   BodyArrays<double> bodies;
   EventTracker tracker;
 
-  explicit Bodies(std::size_t count, std::size_t triggers_from = ~std::size_t{0}) {
+  explicit Row(std::size_t count, std::size_t triggers_from = ~std::size_t{0}) {
     for (std::size_t i = 0; i < count; ++i) add(i >= triggers_from);
   }
   BodyId add(bool trigger = false) { return bodies.add({.shape = Sphere<double>(1.0), .trigger = trigger}); }
@@ -40,7 +40,7 @@ struct Bodies {
 };
 
 TEST(Events, BeginStayAndEnd) {
-  Bodies world(4, 3);
+  Row world(4, 3);
   EXPECT_EQ(
       world.update({{0, 1, true, 0, 0}, {1, 3, true, 0, 0}}),
       (std::vector<Event>{{EventKind::begin, false, {0, 0}, {1, 0}, 0}, {EventKind::begin, true, {1, 0}, {3, 0}, 1}}));
@@ -57,7 +57,7 @@ TEST(Events, BeginStayAndEnd) {
 }
 
 TEST(Events, AnotherBodyAtTheSameIndexEndsAndBegins) {
-  Bodies world(2);
+  Row world(2);
   world.update({{0, 1, true, 0, 0}});
   world.bodies.remove({1, 0});
   ASSERT_EQ(world.add().generation, 1u);
@@ -69,7 +69,7 @@ TEST(Events, AnotherBodyAtTheSameIndexEndsAndBegins) {
 /// Pairs that touch, are near or are gone at random, against what is said of each pair by itself.
 TEST(Events, OfManyPairsAreThoseOfEachPair) {
   testing::Random random(5);
-  Bodies world(30, 25);
+  Row world(30, 25);
   std::map<std::pair<std::uint32_t, std::uint32_t>, bool> touching;
   for (int frame = 0; frame < 50; ++frame) {
     std::vector<ContactPair<double>> pairs;

@@ -1,0 +1,155 @@
+// Fewer points of a pair: which, and how the arrays close up behind them.
+
+#include "graze/world/reduce.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+namespace {
+
+/// A point of a pair among all of its manifolds.
+template <class T>
+struct Candidate {
+  Vec3<T> place, normal;
+  T distance;
+  T apart_squared;  ///< from the nearest that is kept
+  std::size_t manifold;
+  bool kept;
+};
+
+/// Tries the points of a pair; its memory serves pair after pair.
+template <class T>
+class Choice {
+ public:
+  void clear() { points_.clear(); }
+  void add(const ContactPoint<T>& p, const Vec3<T>& normal, std::size_t manifold) {
+    points_.push_back({p.position(), normal, p.distance, T(0), manifold, false});
+  }
+  std::size_t size() const { return points_.size(); }
+  bool kept(std::size_t i) const { return points_[i].kept; }
+
+  /// Marks `count` of the points, which are more.
+  void choose(std::size_t count) {
+    if (count == 0) return;
+    if (points_.front().manifold == points_.back().manifold) return choose_of_one(count);
+    Candidate<T>& deepest = *std::min_element(points_.begin(), points_.end(),
+                                              [](const auto& p, const auto& q) { return p.distance < q.distance; });
+    T reach_squared(0);
+    for (Candidate<T>& p : points_) reach_squared = greatest(reach_squared, length_squared(p.place - deepest.place));
+    const auto apart_squared = [&](const Candidate<T>& p, const Candidate<T>& q) {
+      return length_squared(p.place - q.place) + length_squared(p.normal - q.normal) * reach_squared;
+    };
+    for (Candidate<T>& p : points_) p.apart_squared = apart_squared(p, deepest);
+    deepest.kept = true;
+    for (std::size_t k = 1; k < count; ++k) {
+      Candidate<T>* best = nullptr;
+      for (Candidate<T>& p : points_)
+        if (!p.kept && (!best || before(p, *best))) best = &p;
+      best->kept = true;
+      for (Candidate<T>& p : points_) p.apart_squared = least(p.apart_squared, apart_squared(p, *best));
+    }
+  }
+
+ private:
+  /// Further from what is kept, or as far and deeper.
+  static bool before(const Candidate<T>& p, const Candidate<T>& q) {
+    return p.apart_squared > q.apart_squared || (p.apart_squared == q.apart_squared && p.distance < q.distance);
+  }
+  /// As the manifold alone; `feature` takes a point's number through.
+  void choose_of_one(std::size_t count) {
+    one_.normal = points_[0].normal;
+    one_.points.truncate(0);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      one_.points.push_back({points_[i].place, points_[i].place, points_[i].distance, static_cast<std::uint32_t>(i)});
+    reduce(one_, count);
+    for (const ContactPoint<T>& p : one_.points) points_[p.feature].kept = true;
+  }
+
+  std::vector<Candidate<T>> points_;
+  Manifold<T> one_;
+};
+
+/// Contacts in three arrays: pairs, manifolds and points, the latter two in one order.
+template <class T, class Arrays>
+void reduce_arrays(Arrays& arrays, std::size_t count) {
+  std::vector<unsigned char> left_out;  // of the points; made when the first is
+  Choice<T> choice;
+  for (const auto& pair : arrays.pairs) {
+    const auto manifolds = std::span(arrays.manifolds).subspan(pair.first_manifold, pair.manifold_count);
+    std::size_t points = 0;
+    for (const auto& m : manifolds) points += m.point_count;
+    if (points <= count) continue;
+    choice.clear();
+    for (const auto& m : manifolds)
+      for (const auto& p : arrays.points_of(m)) choice.add(p, m.normal, m.first_point);
+    choice.choose(count);
+    if (left_out.empty()) left_out.resize(arrays.points.size(), 0);
+    std::size_t i = 0;
+    for (const auto& m : manifolds)
+      for (std::size_t k = 0; k < m.point_count; ++k, ++i) left_out[m.first_point + k] = !choice.kept(i);
+  }
+  if (left_out.empty()) return;
+  std::vector<std::uint32_t> places;  // of the manifolds before, among those that are left
+  places.reserve(arrays.manifolds.size() + 1);
+  std::uint32_t manifolds = 0, points = 0;
+  for (auto m : arrays.manifolds) {
+    places.push_back(manifolds);
+    const std::uint32_t first = points;
+    for (std::uint32_t k = m.first_point; k < m.first_point + m.point_count; ++k)
+      if (!left_out[k]) arrays.points[points++] = arrays.points[k];
+    m.first_point = first;
+    m.point_count = points - first;
+    if (m.point_count != 0) arrays.manifolds[manifolds++] = m;
+  }
+  places.push_back(manifolds);
+  arrays.manifolds.resize(manifolds);
+  arrays.points.resize(points);
+  for (auto& pair : arrays.pairs) {
+    const std::uint32_t first = pair.first_manifold, end = first + pair.manifold_count;
+    pair.first_manifold = places[first];
+    pair.manifold_count = places[end] - places[first];
+  }
+}
+
+}  // namespace
+
+template <class T>
+void reduce(Manifolds<T>& manifolds, std::size_t count) {
+  Choice<T> choice;
+  for (std::size_t i = 0; i < manifolds.size(); ++i)
+    for (const ContactPoint<T>& p : manifolds[i].points) choice.add(p, manifolds[i].normal, i);
+  if (choice.size() <= count) return;
+  choice.choose(count);
+  std::size_t place = 0;
+  for (Manifold<T>& m : manifolds) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < m.points.size(); ++k, ++place)
+      if (choice.kept(place)) m.points[kept++] = m.points[k];
+    m.points.truncate(kept);
+  }
+  manifolds.erase(std::remove_if(manifolds.begin(), manifolds.end(), [](const auto& m) { return m.points.empty(); }),
+                  manifolds.end());
+}
+
+template <class T>
+void reduce(BatchContacts<T>& contacts, std::size_t count) {
+  reduce_arrays<T>(contacts, count);
+}
+
+template <class T>
+void reduce(ContactArrays<T>& contacts, std::size_t count) {
+  reduce_arrays<T>(contacts, count);
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template void reduce(Manifolds<T>&, std::size_t);                                                                    \
+  template void reduce(BatchContacts<T>&, std::size_t);                                                                \
+  template void reduce(ContactArrays<T>&, std::size_t);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze

@@ -1,0 +1,270 @@
+// Fewer points of a pair, over all of its manifolds: of one pair, of a batch and of a world.
+#include "graze/world/reduce.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graze/batch.hpp"
+#include "graze/world.hpp"
+
+namespace graze::testing {
+namespace {
+
+/// A point and its normal, as it is compared.
+template <class T>
+struct Seen {
+  Vec3<T> normal, a, b;
+  T distance;
+  std::uint32_t feature;
+  bool operator==(const Seen&) const = default;
+};
+
+template <class T>
+std::vector<Seen<T>> seen(const Manifolds<T>& manifolds) {
+  std::vector<Seen<T>> all;
+  for (const auto& m : manifolds)
+    for (const auto& p : m.points) all.push_back({m.normal, p.a, p.b, p.distance, p.feature});
+  return all;
+}
+
+/// Of one pair of arrays.
+template <class Arrays, class Pair>
+auto seen(const Arrays& arrays, const Pair& pair) {
+  using T = std::decay_t<decltype(arrays.points[0].distance)>;
+  std::vector<Seen<T>> all;
+  for (std::uint32_t i = pair.first_manifold; i < pair.first_manifold + pair.manifold_count; ++i)
+    for (const auto& p : arrays.points_of(arrays.manifolds[i]))
+      all.push_back({arrays.manifolds[i].normal, p.a, p.b, p.distance, p.feature});
+  return all;
+}
+
+/// A hilly ground of triangles.
+template <class T>
+Mesh<T> hills(int cells) {
+  std::vector<Vec3<T>> points;
+  std::vector<typename Mesh<T>::Index> triangles;
+  const auto at = [&](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };
+  for (int i = 0; i <= cells; ++i)
+    for (int k = 0; k <= cells; ++k) {
+      const double x = 0.25 * (i - cells / 2.0), z = 0.25 * (k - cells / 2.0);
+      points.push_back({T(x), T(0.3 * std::sin(1.7 * x) * std::cos(1.3 * z)), T(z)});
+    }
+  for (int i = 0; i < cells; ++i)
+    for (int k = 0; k < cells; ++k) {
+      triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k)});
+      triangles.push_back({at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
+    }
+  return {points, triangles};
+}
+
+template <class T>
+class ReducePairs : public ::testing::Test {
+ public:
+  const Shape<T> ground = hills<T>(48), crate = Box<T>({T(1), T(1), T(1)});
+
+  /// Crates half sunk in the ground, each turned otherwise; and one above it.
+  std::vector<Pose<T>> poses() const {
+    std::vector<Pose<T>> all;
+    for (int i = 0; i < 5; ++i)
+      for (int k = 0; k < 5; ++k)
+        all.push_back({{T(2 * i - 4), T(0), T(2 * k - 4)},
+                       Quat<T>::from_axis_angle({T(0.1 * i), T(1), T(0.1 * k)}, T(0.37 * (5 * i + k)))});
+    all.push_back({{T(0), T(3), T(0)}, {}});
+    return all;
+  }
+};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(ReducePairs, Scalars);
+
+template <class T>
+std::vector<Seen<T>> found_alone(const Shape<T>& ground, const Shape<T>& crate, const Pose<T>& pose,
+                                 std::size_t count) {
+  Manifolds<T> manifolds;
+  contacts(ground, Pose<T>{}, crate, pose, T(0), manifolds);
+  reduce(manifolds, count);
+  for (const auto& m : manifolds) EXPECT_FALSE(m.points.empty());
+  return seen(manifolds);
+}
+
+/// How far apart two contacts are: see the header.
+template <class T>
+T apart(const Seen<T>& p, const Seen<T>& q, T reach) {
+  const Vec3<T> place = (p.a + p.b) * T(0.5) - (q.a + q.b) * T(0.5);
+  return std::sqrt(length_squared(place) + length_squared(p.normal - q.normal) * reach * reach);
+}
+
+TYPED_TEST(ReducePairs, KeepsTheDeepestAndWhatIsSpread) {
+  using T = TypeParam;
+  int many = 0;
+  for (const Pose<T>& pose : this->poses())
+    for (const std::size_t count : {1u, 2u, 4u, 8u}) {
+      const auto all = found_alone(this->ground, this->crate, pose, 1000000);
+      const auto kept = found_alone(this->ground, this->crate, pose, count);
+      ASSERT_EQ(kept.size(), std::min(count, all.size()));
+      if (all.size() <= count) continue;
+      ++many;
+      // They are of the old ones, in their order, with the deepest among them.
+      auto at = all.begin();
+      for (const auto& p : kept) {
+        at = std::find(at, all.end(), p);
+        ASSERT_NE(at, all.end());
+        ++at;
+      }
+      const auto by_depth = [](const auto& p, const auto& q) { return p.distance < q.distance; };
+      const Seen<T> deepest = *std::min_element(all.begin(), all.end(), by_depth);
+      EXPECT_EQ(std::min_element(kept.begin(), kept.end(), by_depth)->distance, deepest.distance);
+      // Nothing that is left out is further from what is kept than those are from each other.
+      T reach(0), furthest(0), nearest = std::numeric_limits<T>::infinity();
+      for (const auto& p : all)
+        reach = std::max(reach, length((p.a + p.b) * T(0.5) - (deepest.a + deepest.b) * T(0.5)));
+      for (const auto& p : all) {
+        T to_kept = std::numeric_limits<T>::infinity();
+        for (const auto& q : kept) to_kept = std::min(to_kept, apart(p, q, reach));
+        furthest = std::max(furthest, to_kept);
+      }
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) nearest = std::min(nearest, apart(kept[i], kept[k], reach));
+      EXPECT_LE(furthest, nearest * T(1.0001));
+    }
+  EXPECT_GE(many, 80);
+}
+
+TYPED_TEST(ReducePairs, OfOneManifoldAsThatAlone) {
+  using T = TypeParam;
+  const Shape<T> box = Box<T>({T(2), T(2), T(2)});
+  for (const std::size_t count : {0u, 1u, 3u, 4u, 6u, 8u, 9u}) {
+    Manifolds<T> together;
+    contacts(box, Pose<T>{}, box, Pose<T>{{T(0.1), T(1.99), T(0)}, Quat<T>::from_axis_angle({0, 1, 0}, T(0.7))}, T(0),
+             together);
+    ASSERT_EQ(together.size(), 1u);
+    Manifolds<T> alone = together;
+    reduce(alone[0], count);
+    reduce(together, count);
+    EXPECT_EQ(seen(together), seen(alone)) << count;
+    EXPECT_EQ(together.empty(), count == 0);
+  }
+}
+
+// A ball in a groove and on a wall: two points at most, of other normals and not beside each other.
+TYPED_TEST(ReducePairs, NormalsCountAsPlacesDo) {
+  using T = TypeParam;
+  Manifolds<T> manifolds(3);
+  const Vec3<T> normals[] = {{0, 1, 0}, {1, 0, 0}, {-1, 0, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    manifolds[i].normal = normals[i];
+    manifolds[i].piece_b = static_cast<std::uint32_t>(i);
+  }
+  // On the ground a patch of four near each other, and a point on each of two walls that face each other.
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<T> p{T(k & 1) / 10, 0, T(k / 2) / 10};
+    manifolds[0].points.push_back({p, p, T(-0.2) + T(k) / 100, static_cast<std::uint32_t>(k)});
+  }
+  for (std::size_t i = 1; i < 3; ++i) {
+    const Vec3<T> p{i == 1 ? T(0.3) : T(-0.3), T(0.3), 0};
+    manifolds[i].points.push_back({p, p, T(-0.1), 0});
+  }
+  reduce(manifolds, 3);
+  ASSERT_EQ(manifolds.size(), 3u);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(manifolds[i].points.size(), 1u);
+    EXPECT_EQ(manifolds[i].piece_b, i);
+  }
+  EXPECT_EQ(manifolds[0].points[0].feature, 0u);
+  reduce(manifolds, 1);
+  ASSERT_EQ(manifolds.size(), 1u);
+  EXPECT_EQ(manifolds[0].points[0].distance, T(-0.2));
+  reduce(manifolds, 0);
+  EXPECT_TRUE(manifolds.empty());
+}
+
+TYPED_TEST(ReducePairs, OfABatchAsOfEachPair) {
+  using T = TypeParam;
+  // Pairs of kinds that are found in another order stand among the others.
+  std::vector<Shape<T>> shapes_a, shapes_b;
+  std::vector<Pose<T>> at_a, at_b;
+  const std::vector<Pose<T>> poses = this->poses();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const bool ball = i % 3 == 0;
+    shapes_a.push_back(ball ? Shape<T>(Sphere<T>(T(0.6))) : this->ground);
+    at_a.push_back(ball ? poses[i] : Pose<T>{});
+    shapes_b.push_back(this->crate);
+    at_b.push_back(poses[i]);
+  }
+  for (const std::size_t count : {0u, 1u, 4u, 8u}) {
+    BatchContacts<T> found;
+    contacts(Batch<T>(Bodies<T>(shapes_a, at_a), Bodies<T>(shapes_b, at_b)), T(0), found);
+    const BatchContacts<T> whole = found;
+    reduce(found, count);
+    ASSERT_EQ(found.pairs.size(), poses.size());
+    std::size_t points = 0, manifolds = 0;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      Manifolds<T> alone;
+      contacts(shapes_a[i], at_a[i], shapes_b[i], at_b[i], T(0), alone);
+      reduce(alone, count);
+      EXPECT_EQ(seen(found, found.pairs[i]), seen(alone)) << i;
+      EXPECT_EQ(found.pairs[i].overlap, whole.pairs[i].overlap);
+      EXPECT_EQ(found.pairs[i].manifold_count, alone.size());
+      points += seen(alone).size();
+      manifolds += alone.size();
+    }
+    EXPECT_EQ(found.points.size(), points);
+    EXPECT_EQ(found.manifolds.size(), manifolds);
+    EXPECT_LT(found.points.size(), whole.points.size());
+  }
+}
+
+// What was reduced stays what it is where nothing changes, is found whole again where something does, and carries its
+// impulses on.
+TYPED_TEST(ReducePairs, AWorldGoesOnFromReducedContacts) {
+  using T = TypeParam;
+  World<T> world, untouched;
+  Body<T> ground{this->ground, {}};
+  ground.fixed = true;
+  world.add(ground);
+  untouched.add(ground);
+  std::vector<BodyId> ids;
+  for (const Pose<T>& pose : this->poses()) {
+    ids.push_back(world.add({this->crate, pose}));
+    untouched.add({this->crate, pose});
+  }
+  world.update();
+  untouched.update();
+  const ContactArrays<T> whole = world.contacts();
+  reduce(world.contacts(), 4);
+  ASSERT_EQ(world.contacts().pairs.size(), whole.pairs.size());
+  for (std::size_t i = 0; i < whole.pairs.size(); ++i) {
+    const auto& pair = world.contacts().pairs[i];
+    EXPECT_EQ(seen(world.contacts(), pair).size(), std::min<std::size_t>(4, seen(whole, whole.pairs[i]).size()));
+  }
+  for (auto& p : world.contacts().points) p.impulse = {T(1), T(2), T(3)};
+  const ContactArrays<T> reduced = world.contacts();
+
+  Pose<T> moved = this->poses()[7];
+  moved.translation.y += T(0.001);
+  world.move(ids[7], moved);
+  world.update();
+  ASSERT_EQ(world.contacts().pairs.size(), whole.pairs.size());
+  untouched.move(ids[7], moved);
+  untouched.update();
+  int again = 0;
+  for (std::size_t i = 0; i < whole.pairs.size(); ++i) {
+    const auto& pair = world.contacts().pairs[i];
+    const bool changed = pair.a == ids[7].index || pair.b == ids[7].index;
+    again += changed;
+    const auto anew = seen(untouched.contacts(), untouched.contacts().pairs[i]);
+    EXPECT_TRUE(seen(world.contacts(), pair) == (changed ? anew : seen(reduced, reduced.pairs[i]))) << i;
+    if (changed) {
+      EXPECT_GT(anew.size(), 8u);
+    }
+    std::size_t pushed = 0;
+    for (const auto& m : world.contacts().manifolds_of(pair))
+      for (const auto& p : world.contacts().points_of(m)) pushed += p.impulse == Vec3<T>{T(1), T(2), T(3)};
+    EXPECT_GE(pushed, std::min<std::size_t>(4, seen(reduced, reduced.pairs[i]).size()));
+  }
+  EXPECT_EQ(again, 1);
+}
+
+}  // namespace
+}  // namespace graze::testing
