@@ -85,12 +85,13 @@ bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   };
   const T size_a = extent(a) + a.margin(), size_b = extent(b) + b.margin();
   if (size_a != size_b) return size_a < size_b;
-  const Posed b_of_a = relative_in_double(pose_a, pose_b), a_of_b = relative_in_double(pose_b, pose_a);
-  const Vec3d &at_b = b_of_a.translation, &at_a = a_of_b.translation;
+  const Posed frame_a = in_double(pose_a), frame_b = in_double(pose_b);
+  const Vec3d at_b = inverse_transform(frame_a, frame_b.translation),
+              at_a = inverse_transform(frame_b, frame_a.translation);
   for (std::size_t i = 0; i < 3; ++i)
     if (at_b[i] != at_a[i]) return at_b[i] < at_a[i];
-  const Vec3d turn_b = b_of_a.rotation.vector() * b_of_a.rotation.w,
-              turn_a = a_of_b.rotation.vector() * a_of_b.rotation.w;
+  const Quatd b_of_a = relative(frame_a, frame_b).rotation, a_of_b = relative(frame_b, frame_a).rotation;
+  const Vec3d turn_b = b_of_a.vector() * b_of_a.w, turn_a = a_of_b.vector() * a_of_b.w;
   for (std::size_t i = 0; i < 3; ++i)
     if (turn_b[i] != turn_a[i]) return turn_b[i] < turn_a[i];
   return false;
