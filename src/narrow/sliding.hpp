@@ -42,28 +42,44 @@ class Sliding {
 
   /// How much deeper the shapes may get along a normal than they were at the start.
   double may_sink(const Vec3d& n, const PieceAt<T>& a, const PieceAt<T>& b) {
-    if (!(sink_ > 0))
-      sink_ = sinking * static_cast<double>(cast_tolerance<T>) * size() + least(slack_, size() * slack_of_size);
     const double way = (width(a_, a, n) + width(b_, b, n)) / 2 + base_;
-    // No less than what the distance itself is off by.
-    return greatest(least(greatest(sink_, turns_deep_), way * sinking_of_way), tolerance_ / 16);
+    return greatest(least(most_sinking(), way * sinking_of_way), least_sinking());
   }
   double base() const { return base_; }
 
   /// Whether no plane of those at hand shows that the shapes slid from one impact to the next: the normal of either,
   /// and the one between them along which they move.
-  bool passed(const Impact& from, const Impact& to) { return passed(from, to, to.t); }
+  bool passed(const Impact& from, const Impact& to, const PieceAt<T>& a, const PieceAt<T>& b) {
+    return passed(from, to, to.t, a, b);
+  }
 
   /// `passed` of shapes that are apart at the second time. What is thin is apart again before it is on the other side,
   /// so the plane is to show it for a while longer.
-  bool passed_out(const Impact& from, const Impact& to) {
-    return passed(from, to, still() ? to.t + 2 * size() / length(motion_.velocity) : to.t);
+  bool passed_out(const Impact& from, const Impact& to, const PieceAt<T>& a, const PieceAt<T>& b) {
+    return passed(from, to, still() ? to.t + 2 * size() / length(motion_.velocity) : to.t, a, b);
   }
 
  private:
+  /// What no width of the shapes makes more, and what none makes less.
+  double most_sinking() {
+    if (!(sink_ > 0))
+      sink_ = sinking * static_cast<double>(cast_tolerance<T>) * size() + least(slack_, size() * slack_of_size);
+    return greatest(sink_, turns_deep_);
+  }
+  /// No less than what the distance itself is off by.
+  double least_sinking() const { return tolerance_ / 16; }
+
   bool still() const { return motion_.a.none() && motion_.b.none(); }
-  bool passed(const Impact& from, const Impact& to, double until) {
-    const auto shows_sliding = [&](const Vec3d& n) { return slides_at(from.t, n) && slides_at(until, n); };
+  /// `a` and `b` are at the second time; until later than that only bodies go that do not turn.
+  bool passed(const Impact& from, const Impact& to, double until, const PieceAt<T>& a, const PieceAt<T>& b) {
+    std::optional<PieceAt<T>> begin_a, begin_b;
+    const auto slid_from = [&](const Vec3d& n) {
+      if (still()) return slides_at(from.t, n, a, b);
+      if (!begin_a) begin_a.emplace(a_, motion_.a.at(from.t));
+      if (!begin_b) begin_b.emplace(b_, motion_.b.at(from.t));
+      return slides_at(from.t, n, *begin_a, *begin_b);
+    };
+    const auto shows_sliding = [&](const Vec3d& n) { return slides_at(until, n, a, b) && slid_from(n); };
     const bool other_side = dot(from.normal, to.normal) < opposite_side;
     if (shows_sliding(from.normal) || (!other_side && shows_sliding(to.normal))) return false;
     if (is_half_space(a_) || is_half_space(b_)) return true;
@@ -71,9 +87,11 @@ class Sliding {
     const Vec3d between = from.normal * dot(to.normal, v) - to.normal * dot(from.normal, v);
     return !(length(between) > 0) || !shows_sliding(unit(between));
   }
-  bool slides_at(double t, const Vec3d& n) {
-    const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
+  bool slides_at(double t, const Vec3d& n, const PieceAt<T>& a, const PieceAt<T>& b) {
     const double gap = dot(n, motion_.offset_at(t) + b.support(-n) - a.support(n)) - a_.radius - b_.radius;
+    // Most planes need no widths, which cost twice what the gap does.
+    if (gap >= base_ - sinking_shown * least_sinking()) return true;
+    if (gap < base_ - sinking_shown * greatest(most_sinking(), least_sinking())) return false;
     return gap >= base_ - sinking_shown * may_sink(n, a, b);
   }
   static double width(const Piece<T>& piece, const PieceAt<T>& at, const Vec3d& n) {

@@ -100,7 +100,7 @@ class Advancement {
       const std::optional<Impact>& before = slid ? slid : pressing;
       const auto pressed = [&] { return pressing ? pressing : slid; };
       if (!touch) {
-        if (before && sliding_along.passed_out(*before, impact)) return pressed();
+        if (before && sliding_along.passed_out(*before, impact, a, b)) return pressed();
         pressing.reset();
         slid.reset();
         step = greatest(separation.stays_above(tolerance_ / 2, tolerance_ / 8, left),
@@ -116,7 +116,7 @@ class Advancement {
         if (i == 0) sliding_along.start(impact);
         const double sink = sliding_along.may_sink(impact.normal, a, b), floor = sliding_along.base() - sink;
         if (impact.distance < floor) return pressing ? pressing : impact;
-        if (before && sliding_along.passed(*before, impact)) return pressed();
+        if (before && sliding_along.passed(*before, impact, a, b)) return pressed();
         if (over) return std::nullopt;
         const double fell = pressing ? pressing->distance - impact.distance : 0;
         const bool approaches = approaching(separation);
