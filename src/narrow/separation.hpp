@@ -75,20 +75,19 @@ class Separation {
   double opening() const { return opening_; }
 
   /// How fast the gap closes to first order: for all points extreme within a turn of `lean`.
-  double closing(double lean) const {
+  double closing(double lean) {
     if (tilt_a_ == Vec3d{} && tilt_b_ == Vec3d{}) return -opening_;
     const double dt = lean / greatest(length(tilt_a_), length(tilt_b_));
-    return (at(0).value - linear(dt).value) / dt;
+    return (start().value - linear(dt).value) / dt;
   }
 
   /// A time, up to `most`, for which the gap is proven not to fall below `target` but for `slack`.
-  double stays_above(double target, double slack, double most) const {
-    const Sample start = at(0);
-    const double room = start.value - target;
+  double stays_above(double target, double slack, double most) {
+    const double room = start().value - target;
     if (!(room > 0)) return 0;
     const double by_speed = closing_ > 0 ? least(most, room / closing_) : most;
     if (by_speed >= most || !(curvature_ < std::numeric_limits<double>::infinity())) return by_speed;
-    return greatest(by_speed, root({0, room, start.slope}, target, slack, most));
+    return greatest(by_speed, root({0, room, start().slope}, target, slack, most));
   }
 
  private:
@@ -96,6 +95,11 @@ class Separation {
     double dt, value, slope;
   };
 
+  /// q at 0, asked for once: its supports are half of what a step of shapes in contact asks.
+  const Sample& start() {
+    if (!start_) start_ = at(0);
+    return *start_;
+  }
   /// q without its quadratic term.
   Sample linear(double dt) const {
     const Vec3d along_a = n_ + tilt_a_ * dt, along_b = n_ + tilt_b_ * dt;
@@ -136,6 +140,7 @@ class Separation {
     return low.dt;
   }
 
+  std::optional<Sample> start_;
   const PieceAt<T>&a_, &b_;
   Vec3d n_, tilt_a_, tilt_b_;
   double gap_, opening_, curvature_, closing_;

@@ -91,9 +91,9 @@ class Advancement {
       const PieceAt<T> a(a_, motion_.a.at(t)), b(b_, motion_.b.at(t));
       Impact impact = known ? *known : at(t, a, b);
       known.reset();
-      const Separation<T> separation(a, b, radii(), impact.normal, motion_.offset_at(t), motion_.velocity,
-                                     {impact.normal, motion_.a.angular, turning_radius_a_},
-                                     {impact.normal, motion_.b.angular, turning_radius_b_});
+      Separation<T> separation(a, b, radii(), impact.normal, motion_.offset_at(t), motion_.velocity,
+                               {impact.normal, motion_.a.angular, turning_radius_a_},
+                               {impact.normal, motion_.b.angular, turning_radius_b_});
       const double left = interval.end - t;
       const bool touch = touches(impact);
       double step = 0;
@@ -243,7 +243,7 @@ class Advancement {
   double radii() const { return a_.radius + b_.radius; }
   bool still() const { return motion_.a.none() && motion_.b.none(); }
   /// Faster than in sliding along.
-  bool approaching(const Separation<T>& separation) const {
+  bool approaching(Separation<T>& separation) const {
     const double speed = length(motion_.velocity) + length(motion_.a.angular) * finite(turning_radius_a_) +
                          length(motion_.b.angular) * finite(turning_radius_b_);
     return separation.closing(sliding<T>) > sliding<T> * speed;
