@@ -7,6 +7,7 @@
 #include "graze/io/collide.hpp"
 #include "graze/io/picture.hpp"
 #include "graze/io/scene_writer.hpp"
+#include "graze/io/solid.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
@@ -18,7 +19,7 @@ namespace {
 struct CollideArguments {
   SceneOptions scene;
   FramesOptions frames;
-  bool json = false;
+  bool json = false, solid = false;
   std::optional<double> margin;
   std::string precision = "double", out, svg;
   std::vector<double> direction{1, 0.7, 1.2};
@@ -85,11 +86,15 @@ int run_collide(const CollideArguments& options) {
   check_ending("--svg", options.svg, ".svg");
   check_ending("--out", options.out, ".glb");
   if (options.frames.frames) {
-    print_frames(options.scene.load(true), options.frames, options.margin, how.precision, options.json);
+    io::Scene scene = options.scene.load(true);
+    if (options.solid) io::make_solid(scene);
+    print_frames(scene, options.frames, options.margin, how.precision, options.json);
     return 0;
   }
-  const io::Scene scene = options.scene.load();
+  io::Scene scene = options.scene.load();
+  if (options.solid) io::make_solid(scene);
   const std::vector<io::TouchingPair> pairs = touching_pairs(scene, how);
+  for (std::string& sentence : io::unseen_inside(scene)) scene.notices.push_back(std::move(sentence));
   options.json ? print_pairs_as_json(scene, pairs) : print_pairs_as_table(scene, pairs);
   const Progress progress("drawing");
   if (!options.svg.empty()) io::write_picture(options.svg, scene, pairs, direction);
@@ -110,6 +115,9 @@ Run add_collide(CLI::App& app) {
                    "Also report what is up to this far apart; with --frames, what touched goes on until it is further "
                    "apart, by default by a small part of its size")
       ->default_str("0");
+  command->add_flag("--solid", options->solid,
+                    "Closed meshes are solid: what lies wholly inside them touches. A mesh that is not closed stays a "
+                    "surface, and a note says so");
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
