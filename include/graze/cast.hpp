@@ -10,7 +10,8 @@
 // known, D is `cast_tolerance<double>` times the larger. In `float` rounding the time itself moves the bodies by as
 // much again; it is rounded down; and what `overlap` calls touching at the start hits there. Answers are computed in
 // double, in a frame that moves with A: moving the scene does not change them. Nothing throws or prints; safe from any
-// thread.
+// thread. What begins wholly inside a solid mesh (`Mesh::solid`) touches it at once, as deep as `distance` says; a mesh
+// that is no solid is met at its surface alone.
 //
 // Method: translations of convex shapes by GJK's ray cast (van den Bergen 2004, "Ray casting against general convex objects
 // with application to continuous collision detection"), all else by conservative advancement (Mirtich 1996,

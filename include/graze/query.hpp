@@ -67,6 +67,8 @@ void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
 /// and so has no point of that face before it. No point stands for that corner: it would come and go with the rounding
 /// of poses wherever edges of stacked boxes about coincide.
 ///
+/// What lies wholly inside a solid mesh (see `Mesh::solid`) has one point there, that of `distance`.
+///
 /// Two half-spaces that are not opposite overlap without a depth and so without points: they have no manifold, alone or
 /// as children of compounds, and the answer is still that the shapes overlap.
 template <class T>
@@ -79,9 +81,9 @@ bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const
 template <class T>
 T contact_margin(const Shape<T>& a, const Shape<T>& b);
 
-/// The point of a shape's surface nearest to a point of the world. Negative inside of a convex shape, of a closed mesh (see `Mesh::closed`; its winding tells which side is inside), and
-/// of a compound that has such a child there; other meshes and height fields have no inside. On a mesh's surface the
-/// normal is the surface's own.
+/// The point of a shape's surface nearest to a point of the world. Negative inside of a convex shape, of a closed mesh,
+/// solid or not (see `Mesh::closed`; its winding tells which side is inside), and of a compound that has such a child
+/// there; other meshes and height fields have no inside. On a mesh's surface the normal is the surface's own.
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace = nullptr);
 

@@ -6,9 +6,11 @@
 // mesh is watertight: no ray slips between triangles that share an edge or a vertex (Woop, Benthin, Wald 2013,
 // "Watertight ray/triangle intersection"). Nothing throws or prints; only `raycast_all` allocates. Safe from any thread.
 //
-// Solids are hit where the ray enters them. What has no thickness (segments, points) is met within the ray's rounding.
-// A ray whose direction is zero, of which a number is not finite, or whose origin has a coordinate that cannot be
-// squared (beyond 1e37 in float, 1e150 in double) hits nothing; nor does any further along than that.
+// Solids, solid meshes (`Mesh::solid`) among them, are hit where the ray enters them, and at t = 0 by a ray that
+// begins inside; other closed meshes where it meets a triangle. What has no thickness (segments, points) is met
+// within the ray's rounding. A ray whose direction is zero, of which a number is not finite, or whose origin has a
+// coordinate that cannot be squared (beyond 1e37 in float, 1e150 in double) hits nothing; nor does any further along
+// than that.
 #pragma once
 
 #include <limits>

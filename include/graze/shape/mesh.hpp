@@ -37,7 +37,7 @@ class Mesh {
   std::span<const Vec3<T>> points() const;
   std::span<const Index> triangles() const;
   /// Whether the triangles bound a solid: each edge, by its indices, is shared by two that run through it in opposite
-  /// directions. Such a mesh has a mass, and an inside for `closest`.
+  /// directions. Such a mesh has a mass, and an inside for `closest`; for all else it has one if it is made `solid`.
   bool closed() const;
   Sides sides() const;
   /// Whether the inside counts as the mesh's own: for `overlap`, `distance`, `contacts`, casts and rays.

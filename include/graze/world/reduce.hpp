@@ -1,11 +1,12 @@
 // Fewer points of contact of a pair: of all its manifolds together, so that a solver has a bounded number to push at.
 //
-// Guarantee: of a pair with more than `count` points exactly `count` remain, the deepest among them, as they were and in
-// their order; a pair with no more stays as it is. A pair of one manifold keeps the points that `reduce` of it keeps. Of
-// several, each next point is the one furthest from all that are kept, so that no point that is left out is further from
-// a kept one than twice what the best choice of as many would have (Gonzalez 1985, "Clustering to minimize the maximum
-// intercluster distance"). Furthest in place and in normal: the difference of two unit normals counts that many times
-// the distance from the deepest point to the one furthest from it. Manifolds without a point left are left out.
+// Guarantee: of a pair with more than `count` points exactly `count` remain, the deepest among them, as they were and
+// in their order; a pair with no more stays as it is. A pair of one manifold keeps the points that `reduce` of it
+// keeps. Of several, each next point is the one furthest from all that are kept, so that no point that is left out is
+// further from a kept one than twice what the best choice of as many would have (Gonzalez 1985, "Clustering to
+// minimize the maximum intercluster distance"). Furthest in place and in normal: the difference of two unit normals
+// counts that many times the distance from the deepest point to the one furthest from it. Manifolds without a point
+// left are left out.
 #pragma once
 
 #include "graze/batch_contacts.hpp"
