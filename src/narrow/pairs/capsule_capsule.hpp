@@ -35,17 +35,14 @@ CoreDistance<S> between_segments(const CorePoints<S>& nearest, const Vec3<S>& n,
   return between(nearest.a, nearest.b, across, noise);
 }
 
-/// The normal at right angles to what it leaves, where the segments are near: not for capsules' axes, whose nearness
-/// is a depth of both radii, and which would take two fifths longer. Twice: each turns it by what it takes,
-/// and so out of the other's plane by less.
-template <class S>
-CoreDistance<S> settled(CoreDistance<S> d, const Segment<S>& a, const Segment<S>& b, const S& size) {
-  const auto close = d.distance < size * S(near_part);
-  if (!any(close)) return d;
+/// Turns the normal to right angles to what it leaves, where the segments are near: not for capsules' axes, whose
+/// nearness is a depth of both radii, and which would take two fifths longer. Twice: each turns it by what it takes, and
+/// so out of the other's plane by less. By itself, since few segments are so near.
+template <class S, class M>
+[[gnu::noinline, gnu::cold]] void settle(CoreDistance<S>& d, const Segment<S>& a, const Segment<S>& b, const M& close) {
   Vec3<S> n = d.normal;
   for (int i = 0; i < 2; ++i) n = -leaving(-leaving(n, a, d.a), b, d.b);
   d.normal = select(close, renormalized(n, d.normal), d.normal);
-  return d;
 }
 
 }  // namespace detail
@@ -57,10 +54,11 @@ CoreDistance<S> core_distance(const SegmentCore<S>& a, const SegmentCore<S>& b, 
   const Vec3<S> u = a.segment.b - a.segment.a, v = b.segment.b - b.segment.a, n = cross(u, v);
   const S ends = max_abs(a.segment.a) + max_abs(a.segment.b) + max_abs(b.segment.a) + max_abs(b.segment.b);
   const S noise = S(8) * epsilon<S> * ends + a.error + b.error;
-  const auto d =
+  CoreDistance<S> d =
       detail::between_segments(nearest, n, max_abs(n) > S(2) * epsilon<S> * max_abs(u) * max_abs(v), noise,
                                [&] { return normalized(select(length_squared(u) < length_squared(v), v, u)); });
-  return detail::settled(d, a.segment, b.segment, ends);
+  if (const auto close = d.distance < ends * S(near_part); any(close)) detail::settle(d, a.segment, b.segment, close);
+  return d;
 }
 template <class S>
 CoreDistance<S> core_distance(const TurnedAxis<S>& a, const TurnedAxis<S>& b, const CorePoints<S>& nearest) {
