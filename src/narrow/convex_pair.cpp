@@ -270,7 +270,8 @@ constexpr Routines<T> routines_of() {
   if constexpr (A <= B && is_convex<T, CA> && is_convex<T, CB>) {
     if constexpr (has_special_distance<CA, CB, T>) routines.distance = &special_distance<CA, CB, T>;
     if constexpr (has_special_overlap<CA, CB, T>) routines.overlap = &special_overlap<CA, CB, T>;
-    if constexpr (overlaps_by_distance<CA, CB, T>) routines.overlap_by_distance = &overlap_by_distance<CA, CB, T>;
+    if constexpr (overlaps_by_distance<CA, CB, T> && !has_special_overlap<CA, CB, T>)
+      routines.overlap_by_distance = &overlap_by_distance<CA, CB, T>;
   }
   return routines;
 }
