@@ -46,7 +46,7 @@ class Shape {
   /// that is negative, larger than `largest_magnitude`, or given to a composite.
   template <class C>
   requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T margin = T(0))
-      : list_(std::move(concrete)), margin_(validate::extent(margin, "margin")) {
+      : list_(std::move(concrete)), margin_(validate::size(margin, "margin")) {
     if constexpr (!BoundedConvex<C> && !std::is_same_v<C, HalfSpace<T>>)
       if (margin != T(0)) validate::fail("margin", "0 (only convex shapes are rounded)", static_cast<double>(margin));
   }

@@ -1,7 +1,7 @@
 // What the constructors of shapes demand of their numbers.
 //
 // Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; one that does not
-// raises `InvalidValue` naming it.
+// raises `InvalidValue` naming it. Sizes and coordinates of shapes that are smaller than `smallest_magnitude` become zero.
 #pragma once
 
 #include <cmath>
@@ -29,6 +29,22 @@ inline constexpr T largest_magnitude = T(1e48);
 /// to M = 7.8e17.
 template <>
 inline constexpr float largest_magnitude<float> = 1e17f;
+
+/// The smallest length or coordinate of a shape that is not zero. Constructors take a smaller one as zero: a ball is
+/// then a point, a box a rectangle. A size of zero is answered for as any other, whereas a product of small lengths
+/// that underflows gives a wrong sign. A shape therefore lies within sqrt(3) times this number of what it was given, and
+/// answers are right to `tolerance` times the size or to a few times this number, whichever is larger. Shapes that are
+/// less than this number apart may be said to touch, by `overlap` where `distance` has the gap. Poses, points and what
+/// a user's support function returns are left as they are, but for one that reaches nowhere further than this: that is
+/// the origin.
+///
+/// With m for this number: what has six factors in double (see `largest_magnitude`) is down to m^6 = 1e-288, and its
+/// last digit, 1e-304, is still above the smallest normal number, 2.2e-308.
+template <class T>
+inline constexpr T smallest_magnitude = T(1e-48);
+/// What has two factors in float is down to m^2 = 1e-34, and its last digit, 6e-42, above the smallest number, 1.4e-45.
+template <>
+inline constexpr float smallest_magnitude<float> = 1e-17f;
 
 }  // namespace graze
 
@@ -60,7 +76,23 @@ T extent(T value, const char* path) {
   return value;
 }
 
-/// A vector of such lengths.
+/// `value`, and zero (of the same sign) for what is smaller than `smallest_magnitude`. NaN stays NaN.
+template <class T>
+T resolved(T value) {
+  return std::abs(value) < smallest_magnitude<T> ? value * T(0) : value;
+}
+template <class T>
+Vec3<T> resolved(const Vec3<T>& v) {
+  return {resolved(v.x), resolved(v.y), resolved(v.z)};
+}
+
+/// A length of a shape: an `extent`, zero where it is smaller than `smallest_magnitude`.
+template <class T>
+T size(T value, const char* path) {
+  return resolved(extent(value, path));
+}
+
+/// A vector of lengths from 0 to `largest_magnitude`, returned as it came.
 template <class T>
 Vec3<T> extents(const Vec3<T>& v, const std::string& path) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -83,6 +115,12 @@ template <class T>
 Vec3<T> point(const Vec3<T>& v, const char* path) {
   if (!fault_of_coordinate(v.x) && !fault_of_coordinate(v.y) && !fault_of_coordinate(v.z)) return v;
   return point(v, std::string(path));
+}
+
+/// A vertex of a shape: a `point` whose coordinates are zero where they are smaller than `smallest_magnitude`.
+template <class T>
+Vec3<T> vertex(const Vec3<T>& v, const char* path) {
+  return resolved(point(v, path));
 }
 
 /// A finite quaternion that is not zero, returned at unit length.

@@ -25,6 +25,7 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
     Placed<T>& child = children[i];
     const std::string path = "children[" + std::to_string(i) + "]";
     validate::point(child.pose.translation, path + ".translation");
+    child.pose.translation = validate::resolved(child.pose.translation);
     child.pose.rotation = validate::rotation(child.pose.rotation, path + ".rotation");
 
     const T reach = length(child.pose.translation) + child.shape.margin() +

@@ -118,16 +118,19 @@ class HighVertices {
 }  // namespace
 
 template <class T>
-ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> points) {
-  if (points.empty()) throw InvalidValue("points", "at least one point", "none");
+ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> given) {
+  if (given.empty()) throw InvalidValue("points", "at least one point", "none");
+  std::vector<Vec3<T>> resolved;
+  resolved.reserve(given.size());
   std::vector<Vec3d> precise;
-  precise.reserve(points.size());
+  precise.reserve(given.size());
   double largest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    validate::point(points[i], "points[" + std::to_string(i) + "]");
-    precise.push_back(cast<double>(points[i]));
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    resolved.push_back(validate::resolved(validate::point(given[i], "points[" + std::to_string(i) + "]")));
+    precise.push_back(cast<double>(resolved.back()));
     largest = std::max(largest, max_abs(precise.back()));
   }
+  const std::span<const Vec3<T>> points = resolved;
   auto hull = std::make_shared<HullData<T>>();
   const Grid grid = to_grid(precise);
   // What the coordinates' own rounding can do to a plane through three of them, and the grid's step.

@@ -82,8 +82,9 @@ template <class T>
 HeightField<T>::HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x, T spacing_z,
                             Sides sides) {
   check(columns, rows, heights);
-  validate::extent(spacing_x, "spacing[0]");
-  validate::extent(spacing_z, "spacing[1]");
+  spacing_x = validate::size(spacing_x, "spacing[0]");
+  spacing_z = validate::size(spacing_z, "spacing[1]");
+  for (T& height : heights) height = validate::resolved(height);
   auto data = std::make_shared<HeightFieldData<T>>();
   data->columns = static_cast<std::uint32_t>(columns);
   data->rows = static_cast<std::uint32_t>(rows);

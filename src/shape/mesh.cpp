@@ -88,6 +88,7 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
         throw InvalidValue("triangles[" + std::to_string(i) + "][" + std::to_string(k) + "]",
                            "an index below " + std::to_string(points.size()), std::to_string(triangles[i][k]));
   auto data = std::make_shared<MeshData<T>>();
+  for (Vec3<T>& p : points) p = validate::resolved(p);
   for (const Vec3<T>& p : points) data->extent = greatest(data->extent, length(p));
   data->sides = sides;
   {

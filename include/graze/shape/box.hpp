@@ -18,7 +18,7 @@ class Box {
   static constexpr const char* name = "box";
 
   /// `size`: the full edge lengths, each >= 0 (zero makes a rectangle, a segment or a point). Throws `InvalidValue`.
-  explicit Box(const Vec3<T>& size) : half_(validate::extents(size, "size") * T(0.5)) {}
+  explicit Box(const Vec3<T>& size) : half_(validate::resolved(validate::extents(size, "size")) * T(0.5)) {}
 
   const Vec3<T>& half_extents() const { return half_; }
 

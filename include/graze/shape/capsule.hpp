@@ -18,9 +18,9 @@ class Capsule {
 
   /// `height` between the centres of the balls, which lie on the Y axis about the origin; all >= 0.
   Capsule(T height, T radius_bottom, T radius_top)
-      : half_height_(validate::extent(height, "height") / T(2)),
-        radius_bottom_(validate::extent(radius_bottom, "radiusBottom")),
-        radius_top_(validate::extent(radius_top, "radiusTop")) {}
+      : half_height_(validate::size(height, "height") / T(2)),
+        radius_bottom_(validate::size(radius_bottom, "radiusBottom")),
+        radius_top_(validate::size(radius_top, "radiusTop")) {}
   Capsule(T height, T radius) : Capsule(height, radius, radius) {}
 
   T half_height() const { return half_height_; }

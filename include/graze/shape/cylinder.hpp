@@ -21,9 +21,9 @@ class Cylinder {
 
   /// `height` along Y about the origin; all >= 0.
   Cylinder(T height, T radius_bottom, T radius_top)
-      : half_height_(validate::extent(height, "height") / T(2)),
-        radius_bottom_(validate::extent(radius_bottom, "radiusBottom")),
-        radius_top_(validate::extent(radius_top, "radiusTop")) {}
+      : half_height_(validate::size(height, "height") / T(2)),
+        radius_bottom_(validate::size(radius_bottom, "radiusBottom")),
+        radius_top_(validate::size(radius_top, "radiusTop")) {}
   Cylinder(T height, T radius) : Cylinder(height, radius, radius) {}
 
   T half_height() const { return half_height_; }

@@ -16,7 +16,7 @@ class Ellipsoid {
   static constexpr const char* name = "ellipsoid";
 
   /// `radii` along the axes, about the origin, each >= 0.
-  explicit Ellipsoid(const Vec3<T>& radii) : radii_(validate::extents(radii, "radii")) {}
+  explicit Ellipsoid(const Vec3<T>& radii) : radii_(validate::resolved(validate::extents(radii, "radii"))) {}
 
   const Vec3<T>& radii() const { return radii_; }
 

@@ -13,7 +13,7 @@ class Rectangle {
   static constexpr const char* name = "rectangle";
 
   /// Full edge lengths along X and Z, each >= 0.
-  Rectangle(T size_x, T size_z) : box_({validate::extent(size_x, "sizeX"), T(0), validate::extent(size_z, "sizeZ")}) {}
+  Rectangle(T size_x, T size_z) : box_({validate::size(size_x, "sizeX"), T(0), validate::size(size_z, "sizeZ")}) {}
 
   /// The box of zero thickness that this is.
   const Box<T>& as_box() const { return box_; }

@@ -17,7 +17,7 @@ class Sphere {
 
   /// `radius` >= 0 about `center` (in the shape's frame). Throws `InvalidValue`.
   explicit Sphere(T radius, const Vec3<T>& center = {})
-      : center_(validate::point(center, "center")), radius_(validate::extent(radius, "radius")) {}
+      : center_(validate::vertex(center, "center")), radius_(validate::size(radius, "radius")) {}
 
   T radius() const { return radius_; }
   const Vec3<T>& center() const { return center_; }

@@ -43,7 +43,7 @@ class Triangle {
 
   /// Counter-clockwise seen from its front.
   Triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c)
-      : points_{validate::point(a, "points[0]"), validate::point(b, "points[1]"), validate::point(c, "points[2]")} {}
+      : points_{validate::vertex(a, "points[0]"), validate::vertex(b, "points[1]"), validate::vertex(c, "points[2]")} {}
 
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 
@@ -96,7 +96,7 @@ class LineSegment {
   static constexpr const char* name = "segment";
 
   LineSegment(const Vec3<T>& a, const Vec3<T>& b)
-      : points_{validate::point(a, "points[0]"), validate::point(b, "points[1]")} {}
+      : points_{validate::vertex(a, "points[0]"), validate::vertex(b, "points[1]")} {}
 
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 

@@ -23,19 +23,31 @@ class SupportFunction {
   virtual Vec3<T> support(const Vec3<T>& direction) const = 0;
 };
 
+/// The support function of the origin alone.
+template <class T>
+class OriginSupport final : public SupportFunction<T> {
+ public:
+  Vec3<T> support(const Vec3<T>&) const override { return {}; }
+};
+
 template <class T>
 class UserConvex {
  public:
   static constexpr const char* name = "user";
 
   /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger
-  /// than `largest_magnitude`.
+  /// than `largest_magnitude`. A set that reaches less than `smallest_magnitude` along every axis is the origin; of others
+  /// small parts are kept as they are.
   explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
     if (!function_) validate::fail("function", "a support function", "null");
     const Aabb<T> box = core_bounds({});
     validate::point(box.lower, "function.support(negative axes)");
     validate::point(box.upper, "function.support(positive axes)");
-    extent_ = length(greatest(abs(box.lower), abs(box.upper)));
+    const Vec3<T> reach = greatest(abs(box.lower), abs(box.upper));
+    if (max_abs(reach) < smallest_magnitude<T>)
+      function_ = std::make_shared<OriginSupport<T>>();
+    else
+      extent_ = length(reach);
   }
   UserConvex(const UserConvex& lender, Lent)
       : function_(std::shared_ptr<void>(), lender.function_.get()), extent_(lender.extent_) {}
