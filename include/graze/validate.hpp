@@ -1,7 +1,7 @@
 // What the constructors of shapes demand of their numbers.
 //
 // Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; one that does not
-// raises `InvalidValue` naming it. Sizes and coordinates of shapes that are smaller than `smallest_magnitude` become zero.
+// raises `InvalidValue` naming it. Sizes and coordinates of shapes below `smallest_magnitude` become zero.
 #pragma once
 
 #include <cmath>
@@ -32,7 +32,7 @@ inline constexpr float largest_magnitude<float> = 1e17f;
 
 /// The smallest length or coordinate of a shape that is not zero. Constructors take a smaller one as zero: a ball is
 /// then a point, a box a rectangle. A size of zero is answered for as any other, whereas a product of small lengths
-/// that underflows gives a wrong sign. A shape therefore lies within sqrt(3) times this number of what it was given, and
+/// that underflows gives a wrong sign. A shape is therefore within sqrt(3) times this number of what was given, and
 /// answers are right to `tolerance` times the size or to a few times this number, whichever is larger. Shapes that are
 /// less than this number apart may be said to touch, by `overlap` where `distance` has the gap. Poses, points and what
 /// a user's support function returns are left as they are, but for one that reaches nowhere further than this: that is

@@ -1,4 +1,4 @@
-// Answers do not change with the size of the world, down to the smallest that is told from zero; shapes below are points.
+// Answers do not change with the size of the world, down to the smallest magnitude; shapes below it are points.
 #include <gtest/gtest.h>
 
 #include <cmath>

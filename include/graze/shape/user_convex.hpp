@@ -36,8 +36,8 @@ class UserConvex {
   static constexpr const char* name = "user";
 
   /// Shares `function`. Throws `InvalidValue` when it is null or its support along an axis is not finite or larger
-  /// than `largest_magnitude`. A set that reaches less than `smallest_magnitude` along every axis is the origin; of others
-  /// small parts are kept as they are.
+  /// than `largest_magnitude`. A set that reaches less than `smallest_magnitude` along every axis is the origin; of
+  /// others small parts are kept as they are.
   explicit UserConvex(std::shared_ptr<const SupportFunction<T>> function) : function_(std::move(function)) {
     if (!function_) validate::fail("function", "a support function", "null");
     const Aabb<T> box = core_bounds({});
