@@ -4,8 +4,8 @@
 // of the pair (the larger radius about a shape's own origin), or its status says that it is not and `error` by how much
 // it may be off. Answers are computed in a frame relative to the pair: moving the scene does not change them. Nothing
 // throws, aborts, prints or allocates but for what a caller asks to be stored. Safe from any thread. All this for poses,
-// points and margins that are finite and no larger than `largest_magnitude`, which queries do not check. Sizes of shapes
-// below `smallest_magnitude` are zero: such a shape is a point, and answers are right to a few times that number.
+// points and margins that are finite and no larger than `largest_magnitude`, which queries do not check. Sizes below
+// `smallest_magnitude` are zero: such a shape is a point, and answers are right to a few times that number.
 //
 // Normals are unit vectors that point from A to B; distances are signed: positive between separated shapes, negative
 // when they overlap, and then minus the length of the shortest translation that separates them.
