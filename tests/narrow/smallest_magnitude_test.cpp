@@ -17,7 +17,7 @@ namespace graze::testing {
 namespace {
 
 /// Random specimens reach up to 4 from their own origins.
-constexpr double reach = 4;
+constexpr double specimen_reach = 4;
 
 template <class T>
 struct Scene {
@@ -78,7 +78,7 @@ T deepest(const Scene<T>& s, T margin) {
 
 template <class T>
 void expect_scaled(const Scene<T>& unit, const Scene<T>& scaled, T scale) {
-  const T within = 2 * tolerance<T> * T(reach);
+  const T within = 2 * tolerance<T> * T(specimen_reach);
   const auto near = distance(unit.a, unit.pose_a, unit.b, unit.pose_b);
   const auto small = distance(scaled.a, scaled.pose_a, scaled.b, scaled.pose_b);
   EXPECT_EQ(near.status == Status::unbounded, small.status == Status::unbounded);
@@ -139,10 +139,10 @@ TYPED_TEST(SmallestMagnitude, AnswersAboveItAreThoseAtOne) {
 /// From scenes of the bound's own size down to where nothing but zero is left.
 TYPED_TEST(SmallestMagnitude, ShapesBelowItArePoints) {
   using T = TypeParam;
-  const T bound = smallest_magnitude<T>, allowed = T(reach) * bound;
+  const T bound = smallest_magnitude<T>, allowed = T(specimen_reach) * bound;
   for (const T apart : {T(1), bound * 1000, bound, bound / 1000, std::sqrt(std::numeric_limits<T>::min()) / 1000,
                         std::numeric_limits<T>::min()})
-    for (const T size : {bound / T(reach), bound / 1000, std::numeric_limits<T>::min()})
+    for (const T size : {bound / T(specimen_reach), bound / 1000, std::numeric_limits<T>::min()})
       for_all_kinds<T>([&](const PlacedSpecimen& a, const PlacedSpecimen& b) {
         const bool plane_a = a.specimen.kind == Kind::half_space, plane_b = b.specimen.kind == Kind::half_space;
         if (plane_a && plane_b) return;
