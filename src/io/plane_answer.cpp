@@ -24,6 +24,10 @@ void write_plane_distance(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& o
   const plane::Distance<T> d = plane::distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose, trace);
   if (d.status == Status::unbounded)
     throw InvalidValue("a, b", "shapes of finite depth", "two half-spaces that are not opposite");
+  if (q.limit && d.distance > *q.limit) {
+    out.key("beyond").value(true);
+    return;
+  }
   out.key("distance").number(d.distance);
   write_flat(out, "normal", d.normal);
   write_flat(out, "a", d.a);

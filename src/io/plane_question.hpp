@@ -25,6 +25,7 @@ struct PlaneQuestion {
   T ray_length = std::numeric_limits<T>::infinity();
   std::optional<plane::Vec2<T>> point;
   T duration = T(1);
+  std::optional<T> limit;
   bool explain = false;
 };
 
