@@ -147,7 +147,10 @@ PlaneQuestion<T> read_plane_question(const JsonValue& json) {
   if (const auto r = json.find("ray")) read_plane_ray(*r, q);
   if (const auto p = json.find("point")) q.point = read_vector2<T>(*p);
   if (const auto d = json.find("duration")) q.duration = d->length<T>();
-  if (const auto l = json.find("limit")) q.limit = l->length<T>();
+  if (const auto l = json.find("limit")) {
+    if (q.query != QueryKind::distance) l->fail("no limit for this query");
+    q.limit = l->length<T>();
+  }
   if (const auto e = json.find("explain")) q.explain = e->boolean();
 
   if (q.query == QueryKind::raycast && !q.ray) json.at("ray");
