@@ -3,13 +3,13 @@
 //   bench_broad [--largest N] [--frames N] [--filter REGEX] [--scene REGEX]
 //
 // Scenes: `coherent` all boxes drift, `tenth` every tenth does, `teleport` all jump anywhere, `uneven` one in a hundred
-// is 50 times larger, `spread` the same with room for these, `clustered` in a few heaps far apart. Each box has three to
-// six neighbours, but for `uneven`, where the larger ones overlap a good part of all. All libraries get the
-// same boxes in single precision (`double` those boxes in double), in turns frame by frame. Told are the median and the
-// mean of the processor's time, how many pairs each finds (those that keep fat boxes find more than there are; `moved`
-// asks only for the pairs of what moved), and the bytes it holds a box. The mean is what counts for those that do much of
-// their work in few of the frames. One that takes more than two seconds over the first frame, or took a fifth of one with a
-// tenth of the boxes, is left out.
+// is 50 times larger, `spread` the same with room for these, `clustered` in a few heaps far apart. Each box has three
+// to six neighbours, but for `uneven`, where the larger ones overlap a good part of all. All libraries get the same
+// boxes in single precision (`double` those boxes in double), in turns frame by frame. Told are the median and the mean
+// of the processor's time, how many pairs each finds (those that keep fat boxes find more than there are; `moved` asks
+// only for the pairs of what moved), and the bytes it holds a box. The mean is what counts for those that do much of
+// their work in few of the frames. One that takes more than two seconds over the first frame, or took a fifth of one
+// with a tenth of the boxes, is left out.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -206,8 +206,8 @@ constexpr double larger = 50;
 class Motion {
  public:
   Motion(const Scene& scene, std::size_t count) : scene_(scene), velocity_(count) {
-    // So many boxes of a mean side of 1 in a cube of this side have about four neighbours each: two of them overlap in a
-    // share of the cube's volume that is the cube of their sides' sum.
+    // So many boxes of a mean side of 1 in a cube of this side have about four neighbours each: two of them overlap in
+    // a share of the cube's volume that is the cube of their sides' sum.
     const double share = 1.0 / few, sum = 1 + larger;
     const double volume = !scene.spread ? 8
                                         : (1 - share) * (1 - share) * 8 + 2 * share * (1 - share) * sum * sum * sum +

@@ -15,8 +15,8 @@ struct ChartRow {
   double batch = 0;        ///< of Graze, all pairs at once; 0 where there is none
 };
 
-/// An SVG of its own, for a light page and a dark one: bars on one logarithmic scale, on which the same ratio is the same
-/// length everywhere.
+/// An SVG of its own, for a light page and a dark one: bars on one logarithmic scale, on which the same ratio is the
+/// same length everywhere.
 std::string chart(const std::string& title, const std::string& note, const std::vector<ChartRow>& rows);
 
 }  // namespace graze::bench

@@ -42,8 +42,8 @@ Judge ray_judge(const Reference& reference);
 
 /// How near two bodies come on the way: the least of the gap, which is a convex function of time.
 double least_gap(const Reference& reference, std::size_t i);
-/// Whether the answer misses a hit, finds one where there is none, or tells a time at which the shapes are further apart
-/// or deeper than `same` times their size.
+/// Whether the answer misses a hit, finds one where there is none, or tells a time at which the shapes are further
+/// apart or deeper than `same` times their size.
 bool wrong_cast(const Reference& reference, std::size_t i, double least, double t, double same);
 /// Pairs that miss or meet by less than `coarse` are not counted; the error is the gap at the time of the answer.
 Judge cast_judge(const Reference& reference);

@@ -1,7 +1,7 @@
 // ODE, in the precision it was built with. It has contacts and no distance; overlap is a request for one contact. A
-// triangle is a mesh of one, of which it takes only the front: a quarter of its answers about triangles are wrong by our
-// count. It meets hulls with rays as if they came straight at a face, and misses most that come aslant. For a pair that
-// it has no function for it says, without a word, "no contact".
+// triangle is a mesh of one, of which it takes only the front: a quarter of its answers about triangles are wrong by
+// our count. It meets hulls with rays as if they came straight at a face, and misses most that come aslant. For a pair
+// that it has no function for it says, without a word, "no contact".
 #ifdef GRAZE_BENCH_ODE
 
 #include <ode/ode.h>

@@ -2,12 +2,12 @@
 //
 //   bench_rays [--mesh FILE.obj] [--rays N] [--rounds N] [--only REGEX]
 //
-// Without a file the mesh is a torus of 70,528 triangles with bumps all over it. `camera` are the rays of a picture that
-// the mesh fills, row by row; `shadow` are parallel ones at what a picture from above shows, row by row too; `random` go
-// from a sphere around it to points in its bounds. All libraries get the same rays in single precision, in turns round by
-// round; told are rays in a second of the processor's time by the median round, how often the first hit is not where
-// Embree's robust mode has it, and what that rate is in parts of Embree's. Embree's own `fast` mode is what its robust one
-// would cost without watertightness; Graze's answers are watertight and in double.
+// Without a file the mesh is a torus of 70,528 triangles with bumps all over it. `camera` are the rays of a picture
+// that the mesh fills, row by row; `shadow` are parallel ones at what a picture from above shows, row by row too;
+// `random` go from a sphere around it to points in its bounds. All libraries get the same rays in single precision, in
+// turns round by round; told are rays in a second of the processor's time by the median round, how often the first hit
+// is not where Embree's robust mode has it, and what that rate is in parts of Embree's. Embree's own `fast` mode is
+// what its robust one would cost without watertightness; Graze's answers are watertight and in double.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -3,10 +3,10 @@
 //   bench_world [--bodies N] [--frames N] [--largest-threads N]
 //
 // Half of the bodies are boxes and half spheres, 0.5 to 1.5 wide, at random places with about one body in each cube of
-// twice the mean width, so that they make heaps here and there; each drifts by up to a hundredth of its size a frame and
-// the boxes turn as much. Everything is in single precision and nothing sleeps. Told are medians by the clock: of giving
-// all poses, of `World::update`, and of each stage run alone on arrays of its own. Threads are oneTBB's, where that is
-// installed.
+// twice the mean width, so that they make heaps here and there; each drifts by up to a hundredth of its size a frame
+// and the boxes turn as much. Everything is in single precision and nothing sleeps. Told are medians by the clock: of
+// giving all poses, of `World::update`, and of each stage run alone on arrays of its own. Threads are oneTBB's, where
+// that is installed.
 #include <cmath>
 #include <cstdio>
 #include <memory>

@@ -1,7 +1,7 @@
 // A capsule walks through a scene: over a floor, up steps, along a wall, into a corner.
 //
-// `slide` moves a shape until it touches and turns the rest along the surface. A step is the same way a little higher, and
-// down again; it is taken when it leads further.
+// `slide` moves a shape until it touches and turns the rest along the surface. A step is the same way a little higher,
+// and down again; it is taken when it leads further.
 #include <graze/slide.hpp>
 
 #include <cstdio>

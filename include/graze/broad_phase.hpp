@@ -76,8 +76,8 @@ std::unique_ptr<BroadPhase<T>> make_hashed_grid();
 template <class T>
 std::unique_ptr<BroadPhase<T>> make_loose_octree();
 
-/// An axis-aligned binary space partition, a k-d tree, built anew when boxes have moved (Bentley 1975, "Multidimensional
-/// binary search trees used for associative searching"). For what stands still.
+/// An axis-aligned binary space partition, a k-d tree, built anew when boxes have moved (Bentley 1975,
+/// "Multidimensional binary search trees used for associative searching"). For what stands still.
 template <class T>
 std::unique_ptr<BroadPhase<T>> make_bsp();
 

@@ -13,8 +13,8 @@
 // thread. What begins wholly inside a solid mesh (`Mesh::solid`) touches it at once, as deep as `distance` says; a mesh
 // that is no solid is met at its surface alone.
 //
-// Method: translations of convex shapes by GJK's ray cast (van den Bergen 2004, "Ray casting against general convex objects
-// with application to continuous collision detection"), all else by conservative advancement (Mirtich 1996,
+// Method: translations of convex shapes by GJK's ray cast (van den Bergen 2004, "Ray casting against general convex
+// objects with application to continuous collision detection"), all else by conservative advancement (Mirtich 1996,
 // "Impulse-based dynamic simulation of rigid body systems", section 2.3; Zhang, Lee, Kim 2006, "Interactive continuous
 // collision detection for non-convex polyhedra"). Cost: of two boxes about four times that of their distance, turning
 // about twenty to forty times.
@@ -33,10 +33,10 @@ namespace graze {
 template <class T>
 Pose<T> pose_at(const Pose<T>& pose, const Velocity<T>& velocity, T t);
 
-/// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or overlap
-/// at the start hit at t = 0 (but see `Separating`). `duration` is finite and >= 0. Of composites the first contact of
-/// any pair of pieces; of several at the same time the deepest. A `trace` gets, after the answer, the steps of
-/// conservative advancement up to it and the separating axes there.
+/// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or
+/// overlap at the start hit at t = 0 (but see `Separating`). `duration` is finite and >= 0. Of composites the first
+/// contact of any pair of pieces; of several at the same time the deepest. A `trace` gets, after the answer, the steps
+/// of conservative advancement up to it and the separating axes there.
 template <class T>
 std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
                                const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration,

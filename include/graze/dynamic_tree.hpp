@@ -59,9 +59,9 @@ class DynamicTree final : public BroadPhase<T> {
   /// rounding cannot tell from as near may be among them.
   template <class F>
   void nearest(const Aabb<T>& from, T limit, const F& f) const;
-  /// The boxes whose key is at most `limit`, those of a node in the order of their keys: `keys(node, out)` gives those of
-  /// a node's children, no larger than that of any box in them; `f(id, box)` returns the limit from then on, below zero to
-  /// end the search.
+  /// The boxes whose key is at most `limit`, those of a node in the order of their keys: `keys(node, out)` gives those
+  /// of a node's children, no larger than that of any box in them; `f(id, box)` returns the limit from then on, below
+  /// zero to end the search.
   template <class Keys, class F>
   void in_order(const Keys& keys, T limit, const F& f) const;
 

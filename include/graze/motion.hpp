@@ -10,14 +10,15 @@
 namespace graze {
 
 /// How near, relative to the smaller shape, counts as contact of moving shapes. Ten times the tolerance of a distance:
-/// the normal is the direction of what is left of the gap, and loses as many digits as that has zeros. `float`'s is some
-/// ten roundings of the support points of a user's shape, and no more than rounding the time to float costs.
+/// the normal is the direction of what is left of the gap, and loses as many digits as that has zeros. `float`'s is
+/// some ten roundings of the support points of a user's shape, and no more than rounding the time to float costs.
 template <class T>
 inline constexpr T cast_tolerance = T(1e-9);
 template <>
 inline constexpr float cast_tolerance<float> = 2e-6f;
 
-/// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant rate.
+/// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant
+/// rate.
 template <class T>
 struct Velocity {
   Vec3<T> linear{};

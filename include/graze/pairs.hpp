@@ -18,9 +18,9 @@ template <class T>
 class KeptPairs;
 
 /// All overlapping pairs of many boxes, frame after frame; see `BroadPhase` for structures that also answer queries.
-/// Remembers the pairs of boxes with some room around them, which serve for as long as most boxes stay in it: what stands
-/// still or drifts then costs an eighth of finding all anew. What moves far is found in the rows of a grid over two axes,
-/// swept along the third. The answer is a function of the boxes alone, whatever is remembered.
+/// Remembers the pairs of boxes with some room around them, which serve for as long as most boxes stay in it: what
+/// stands still or drifts then costs an eighth of finding all anew. What moves far is found in the rows of a grid over
+/// two axes, swept along the third. The answer is a function of the boxes alone, whatever is remembered.
 template <class T>
 class PairFinder {
  public:

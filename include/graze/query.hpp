@@ -3,9 +3,9 @@
 // Guarantee: every question answers for every pair of shapes. An answer is right within `tolerance<T>` times the size
 // of the pair (the larger radius about a shape's own origin), or its status says that it is not and `error` by how much
 // it may be off. Answers are computed in a frame relative to the pair: moving the scene does not change them. Nothing
-// throws, aborts, prints or allocates but for what a caller asks to be stored. Safe from any thread. All this for poses,
-// points and margins that are finite and no larger than `largest_magnitude`, which queries do not check. Sizes below
-// `smallest_magnitude` are zero: such a shape is a point, and answers are right to a few times that number.
+// throws, aborts, prints or allocates but for what a caller asks to be stored. Safe from any thread. All this for
+// poses, points and margins that are finite and no larger than `largest_magnitude`, which queries do not check. Sizes
+// below `smallest_magnitude` are zero: such a shape is a point, and answers are right to a few times that number.
 //
 // Normals are unit vectors that point from A to B; distances are signed: positive between separated shapes, negative
 // when they overlap, and then minus the length of the shortest translation that separates them.
@@ -27,8 +27,8 @@ bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const 
              Trace* trace = nullptr);
 
 /// A first question, cheaper than `overlap` and conservative: false only where the shapes do not touch. Two boxes are
-/// tried along their six face normals without the nine products of their edges; of boxes at random that do not touch and
-/// whose bounding spheres do, it says of one in thirteen (7.7 %) that they may. Other pairs are answered as by
+/// tried along their six face normals without the nine products of their edges; of boxes at random that do not touch
+/// and whose bounding spheres do, it says of one in thirteen (7.7 %) that they may. Other pairs are answered as by
 /// `overlap`.
 template <class T>
 bool may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
@@ -46,13 +46,14 @@ template <class T>
 std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                           const Pose<T>& pose_b, T limit);
 
-/// Whether the shapes are no further apart than `limit` >= 0: distance <= limit. Cheaper than `distance_up_to`, since it
-/// ends at the first pair of pieces that is.
+/// Whether the shapes are no further apart than `limit` >= 0: distance <= limit. Cheaper than `distance_up_to`, since
+/// it ends at the first pair of pieces that is.
 template <class T>
 bool within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit);
 
-/// Appends every pair of convex pieces that is no further apart than `margin` >= 0, with its distance, in the same order
-/// for the same input; of two convex shapes there is one pair. What lies inside a solid mesh is near no piece by that.
+/// Appends every pair of convex pieces that is no further apart than `margin` >= 0, with its distance, in the same
+/// order for the same input; of two convex shapes there is one pair. What lies inside a solid mesh is near no piece by
+/// that.
 template <class T>
 void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                  std::vector<PieceDistance<T>>& pieces);
@@ -77,8 +78,8 @@ bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const
               Manifolds<T>& manifolds, Trace* trace = nullptr);
 
 /// A margin for `contacts` with which a body at rest keeps its points from frame to frame: a hundredth of the smaller
-/// shape (the radius about its own origin). A solver lets bodies rest a few thousandths of their size deep and lean by a
-/// few milliradians, which lifts the far corners of a face by as much: with this margin they stay points of contact.
+/// shape (the radius about its own origin). A solver lets bodies rest a few thousandths of their size deep and lean by
+/// a few milliradians, which lifts the far corners of a face by as much: with this margin they stay points of contact.
 template <class T>
 T contact_margin(const Shape<T>& a, const Shape<T>& b);
 

@@ -4,7 +4,8 @@
 // the shape's size, plus the rounding of the ray itself: `T`'s epsilon times the distance of its origin. Everything is
 // computed in double and in the shape's own frame, so a scene far from the origin of the world loses nothing. A closed
 // mesh is watertight: no ray slips between triangles that share an edge or a vertex (Woop, Benthin, Wald 2013,
-// "Watertight ray/triangle intersection"). Nothing throws or prints; only `raycast_all` allocates. Safe from any thread.
+// "Watertight ray/triangle intersection"). Nothing throws or prints; only `raycast_all` allocates. Safe from any
+// thread.
 //
 // Solids, solid meshes (`Mesh::solid`) among them, are hit where the ray enters them, and at t = 0 by a ray that
 // begins inside; other closed meshes where it meets a triangle. What has no thickness (segments, points) is met

@@ -1,8 +1,8 @@
 // What questions are answered with: a signed distance, a nearest point, the hit of a ray, and how sure each is.
 //
-// Guarantee: plain aggregates without invariants. Normals are unit vectors that point from A to B; distances are signed:
-// positive between separated shapes, negative when they overlap, and then minus the length of the shortest translation
-// that separates them. Contacts have a header of their own, `contact.hpp`.
+// Guarantee: plain aggregates without invariants. Normals are unit vectors that point from A to B; distances are
+// signed: positive between separated shapes, negative when they overlap, and then minus the length of the shortest
+// translation that separates them. Contacts have a header of their own, `contact.hpp`.
 #pragma once
 
 #include <cstdint>

@@ -27,8 +27,8 @@ struct SlideResult {
 template <class T>
 Vec3<T> along_planes(const Vec3<T>& motion, std::span<const Vec3<T>> normals);
 
-/// Moves a shape by `motion` through a world, without turning: until it touches, then along the surface, and so on. What
-/// it touches and does not press against does not hold it. Cost: `iterations` casts.
+/// Moves a shape by `motion` through a world, without turning: until it touches, then along the surface, and so on.
+/// What it touches and does not press against does not hold it. Cost: `iterations` casts.
 template <class T>
 SlideResult<T> slide(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& motion, const World<T>& world,
                      const QueryFilter& filter = {}, const SlideOptions& options = {});

@@ -1,7 +1,7 @@
 // What the constructors of shapes demand of their numbers.
 //
-// Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; one that does not
-// raises `InvalidValue` naming it. Sizes and coordinates of shapes below `smallest_magnitude` become zero.
+// Guarantee: a value that passes is finite, of the stated sign and no larger than `largest_magnitude`; one that does
+// not raises `InvalidValue` naming it. Sizes and coordinates of shapes below `smallest_magnitude` become zero.
 #pragma once
 
 #include <cmath>

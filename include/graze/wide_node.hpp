@@ -1,7 +1,7 @@
 // A node of a wide tree: the bounds of its children side by side, so that one box is tested against all at once.
 //
-// Guarantee: the test has no branch and takes each coordinate of all children as lanes; a place without a child overlaps
-// nothing, whatever is asked.
+// Guarantee: the test has no branch and takes each coordinate of all children as lanes; a place without a child
+// overlaps nothing, whatever is asked.
 #pragma once
 
 #include <array>
@@ -105,8 +105,8 @@ struct alignas(64) WideNode {
       select(plain, largest * sqrt(sum), largest).store(&out[first]);
     }
   }
-  /// Where a ray enters each child at the earliest, in multiples of its direction; infinity for those that it misses, and
-  /// anything for a place without a child (Kay, Kajiya 1986, "Ray tracing complex scenes", on slabs).
+  /// Where a ray enters each child at the earliest, in multiples of its direction; infinity for those that it misses,
+  /// and anything for a place without a child (Kay, Kajiya 1986, "Ray tracing complex scenes", on slabs).
   void entries(const NodeRay<T>& ray, std::array<T, width>& out) const {
     constexpr int lanes = 16 / sizeof(T);
     using Lanes = Wide<T, lanes>;

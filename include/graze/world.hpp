@@ -72,16 +72,16 @@ class World {
                    std::vector<BodyId>& out) const;
   /// Whether there is any: stops at the first.
   bool overlaps_any(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter = {}) const;
-  /// Appends the `count` bodies nearest to a shape, of those that are not further than `limit`, the nearest first. Without
-  /// a count all of them.
+  /// Appends the `count` bodies nearest to a shape, of those that are not further than `limit`, the nearest first.
+  /// Without a count all of them.
   void nearest(const Shape<T>& shape, const Pose<T>& pose, std::size_t count, T limit, const QueryFilter& filter,
                std::vector<BodyDistance<T>>& out) const;
   std::optional<BodyDistance<T>> closest(const Shape<T>& shape, const Pose<T>& pose,
                                          T limit = std::numeric_limits<T>::infinity(),
                                          const QueryFilter& filter = {}) const;
 
-  /// The first body that a ray hits; whether it hits any; and all that it hits, each where it is first hit, in the order
-  /// of the ray. Rays and back faces as for `graze::raycast`.
+  /// The first body that a ray hits; whether it hits any; and all that it hits, each where it is first hit, in the
+  /// order of the ray. Rays and back faces as for `graze::raycast`.
   std::optional<BodyRayHit<T>> raycast(const Ray<T>& ray, T length = std::numeric_limits<T>::infinity(),
                                        const QueryFilter& filter = {}, BackFaces back = BackFaces::hit) const;
   bool raycast_any(const Ray<T>& ray, T length = std::numeric_limits<T>::infinity(), const QueryFilter& filter = {},

@@ -80,8 +80,8 @@ class BoxTable {
     std::sort(out.begin(), out.end());
   }
 
-  /// The pairs that overlap, sorted, of those for which `each_pair(test)` calls `test(place, place)`; `moved_only`: of which
-  /// at least one moved. What moved counts as still from then on.
+  /// The pairs that overlap, sorted, of those for which `each_pair(test)` calls `test(place, place)`; `moved_only`: of
+  /// which at least one moved. What moved counts as still from then on.
   template <class EachPair>
   void collect_pairs(std::vector<IdPair>& out, bool moved_only, const EachPair& each_pair) {
     out.clear();

@@ -7,8 +7,8 @@ namespace graze {
 
 namespace {
 
-/// The room that a node leaves around each of its boxes, in lengths of that box. Measured, frames of boxes that drift by
-/// a hundredth or by a twentieth of their length take the same time with half and with twice as much.
+/// The room that a node leaves around each of its boxes, in lengths of that box. Measured, frames of boxes that drift
+/// by a hundredth or by a twentieth of their length take the same time with half and with twice as much.
 constexpr double room_share = 0.1;
 /// A node is worn when its area is so many times what it was built with, and then its parent is built anew. Measured on
 /// the same: 1.3 is as good, 2 takes a tenth longer and 3 a third.

@@ -44,9 +44,9 @@ class Digits {
   std::size_t count_ = 0;
 };
 
-/// Least significant digit first (Knuth 1998, "The Art of Computer Programming", volume 3, section 5.2.5); the buckets of
-/// all digits are counted in one go. Item i is `source(i)`, which is asked for twice, and `key(item)` its key. `to` and
-/// `scratch` have room for `size` items each; returns the one of them that holds the result.
+/// Least significant digit first (Knuth 1998, "The Art of Computer Programming", volume 3, section 5.2.5); the buckets
+/// of all digits are counted in one go. Item i is `source(i)`, which is asked for twice, and `key(item)` its key. `to`
+/// and `scratch` have room for `size` items each; returns the one of them that holds the result.
 template <class Item, class Source, class Key>
 Item* radix_sort(std::size_t size, const Source& source, const Digits& digits, const Key& key, Item* to,
                  Item* scratch) {

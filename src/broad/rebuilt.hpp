@@ -10,8 +10,8 @@
 
 namespace graze {
 
-/// `Index`: `build(boxes)`, `for_each_pair(boxes, test)`, which calls `test(place, place)` for all pairs that may overlap,
-/// and `memory()`.
+/// `Index`: `build(boxes)`, `for_each_pair(boxes, test)`, which calls `test(place, place)` for all pairs that may
+/// overlap, and `memory()`.
 template <class T, class Index>
 class Rebuilt : public BroadPhase<T> {
  public:

@@ -63,8 +63,8 @@ class Strips {
   std::size_t memory() const { return bounds_.capacity() * sizeof(T); }
 
  private:
-  /// A strip's width over its boxes' greatest length: the place of a number among 4096 strips is off by 4096 times a few
-  /// roundings, a thousandth in single precision.
+  /// A strip's width over its boxes' greatest length: the place of a number among 4096 strips is off by 4096 times a
+  /// few roundings, a thousandth in single precision.
   static constexpr T slack = T(1.004);
 
   std::uint32_t search(T v) const {

@@ -24,8 +24,8 @@ Vec3<T> angular_velocity_at(const FreeBody<T>& body, const Quat<T>& rotation) {
 }
 
 /// The rate of the Rodrigues vector g of the rotation since the beginning of a step. From q' = ω q / 2 follows
-/// g' = (ω + ω × g + g (g·ω)) / 2, an equation in a vector space, on which the classical method of Runge and Kutta keeps
-/// its fourth order.
+/// g' = (ω + ω × g + g (g·ω)) / 2, an equation in a vector space, on which the classical method of Runge and Kutta
+/// keeps its fourth order.
 template <class T>
 Vec3<T> rate(const FreeBody<T>& body, const Vec3<T>& g) {
   const Vec3<T> w = angular_velocity_at(body, rotation_of(g) * body.rotation);

@@ -1,8 +1,7 @@
 // Where an animation takes the colliders of a scene.
 //
-// Guarantee: at every time a pose of finite numbers for each collider that is moved, and a new shape only where its scale
-// has changed by more than files hold; at rest, shape and pose are those of the scene up to
-// rounding.
+// Guarantee: at every time a pose of finite numbers for each collider that is moved, and a new shape only where its
+// scale has changed by more than files hold; at rest, shape and pose are those of the scene up to rounding.
 #pragma once
 
 #include <span>
@@ -29,8 +28,8 @@ class ColliderMotion {
 
   /// Those that are moved, by index.
   std::span<const MovedCollider> colliders() const { return moved_; }
-  /// Moves them to a time in seconds. Costs a few products a node, and a shape where the scale changes: microseconds for
-  /// a ball or box, as much as loading it for a mesh, milliseconds for what becomes a sampled hull. Throws
+  /// Moves them to a time in seconds. Costs a few products a node, and a shape where the scale changes: microseconds
+  /// for a ball or box, as much as loading it for a mesh, milliseconds for what becomes a sampled hull. Throws
   /// `InvalidValue` for what gets too large.
   void go_to(double t);
 

@@ -17,8 +17,8 @@
 namespace graze::io {
 
 /// How many numbers the keyframes of a file may have, all accessors together: ten minutes of a hundred joints at 60
-/// frames a second are 15 million numbers. Accessors may overlap, so that without a limit a megabyte of file would become
-/// gigabytes.
+/// frames a second are 15 million numbers. Accessors may overlap, so that without a limit a megabyte of file would
+/// become gigabytes.
 inline constexpr std::size_t max_key_numbers = std::size_t{1} << 26;
 
 enum class NodeProperty : std::uint8_t { translation, rotation, scale };

@@ -53,8 +53,8 @@ Aabbd extent(const Scene& scene);
 /// Whether a file's name ends as those of the format do.
 bool is_gltf(const std::filesystem::path& file);
 
-/// Draws the colliders of a scene, those of `touching` tinted. In a model that was a file (`kept`) only what shows no mesh
-/// of its own, and over what is tinted.
+/// Draws the colliders of a scene, those of `touching` tinted. In a model that was a file (`kept`) only what shows no
+/// mesh of its own, and over what is tinted.
 void draw_colliders(ModelWriter& writer, const GltfModel& model, const Scene& scene,
                     const std::set<std::uint32_t>& touching, bool kept);
 

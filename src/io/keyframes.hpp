@@ -1,7 +1,7 @@
 // Keyframes: a value that changes over time, as a sampler of glTF 2.0 gives it.
 //
-// Guarantee: a value for every time, never NaN: before the first keyframe that of the first, behind the last that of the
-// last. Rotations come out of unit length.
+// Guarantee: a value for every time, never NaN: before the first keyframe that of the first, behind the last that of
+// the last. Rotations come out of unit length.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace graze::io {
 
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
-/// Whoever makes one sees to it that the times rise, from 0 or later, that there is at least one (of a spline: two), and
-/// as many values as they ask for; all finite, and no rotation of zero length.
+/// Whoever makes one sees to it that the times rise, from 0 or later, that there is at least one (of a spline: two),
+/// and as many values as they ask for; all finite, and no rotation of zero length.
 struct Keyframes {
   Interpolation interpolation = Interpolation::linear;
   std::shared_ptr<const std::vector<float>> times;  ///< seconds; shared, since one list often serves many

@@ -176,7 +176,8 @@ struct TouchingPieces {
   }
 };
 
-/// A point for what lies inside a solid mesh. The way from within to the surface is no contact then: it would push inward.
+/// A point for what lies inside a solid mesh. The way from within to the surface is no contact then: it would push
+/// inward.
 template <class T>
 void add_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, std::size_t first,
                   T& least_distance, Manifolds<T>& manifolds) {

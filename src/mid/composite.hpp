@@ -37,8 +37,8 @@ struct Surroundings {
   bool empty() const { return of_a.empty() && of_b.empty(); }
 };
 
-/// Appends manifolds; returns the smallest signed distance found within the margin, or infinity. `singly`: each triangle
-/// is answered by itself and not across lanes, which a test holds the lanes against.
+/// Appends manifolds; returns the smallest signed distance found within the margin, or infinity. `singly`: each
+/// triangle is answered by itself and not across lanes, which a test holds the lanes against.
 template <class T>
 T any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                Manifolds<T>& manifolds, const Surroundings<T>& beside = {}, bool singly = false);

@@ -31,8 +31,8 @@ Sight<T> sight_of(const PieceOf<T>& self, const Vec3<T>& point, const Vec3<T>& o
   return {self, point, of_other.center(), outward, on_piece<T> * size + place_noise(point) + place_noise(box.extent())};
 }
 
-/// Whether the piece goes on above what may cover it, which then is the floor of a wall: at four times what counts as on
-/// the floor, along the wall. `above`: of the contact over the floor.
+/// Whether the piece goes on above what may cover it, which then is the floor of a wall: at four times what counts as
+/// on the floor, along the wall. `above`: of the contact over the floor.
 template <class T>
 bool goes_on_above(const Sight<T>& sight, const Vec3<T>& normal, T above, T slack) {
   const Vec3<T> along_wall = normal - sight.outward * dot(sight.outward, normal);
@@ -104,9 +104,9 @@ std::optional<OnSurface<T>> covering_entry(const Shape<T>& solid, const Pose<T>&
   return seen;
 }
 
-/// Of what is seen to cover the beginning of a sight: what nothing rises above, then what is nearest to the sight's end,
-/// then what the other shape is least deep below. Beneath the corner of a floor the walls that hold it up hide each
-/// other too.
+/// Of what is seen to cover the beginning of a sight: what nothing rises above, then what is nearest to the sight's
+/// end, then what the other shape is least deep below. Beneath the corner of a floor the walls that hold it up hide
+/// each other too.
 template <class T>
 struct BestCover {
   const PieceOf<T>& other;

@@ -136,9 +136,9 @@ std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal)
   return normal ? std::optional(Correction<T>{*normal}) : std::nullopt;
 }
 
-/// The least way out of a triangle, if its normal is one of the surface's and not that of the triangle's face. That of a
-/// face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it leans
-/// over, though that edge is a ridge and touched.
+/// The least way out of a triangle, if its normal is one of the surface's and not that of the triangle's face. That of
+/// a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it
+/// leans over, though that edge is a ridge and touched.
 template <class T>
 std::optional<Correction<T>> least_way_out(const PieceOf<T>& self, const PieceOf<T>& other) {
   const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose);
@@ -178,9 +178,9 @@ bool is_least_way(const PieceOf<T>& self, const PieceOf<T>& other, const SeenCon
   return dot(from, contact.outward) >= contact.distance - noise;
 }
 
-/// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little beside
-/// that, on a face; the nearest points are on it, unless another way out is as good and they are of that: then they lie
-/// lower.
+/// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little
+/// beside that, on a face; the nearest points are on it, unless another way out is as good and they are of that: then
+/// they lie lower.
 template <class T>
 Vec3<T> place_on_solid(const PieceOf<T>& self, const PieceOf<T>& other, const SeenContact<T>& contact) {
   const Vec3<T> of_points = standing_point<T>(contact.manifold.points, contact.side);

@@ -44,8 +44,8 @@ class MeshPatch {
         });
   }
 
-  /// Calls `f(number)` for the triangles whose bounds `near` lets pass, until it returns false; returns whether it went to
-  /// the end.
+  /// Calls `f(number)` for the triangles whose bounds `near` lets pass, until it returns false; returns whether it went
+  /// to the end.
   template <class Near, class F>
   bool each(const Near& near, F&& f) const {
     for (std::size_t i = 0; i < count_; ++i)

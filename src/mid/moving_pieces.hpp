@@ -55,8 +55,8 @@ Sweep<T> sweep_of(const PairMotion& motion, const Piece<T>& a, const Piece<T>& b
   return safe_sweep(bounds_at((interval.begin + interval.end) / 2), Vec3<T>{}, static_cast<T>(path * 1.0001) + grow);
 }
 
-/// Calls `f(piece_a, piece_b)` for all pairs of convex pieces that may come within `margin` in the interval, unless only
-/// when more than the part `limit()` of it is over.
+/// Calls `f(piece_a, piece_b)` for all pairs of convex pieces that may come within `margin` in the interval, unless
+/// only when more than the part `limit()` of it is over.
 template <class T, class Limit, class F>
 void visit_moving_pairs(const PairMotion& motion, const NumberedPiece<T>& a, const NumberedPiece<T>& b,
                         const Interval& interval, double margin, const Limit& limit, F& f) {

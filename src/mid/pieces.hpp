@@ -40,7 +40,8 @@ Shape<T> triangle_shape(const std::array<Vec3<T>, 3>& corners) {
   return Triangle<T>(corners[0], corners[1], corners[2]);
 }
 
-/// Calls `f(shape, pose, number)` for a triangle of a surface whose bounds `question` lets pass, as `visit_pieces` does.
+/// Calls `f(shape, pose, number)` for a triangle of a surface whose bounds `question` lets pass, as `visit_pieces`
+/// does.
 template <class T, class Surface, class Question, class Limit, class F>
 bool visit_near_triangle(const Surface& surface, std::uint32_t number, const Pose<T>& pose, const Question& question,
                          const Limit& limit, F& f) {

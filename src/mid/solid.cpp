@@ -17,8 +17,8 @@ struct Inside {
   const Part<T>&body, &mesh;
   const MeshData<T>& solid;
 
-  /// Whether some connected part of the body, placed by `pose`, has a point inside. Where the surfaces do not touch it is
-  /// then wholly inside.
+  /// Whether some connected part of the body, placed by `pose`, has a point inside. Where the surfaces do not touch it
+  /// is then wholly inside.
   bool at(const Pose<T>& pose) const {
     const Posed seen = relative(in_double(mesh.pose), in_double(pose));
     const auto inside = [&](const Vec3<T>& p) { return encloses(solid, transform(seen, cast<double>(p))); };
@@ -117,8 +117,8 @@ struct Inside {
   }
 };
 
-/// Calls `f(part_a, part_b)` for the children of A and B that come near each other, neither of them a compound, until it
-/// returns false.
+/// Calls `f(part_a, part_b)` for the children of A and B that come near each other, neither of them a compound, until
+/// it returns false.
 template <class T, class F>
 bool visit_children(const Part<T>& a, const Part<T>& b, F& f) {
   const bool open_a = a.shape.template as<Compound<T>>() != nullptr;

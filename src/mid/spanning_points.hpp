@@ -52,8 +52,8 @@ FlatPoints<T> hull_of(FlatPoints<T> points, T noise) {
 
 }  // namespace detail
 
-/// Of points that are all at one place, as of a ball on the seam of two triangles, keeps the deepest. Answers whether they
-/// were.
+/// Of points that are all at one place, as of a ball on the seam of two triangles, keeps the deepest. Answers whether
+/// they were.
 template <class T>
 bool join_at_one_place(Manifold<T>& manifold, T together) {
   ContactPoint<T> deepest = manifold.points[0];

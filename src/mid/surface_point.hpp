@@ -1,8 +1,8 @@
 // The point of a mesh or height field nearest to another, and on which side of the surface that lies.
 //
 // Guarantee: in double, whichever scalar the surface has. Of a surface that bounds a solid the side is exact but for
-// rounding, also where an edge or a vertex is nearest: it is that of the normals around it, weighted by their triangles'
-// angles (Bærentzen, Aanæs 2005, "Signed distance computation using the angle weighted pseudonormal").
+// rounding, also where an edge or a vertex is nearest: it is that of the normals around it, weighted by their
+// triangles' angles (Bærentzen, Aanæs 2005, "Signed distance computation using the angle weighted pseudonormal").
 #pragma once
 
 #include "graze/geometry.hpp"
@@ -61,7 +61,8 @@ std::array<Vec3d, 3> corners_in_double(const Surface& surface, std::uint32_t tri
   return {cast<double>(t[0]), cast<double>(t[1]), cast<double>(t[2])};
 }
 
-/// Of the surface's points no further than `limit` the one nearest to `p`, a point of its frame; else none, at infinity.
+/// Of the surface's points no further than `limit` the one nearest to `p`, a point of its frame; else none, at
+/// infinity.
 template <class T, class Surface>
 SurfacePoint nearest_point(const Surface& surface, const Vec3d& p, double limit) {
   SurfacePoint best;

@@ -26,7 +26,8 @@ T finite_reach(const Aabb<T>& box) {
   return reach;
 }
 
-/// The sweep grown by what rounding may do to its coordinates: they come of some ten operations, and `entry` adds three.
+/// The sweep grown by what rounding may do to its coordinates: they come of some ten operations, and `entry` adds
+/// three.
 template <class T>
 Sweep<T> safe_sweep(const Aabb<T>& box, const Vec3<T>& motion, T margin) {
   const T rounding = T(16) * std::numeric_limits<T>::epsilon() * (finite_reach(box) + max_abs(motion));

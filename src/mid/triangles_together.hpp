@@ -1,7 +1,7 @@
 // Triangles of one surface that may touch the same body, asked about several at a time.
 //
-// Guarantee: of each triangle what `convex_contacts` answers, bit for bit, and in the order in which they were gathered.
-// Nothing is allocated.
+// Guarantee: of each triangle what `convex_contacts` answers, bit for bit, and in the order in which they were
+// gathered. Nothing is allocated.
 #pragma once
 
 #include "mid/near_convex.hpp"
@@ -11,8 +11,8 @@
 
 namespace graze {
 
-/// Some triangles of a surface and a bounded body whose bounds they come near. As plain numbers, so that none is cleared
-/// that is not used.
+/// Some triangles of a surface and a bounded body whose bounds they come near. As plain numbers, so that none is
+/// cleared that is not used.
 template <class T>
 struct TriangleRun {
   static constexpr std::size_t most = block_pairs;
@@ -56,8 +56,8 @@ bool meets_runs(const Shape<T>& shape) {
 }
 
 /// Asks about the contacts of a run with such a shape up to `margin`, which is not negative: `touching(i, distance,
-/// manifold)`, the manifold without its pieces' names, or `alone(i)` where no kernel tells. Those that are further apart
-/// are passed over.
+/// manifold)`, the manifold without its pieces' names, or `alone(i)` where no kernel tells. Those that are further
+/// apart are passed over.
 template <class T, class Touching, class Alone>
 void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& touching, const Alone& alone) {
   static_assert(sizeof run.corner[0] == sizeof(Triangle<T>));  // as kernels load them

@@ -130,8 +130,8 @@ class BlockRoom {
   RoomFor<ContactPoint<T>, PointBlock<T>::room> points_;
 };
 
-/// Has the lines of so many records brought near that are to be written when a kernel is done with the next pairs, which
-/// are likely to have as many: they may be behind the end of an array.
+/// Has the lines of so many records brought near that are to be written when a kernel is done with the next pairs,
+/// which are likely to have as many: they may be behind the end of an array.
 template <class Record>
 void fetch_for_writing(const Record* first, std::size_t count) {
   fetch_lines<true>(first, count);

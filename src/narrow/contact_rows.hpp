@@ -1,4 +1,5 @@
-// What lanes find of pairs with one point of contact at most, as rows of the answer of a batch. Only for `*.kernel.cpp`.
+// What lanes find of pairs with one point of contact at most, as rows of the answer of a batch. Only for
+// `*.kernel.cpp`.
 //
 // Guarantee: everything is inlined or lives in the namespace of the level.
 #pragma once
@@ -35,8 +36,8 @@ struct LaneContacts {
   return as_lanes(Lanes<float>::BitVector{} + static_cast<std::int32_t>(whole));
 }
 
-/// Writes the entries of the pairs of a bundle of which `count` lanes are filled; in those of `touching` they touch, and
-/// the first of these is manifold number `first`.
+/// Writes the entries of the pairs of a bundle of which `count` lanes are filled; in those of `touching` they touch,
+/// and the first of these is manifold number `first`.
 template <class T>
 [[gnu::always_inline]] inline void put_pairs(const Lanes<T>& distance, std::uint32_t touching, std::size_t count,
                                              std::uint32_t first, typename BatchContacts<T>::Pair* to) {
@@ -93,8 +94,8 @@ template <class T>
   }
 }
 
-/// Writes all of a bundle whose first pair is the `first`-th, and adds to the counts. The lanes of `unknown` are none of
-/// `touching`.
+/// Writes all of a bundle whose first pair is the `first`-th, and adds to the counts. The lanes of `unknown` are none
+/// of `touching`.
 template <class T>
 [[gnu::always_inline]] inline void put(const LaneContacts<T>& found, std::uint32_t touching, std::uint32_t unknown,
                                        std::size_t first, std::size_t count, const ContactRows<T>& to,

@@ -26,8 +26,9 @@ double smaller_size(const Side<T>& a, const Side<T>& b) {
   return least(a.size(), b.size());
 }
 
-/// What `on_surface` is for an edge, for a place on the side of a cylinder, which is round across its line: a place beside the line by this much
-/// is off the side by half its square. A depth is right to ten digits and its normal, which tells the line, to five.
+/// What `on_surface` is for an edge, for a place on the side of a cylinder, which is round across its line: a place
+/// beside the line by this much is off the side by half its square. A depth is right to ten digits and its normal,
+/// which tells the line, to five.
 constexpr double on_side = 2e-5;
 
 /// The points on the two surfaces over a place where the cores' faces meet, one straight above the other. Two edges

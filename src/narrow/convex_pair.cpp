@@ -241,8 +241,8 @@ std::optional<bool> special_overlap(const Body<T>& a, const Body<T>& b) {
   }
 }
 
-/// In one function with the distance, of which it then needs no points: by the table's distance the overlap of a box and
-/// a half-space took a quarter longer.
+/// In one function with the distance, of which it then needs no points: by the table's distance the overlap of a box
+/// and a half-space took a quarter longer.
 template <class A, class B, class T>
 bool overlap_by_distance(const Body<T>& a, const Body<T>& b) {
   if (const auto found = special_distance<A, B, T>(a, b)) return found->distance <= T(0);

@@ -339,8 +339,8 @@ class Descent {
     return r;
   }
 
-  /// Cylinders and segments about parallel axes add up to a cylinder: how deep the way ends inside of it is their depth.
-  /// Minus infinity of others.
+  /// Cylinders and segments about parallel axes add up to a cylinder: how deep the way ends inside of it is their
+  /// depth. Minus infinity of others.
   double inside_of_sum() const {
     for (const SumSide& side : side_)
       if ((side.round && !side.disc) || side.half.x > 0 || side.half.z > 0)

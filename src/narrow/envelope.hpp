@@ -53,7 +53,8 @@ double turning_radius(const Piece<T>& piece, const Turning& turning) {
   return least(piece.core_reach, least(from_axis(far), round_radius(piece, upright)) + slack * piece.core_reach);
 }
 
-/// All places that a core takes while its body turns lie in a cylinder about the axis; one that stands still is its own.
+/// All places that a core takes while its body turns lie in a cylinder about the axis; one that stands still is its
+/// own.
 template <class T>
 class Envelope {
  public:

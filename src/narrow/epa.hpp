@@ -39,8 +39,8 @@ class Translated {
 
 /// Slides along the boundary of the difference to the nearest point of its neighbourhood: B is moved clear of A along
 /// the normal that is known, and the normal of the closest points then is a better one. The depth never grows, and each
-/// step is drawn out as long as that pays, until only rounding (`noise`) is left to gain. For the shapes of which the polytope takes too many facets: smooth ones,
-/// nearly concentric.
+/// step is drawn out as long as that pays, until only rounding (`noise`) is left to gain. For the shapes of which the
+/// polytope takes too many facets: smooth ones, nearly concentric.
 template <class Difference>
 void slide(const Difference& difference, double noise, EpaResult& r) {
   const double clearance = slide_clearance * difference.size();

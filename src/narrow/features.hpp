@@ -1,7 +1,7 @@
 // The numbers of features: what of A and of B touches at a point of contact.
 //
-// Guarantee: a number names one vertex, edge or face of a shape of up to 16,384 parts. In larger ones numbers wrap, which
-// can only make two features that touch at the same time share a name.
+// Guarantee: a number names one vertex, edge or face of a shape of up to 16,384 parts. In larger ones numbers wrap,
+// which can only make two features that touch at the same time share a name.
 #pragma once
 
 #include <cstdint>

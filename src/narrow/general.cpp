@@ -66,8 +66,9 @@ EpaResult depth_of(const HullDifference<T>& difference, const Simplex& start, do
   return proven ? found : epa(difference, start, goal);
 }
 
-/// Raises the lower bound of a depth to how deep the point of one core is inside the other. Where that is the depth, the
-/// ball about the point touches the other's boundary along the normal, which gives the second point better than a search.
+/// Raises the lower bound of a depth to how deep the point of one core is inside the other. Where that is the depth,
+/// the ball about the point touches the other's boundary along the normal, which gives the second point better than a
+/// search.
 template <class T>
 void prove_by_inside(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, double noise, double tolerance,
                      EpaResult& e) {

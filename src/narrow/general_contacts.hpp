@@ -18,9 +18,9 @@ template <class T>
 T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                    Manifold<T>& manifold);
 
-/// The points of two polyhedra by their separating axes (`has_separating_axes`). Returns their signed distance (or, when
-/// nothing is within the margin, a lower bound that exceeds it); nothing when the axes do not tell the distance, since
-/// corners or edges are nearest that no axis belongs to, or when the faces miss what is nearest.
+/// The points of two polyhedra by their separating axes (`has_separating_axes`). Returns their signed distance (or,
+/// when nothing is within the margin, a lower bound that exceeds it); nothing when the axes do not tell the distance,
+/// since corners or edges are nearest that no axis belongs to, or when the faces miss what is nearest.
 template <class T>
 std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                                      T margin, Manifold<T>& manifold);

@@ -2,8 +2,8 @@
 // together.
 //
 // Guarantee: as `epa.hpp`, the same bits at every level of the instruction set. Answers only where the depth is proven
-// within the tolerance and its points are found; else, as where rounding folds the polytope or it outgrows its room, the
-// caller asks the general EPA.
+// within the tolerance and its points are found; else, as where rounding folds the polytope or it outgrows its room,
+// the caller asks the general EPA.
 #pragma once
 
 #include "narrow/epa_result.hpp"

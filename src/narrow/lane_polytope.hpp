@@ -35,8 +35,8 @@ template <class T, int N>
   }
 }
 
-/// Of a table those that stand at the places told by bytes, the lowest first. The table has room for `picked_near`; none
-/// of the places lies beyond that unless `far`.
+/// Of a table those that stand at the places told by bytes, the lowest first. The table has room for `picked_near`;
+/// none of the places lies beyond that unless `far`.
 inline constexpr std::size_t picked_near = 16;
 [[gnu::always_inline]] inline Lanes<double> picked(const double* table, std::uint64_t places,
                                                    [[maybe_unused]] bool far) {
@@ -79,8 +79,8 @@ class LanePolytope {
   /// Replaces all facets that see the new point, of which there are some, by a fan from their silhouette. False when
   /// that cannot be done: what is left is no polytope.
   bool expand();
-  /// The two shapes' points where the ray from the origin along `direction` leaves. False when rounding lets the ray miss
-  /// every facet. `likely` is looked at first.
+  /// The two shapes' points where the ray from the origin along `direction` leaves. False when rounding lets the ray
+  /// miss every facet. `likely` is looked at first.
   bool witness(const Vec3d& direction, std::size_t likely, Vec3d& a, Vec3d& b) const;
 
  private:
@@ -144,8 +144,8 @@ class LanePolytope {
     Columns column_;
   };
   std::uint64_t seen_[most_facets / word];  ///< a bit a facet
-  // The horizon's edges: where they begin and end as the facets in front have them, and each as the facet behind has it;
-  // which of them begins at a vertex, and a bit for each vertex that one begins at.
+  // The horizon's edges: where they begin and end as the facets in front have them, and each as the facet behind has
+  // it; which of them begins at a vertex, and a bit for each vertex that one begins at.
   std::size_t horizon_ = 0;
   std::uint64_t begun_ = 0, from_first_ = 0, to_first_ = 0;  ///< of the first block's edges also a byte each
   std::uint8_t from_[3 * most_facets], to_[3 * most_facets], begins_[most_points + 1];

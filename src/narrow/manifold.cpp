@@ -114,9 +114,9 @@ class FlatFace {
   double base_, slope_x_ = 0, slope_y_ = 0;
 };
 
-/// Keeps what lies left of the line along an edge (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an edge
-/// what lies no further to the right than `beside`.
-/// Answers whether anything was to the right: `kept` is written only then.
+/// Keeps what lies left of the line along an edge (Sutherland, Hodgman 1974, "Reentrant polygon clipping"), and of an
+/// edge what lies no further to the right than `beside`. Answers whether anything was to the right: `kept` is written
+/// only then.
 bool cut(const Outline& subject, const FlatEdge& edge, bool closed, double beside, Outline& kept) {
   const std::size_t n = subject.size();
   const Flat* points = subject.data();
@@ -144,8 +144,8 @@ bool cut(const Outline& subject, const FlatEdge& edge, bool closed, double besid
   return true;
 }
 
-/// The ends of the stretch that two edges run along each other, each end on both: nothing unless they are parallel up to
-/// the lean that makes a face.
+/// The ends of the stretch that two edges run along each other, each end on both: nothing unless they are parallel up
+/// to the lean that makes a face.
 void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, double near, FaceContacts& contacts) {
   const double ax = a[1].x - a[0].x, ay = a[1].y - a[0].y, bx = b[1].x - b[0].x, by = b[1].y - b[0].y;
   const double la = ax * ax + ay * ay, lb = bx * bx + by * by, across = ax * by - ay * bx, along = ax * bx + ay * by;

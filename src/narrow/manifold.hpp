@@ -33,8 +33,8 @@ Vec3d polygon_normal(const PlacedFace& face);
 /// Lays B's face over A's along the unit normal (from A to B) and appends the vertices of the area that they share:
 /// vertices of one inside the other, and crossings of edges; for two edges that are about parallel, the ends of the
 /// stretch they run along each other, wherever they lie. Nothing when they cross in a point or do not meet: the closest
-/// points serve better then. An edge that runs along a rim may lie beside the face by `beside`, what the normal's rounding
-/// may do to where it is seen.
+/// points serve better then. An edge that runs along a rim may lie beside the face by `beside`, what the normal's
+/// rounding may do to where it is seen.
 void lay_over(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts);
 
 /// The number of the features of A and B that a pair of points lies on, as `lay_over` names them. Faces of any kind.

@@ -1,8 +1,8 @@
 // Observers of GJK and EPA: the iterations are templates over one and show it each step.
 //
-// Guarantee: `Unobserved`, which every answer is found with, is empty and costs nothing. An observer sees the iterations
-// and has no say in them, but that one that observes is also shown the steps of a search that could have ended at the
-// first support point.
+// Guarantee: `Unobserved`, which every answer is found with, is empty and costs nothing. An observer sees the
+// iterations and has no say in them, but that one that observes is also shown the steps of a search that could have
+// ended at the first support point.
 #pragma once
 
 #include "graze/vec3.hpp"

@@ -17,18 +17,18 @@ namespace graze {
 /// stacked on each other have edges and corners in about the same place: which lies inside which changes from frame to
 /// frame by the rounding of a solver, and the names must not.
 inline constexpr double same_place = 1.0 / 100;
-/// How far beside a face an edge may lie that runs along its rim, relative to `same_place`: which side of the rim it lies
-/// on is rounding then, and may be another at each of its ends.
+/// How far beside a face an edge may lie that runs along its rim, relative to `same_place`: which side of the rim it
+/// lies on is rounding then, and may be another at each of its ends.
 inline constexpr double along_rim = 1e-8;
 /// How far a point may lie beside a sharp edge and count as on it, relative to the smaller shape: well below float's
 /// tolerance, and far above the rounding of its poses.
 inline constexpr double on_surface = 1e-6;
-/// How far off a normal may be that was rounded to T: by so much times what lies between two faces a point of one is seen
-/// beside its place on the other.
+/// How far off a normal may be that was rounded to T: by so much times what lies between two faces a point of one is
+/// seen beside its place on the other.
 template <class T>
 inline constexpr double normal_rounding = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
-/// How near two points must come to be one that rounding has split: squared, relative to `same_place`. In float the square
-/// of some roundings of an edge.
+/// How near two points must come to be one that rounding has split: squared, relative to `same_place`. In float the
+/// square of some roundings of an edge.
 template <class T>
 inline constexpr T same_point = T(1e-12);
 template <>

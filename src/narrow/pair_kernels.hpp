@@ -35,9 +35,9 @@ struct PairRows {
 template <class S>
 struct SideContact;  // pairs/side_contact.hpp
 
-/// Where a kernel writes what it finds of pairs in rows: of each pair an entry, of each that touches a manifold with its
-/// point, and the places of those that it does not answer for, whose entry says that they are apart. So does that of
-/// pairs whose sides lie along each other, which are listed with their places.
+/// Where a kernel writes what it finds of pairs in rows: of each pair an entry, of each that touches a manifold with
+/// its point, and the places of those that it does not answer for, whose entry says that they are apart. So does that
+/// of pairs whose sides lie along each other, which are listed with their places.
 template <class T>
 struct ContactRows {
   typename BatchContacts<T>::Pair* pairs;
@@ -93,8 +93,8 @@ struct PointBlock {
 /// this takes a column, in which the pairs stand one behind the other.
 template <class T>
 struct alignas(64) MetBoxes {
-  /// So many pairs are asked about at a time; of floats they, those that are left over and what kernels write behind the
-  /// last stay within the smallest cache.
+  /// So many pairs are asked about at a time; of floats they, those that are left over and what kernels write behind
+  /// the last stay within the smallest cache.
   static constexpr std::size_t most = 128, room = most + 2 * block_pairs;
   enum Column : std::size_t {
     half_a,
@@ -131,8 +131,8 @@ struct RestBlock {
   } slots[4];
 };
 
-/// Has the lines of so many records brought near, which may be behind the end of an array: to be read, or to be written.
-/// Neither waits for a line then: of batches that are larger than the cache a quarter of the time.
+/// Has the lines of so many records brought near, which may be behind the end of an array: to be read, or to be
+/// written. Neither waits for a line then: of batches that are larger than the cache a quarter of the time.
 template <bool to_write, class Record>
 [[gnu::always_inline]] inline void fetch_lines(const Record* first, std::size_t count) {
   constexpr std::size_t line = 64;
@@ -145,9 +145,9 @@ constexpr std::size_t bundled(std::size_t count) { return (count + 15) / 16 * 16
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    /// The axes of up to `MetBoxes::most` pairs of boxes, whose places are counted from `place` on: appends those within
-    /// their margins or not regular, and writes the places of the others to `apart`; how many. Of those in `met` only
-    /// less than a block may wait.
+    /// The axes of up to `MetBoxes::most` pairs of boxes, whose places are counted from `place` on: appends those
+    /// within their margins or not regular, and writes the places of the others to `apart`; how many. Of those in `met`
+    /// only less than a block may wait.
     template <class T> std::size_t box_axes(const PairRef<T>* pairs, std::size_t count, std::uint32_t place,
                                             MetBoxes<T>& met, std::uint32_t* apart);
     /// The same of pairs in rows; there are `bundled(count)` rows to read.
@@ -163,11 +163,12 @@ GRAZE_DECLARE_KERNEL(
     /// Both for one pair, given as its cores: the distance; where that is more than the margin, of the manifold only
     /// the normal.
     template <class T> T triangle_contact(const PairRef<T>& pair, BoxManifold<T>& manifold);
-    /// The axis of one pair of boxes, and its points where it is within its margin: whether it is. Of boxes that are not
-    /// regular too, and the points are not known.
+    /// The axis of one pair of boxes, and its points where it is within its margin: whether it is. Of boxes that are
+    /// not regular too, and the points are not known.
     template <class T> bool box_contact(const PairRef<T>& pair, BoxChoice<T>& choice, BoxManifold<T>& found);
-    /// The contacts of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even and with
-    /// a length. There is room for `bundled(count)`, all of which may be written; `sides` is the list of those that lie.
+    /// The contacts of pairs that `is_round_pair` names, without rounding radii beside their own, capsules even and
+    /// with a length. There is room for `bundled(count)`, all of which may be written; `sides` is the list of those
+    /// that lie.
     template <class A, class B, class T> void round_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings,
                                                              SideContact<T>* sides);
@@ -184,8 +185,8 @@ GRAZE_DECLARE_KERNEL(
     /// without a margin.
     template <class A, class T> void rests(const PairRef<T>* pairs, std::size_t count, RestBlock<T>& points);
     /// The distances of pairs in rows, of those that `is_round_pair` names and of balls, capsules, boxes and triangles
-    /// with half-spaces. `turned`: A is the second of the two for whoever asks. There are `bundled(count)` rows to read.
-    /// Returns how many it does not answer for, whose places it writes to `unknown`.
+    /// with half-spaces. `turned`: A is the second of the two for whoever asks. There are `bundled(count)` rows to
+    /// read. Returns how many it does not answer for, whose places it writes to `unknown`.
     template <class A, class B, class T> std::uint32_t row_distances(const PairRows<T>& rows, std::size_t count,
                                                                      bool turned, Distance<T>* distances,
                                                                      std::uint8_t* unknown);
@@ -201,8 +202,8 @@ GRAZE_DECLARE_KERNEL(
                                                                          std::uint8_t* unknown);
     template <class T> std::uint32_t capsule_box_row_overlaps(const PairRows<T>& rows, std::size_t count,
                                                               std::uint8_t* touch, std::uint8_t* unknown);
-    /// Contacts, distances and overlaps, as those above, of balls or capsules with triangles, in double. `unknown`: also
-    /// those that the general path has to answer for.
+    /// Contacts, distances and overlaps, as those above, of balls or capsules with triangles, in double. `unknown`:
+    /// also those that the general path has to answer for.
     template <class A, class T> void round_triangle_contacts(const PairRef<T>* pairs, std::size_t count,
                                                              PointContact<T>* contacts, Meeting* meetings,
                                                              SideContact<T>* sides);

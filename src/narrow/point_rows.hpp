@@ -259,8 +259,9 @@ append_points(const PointColumns<T, width>& columns, const std::uint32_t (&featu
   if (keys.any_twice(columns.count)) block.any_twice = true;
 }
 
-/// Writes the manifolds of a bundle of which `count` lanes are filled, the first with the block's `first`-th pair. Those
-/// that are not `known` have none and no points, nor have lanes without a pair: of these slots `filled` becomes empty.
+/// Writes the manifolds of a bundle of which `count` lanes are filled, the first with the block's `first`-th pair.
+/// Those that are not `known` have none and no points, nor have lanes without a pair: of these slots `filled` becomes
+/// empty.
 template <class T>
 [[gnu::always_inline]] inline void put_pairs(const Vec3<Lanes<T>>& normal, const Lanes<T>& known, std::size_t first,
                                              std::size_t count, Lanes<T>& filled, PointBlock<T>& block) {

@@ -47,8 +47,8 @@ std::uint16_t Polytope::add_facet(std::uint16_t i, std::uint16_t j, std::uint16_
   Facet& f = facets_[slot];
   const Vec3d &a = vertices_[i].w, &b = vertices_[j].w, &c = vertices_[k].w;
   f.normal = unit(cross(b - a, c - a), Vec3d{});
-  // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error. Which one that is
-  // no processor foresees: numbers are chosen without a branch.
+  // The vertex nearest to the origin has the smallest coordinates, and so the smallest rounding error. Which one that
+  // is no processor foresees: numbers are chosen without a branch.
   const double la = squared_[i], lb = squared_[j], lc = squared_[k];
   std::size_t nearest = lb < la ? j : i;
   nearest = lc < least(la, lb) ? k : nearest;

@@ -53,7 +53,8 @@ class Polytope {
   /// barycentric coordinates are rounding. Costs a comparison a facet, and a nearest point for the few that are near.
   void nearest_witness(const Vec3d& target, Vec3d& a, Vec3d& b) const;
   /// A ball about the origin of this radius lies inside, or of `enough` if it is smaller. Holds whatever rounding did
-  /// to the planes: no point of a triangle is nearer to the origin than the least of its vertices along any unit vector.
+  /// to the planes: no point of a triangle is nearer to the origin than the least of its vertices along any unit
+  /// vector.
   double inner_radius(double enough) const;
 
   std::span<const SupportPoint> vertices() const { return {vertices_.begin(), vertices_.end()}; }

@@ -1,19 +1,19 @@
-// Whether two cores come within reach of each other, by portal refinement (Snethen 2008, "XenoCollide: complex collision
-// made simple", Game Programming Gems 7): for many pairs at a time, since a step is a support query and a few dozen
-// operations without a case to tell apart, where GJK's simplex has fifteen. `S` is a lane type of float's.
+// Whether two cores come within reach of each other, by portal refinement (Snethen 2008, "XenoCollide: complex
+// collision made simple", Game Programming Gems 7): for many pairs at a time, since a step is a support query and a few
+// dozen operations without a case to tell apart, where GJK's simplex has fifteen. `S` is a lane type of float's.
 //
 // The difference D = B - A, rounded by the reach, has the origin in it or not. A tetrahedron of four points of D, the
-// first its `inside`, the others the portal, is moved until the origin's ray from the inside goes through the portal, and
-// the portal is then pushed outwards until the origin lies behind it, or before a plane that D lies behind.
+// first its `inside`, the others the portal, is moved until the origin's ray from the inside goes through the portal,
+// and the portal is then pushed outwards until the origin lies behind it, or before a plane that D lies behind.
 //
-// Guarantee: what it says is proven. All lengths are in units of the pair's size, so that no point of D is further than 1
-// from the way between the origins. A support point along n and its height along n come of some fifty operations on
-// numbers of that size, each right within float's 2^-24: its height is the greatest of D along n within some hundred such
-// roundings. `portal_slack` is three times that. A gap is one where the height says so by more than the slack, and the
-// origin is held where it is deeper than the slack inside all four sides of the tetrahedron, which the rounding of its
-// corners cannot undo. Where the two origins are further apart than 2 the roundings grow in proportion, but there every
-// claim of a gap is right, and a claim of the contrary would have to be wrong by half the way. Whatever cannot be proven
-// after `portal_steps`, and what float's range does not hold, is told to be unknown.
+// Guarantee: what it says is proven. All lengths are in units of the pair's size, so that no point of D is further than
+// 1 from the way between the origins. A support point along n and its height along n come of some fifty operations on
+// numbers of that size, each right within float's 2^-24: its height is the greatest of D along n within some hundred
+// such roundings. `portal_slack` is three times that. A gap is one where the height says so by more than the slack, and
+// the origin is held where it is deeper than the slack inside all four sides of the tetrahedron, which the rounding of
+// its corners cannot undo. Where the two origins are further apart than 2 the roundings grow in proportion, but there
+// every claim of a gap is right, and a claim of the contrary would have to be wrong by half the way. Whatever cannot be
+// proven after `portal_steps`, and what float's range does not hold, is told to be unknown.
 #pragma once
 
 #include "graze/mat3.hpp"
@@ -35,8 +35,8 @@ S sum_of(const Vec3<S>& v) {
   return v.x + v.y + v.z;
 }
 
-/// A sum of a box and an ellipsoid about the origin. The ellipsoid may be a ball of another size at the box's bottom than
-/// at its top, as a tapered capsule has, or a disc, as a cylinder has.
+/// A sum of a box and an ellipsoid about the origin. The ellipsoid may be a ball of another size at the box's bottom
+/// than at its top, as a tapered capsule has, or a disc, as a cylinder has.
 template <class S>
 struct PortalSum {
   Vec3<S> half, radii;
@@ -108,8 +108,8 @@ struct PortalAnswer {
   typename S::Mask apart, touching;
 };
 
-/// Whether the origin is deeper than the slack inside the side p, q, r of a tetrahedron whose fourth corner is `opposite`.
-/// Measured by the lengths of the side's edges, since those are what its normal's rounding is relative to.
+/// Whether the origin is deeper than the slack inside the side p, q, r of a tetrahedron whose fourth corner is
+/// `opposite`. Measured by the lengths of the side's edges, since those are what its normal's rounding is relative to.
 template <class S>
 auto holds_origin(const Vec3<S>& p, const Vec3<S>& q, const Vec3<S>& r, const Vec3<S>& opposite) {
   const Vec3<S> u = q - p, v = r - p, normal = cross(u, v);

@@ -1,7 +1,7 @@
 // Pairs of cores as the kernel `portal_overlaps` reads them: a column a number.
 //
-// Guarantee: numbers are those of the shapes and poses, and the way between two the difference of these, each rounded to
-// float. Nothing is allocated.
+// Guarantee: numbers are those of the shapes and poses, and the way between two the difference of these, each rounded
+// to float. Nothing is allocated.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Contacts of many pairs that touch in one point, or in two where capsules lie: balls and capsules with each other, with
-// boxes and with triangles, by the kernels for them.
+// Contacts of many pairs that touch in one point, or in two where capsules lie: balls and capsules with each other,
+// with boxes and with triangles, by the kernels for them.
 //
 // Guarantee: for each pair what `convex_contacts` answers, bit for bit.
 #pragma once
@@ -37,8 +37,8 @@ void visit_side(const SideContact<T>& found, bool turned, std::size_t i, const L
 
 /// Asks about up to `most` pairs of A and B as the kernels take them, in their order: `apart(i)` for those
 /// further apart than their margins; for the others `touching(i, contact)`, or, where a capsule lies,
-/// `lying(i, distance, normal, points)`, the last `SidePoints`, or `unknown(i)`. `turned`: A is the second of the two for
-/// whoever asks, as the points of those that lie are told.
+/// `lying(i, distance, normal, points)`, the last `SidePoints`, or `unknown(i)`. `turned`: A is the second of the two
+/// for whoever asks, as the points of those that lie are told.
 template <class A, class B, std::size_t most = most_chunk, class T, class Apart, class Touching, class Lying,
           class Unknown>
 void visit_round_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, const Apart& apart,

@@ -110,8 +110,9 @@ struct RowBundle {
   [[gnu::always_inline]] typename S::Mask regular() const { return a.regular & b.regular; }
 };
 
-/// Pairs ahead of those that a kernel is at, whose rows are fetched. A bundle at a time: a processor fetches a few dozen
-/// lines at once and waits with more. Those of a whole chunk at once took a fifth of the time of contacts of boxes.
+/// Pairs ahead of those that a kernel is at, whose rows are fetched. A bundle at a time: a processor fetches a few
+/// dozen lines at once and waits with more. Those of a whole chunk at once took a fifth of the time of contacts of
+/// boxes.
 inline constexpr std::size_t rows_ahead = 64;
 
 /// Has the rows of a bundle brought near that begins with the `first`-th, which may be behind the end.

@@ -37,8 +37,8 @@ PlacedEdge placed(const Polyhedron& p, std::size_t edge) {
   return {p.normals()[e.face[0]], p.normals()[e.face[1]], p.vertices()[e.vertex[1]] - point, point};
 }
 
-/// Whether n . q exceeds `best` for some unit vector n of the arc from `a` to `b`, by x = a . q and y = b . q: at one of
-/// its ends, or where q's projection falls inside it, which it never does where both are negative.
+/// Whether n . q exceeds `best` for some unit vector n of the arc from `a` to `b`, by x = a . q and y = b . q: at one
+/// of its ends, or where q's projection falls inside it, which it never does where both are negative.
 bool exceeds_on_arc(double x, double y, const Vec3d& a, const Vec3d& b, double best) {
   if (x > best || y > best) return true;
   if (x <= 0 && y <= 0) return false;

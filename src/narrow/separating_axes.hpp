@@ -19,8 +19,8 @@ namespace graze {
 /// vertices of B and the reverse, and little more: few edges can show a larger separation than the faces.
 SeparatingAxes separating_axes(const Polyhedron& a, const Polyhedron& b, double enough);
 
-/// Every axis, one by one, for an explanation: A's faces, B's, and all pairs of edges that cross on the Gauss map. Costs
-/// the vertices of both for each.
+/// Every axis, one by one, for an explanation: A's faces, B's, and all pairs of edges that cross on the Gauss map.
+/// Costs the vertices of both for each.
 std::vector<SeparatingAxis> all_separating_axes(const Polyhedron& a, const Polyhedron& b);
 
 /// The least dot product of a point with a direction.

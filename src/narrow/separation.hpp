@@ -1,12 +1,11 @@
 // How long a plane between two moving convex shapes stays between them.
 //
-// Along a fixed direction n a point p that turns about its body's origin lies at n.p(t), whose rate is n.(w x p) and whose
-// second derivative is no more than |w| |n x w| r, r the point's distance from the axis. So p stays below
-//   n.p + dt (n x w).p + dt^2/2 |w| |n x w| r,
-// and the most of this over all p of the shape is its extent along the tilted direction n + dt (n x w): one support query.
-// The gap along n is then at least a function q(dt) that is concave, extents being convex. Where q is positive at both
-// ends of an interval it is positive throughout, and one test at its end proves the interval free of contact. A ball about
-// a core does not take part in the turning.
+// Along a fixed direction n a point p that turns about its body's origin lies at n.p(t), whose rate is n.(w x p) and
+// whose second derivative is no more than |w| |n x w| r, r the point's distance from the axis. So p stays below n.p +
+// dt (n x w).p + dt^2/2 |w| |n x w| r, and the most of this over all p of the shape is its extent along the tilted
+// direction n + dt (n x w): one support query. The gap along n is then at least a function q(dt) that is concave,
+// extents being convex. Where q is positive at both ends of an interval it is positive throughout, and one test at its
+// end proves the interval free of contact. A ball about a core does not take part in the turning.
 #pragma once
 
 #include "narrow/minkowski.hpp"
@@ -121,8 +120,8 @@ class Separation {
   }
 
   /// The last dt <= most with q(dt) >= target - slack, approached from below: between a chord of q, which falls to the
-  /// target before q does, and a parabola, which does so after. Exact for a translation; else as exact as pays, since the
-  /// plane is to be replaced by a better one anyway.
+  /// target before q does, and a parabola, which does so after. Exact for a translation; else as exact as pays, since
+  /// the plane is to be replaced by a better one anyway.
   double root(Sample low, double target, double slack, double most) const {
     const double enough = greatest(slack, low.value * 1e-3);
     // A digit or more an iteration, as chord and parabola close in from both sides.

@@ -13,13 +13,13 @@ namespace graze {
 
 namespace {
 
-/// A translation takes one step or two. A shape that turns takes ten to twenty, but at a gap of d times its radius, which
-/// is not that of its envelope, 2 pi / sqrt(2 d) a turn: this many are three turns at a millionth or a hundred at a
-/// thousandth, and cost some milliseconds.
+/// A translation takes one step or two. A shape that turns takes ten to twenty, but at a gap of d times its radius,
+/// which is not that of its envelope, 2 pi / sqrt(2 d) a turn: this many are three turns at a millionth or a hundred at
+/// a thousandth, and cost some milliseconds.
 constexpr int most_steps = 1 << 14;
 
-/// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are no
-/// better than the square root of their distance.
+/// The slope, relative to the speed of a motion, up to which it counts as sliding along. Normals of curved shapes are
+/// no better than the square root of their distance.
 template <class T>
 constexpr double sliding = 1e-6;
 template <>
@@ -43,8 +43,8 @@ std::optional<Interval> when_near(const PairMotion& motion, double radii, Interv
   return interval.begin <= interval.end ? std::optional(interval) : std::nullopt;
 }
 
-/// What counts as contact of the distance that contact is allowed to have: a distance of curved shapes is itself known to
-/// a tenth of that, and steps end where the shapes stay more than half of it apart.
+/// What counts as contact of the distance that contact is allowed to have: a distance of curved shapes is itself known
+/// to a tenth of that, and steps end where the shapes stay more than half of it apart.
 constexpr double touching = 0.875;
 
 /// To what part of the tolerance GJK tells the distance at an impact. Where nothing is rounded that is about half the
@@ -136,7 +136,8 @@ class Advancement {
         step = least(left, separation.stays_above(floor - greatest(sink, tolerance_ / 2) / 2, tolerance_ / 8, left));
       }
       if (i == most_steps || !(t + step > t)) {
-        // Where a distance is not known well enough for another step, its points may still be as near as they have to be.
+        // Where a distance is not known well enough for another step, its points may still be as near as they have to
+        // be.
         const bool near_enough = !touch && i < most_steps && impact.distance <= coarse_;
         impact.status = near_enough ? Status::converged : Status::bounded;
         return impact;
@@ -146,8 +147,8 @@ class Advancement {
   }
 
  private:
-  /// Whether points of both shapes are near enough; then it is no matter how good a bound of the depth or of the gap has
-  /// been found.
+  /// Whether points of both shapes are near enough; then it is no matter how good a bound of the depth or of the gap
+  /// has been found.
   bool touches(Impact& impact) const {
     if (impact.distance > touching * tolerance_) return false;
     if (impact.status == Status::bounded) impact.status = Status::converged;

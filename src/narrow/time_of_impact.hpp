@@ -2,12 +2,12 @@
 //
 // Guarantee: as `graze/cast.hpp` for convex shapes. Everything is in double and in world axes about A's moving origin.
 //
-// Method: conservative advancement. At a time when the shapes are apart, the plane between them is proven to stay between
-// them for a while; then the distance is asked anew. How long it stays is where the work is saved. A translation follows
-// its planes exactly, GJK searching for better ones as it goes (see `free_translation`). Of a shape that turns, bounding
-// the speed alone (Mirtich) gains a constant factor a step, while the shapes' extents along the plane's turning normal
-// gain ever more digits a step (see `Separation`); and where all that a shape ever turns through stays behind the plane,
-// it stays for any number of turns (see `Envelope`).
+// Method: conservative advancement. At a time when the shapes are apart, the plane between them is proven to stay
+// between them for a while; then the distance is asked anew. How long it stays is where the work is saved. A
+// translation follows its planes exactly, GJK searching for better ones as it goes (see `free_translation`). Of a shape
+// that turns, bounding the speed alone (Mirtich) gains a constant factor a step, while the shapes' extents along the
+// plane's turning normal gain ever more digits a step (see `Separation`); and where all that a shape ever turns through
+// stays behind the plane, it stays for any number of turns (see `Envelope`).
 #pragma once
 
 #include <optional>

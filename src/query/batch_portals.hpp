@@ -1,8 +1,8 @@
 // The pairs of a batch that GJK would be asked about one by one, put together for the kernel that tells of most of them
 // whether they touch.
 //
-// Guarantee: every pair that is taken is answered, by the kernel or by itself, when `finish` has been called. Nothing is
-// allocated.
+// Guarantee: every pair that is taken is answered, by the kernel or by itself, when `finish` has been called. Nothing
+// is allocated.
 #pragma once
 
 #include <array>

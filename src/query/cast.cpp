@@ -55,8 +55,8 @@ struct Asked {
            path_rounding * path;
   }
 
-  /// Whether the balls about the bodies' origins that hold them are clearly apart at the begin: by a thousandth of them,
-  /// ten thousand times what float rounds.
+  /// Whether the balls about the bodies' origins that hold them are clearly apart at the begin: by a thousandth of
+  /// them, ten thousand times what float rounds.
   bool begins_far() const {
     constexpr double slack = 1 + 1e-3;
     return length(motion.offset) > slack * (a.reach() + b.reach()) + tolerance_of(a, b);

@@ -53,8 +53,8 @@ std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::ui
   return best;
 }
 
-/// A choice of which no compiler makes a jump: for conditions that no processor foresees. Not every standard library has
-/// `std::bit_cast`.
+/// A choice of which no compiler makes a jump: for conditions that no processor foresees. Not every standard library
+/// has `std::bit_cast`.
 template <class N>
 N without_jump(bool condition, N yes, N no) {
   using Bits = std::conditional_t<sizeof(N) == 4, std::uint32_t, std::uint64_t>;

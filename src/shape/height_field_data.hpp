@@ -97,8 +97,8 @@ struct HeightFieldData {
     return go_on(f, number) && go_on(f, number + 1);
   }
 
-  /// Calls `f(number)` for the triangles of the cells that a region reaches into, and perhaps of some beside it, holes left
-  /// out; `f` may return false to end that. Where few cells are, the grid tells them without a search.
+  /// Calls `f(number)` for the triangles of the cells that a region reaches into, and perhaps of some beside it, holes
+  /// left out; `f` may return false to end that. Where few cells are, the grid tells them without a search.
   template <class F>
   bool each_at(const Aabb<T>& region, F& f) const {
     const auto [first_column, end_column] = cells_between(region.lower.x, region.upper.x, spacing_x, columns - 1);
@@ -116,8 +116,8 @@ struct HeightFieldData {
   }
 
  private:
-  /// The cells, of a row or a column of `count`, that an interval reaches into, and one more on either side where rounding
-  /// may hide that; all, if they have no width.
+  /// The cells, of a row or a column of `count`, that an interval reaches into, and one more on either side where
+  /// rounding may hide that; all, if they have no width.
   static std::pair<std::uint32_t, std::uint32_t> cells_between(T low, T high, T spacing, std::uint32_t count) {
     if (!(spacing > T(0))) return {0, count};
     const T middle = T(count) / T(2), rounding = T(8) * std::numeric_limits<T>::epsilon() * T(count);

@@ -1,8 +1,8 @@
 // Two hierarchies of bounds against each other, under a relative pose: which of their pieces come near.
 //
 // Guarantee: every pair of pieces whose boxes come within the limit is visited, in the same order for the same input;
-// nearer pairs of nodes first, so that a limit that shrinks prunes the rest. The cost follows from what is near, not from
-// the product of the sizes.
+// nearer pairs of nodes first, so that a limit that shrinks prunes the rest. The cost follows from what is near, not
+// from the product of the sizes.
 #pragma once
 
 #include "graze/pose.hpp"

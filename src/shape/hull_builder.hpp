@@ -1,8 +1,8 @@
 // The convex hull of points, as a triangulated surface: quickhull with exact predicates.
 //
 // Guarantee: terminates for any finite points, with a closed, convex, consistently oriented surface. The points are
-// rounded to an integer grid of 2^40 steps across the set, on which every orientation test is exact in 128-bit integers:
-// rounding cannot fold the surface, whatever the input. A point lies outside by less than the grid's step.
+// rounded to an integer grid of 2^40 steps across the set, on which every orientation test is exact in 128-bit
+// integers: rounding cannot fold the surface, whatever the input. A point lies outside by less than the grid's step.
 // (Barber, Dobkin, Huhdanpaa 1996, "The quickhull algorithm for convex hulls".)
 #pragma once
 

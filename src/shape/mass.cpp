@@ -153,8 +153,8 @@ void add_rounding(Moments& m, const HullData<T>& hull, double r) {
   }
 }
 
-/// A body of revolution about Y: the outline is two circles in the half-plane (x, y), about (c, -h) and (c, h), and what
-/// their common tangent spans. A capsule's circles are about the axis, a cylinder's about its rims.
+/// A body of revolution about Y: the outline is two circles in the half-plane (x, y), about (c, -h) and (c, h), and
+/// what their common tangent spans. A capsule's circles are about the axis, a cylinder's about its rims.
 Moments revolved(double h, double c_bottom, double r_bottom, double c_top, double r_top) {
   const double pi = std::acos(-1.0);
   const double across = c_top - c_bottom, up = 2 * h, l = std::hypot(across, up), d = r_bottom - r_top;

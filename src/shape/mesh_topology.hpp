@@ -8,8 +8,8 @@
 
 namespace graze {
 
-/// The edges of a mesh, sorted: by which triangles, and in which direction, each is run through. Edges are told from each
-/// other by place in the list of points. Triangles that have a corner twice are passed over. Cost n log n.
+/// The edges of a mesh, sorted: by which triangles, and in which direction, each is run through. Edges are told from
+/// each other by place in the list of points. Triangles that have a corner twice are passed over. Cost n log n.
 class EdgeUses {
  public:
   EdgeUses(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points);
@@ -17,8 +17,8 @@ class EdgeUses {
   /// Whether the triangles bound a solid: every edge is run through once in each direction.
   bool bound_solid() const;
 
-  /// Calls `f(i, j, paired)` for the edges between points i < j, until it returns false; `paired`: run through once in each
-  /// direction, and not more. Returns whether it went to the end.
+  /// Calls `f(i, j, paired)` for the edges between points i < j, until it returns false; `paired`: run through once in
+  /// each direction, and not more. Returns whether it went to the end.
   template <class F>
   bool each(F&& f) const {
     for (std::uint32_t i = 0; i + 1 < begin_.size(); ++i)
@@ -35,20 +35,20 @@ class EdgeUses {
   std::vector<std::uint64_t> ends_;
 };
 
-/// Triangles lie level whose normals differ by less than this: an eighth of the sine below which a contact's normal counts
-/// as that of a face, so that any other is none of the surface's.
+/// Triangles lie level whose normals differ by less than this: an eighth of the sine below which a contact's normal
+/// counts as that of a face, so that any other is none of the surface's.
 template <class T>
 inline constexpr T level_sine = T(2.5e-5);
 
-/// Which triangles lie level with all that share a corner with them, the surface going on all around: no contact on their
-/// edges and corners has a normal but the face's. Cost n.
+/// Which triangles lie level with all that share a corner with them, the surface going on all around: no contact on
+/// their edges and corners has a normal but the face's. Cost n.
 template <class T>
 std::vector<bool> level_triangles(std::span<const Vec3<T>> points,
                                   std::span<const std::array<std::uint32_t, 3>> triangles, const EdgeUses& edges);
 
 /// The triangles, by number, that do not repeat an earlier one: the same corners in the same turn, or, without area for
-/// two corners at one place, the same points. What repeats changes no answer, and piled up in thousands costs the square
-/// of their number. Cost n.
+/// two corners at one place, the same points. What repeats changes no answer, and piled up in thousands costs the
+/// square of their number. Cost n.
 template <class T>
 std::vector<std::uint32_t> different_triangles(std::span<const Vec3<T>> points,
                                                std::span<const std::array<std::uint32_t, 3>> triangles);

@@ -7,12 +7,13 @@
 namespace graze {
 
 /// By how much of the whole the bounds of many pieces may be wider than need be on each side: to know the last digit of
-/// them would be to look at thousands of triangles of a smooth surface, a millisecond for a million in place of some microseconds.
+/// them would be to look at thousands of triangles of a smooth surface, a millisecond for a million in place of some
+/// microseconds.
 inline constexpr double loose_bounds = 1.0 / 128;
 
-/// The bounds of all pieces, each of which has `bounds_of(piece)` in the frame that the pose leads to. They contain them,
-/// but for a few roundings of the largest number involved, and are as tight for up to `few` pieces or without a turn.
-/// Six descents, one a side.
+/// The bounds of all pieces, each of which has `bounds_of(piece)` in the frame that the pose leads to. They contain
+/// them, but for a few roundings of the largest number involved, and are as tight for up to `few` pieces or without a
+/// turn. Six descents, one a side.
 template <class Hierarchy, class T, class BoundsOf>
 Aabb<T> placed_bounds(const Hierarchy& hierarchy, const Pose<T>& pose, const BoundsOf& bounds_of) {
   constexpr std::size_t few = 256;

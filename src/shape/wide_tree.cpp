@@ -82,8 +82,8 @@ class BinaryBuilder {
     return spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
   }
 
-  /// The split between two bins along the axis on which the middles spread most that costs least: the sum of both sides'
-  /// areas times their counts. None when the middles coincide, or areas over- or underflow.
+  /// The split between two bins along the axis on which the middles spread most that costs least: the sum of both
+  /// sides' areas times their counts. None when the middles coincide, or areas over- or underflow.
   Split<T> best_split(const Range<T>& range) const {
     Split<T> split;
     split.axis = widest_axis(range);

@@ -1,12 +1,12 @@
 // A tree of bounds with eight children a node: what every composite is searched by.
 //
-// Guarantee: built once and immutable, safe to query from any thread; every piece is in exactly one leaf, and the box of
-// each node and leaf, though kept in eight bits a side, contains its pieces'. Not deeper than `deepest` binary splits,
-// whatever the pieces: neither equal ones nor any number of them need recursion or memory beyond that.
+// Guarantee: built once and immutable, safe to query from any thread; every piece is in exactly one leaf, and the box
+// of each node and leaf, though kept in eight bits a side, contains its pieces'. Not deeper than `deepest` binary
+// splits, whatever the pieces: neither equal ones nor any number of them need recursion or memory beyond that.
 //
 // Sources: Wald 2007, "On fast construction of SAH-based bounding volume hierarchies" (binned splits); Wald, Benthin,
-// Boulos 2008, "Getting rid of packets" (a binary tree made wide); Ylitie, Karras, Laine 2017, "Efficient incoherent ray
-// traversal on GPUs through compressed wide BVHs" (boxes relative to the node's).
+// Boulos 2008, "Getting rid of packets" (a binary tree made wide); Ylitie, Karras, Laine 2017, "Efficient incoherent
+// ray traversal on GPUs through compressed wide BVHs" (boxes relative to the node's).
 #pragma once
 
 #include <cstdint>

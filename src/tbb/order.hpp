@@ -4,9 +4,9 @@
 // before its return, as it is by oneTBB, and by nothing else: races between tasks are still found.
 //
 // The sanitizer derives the order of threads from the atomics that it sees, and oneTBB's library is not built for it.
-// It would take all data that is handed to a task for a race (1600 of them in one run of the tests). For the same reason
-// the source that uses this is built without it: it holds oneTBB's templates, whose nodes pass from thread to thread
-// through that library.
+// It would take all data that is handed to a task for a race (1600 of them in one run of the tests). For the same
+// reason the source that uses this is built without it: it holds oneTBB's templates, whose nodes pass from thread to
+// thread through that library.
 #pragma once
 
 #ifdef GRAZE_THREAD_SANITIZER

@@ -1,6 +1,7 @@
 // Tasks shared among threads, so that each has those that follow each other.
 //
-// Guarantee: every task is given out once, whatever threads ask in whatever order. No lock, and nobody waits for anybody.
+// Guarantee: every task is given out once, whatever threads ask in whatever order. No lock, and nobody waits for
+// anybody.
 #pragma once
 
 #include <atomic>

@@ -107,7 +107,8 @@ TEST(GltfSparse, IndicesOfAllThreeTypesAndOffsets) {
   EXPECT_EQ(moved(5125, std::uint32_t{}), expected);
 }
 
-/// Both accessors without a buffer view: four points at the origin but for two, two triangles 0 0 0 but for two corners.
+/// Both accessors without a buffer view: four points at the origin but for two, two triangles 0 0 0 but for two
+/// corners.
 Json from_zeros(Bytes& bytes) {
   const auto moved = bytes.add<std::uint8_t>({1, 3});
   const auto points_at = bytes.add<float>({1, 0, 0, 0, 2, 0});

@@ -45,8 +45,8 @@ T brute_force_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>&
   return least;
 }
 
-/// The manifold of a pair of pieces, alone; and whether it is what a composite answers: not where a solid may have met the
-/// inner edge of a surface.
+/// The manifold of a pair of pieces, alone; and whether it is what a composite answers: not where a solid may have met
+/// the inner edge of a surface.
 template <class T>
 struct PieceManifold {
   Manifold<T> manifold;
@@ -85,8 +85,8 @@ bool spanned(const ContactPoint<T>& point, const Manifold<T>& by, Random& random
   return true;
 }
 
-/// Whether the manifolds answer for all that pairs of pieces find: they have each of their points or others around it, and
-/// none that no pair has.
+/// Whether the manifolds answer for all that pairs of pieces find: they have each of their points or others around it,
+/// and none that no pair has.
 template <class T>
 void expect_manifolds(const Manifolds<T>& manifolds, const std::vector<PieceManifold<T>>& expected, T noise) {
   Random random(99);

@@ -9,7 +9,8 @@
 namespace graze::testing {
 namespace {
 
-/// An octahedron whose triangles are split into four `depth` times, each vertex as far from the origin as `radius` tells.
+/// An octahedron whose triangles are split into four `depth` times, each vertex as far from the origin as `radius`
+/// tells.
 template <class Radius>
 Mesh<double> star(int depth, const Radius& radius) {
   std::vector<Vec3d> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

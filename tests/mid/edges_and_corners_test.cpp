@@ -1,5 +1,5 @@
-// Edges and corners that a surface has, and places where two of its faces are met at once, one example each: the normals
-// that a solver is to get.
+// Edges and corners that a surface has, and places where two of its faces are met at once, one example each: the
+// normals that a solver is to get.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,8 +129,8 @@ TYPED_TEST(EdgesAndCorners, OfAStepTheWallAndTheFloorAndTheEdge) {
     }
 }
 
-/// A wall that is a body beside the floor's: each is asked by itself and told of the other, and neither is lost. What of the
-/// floor is below the wall may answer for the wall that covers it.
+/// A wall that is a body beside the floor's: each is asked by itself and told of the other, and neither is lost. What
+/// of the floor is below the wall may answer for the wall that covers it.
 TYPED_TEST(EdgesAndCorners, OfAFloorAndAWallThatAreBodies) {
   using T = TypeParam;
   const Shape<T> flat = Mesh<T>({{-2, 0, -2}, {-2, 0, 2}, {2, 0, -2}, {2, 0, 2}}, {{0, 1, 3}, {0, 3, 2}});
@@ -160,7 +160,8 @@ TYPED_TEST(EdgesAndCorners, OfAFloorAndAWallThatAreBodies) {
     }
 }
 
-/// On a ridge the way from it, wherever between its sides' normals; a box that rests on it along its own face, or nearly so.
+/// On a ridge the way from it, wherever between its sides' normals; a box that rests on it along its own face, or
+/// nearly so.
 TYPED_TEST(EdgesAndCorners, OfARidgeItsOwn) {
   using T = TypeParam;
   for (const T height : {T(0.1), T(0.5), T(2)})
@@ -177,8 +178,8 @@ TYPED_TEST(EdgesAndCorners, OfARidgeItsOwn) {
     }
 }
 
-/// A ball on the seams of a level floor, or where six triangles meet, stands on one point, whatever rounding makes of the
-/// floor's normals.
+/// A ball on the seams of a level floor, or where six triangles meet, stands on one point, whatever rounding makes of
+/// the floor's normals.
 TYPED_TEST(EdgesAndCorners, OfALevelFloorNone) {
   using T = TypeParam;
   const Shape<T> floor = HeightField<T>(5, 5, std::vector<T>(25, T(0)));

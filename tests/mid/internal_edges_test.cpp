@@ -154,8 +154,9 @@ TEST(InternalEdgesOfShape, EdgesThatStickOutCount) {
   EXPECT_NEAR(length(manifolds[0].normal - expected), 0, 1e-9);
 }
 
-/// The corners of what lies on a cut floor, and none of the places where the cuts cross it. Where a cut goes through the
-/// outermost hundredth of a face, the small piece is rounded off as any small edge is: that makes two corners of one, in one place of twenty.
+/// The corners of what lies on a cut floor, and none of the places where the cuts cross it. Where a cut goes through
+/// the outermost hundredth of a face, the small piece is rounded off as any small edge is: that makes two corners of
+/// one, in one place of twenty.
 TEST(InternalEdgesOfShape, CutsAddNoPoints) {
   Random random(3);
   const Shaped floors[] = {floor_of_triangles<double>(random).mesh(), floor_with_t_junctions<double>(random).mesh(),

@@ -1,9 +1,9 @@
-// What touches a surface of triangles has exactly the surface's contacts: none that is right is lost, none is given that
-// is not right.
+// What touches a surface of triangles has exactly the surface's contacts: none that is right is lost, none is given
+// that is not right.
 //
-// What is right is told here from the triangles alone, each asked by itself, and from which corners they share: a normal
-// is the surface's if it is inside the Voronoi region of the face, edge or corner that it stands on (Mirtich 1998,
-// "V-Clip", section 2), which is to say that no triangle around that feature rises above the plane.
+// What is right is told here from the triangles alone, each asked by itself, and from which corners they share: a
+// normal is the surface's if it is inside the Voronoi region of the face, edge or corner that it stands on (Mirtich
+// 1998, "V-Clip", section 2), which is to say that no triangle around that feature rises above the plane.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,11 +23,11 @@ using testing::Random;
 using testing::sliders;
 using testing::uniform;
 
-/// Sines. What is off a face by less than 2e-4 is laid along it, and half of that leaves a region without being felt: below
-/// the first a normal is the face's, up to the second it may be, below the third it is inside a region.
+/// Sines. What is off a face by less than 2e-4 is laid along it, and half of that leaves a region without being felt:
+/// below the first a normal is the face's, up to the second it may be, below the third it is inside a region.
 constexpr double surely_same = 1e-4, maybe_same = 4e-4, surely_inside = 1e-5;
-/// Places nearer than this are one, in units of the cells: four times what the library takes for lying on a piece of that
-/// size; and how far a point may be beside where others span, which a normal turned by the above moves it.
+/// Places nearer than this are one, in units of the cells: four times what the library takes for lying on a piece of
+/// that size; and how far a point may be beside where others span, which a normal turned by the above moves it.
 constexpr double same_spot = 4e-4, span_noise = 1e-3;
 
 /// A surface as the test knows it.
@@ -160,8 +160,8 @@ ContactPoint<T> deepest_point(const Manifold<T>& m) {
                            [](const auto& p, const auto& q) { return p.distance < q.distance; });
 }
 
-/// Whether a contact leads to the back of all that meets where it stands, and the surface lies between it and the middle
-/// of the body: it is from within, below what is met.
+/// Whether a contact leads to the back of all that meets where it stands, and the surface lies between it and the
+/// middle of the body: it is from within, below what is met.
 template <class T>
 bool is_from_within(const Meeting<T>& meeting, const Corners& feature, const Vec3d& at, const Vec3d& n) {
   const KnownSurface<T>& s = meeting.surface;
@@ -230,8 +230,8 @@ bool is_right_on(const Meeting<T>& meeting, std::size_t t, const Vec3d& at, cons
          dot(s.point(feature[0]) - at, n) < same_spot && rise_around(s, feature, at, n, meeting.noise()) < maybe_same;
 }
 
-/// A manifold of the answer is right: it stands on a face, or inside a region. Of triangles that share a normal it has the
-/// points of all and the number of one.
+/// A manifold of the answer is right: it stands on a face, or inside a region. Of triangles that share a normal it has
+/// the points of all and the number of one.
 template <class T>
 void expect_right(const Meeting<T>& meeting, const Manifold<T>& m) {
   const KnownSurface<T>& s = meeting.surface;

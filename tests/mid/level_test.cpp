@@ -18,8 +18,8 @@ class Level : public ::testing::Test {};
 using Scalars = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Level, Scalars);
 
-/// A floor of 12 by 12 cells whose corners are moved about in the plane; some are lifted, some cells have corners of their
-/// own, some are cut at a T-junction, some have a triangle without area on a side, some bear a small wall.
+/// A floor of 12 by 12 cells whose corners are moved about in the plane; some are lifted, some cells have corners of
+/// their own, some are cut at a T-junction, some have a triangle without area on a side, some bear a small wall.
 template <class T>
 Mesh<T> rough_and_level(Random& random, bool spoilt) {
   constexpr std::uint32_t side = 12;

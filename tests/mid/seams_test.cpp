@@ -1,5 +1,5 @@
-// What slides from solids to sheets of triangles and back, over the seam where the one continues the other, meets the floor;
-// a step is no seam.
+// What slides from solids to sheets of triangles and back, over the seam where the one continues the other, meets the
+// floor; a step is no seam.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -118,8 +118,8 @@ Manifolds<T> contacts_of(const Shape<T>& floor, const Shape<T>& slider, const Po
   return manifolds;
 }
 
-/// A slider a little deep in the floor, half of the times just over a seam, so that the least way out of what lies there
-/// leads sideways.
+/// A slider a little deep in the floor, half of the times just over a seam, so that the least way out of what lies
+/// there leads sideways.
 template <class T>
 Pose<T> over_a_seam(const Shape<T>& slider, Random& random) {
   const auto number = [&](float low, float high) { return static_cast<T>(uniform(random, low, high)); };
@@ -175,8 +175,8 @@ TYPED_TEST(Seams, OfSolidsAndSheetsAreNotFelt) {
     }
 }
 
-/// Blocks as large as the tiles, their sides exactly on the seams or a hair or a rounding beside, the whole turned by the
-/// angles that scenes are made with: each side of a block touches the sides of tiles that it does not stand on.
+/// Blocks as large as the tiles, their sides exactly on the seams or a hair or a rounding beside, the whole turned by
+/// the angles that scenes are made with: each side of a block touches the sides of tiles that it does not stand on.
 TYPED_TEST(Seams, OfBlocksExactlyOnThemAreNotFelt) {
   using T = TypeParam;
   const std::pair<Tile<T>, Tile<T>> kinds[] = {{box_tile<T>, box_tile<T>},
@@ -209,8 +209,8 @@ TYPED_TEST(Seams, OfBlocksExactlyOnThemAreNotFelt) {
       }
 }
 
-/// A block of triangles, both sides of which count: what stands on it and over its rim meets the top and not the back of
-/// its walls.
+/// A block of triangles, both sides of which count: what stands on it and over its rim meets the top and not the back
+/// of its walls.
 TYPED_TEST(Seams, OfTheTopAndTheWallsOfABlockAreNotFelt) {
   using T = TypeParam;
   Random random(11);

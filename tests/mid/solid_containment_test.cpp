@@ -1,4 +1,5 @@
-// Solid meshes that are not convex against the winding number, and the questions with a limit against all pairs of pieces.
+// Solid meshes that are not convex against the winding number, and the questions with a limit against all pairs of
+// pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>

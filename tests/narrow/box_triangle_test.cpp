@@ -1,5 +1,6 @@
-// Contacts and overlaps of boxes and triangles against the naive separating-axis test in extended precision: whether they touch, how
-// deep, and points on both surfaces; thin triangles, seen from the side, and far from their origins too.
+// Contacts and overlaps of boxes and triangles against the naive separating-axis test in extended precision: whether
+// they touch, how deep, and points on both surfaces; thin triangles, seen from the side, and far from their origins
+// too.
 #include <algorithm>
 #include <cmath>
 

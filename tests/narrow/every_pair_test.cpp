@@ -128,8 +128,8 @@ TEST_P(EveryPair, SwappingAndTurningTheSceneChangesNothing) {
   }
 }
 
-// Zero sizes, slivers of 1e4 to 1, parallel, identical, concentric and exactly touching shapes. An answer may say that it
-// is not proven; it must then be right within the error that it states.
+// Zero sizes, slivers of 1e4 to 1, parallel, identical, concentric and exactly touching shapes. An answer may say that
+// it is not proven; it must then be right within the error that it states.
 TEST_P(EveryPair, DegenerateShapesOnALattice) {
   const auto [ka, kb] = GetParam();
   int unproven = 0;

@@ -32,7 +32,8 @@ Shape<T> random_resting_shape(int i, Random& random) {
   return Box<T>(cast<T>(i % 16 == 2 ? Vec3f{size.x, 0, size.z} : size));
 }
 
-/// A direction of the body that points about down, by less than what makes a flat part its support face, by more, or any.
+/// A direction of the body that points about down, by less than what makes a flat part its support face, by more, or
+/// any.
 Quatf random_lean(int i, Random& random) {
   constexpr Quatf faces[] = {{0, 0, 0, 1}, {1, 0, 0, 0}, {0.5f, 0.5f, 0.5f, 0.5f}, {0, 0, 0.70710678f, 0.70710678f}};
   if (i % 3 == 0) return random_rotation(random);

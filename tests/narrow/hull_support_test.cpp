@@ -182,8 +182,8 @@ TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereThePolytopeGrows) {
   EXPECT_GE(compared.proven, compared.enclosed * 8 / 10);
 }
 
-/// Cones with a pebble about in their middle: an apex is seen from many facets, once in some hundred pairs from more than
-/// a register holds.
+/// Cones with a pebble about in their middle: an apex is seen from many facets, once in some hundred pairs from more
+/// than a register holds.
 TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereManyFacetsSeeAPoint) {
   using T = TypeParam;
   Random random(9);

@@ -1,5 +1,5 @@
-// The walk of a ray down a mesh's tree: at every level of the instruction set the same triangles in the same order, none
-// that is crossed left out, and few others.
+// The walk of a ray down a mesh's tree: at every level of the instruction set the same triangles in the same order,
+// none that is crossed left out, and few others.
 #include "narrow/rays/tree_walk.hpp"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,8 @@ TYPED_TEST(TreeWalks, TellTheSameAtEveryLevelAndLeaveNothingOut) {
         }
       }
   EXPECT_GT(met, 1000u);
-  // Beside what is crossed, what lies off the ray's ends, is seen edge-on or is aimed at where it is no more than a point.
+  // Beside what is crossed, what lies off the ray's ends, is seen edge-on or is aimed at where it is no more than a
+  // point.
   EXPECT_LT(all, 2 * met);
 }
 

@@ -1,5 +1,5 @@
-// Whether this machine gives the golden bits. Without a test library, so that it is built with nothing but a compiler for
-// any processor, and runs in its emulator.
+// Whether this machine gives the golden bits. Without a test library, so that it is built with nothing but a compiler
+// for any processor, and runs in its emulator.
 #include <cinttypes>
 #include <cstdio>
 

@@ -1,8 +1,8 @@
 // Casts of every pair of convex shapes against the independent reference, straight and turning.
 //
 // A claim of no contact at a time is proven by a direction along which the reference finds the shapes apart; a claim of
-// contact by a point that is near both shapes. Where the proof fails the reference's own distance decides. For one cast in
-// `bisect_every` the time itself is found by the reference alone: dense samples, then bisection.
+// contact by a point that is near both shapes. Where the proof fails the reference's own distance decides. For one cast
+// in `bisect_every` the time itself is found by the reference alone: dense samples, then bisection.
 //
 // How many casts a pair of kinds: GRAZE_TEST_CASTS in the environment, else 60; GRAZE_TEST_SEARCH_EVERY for bisection.
 #include "graze/cast.hpp"

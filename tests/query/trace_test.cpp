@@ -98,7 +98,8 @@ TEST(Trace, AskingForItChangesNoBitOfAnyAnswer) {
   expect_all_explained<float>(4);
 }
 
-// Stacked and tilted boxes, whose points come from a routine of their own: the trace shows the axis that these stand on.
+// Stacked and tilted boxes, whose points come from a routine of their own: the trace shows the axis that these stand
+// on.
 TEST(Trace, ContactsOfBoxesStandOnTheWinner) {
   Random random(5);
   int touching = 0;

@@ -123,7 +123,8 @@ TYPED_TEST(HeightFields, ThePyramidMissesNothing) {
       EXPECT_TRUE(!field.has_triangle(t) || !overlap(bounds_of(field.triangle(t)), near) || told.count(t));
     EXPECT_LE(told.size(), 2 * 5 * 5u);
 
-    // The bounds under a pose contain every corner, and are not wider than that but for rounding and what `loose_bounds` allows.
+    // The bounds under a pose contain every corner, and are not wider than that but for rounding and what
+    // `loose_bounds` allows.
     const Pose<T> pose{cast<T>(random_vector(random, 5)), normalized(cast<T>(random_rotation(random)))};
     const Aabb<T> bounds = graze::bounds(Shape<T>(field), pose);
     Aabb<T> corners = Aabb<T>::empty();

@@ -1,8 +1,8 @@
 // What touches while an animation plays: frame by frame, who begins to touch and who ends.
 //
-// Guarantee: the answer is a function of the scene and the options alone; for two colliders `begin` and `end` take turns,
-// `begin` first. Frames are looked at one by one: what happens between two of them is not seen. Pairs are left out as
-// `collide` leaves them out, where whatever the animation moves can move.
+// Guarantee: the answer is a function of the scene and the options alone; for two colliders `begin` and `end` take
+// turns, `begin` first. Frames are looked at one by one: what happens between two of them is not seen. Pairs are left
+// out as `collide` leaves them out, where whatever the animation moves can move.
 #pragma once
 
 #include <functional>
@@ -53,8 +53,9 @@ std::size_t frame_count(const Scene& scene, const FrameOptions& options);
 /// Which colliders the animation moves, by index. Throws `InvalidValue` without such an animation.
 std::vector<std::uint32_t> animated_colliders(const Scene& scene, std::size_t animation);
 
-/// Plays an animation and calls `each` for every frame. A collider that is scaled to nothing touches nothing while it is.
-/// Throws `InvalidValue` for a scene without animations, options out of range, and for what gets too large on the way.
+/// Plays an animation and calls `each` for every frame. A collider that is scaled to nothing touches nothing while it
+/// is. Throws `InvalidValue` for a scene without animations, options out of range, and for what gets too large on the
+/// way.
 void collide_frames(const Scene& scene, const FrameOptions& options, const std::function<void(const Frame&)>& each);
 
 }  // namespace graze::io

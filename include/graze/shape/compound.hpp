@@ -1,7 +1,8 @@
 // Several shapes that move as one, nested as wished.
 //
-// Guarantee: shared and immutable, with a tree of bounds over the children, so that copies are cheap, a query looks only
-// at children that come near, and queries from any thread are safe. The children keep the order in which they were given.
+// Guarantee: shared and immutable, with a tree of bounds over the children, so that copies are cheap, a query looks
+// only at children that come near, and queries from any thread are safe. The children keep the order in which they were
+// given.
 #pragma once
 
 #include <memory>

@@ -35,9 +35,9 @@ struct Face {
 template <class T>
 inline constexpr T face_lean = T(0.035);
 
-/// The same for what flat sides meet once a normal is chosen: a side is laid over the other shape's while it leans up to
-/// 60 degrees (this is the sine), and is seen from the edge beyond. No corner of a box leans as far from all three of
-/// its faces.
+/// The same for what flat sides meet once a normal is chosen: a side is laid over the other shape's while it leans up
+/// to 60 degrees (this is the sine), and is seen from the edge beyond. No corner of a box leans as far from all three
+/// of its faces.
 template <class T>
 inline constexpr T side_lean = T(0.866);
 

@@ -1,8 +1,8 @@
 // Height fields: surfaces over a grid, without thickness, both sides of which count unless told.
 //
-// Guarantee: any finite heights; what is needed is checked once, when built. Shared and immutable, safe to query from any
-// thread. Triangles are made when asked for: besides the heights an eighth of their memory is kept, the lowest and highest
-// of each four by four cells, of each four by four of those, and so on.
+// Guarantee: any finite heights; what is needed is checked once, when built. Shared and immutable, safe to query from
+// any thread. Triangles are made when asked for: besides the heights an eighth of their memory is kept, the lowest and
+// highest of each four by four cells, of each four by four of those, and so on.
 #pragma once
 
 #include <array>
@@ -22,16 +22,16 @@ namespace graze {
 template <class T>
 struct HeightFieldData;
 
-/// heights[r * columns + c] stands at x = (c - (columns - 1) / 2) spacing_x, z = (r - (rows - 1) / 2) spacing_z, y up. A
-/// cell is split along (c, r) - (c + 1, r + 1) into two triangles that face +Y: first the one with (c + 1, r), then the
-/// one with (c, r + 1). A cell one corner of which is a hole is none.
+/// heights[r * columns + c] stands at x = (c - (columns - 1) / 2) spacing_x, z = (r - (rows - 1) / 2) spacing_z, y up.
+/// A cell is split along (c, r) - (c + 1, r + 1) into two triangles that face +Y: first the one with (c + 1, r), then
+/// the one with (c, r + 1). A cell one corner of which is a hole is none.
 template <class T>
 class HeightField {
  public:
   static constexpr const char* name = "heightfield";
 
-  /// At least two columns and rows; spacings finite and >= 0; columns * rows heights, finite, or not a number for a hole.
-  /// At least one cell has to be whole. Throws `InvalidValue`. Cost: the number of heights.
+  /// At least two columns and rows; spacings finite and >= 0; columns * rows heights, finite, or not a number for a
+  /// hole. At least one cell has to be whole. Throws `InvalidValue`. Cost: the number of heights.
   HeightField(std::size_t columns, std::size_t rows, std::vector<T> heights, T spacing_x = T(1), T spacing_z = T(1),
               Sides sides = Sides::both);
 

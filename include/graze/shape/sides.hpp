@@ -8,8 +8,8 @@
 namespace graze {
 
 /// `front`: `contacts` leaves out what would push a body out through the back of a triangle, the side from which its
-/// corners run clockwise. A body comes through from behind as through a one-way door, and one whose middle has passed the
-/// surface is not pushed back, as in the engines of the field; edges push to either side. Distance, overlap and the
+/// corners run clockwise. A body comes through from behind as through a one-way door, and one whose middle has passed
+/// the surface is not pushed back, as in the engines of the field; edges push to either side. Distance, overlap and the
 /// nearest point are geometry and know no sides.
 enum class Sides : std::uint8_t { both, front };
 

@@ -1,6 +1,7 @@
 // The triangle and the line segment, alone, as shapes without thickness.
 //
-// Guarantee: any vertices up to `largest_magnitude`, degenerate ones included (a triangle may be a sliver, a segment or a point).
+// Guarantee: any vertices up to `largest_magnitude`, degenerate ones included (a triangle may be a sliver, a segment or
+// a point).
 #pragma once
 
 #include "graze/aabb.hpp"

@@ -77,8 +77,8 @@ class BodyArrays {
   std::span<const std::uint8_t> fixed() const { return fixed_; }
   std::span<const std::uint8_t> triggers() const { return triggers_; }
   std::span<const std::uint8_t> fast() const { return fast_; }
-  /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has no
-  /// size.
+  /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has
+  /// no size.
   std::span<const T> margins() const { return margins_; }
 
   /// What was added, removed, moved or given another shape since `settle`: one byte an index, and the indices sorted.

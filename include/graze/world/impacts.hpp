@@ -1,7 +1,7 @@
 // What fast bodies would pass through before the next update.
 //
-// Guarantee: that of `cast`: no impact is missed, and none comes late. For the bodies that are marked fast, with whatever
-// they meet, moving or not, while all keep their velocities; sorted by time and then by the bodies.
+// Guarantee: that of `cast`: no impact is missed, and none comes late. For the bodies that are marked fast, with
+// whatever they meet, moving or not, while all keep their velocities; sorted by time and then by the bodies.
 #pragma once
 
 #include <vector>
@@ -21,8 +21,8 @@ struct Impact {
   CastHit<T> hit;
 };
 
-/// `allowed(i, j)` tells whether two indices may meet; it is called from any thread. Bodies that touch and part, or slide,
-/// do not meet. Cost: a cast with each body whose bounds the sweep of a fast one touches.
+/// `allowed(i, j)` tells whether two indices may meet; it is called from any thread. Bodies that touch and part, or
+/// slide, do not meet. Cost: a cast with each body whose bounds the sweep of a fast one touches.
 template <class T>
 void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T duration,
                   const std::function<bool(std::uint32_t, std::uint32_t)>& allowed, Executor& executor,

@@ -66,9 +66,9 @@ template <class T>
 class ManifoldFinder {
  public:
   /// The contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is only
-  /// asked whether it overlaps, and has no manifolds. Where no body changed and the pairs are the same, nothing is done.
-  /// Calls `paired` once, from any thread, when those in contact stand in `contacts().pairs`; their manifolds and points
-  /// may still be put together while it runs.
+  /// asked whether it overlaps, and has no manifolds. Where no body changed and the pairs are the same, nothing is
+  /// done. Calls `paired` once, from any thread, when those in contact stand in `contacts().pairs`; their manifolds and
+  /// points may still be put together while it runs.
   void find(
       const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor,
       const std::function<void()>& paired = [] {});

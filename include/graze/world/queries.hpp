@@ -1,8 +1,8 @@
 // What a scene is asked: what is here, what is nearest, what is in the way.
 //
 // Guarantee: exactly the bodies that the question is about, whatever structure finds them, sorted as each question says
-// and by index where that is equal: a function of the scene and the question alone. Bodies are where they were last put,
-// whether or not the world was updated since. Safe from several threads while nothing changes.
+// and by index where that is equal: a function of the scene and the question alone. Bodies are where they were last
+// put, whether or not the world was updated since. Safe from several threads while nothing changes.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // Two boxes as they meet along an axis, turned until the axis runs about along z, across lanes.
 //
-// Guarantee: in every lane the bits that the pair gives alone; nothing of a single pair is a jump but whether the axis is
-// one of edges.
+// Guarantee: in every lane the bits that the pair gives alone; nothing of a single pair is a jump but whether the axis
+// is one of edges.
 #pragma once
 
 #include "narrow/pairs/box_choice.hpp"

@@ -152,8 +152,8 @@ BoxLimits<S> box_limits(const BoxRows<S>& p, const BoxChoice<S>& choice, const S
   return {choice.axis, noise, greatest(margin, choice.distance + noise), choice.distance + allowed};
 }
 
-/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` gives the pose of B where the mask is set, of A
-/// elsewhere. Only for boxes within the margin of each other.
+/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` gives the pose of B where the mask is set, of
+/// A elsewhere. Only for boxes within the margin of each other.
 template <class S, class PoseOf, class F>
 void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const PoseOf& pose_of, const F& f) {
   using std::abs, std::sqrt;

@@ -30,8 +30,8 @@ struct Corners {
   typename Several<S, 4>::Mask are;  ///< false: there is none
 };
 
-/// Corners in order, of lanes, which have them in different slots, so that each slot has a mask that tells whether there
-/// is one. Those of a single pair (`single_ring.hpp`) close up, and what is done to all of them is done at once.
+/// Corners in order, of lanes, which have them in different slots, so that each slot has a mask that tells whether
+/// there is one. Those of a single pair (`single_ring.hpp`) close up, and what is done to all of them is done at once.
 template <class S>
 class Ring {
  public:

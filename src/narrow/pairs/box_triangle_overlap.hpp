@@ -1,7 +1,7 @@
 // Box against triangle: whether they touch.
 //
-// Guarantee: in every lane what the pair gives alone. `contacts` asks the same axes, and says the same wherever the faces
-// that these lead to tell its points.
+// Guarantee: in every lane what the pair gives alone. `contacts` asks the same axes, and says the same wherever the
+// faces that these lead to tell its points.
 #pragma once
 
 #include "narrow/pairs/box_triangle.hpp"

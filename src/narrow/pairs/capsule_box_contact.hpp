@@ -66,8 +66,8 @@ struct CapsuleOnFace {
 
 }  // namespace round
 
-/// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T, the
-/// scalar of the shapes. `margin`: up to where contacts are wanted. Only for those within the margin of each other.
+/// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T,
+/// the scalar of the shapes. `margin`: up to where contacts are wanted. Only for those within the margin of each other.
 template <class T, class S>
 SideContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const CoreDistance<S>& at,
                             const S& margin) {

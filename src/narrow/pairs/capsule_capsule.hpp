@@ -36,8 +36,8 @@ CoreDistance<S> between_segments(const CorePoints<S>& nearest, const Vec3<S>& n,
 }
 
 /// Turns the normal to right angles to what it leaves, where the segments are near: not for capsules' axes, whose
-/// nearness is a depth of both radii, and which would take two fifths longer. Twice: each turns it by what it takes, and
-/// so out of the other's plane by less. By itself, since few segments are so near.
+/// nearness is a depth of both radii, and which would take two fifths longer. Twice: each turns it by what it takes,
+/// and so out of the other's plane by less. By itself, since few segments are so near.
 template <class S, class M>
 [[gnu::noinline, gnu::cold]] void settle(CoreDistance<S>& d, const Segment<S>& a, const Segment<S>& b, const M& close) {
   Vec3<S> n = d.normal;

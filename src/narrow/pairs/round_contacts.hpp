@@ -1,5 +1,5 @@
-// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point, or two
-// where the sides of capsules lie along each other; across lanes.
+// Contacts of balls and even capsules with each other, and of balls with boxes, by their closed forms: one point, or
+// two where the sides of capsules lie along each other; across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
 #pragma once
@@ -273,8 +273,8 @@ std::optional<T> lying_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& 
                    ids_with_round, manifold);
 }
 
-/// Of concrete shapes with their margins. Nothing where more is to be asked; where there may be two points, the manifold
-/// holds the closest points then.
+/// Of concrete shapes with their margins. Nothing where more is to be asked; where there may be two points, the
+/// manifold holds the closest points then.
 template <class A, class B, class T>
 std::optional<T> round_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
                                 const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {

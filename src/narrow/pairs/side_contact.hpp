@@ -1,7 +1,8 @@
 // What touches where the side of a capsule lies on something: one point or two along one normal, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The points are those of the general path, up to rounding
-// and under the same names: the ends of the stretch in which the faces lie over each other, each on the surfaces over it.
+// and under the same names: the ends of the stretch in which the faces lie over each other, each on the surfaces over
+// it.
 #pragma once
 
 #include "narrow/core.hpp"
@@ -93,8 +94,8 @@ struct Side {
   S half, radius;
   S up, seen;  ///< along the axis a unit of the direction, and squared a unit of the axis as seen
 
-  /// How far beyond a place on the axis, and `beside` it, the surface lies; minus infinity where the line passes by. The
-  /// square of what is beside, and its product with the axis as seen, since both are seen along the direction.
+  /// How far beyond a place on the axis, and `beside` it, the surface lies; minus infinity where the line passes by.
+  /// The square of what is beside, and its product with the axis as seen, since both are seen along the direction.
   S rise(const S& along, const S& beside_squared, const S& beside_along) const {
     using std::sqrt;
     const S zero(0), never(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), flat = S(1) / seen;

@@ -1,8 +1,8 @@
 // A triangle as points and segments look at it, across lanes: what of it is nearest, and its name.
 //
-// Guarantee: an answer is `known` only where rounding leaves its direction known. Then the nearest place is right to the
-// rounding of the coordinates, the direction to six digits, over the face to all. In every lane the bits that a triangle
-// alone gives. For double: the bounds are of its digits.
+// Guarantee: an answer is `known` only where rounding leaves its direction known. Then the nearest place is right to
+// the rounding of the coordinates, the direction to six digits, over the face to all. In every lane the bits that a
+// triangle alone gives. For double: the bounds are of its digits.
 #pragma once
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // A triangle on a half-space: the corners of its support face, each with its own height, across lanes.
 //
 // Guarantee: in every lane the bits that the pair gives alone. The distance is that of `distance`, bit for bit, and the
-// lowest point's; the face, edge or corner is the one that `Triangle::core_face` gives, up to rounding of what it leans,
-// in its order. There is a point where the distance is within the margin, and only there.
+// lowest point's; the face, edge or corner is the one that `Triangle::core_face` gives, up to rounding of what it
+// leans, in its order. There is a point where the distance is within the margin, and only there.
 #pragma once
 
 #include "narrow/pairs/box_choice.hpp"

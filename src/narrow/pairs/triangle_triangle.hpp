@@ -51,8 +51,8 @@ std::optional<bool> own_overlap(const Triangle<T>& a, T margin_a, const Pose<T>&
   return static_cast<T>(found.at.distance) <= T(0);
 }
 
-/// The contacts of two shapes that are triangles; returns their signed distance, or where nothing is within the margin a
-/// lower bound that exceeds it.
+/// The contacts of two shapes that are triangles; returns their signed distance, or where nothing is within the margin
+/// a lower bound that exceeds it.
 template <class T>
 T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                          Manifold<T>& manifold);

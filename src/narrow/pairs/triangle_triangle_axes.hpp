@@ -12,8 +12,8 @@
 
 namespace graze {
 
-/// A number for each of three corners, or of three edges, which begin at them. `Several` does for every lane type; where
-/// a register holds four, it is quicker for a single pair.
+/// A number for each of three corners, or of three edges, which begin at them. `Several` does for every lane type;
+/// where a register holds four, it is quicker for a single pair.
 template <class S>
 using FourWide = Wide<S, 4>;
 
@@ -69,8 +69,8 @@ Vec3<S> picked(const OneOfThree<S>& which, const CornerRows<Row>& rows) {
   return {picked(which, rows.x), picked(which, rows.y), picked(which, rows.z)};
 }
 
-/// Longer than this, in units of the two, an edge has a tenth power, which products of two edges and squares of gaps along
-/// them are made of.
+/// Longer than this, in units of the two, an edge has a tenth power, which products of two edges and squares of gaps
+/// along them are made of.
 inline constexpr double least_triangle = 1e-25;
 /// Two edges are parallel if the square of the sine between them is less: its direction is rounding.
 inline constexpr double parallel_sides =
@@ -204,7 +204,8 @@ auto best_edge_axis(const TwoTriangles<Row>& p) {
   using S = typename RowOf<Row>::Number;
   using T = typename LaneOf<S>::type;
   // An edge of A is one place along its products, 0 here, and A's other corner another; and so for B, beyond the two
-  // edges' own separation. Separations are compared by their squares with their signs, a product each in place of a root.
+  // edges' own separation. Separations are compared by their squares with their signs, a product each in place of a
+  // root.
   const Row zero{S(0)}, of_a = -dot(to_all<Row>(p.a.across), p.b.edge), of_b = dot(to_all<Row>(p.b.across), p.a.edge),
                         low_a = least(of_a, zero), high_a = greatest(of_a, zero), low_b = least(of_b, zero),
                         high_b = greatest(of_b, zero);

@@ -89,8 +89,8 @@ NearestOfTriangles<S> at_edges(const TwoTriangles<Row>& p, const EdgeNumbers<S>&
   return {{separation, normal, a, b}, met};
 }
 
-/// Two edges that cross as seen along an axis, any: what tells where the two planes are parallel and no corner of either
-/// lies over the other.
+/// Two edges that cross as seen along an axis, any: what tells where the two planes are parallel and no corner of
+/// either lies over the other.
 template <class Row, class S>
 EdgeNumbers<S> crossing_edges(const TwoTriangles<Row>& p, const Vec3<S>& normal, const S& separation,
                               const S& slack_squared) {
@@ -300,8 +300,8 @@ TriangleDistance<S> triangle_distance(const TwoTriangles<Row>& pair, const S& ra
   return found;
 }
 
-/// Two triangles in a unit of their own, a power of two about as large as they and their distance: products of ten lengths
-/// stay within range, and answers are the same for any size of the world.
+/// Two triangles in a unit of their own, a power of two about as large as they and their distance: products of ten
+/// lengths stay within range, and answers are the same for any size of the world.
 template <class S>
 struct TrianglesInUnits {
   S unit;

@@ -11,8 +11,8 @@ namespace graze::GRAZE_ISA::crowds {
 using namespace tree;
 using namespace ray_lanes;
 
-/// Rays under way at once: enough to hide the way to memory, few enough to stay near the processor themselves. With 32 in
-/// place of 64 they take 3 to 10 % longer, and half of some 60 KB of stack, which small machines have little of.
+/// Rays under way at once: enough to hide the way to memory, few enough to stay near the processor themselves. With 32
+/// in place of 64 they take 3 to 10 % longer, and half of some 60 KB of stack, which small machines have little of.
 inline constexpr std::size_t crowd = register_bytes >= 32 ? 64 : 32;
 using Numbers = double[crowd];
 

@@ -33,7 +33,8 @@ template <class T>
 }
 constexpr int rows_of_part = part_lanes / row_lanes;
 
-/// The blocks of a height field. What is exact there is: that corners have the coordinates that `HeightFieldData` gives.
+/// The blocks of a height field. What is exact there is: that corners have the coordinates that `HeightFieldData`
+/// gives.
 template <class T>
 struct FieldHierarchy {
   using Scalar = T;

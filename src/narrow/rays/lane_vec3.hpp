@@ -67,8 +67,8 @@ template <class S>
   return v + t * w + cross(vector, t);
 }
 
-/// The number `which` of each of some records of `stride` numbers that lie one behind the other from `from` on; that of the
-/// one in the place `last` for any beyond it.
+/// The number `which` of each of some records of `stride` numbers that lie one behind the other from `from` on; that of
+/// the one in the place `last` for any beyond it.
 template <int stride, class T>
 [[gnu::always_inline]] inline Lanes<double> column(const T* records, std::size_t from, std::size_t last,
                                                    std::size_t which) {

@@ -1,10 +1,10 @@
-// Some rays at a mesh of triangles, all under way at once: each step is done for all rays that are to take it before the
-// next one is, so that the memory that one ray waits for comes while others are worked on, and a branch that none can
-// foresee becomes a choice of list.
+// Some rays at a mesh of triangles, all under way at once: each step is done for all rays that are to take it before
+// the next one is, so that the memory that one ray waits for comes while others are worked on, and a branch that none
+// can foresee becomes a choice of list.
 //
-// Guarantee: every hit has the bits that `cast_at_surface` (`surface.hpp`) finds for that ray alone: the same triangles are
-// crossed or not by the same operations, and the first is chosen in whichever order they are met. Where that would take
-// what rays hardly ever need, `ray_again` is told.
+// Guarantee: every hit has the bits that `cast_at_surface` (`surface.hpp`) finds for that ray alone: the same triangles
+// are crossed or not by the same operations, and the first is chosen in whichever order they are met. Where that would
+// take what rays hardly ever need, `ray_again` is told.
 #pragma once
 
 #include "narrow/rays/ray_block.hpp"

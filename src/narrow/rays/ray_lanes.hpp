@@ -1,7 +1,7 @@
 // Rays of a block as lanes, and their hits. Only for `*.kernel.cpp`.
 //
-// Guarantee: everything is inlined or lives in the namespace of the level; a lane has the bits of `local_ray.hpp` for that
-// ray alone.
+// Guarantee: everything is inlined or lives in the namespace of the level; a lane has the bits of `local_ray.hpp` for
+// that ray alone.
 #pragma once
 
 #include "narrow/rays/lane_vec3.hpp"

@@ -4,10 +4,11 @@
 // Guarantee: watertight. Proof: a vertex is sheared by the same operations whichever triangle asks, so the sheared mesh
 // is one mesh of exact points in the plane across the ray, and the ray is the point zero there. Move the mesh in its
 // plane by a little that avoids all its edges: zero then lies inside a triangle that is not seen edge-on, wherever the
-// surface separates the ray's two ends. As that little goes to nothing, one such triangle remains which holds zero in its
-// interior or on its border. The three sides of its edges thus have exactly one sign or are zero, and not all are zero.
-// `edge_side` returns these exact signs; a triangle is hit when they do not differ and are not all zero. No step asks in
-// which order triangles or vertices come. (Only products that underflow, of coordinates below 1e-140, escape the proof.)
+// surface separates the ray's two ends. As that little goes to nothing, one such triangle remains which holds zero in
+// its interior or on its border. The three sides of its edges thus have exactly one sign or are zero, and not all are
+// zero. `edge_side` returns these exact signs; a triangle is hit when they do not differ and are not all zero. No step
+// asks in which order triangles or vertices come. (Only products that underflow, of coordinates below 1e-140, escape
+// the proof.)
 #pragma once
 
 #include "narrow/rays/round.hpp"

@@ -19,8 +19,8 @@ inline Vec3d inverse_of(const Vec3d& direction) {
   return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
 }
 
-/// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns how far it has still to be followed.
-/// `radius` as in `TreeWalk`.
+/// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns how far it has still to be
+/// followed. `radius` as in `TreeWalk`.
 template <class T, class F>
 void walk_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
   TreeWalk<T> walk{
@@ -88,8 +88,8 @@ class TriangleCast {
   Found& found_;
 };
 
-/// Whatever the ray, from near the ball, meets in it is within that distance of its origin; less than zero when it passes
-/// the ball.
+/// Whatever the ray, from near the ball, meets in it is within that distance of its origin; less than zero when it
+/// passes the ball.
 inline double reach_to(const Vec3d& center, double radius, const LocalRay& ray) {
   // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
   const Vec3d to = center - ray.origin;

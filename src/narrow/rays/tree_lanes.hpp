@@ -1,8 +1,8 @@
-// What a walk down a tree of triangles is made of: the ray in a node's eight-bit steps, the children that it enters, and
-// the triangles of a leaf that it may cross. Only for `*.kernel.cpp`.
+// What a walk down a tree of triangles is made of: the ray in a node's eight-bit steps, the children that it enters,
+// and the triangles of a leaf that it may cross. Only for `*.kernel.cpp`.
 //
-// Guarantee: as `tree_walk.hpp`: nothing is left out that the ray crosses. Everything is inlined or lives in the namespace
-// of the level.
+// Guarantee: as `tree_walk.hpp`: nothing is left out that the ray crosses. Everything is inlined or lives in the
+// namespace of the level.
 #pragma once
 
 #include "lanes/lanes.hpp"
@@ -164,8 +164,8 @@ template <class T>
 /// underflows. A key tells how far along the ray from 2 radii before its origin: what is met has a positive one.
 template <class T>
 struct Walk {
-  // For the boxes, an axis a lane: a step of the node's frame is `inverse` times it along the ray, and the frame's origin
-  // `inverse` times it less `first` at the earliest, less `last` at the latest.
+  // For the boxes, an axis a lane: a step of the node's frame is `inverse` times it along the ray, and the frame's
+  // origin `inverse` times it less `first` at the earliest, less `last` at the latest.
   Wide<T, 4> inverse, first, last;
   std::uint32_t enter[3], leave[3];  ///< which bytes of a node have the sides that the ray comes to first and last
   float begin;                       ///< a key
@@ -194,13 +194,14 @@ struct Walk {
     unit = unit > 1 / greatest_unit ? unit : 1 / greatest_unit;
     per_length = 1 / unit;
     start = -2 * q.radius;
-    // Coordinates are up to M = 2 (extent + 2 radii). Rounding in T moves a crossing, times the direction, by less than 2
-    // epsilon of M (half a one for the bounds themselves, a product, the constants and their difference) and 4 of the
+    // Coordinates are up to M = 2 (extent + 2 radii). Rounding in T moves a crossing, times the direction, by less than
+    // 2 epsilon of M (half a one for the bounds themselves, a product, the constants and their difference) and 4 of the
     // radius, that in float by 9 epsilon of the radius, and that of the ray itself by some ten of double's.
     const double most = 2 * (q.extent + 2 * q.radius);
     const double blur = (4 * rounding_of<T> + 16 * rounding_of<double>)*most + 32 * single * q.radius;
     around = 2 * blur * per_length + static_cast<double>(least_float);
-    // Of a coordinate of the frame along the ray: in T half an epsilon of each number, in float less than 28 of the radius.
+    // Of a coordinate of the frame along the ray: in T half an epsilon of each number, in float less than 28 of the
+    // radius.
     off = static_cast<float>((8 * rounding_of<T> * most + 32 * single * q.radius) * per_length);
     scale = static_cast<T>(per_length);
     part_scale = static_cast<T>(per_length * (1.0 / PackedLeaf::parts));
@@ -320,8 +321,8 @@ template <class T>
   const auto side = [&](int p, int q) __attribute__((always_inline)) { return x[q] * y[p] - y[q] * x[p]; };
   const Quad u = side(1, 2), v = side(2, 0), w = side(0, 1);
   // With coordinates off by e and of size s, a difference of two products is off by 4 e s + 2 e e, and by its own
-  // roundings, 2 epsilon s s <= e s since e is more than 4 epsilon s; where they underflow, by less than the least normal
-  // number.
+  // roundings, 2 epsilon s s <= e s since e is more than 4 epsilon s; where they underflow, by less than the least
+  // normal number.
   const Quad e(walk.off + static_cast<float>(PackedLeaf::off) * (part[0] + part[1] + part[2]));
   const Quad off = Quad(8.0f) * e * (size + e) + Quad(least_float);
   const Quad lowest = lesser(u, lesser(v, w)), highest = larger(u, larger(v, w));

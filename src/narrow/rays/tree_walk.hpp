@@ -1,13 +1,14 @@
 // A ray down a tree of triangles: which of them it may cross, in the order in which it enters the leaves. Plain numbers
 // in, so that it can be compiled for each instruction set.
 //
-// Guarantee: no triangle is left out that the exact ray crosses, or that `crossing` finds crossed or seen edge-on: boxes
-// are widened, and triangles told to be passed, by more than rounding moves anything here. What is not left out is little
-// more, and for the one who asks to judge; so his answer is the same at every level of the instruction set.
+// Guarantee: no triangle is left out that the exact ray crosses, or that `crossing` finds crossed or seen edge-on:
+// boxes are widened, and triangles told to be passed, by more than rounding moves anything here. What is not left out
+// is little more, and for the one who asks to judge; so his answer is the same at every level of the instruction set.
 //
-// Sources: Kay, Kajiya 1986, "Ray tracing complex scenes" (slabs); Ylitie, Karras, Laine 2017, "Efficient incoherent ray
-// traversal on GPUs through compressed wide BVHs" (boxes kept in eight bits: along an axis the ray passes step q of the
-// node's frame at a q + b, with a and b the same for all children; on the stack lie nodes with what is left of them).
+// Sources: Kay, Kajiya 1986, "Ray tracing complex scenes" (slabs); Ylitie, Karras, Laine 2017, "Efficient incoherent
+// ray traversal on GPUs through compressed wide BVHs" (boxes kept in eight bits: along an axis the ray passes step q of
+// the node's frame at a q + b, with a and b the same for all children; on the stack lie nodes with what is left of
+// them).
 #pragma once
 
 #include "lanes/dispatch.hpp"
@@ -40,8 +41,8 @@ GRAZE_DECLARE_KERNEL(
 
 namespace rays {
 
-/// How far a ray is to be followed that hit something at `along`, as told from an origin `shift` further on: so far that
-/// whatever rounding tells to lie as near is found too, and the first of equals does not depend on the order.
+/// How far a ray is to be followed that hit something at `along`, as told from an origin `shift` further on: so far
+/// that whatever rounding tells to lie as near is found too, and the first of equals does not depend on the order.
 [[gnu::always_inline]] inline double end_after(double along, double shift) {
   const double size = (along < 0 ? -along : along) + (shift < 0 ? -shift : shift);
   return along - shift + 4 * 0x1p-52 * size;
