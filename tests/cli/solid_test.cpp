@@ -44,7 +44,10 @@ class SolidCollide : public ::testing::Test {
 
  private:
   void write(const std::string& name, const std::string& text) const { std::ofstream(of(name)) << text; }
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "graze_solid_test";
+  // One a case: cases run side by side.
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      (std::string("graze_solid_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 const std::string unseen =
