@@ -12,11 +12,15 @@ void write_points(const std::vector<TraceSupport>& points, JsonWriter& out) {
   out.close(']');
 }
 
-/// [lower, upper]. A half-space reaches down without end, which no number of JSON says: "-infinity" does.
+/// A length that may have no end, as a half-space reaches down: no number of JSON says that, "infinity" does.
+void write_length(double length, JsonWriter& out) {
+  std::isfinite(length) ? out.number(length) : out.raw(length < 0 ? R"("-infinity")" : R"("infinity")");
+}
+
 void write_interval(double lower, double upper, JsonWriter& out) {
   out.open('[');
-  for (const double end : {lower, upper})
-    std::isfinite(end) ? out.number(end) : out.raw(end < 0 ? R"("-infinity")" : R"("infinity")");
+  write_length(lower, out);
+  write_length(upper, out);
   out.close(']');
 }
 
@@ -62,7 +66,8 @@ void write_trace(const Trace& trace, JsonWriter& out) {
     out.open('{').key("name").raw(Json(axis.name).dump()).key("direction").vector(axis.direction);
     write_interval(axis.a_lower, axis.a_upper, out.key("a"));
     write_interval(axis.b_lower, axis.b_upper, out.key("b"));
-    out.key("overlap").number(axis.overlap()).close('}');
+    write_length(axis.overlap(), out.key("overlap"));
+    out.close('}');
   }
   out.close(']');
   if (!trace.spans.empty()) write_spans(trace.spans, out);

@@ -144,6 +144,14 @@ TEST(CastProtocol, HalfSpacesMeet) {
   }
 }
 
+TEST(CastProtocol, WhatHasNoEndInATraceIsSaidInWords) {
+  const Json answer = ask(R"({"query": "cast", "a": {"shape": {"type": "plane"}},
+    "b": {"shape": {"type": "plane"}, "translation": [0, 1, 0]}, "explain": true})");
+  const Json& axis = answer["trace"]["axes"][0];
+  EXPECT_EQ(axis["a"], Json::parse(R"(["-infinity", 0])"));
+  EXPECT_EQ(axis["overlap"], "infinity");
+}
+
 TEST(CastProtocol, NamesWhatIsWrong) {
   EXPECT_EQ(ask(at_box("{" + ball + "}", R"(, "duration": -1)"))["error"],
             "duration: expected a finite number >= 0, got -1");
