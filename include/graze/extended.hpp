@@ -31,7 +31,8 @@ struct Extended {
   /// a * b without rounding.
   static constexpr Extended product(const S& a, const S& b) {
     // Halves of the digits, of which products are exact.
-    const S split(sizeof(typename Lane<S>::type) == 4 ? 0x1p12 + 1 : 0x1p27 + 1);
+    using Number = typename Lane<S>::type;
+    const S split(static_cast<Number>(sizeof(Number) == 4 ? 0x1p12 + 1 : 0x1p27 + 1));
     const S wide_a = split * a, wide_b = split * b;
     const S a1 = wide_a - (wide_a - a), b1 = wide_b - (wide_b - b), a2 = a - a1, b2 = b - b1, p = a * b;
     return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
