@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "graze/vec3.hpp"
 #include "protocol_answer.hpp"
 
 namespace graze::io {
