@@ -41,7 +41,7 @@ class Bodies {
   /// less memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
   template <class C>
   Bodies(std::span<const C> shapes, std::span<const Pose<T>> poses);
-  /// The same of vectors, which are borrowed like any array.
+  /// Bodies in vectors, which are borrowed like any array.
   template <class C>
   Bodies(const std::vector<C>& shapes, const std::vector<Pose<T>>& poses)
       : Bodies(std::span<const C>(shapes), std::span<const Pose<T>>(poses)) {}

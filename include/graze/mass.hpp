@@ -24,7 +24,7 @@ struct InverseMass {
 template <class T>
 InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation = {});
 
-/// The same of an inertia tensor in the frame `rotation`: symmetric and positive definite.
+/// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite.
 template <class T>
 InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation = {});
 

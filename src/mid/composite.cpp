@@ -44,10 +44,6 @@ bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
   return along < -same_normal<T> * max_abs(u) * max_abs(v);
 }
 
-}  // namespace
-
-namespace {
-
 template <class T>
 bool is_compound(const Shape<T>& shape) {
   return shape.template as<Compound<T>>() != nullptr;

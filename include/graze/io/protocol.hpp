@@ -24,7 +24,7 @@ struct AnswerLine {
 /// Answers one question.
 AnswerLine answer_line(std::string_view line, Precision precision);
 
-/// The same with its trace, whether the question asks for it (`explain`) or not.
+/// The answer to a line with its trace, whether the question asks for it (`explain`) or not.
 AnswerLine explained_line(std::string_view line, Precision precision);
 
 /// Answers all lines of `in`, one at a time; flushes before it would wait for more input. An error that has no `id` to
