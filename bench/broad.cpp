@@ -75,7 +75,8 @@ Contender pair_finder_in_double() {
           [state] { return state->finder.memory(); },
           [state](const Boxes& boxes) {
             state->boxes.clear();
-            for (const Aabbf& b : boxes) state->boxes.push_back({cast<double>(b.lower), cast<double>(b.upper)});
+            for (const Aabbf& b : boxes)
+              state->boxes.push_back({converted<double>(b.lower), converted<double>(b.upper)});
           }};
 }
 
@@ -217,7 +218,7 @@ class Motion {
       const double grown = scene.uneven && i % few == 0 ? larger : 1;
       boxes.push_back(box_at(
           anywhere(i), Vec3d{random_.number(0.5, 1.5), random_.number(0.5, 1.5), random_.number(0.5, 1.5)} * grown));
-      velocity_[i] = cast<float>(random_.in_cube(0.02));
+      velocity_[i] = converted<float>(random_.in_cube(0.02));
     }
   }
   void step() {
@@ -226,7 +227,7 @@ class Motion {
     for (std::size_t i = frame_++ % every; i < boxes.size(); i += every) {
       Aabbf& box = boxes[i];
       if (scene_.jumps)
-        box = box_at(anywhere(i), cast<double>(box.extent()));
+        box = box_at(anywhere(i), converted<double>(box.extent()));
       else
         box = {box.lower + velocity_[i], box.upper + velocity_[i]};
       moved.push_back(static_cast<std::uint32_t>(i));
@@ -243,7 +244,7 @@ class Motion {
            Vec3d{40 * double(i % 4), 60 * double(i % 3), 50 * double(i % 5)} * (reach_ / 4);
   }
   static Aabbf box_at(const Vec3d& center, const Vec3d& size) {
-    return {cast<float>(center - size * 0.5), cast<float>(center + size * 0.5)};
+    return {converted<float>(center - size * 0.5), converted<float>(center + size * 0.5)};
   }
 
   Scene scene_;

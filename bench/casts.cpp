@@ -59,9 +59,9 @@ Contender graze_casts(const std::vector<Pair>& ways) {
   for (const Pair& way : ways)
     items->push_back({graze_shape<float>(way.a),
                       graze_shape<float>(way.b),
-                      {cast<float>(way.a.pose.translation), cast<float>(way.a.pose.rotation)},
-                      {cast<float>(way.b.pose.translation), cast<float>(way.b.pose.rotation)},
-                      {cast<float>(way.motion), {}}});
+                      {converted<float>(way.a.pose.translation), converted<float>(way.a.pose.rotation)},
+                      {converted<float>(way.b.pose.translation), converted<float>(way.b.pose.rotation)},
+                      {converted<float>(way.motion), {}}});
   return {"graze", [items](std::size_t i) {
             const Item& item = (*items)[i];
             const auto hit = cast<float>(item.a, item.pose_a, item.velocity, item.b, item.pose_b, {}, 1.0f);
@@ -156,23 +156,25 @@ void measure_world(std::size_t count, std::size_t rounds, double (&last)[2]) {
   World<float> world;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3d size{random.number(0.5, 1.5), random.number(0.5, 1.5), random.number(0.5, 1.5)};
-    world.add({Box<float>(cast<float>(size)), {cast<float>(random.in_cube(half)), cast<float>(random.rotation())}});
+    world.add({Box<float>(converted<float>(size)),
+               {converted<float>(random.in_cube(half)), converted<float>(random.rotation())}});
   }
   std::vector<Probe> ways;
   for (std::size_t i = 0; i < probes; ++i) ways.push_back({random.in_cube(half), random.direction() * far});
   const Shape<float> moving = Box<float>({0.5f, 0.5f, 0.5f});
   std::size_t hits[2] = {};
   std::vector<double> seconds[2];
-  world.raycast({cast<float>(ways[0].from), cast<float>(ways[0].way)});  // brings its tree up to date
+  world.raycast({converted<float>(ways[0].from), converted<float>(ways[0].way)});  // brings its tree up to date
   for (std::size_t round = 0; round < rounds; ++round) {
     hits[0] = hits[1] = 0;
     seconds[0].push_back(seconds_of([&] {
       for (const Probe& p : ways)
-        hits[0] += world.raycast({cast<float>(p.from), cast<float>(p.way)}, static_cast<float>(far)).has_value();
+        hits[0] +=
+            world.raycast({converted<float>(p.from), converted<float>(p.way)}, static_cast<float>(far)).has_value();
     }));
     seconds[1].push_back(seconds_of([&] {
       for (const Probe& p : ways)
-        hits[1] += world.cast(moving, {cast<float>(p.from), {}}, {cast<float>(p.way), {}}, 1.0f).has_value();
+        hits[1] += world.cast(moving, {converted<float>(p.from), {}}, {converted<float>(p.way), {}}, 1.0f).has_value();
     }));
   }
   for (std::size_t k = 0; k < 2; ++k) {

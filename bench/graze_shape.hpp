@@ -8,7 +8,7 @@ namespace graze::bench {
 
 template <class T>
 Shape<T> graze_shape(const Body& body) {
-  const Vec3<T> s = cast<T>(body.size);
+  const Vec3<T> s = converted<T>(body.size);
   switch (body.kind) {
   case Kind::sphere: return Sphere<T>(s.x);
   case Kind::capsule: return Capsule<T>(s.y, s.x);
@@ -21,7 +21,7 @@ Shape<T> graze_shape(const Body& body) {
   case Kind::triangle: break;
   }
   std::vector<Vec3<T>> points;
-  for (const Vec3d& p : body.corners->points) points.push_back(cast<T>(p));
+  for (const Vec3d& p : body.corners->points) points.push_back(converted<T>(p));
   if (body.kind == Kind::triangle) return Triangle<T>(points[0], points[1], points[2]);
   return ConvexHull<T>(points);
 }

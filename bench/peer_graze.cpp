@@ -24,8 +24,9 @@ class Graze {
     for (const Pair& pair : pairs) {
       for (const Body* body : {&pair.a, &pair.b})
         placed_.push_back({*shared.of(*body, [](const Body& b) { return std::optional(graze_shape<T>(b)); }),
-                           graze::cast<T>(body->pose)});
-      if (max_abs(pair.motion) > 0) ways_.push_back({graze::cast<T>(pair.motion), static_cast<T>(length(pair.motion))});
+                           graze::converted<T>(body->pose)});
+      if (max_abs(pair.motion) > 0)
+        ways_.push_back({graze::converted<T>(pair.motion), static_cast<T>(length(pair.motion))});
     }
     return true;
   }
@@ -71,7 +72,7 @@ class Graze {
     graze::contacts(a.shape, a.pose, b.shape, b.pose, margin, manifolds_);
     Contacts found;
     for (const Manifold<T>& manifold : manifolds_) {
-      found.normal = graze::cast<double>(manifold.normal);
+      found.normal = graze::converted<double>(manifold.normal);
       for (const ContactPoint<T>& point : manifold.points) {
         ++found.count;
         found.deepest = std::min(found.deepest, static_cast<double>(point.distance));

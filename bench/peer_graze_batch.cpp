@@ -62,8 +62,8 @@ class GrazeBatch {
     a_.reserve(pairs.size());
     b_.reserve(pairs.size());
     for (const Pair& pair : pairs) {
-      a_.add(shape(pair.a), cast<float>(pair.a.pose));
-      b_.add(shape(pair.b), cast<float>(pair.b.pose));
+      a_.add(shape(pair.a), converted<float>(pair.a.pose));
+      b_.add(shape(pair.b), converted<float>(pair.b.pose));
     }
     return true;
   }
@@ -88,7 +88,7 @@ class GrazeBatch {
   Contacts contacts(std::size_t i) {
     Contacts contacts;
     for (const auto& manifold : found_.manifolds_of(i)) {
-      contacts.normal = cast<double>(manifold.normal);
+      contacts.normal = converted<double>(manifold.normal);
       for (const ContactPoint<float>& point : found_.points_of(manifold)) {
         ++contacts.count;
         contacts.deepest = std::min(contacts.deepest, static_cast<double>(point.distance));

@@ -71,7 +71,7 @@ Pile make_pyramid(std::size_t count) {
           normalized(Quatd{random.number(-tilt, tilt), random.number(-turn, turn), random.number(-tilt, tilt), 1});
       const Vec3d p{(first + x) * (1 + gap), 0.5 - sunk + static_cast<double>(layer) * (1 - sunk),
                     (first + z) * (1 + gap)};
-      pile.push_back({{0.5f, 0.5f, 0.5f}, cast<float>(Posed{p, q})});
+      pile.push_back({{0.5f, 0.5f, 0.5f}, converted<float>(Posed{p, q})});
     }
   return pile;
 }
@@ -102,9 +102,9 @@ Poses moved(const Pile& pile, std::uint64_t seed) {
   Poses poses;
   for (const PiledBox& box : pile) {
     const double size = static_cast<double>(length(box.half));
-    const Posed at = cast<double>(box.pose);
+    const Posed at = converted<double>(box.pose);
     const Vec3d v = random.in_cube(motion / 2);
-    poses.push_back(cast<float>(
+    poses.push_back(converted<float>(
         Posed{at.translation + random.in_cube(motion / 2) * size, normalized(Quatd{v.x, v.y, v.z, 1} * at.rotation)}));
   }
   return poses;
@@ -127,11 +127,11 @@ struct GrazePile {
   GrazePile(const Pile& pile, std::unique_ptr<Executor> threads)
       : executor(std::move(threads)), world({.margin = T(margin), .allow = {}}, executor.get()) {
     for (const PiledBox& box : pile)
-      ids.push_back(world.add({.shape = Box<T>(cast<T>(box.half) * T(2)), .pose = cast<T>(box.pose)}));
+      ids.push_back(world.add({.shape = Box<T>(converted<T>(box.half) * T(2)), .pose = converted<T>(box.pose)}));
     world.add({.shape = HalfSpace<T>(), .fixed = true});
   }
   void place(const Poses& poses) {
-    for (std::size_t i = 0; i < ids.size(); ++i) world.move(ids[i], cast<T>(poses[i]));
+    for (std::size_t i = 0; i < ids.size(); ++i) world.move(ids[i], converted<T>(poses[i]));
   }
   std::unique_ptr<Executor> executor;
   World<T> world;
@@ -263,11 +263,11 @@ class StagedPile {
  public:
   explicit StagedPile(const Pile& pile) : stages_(serial_, processor_seconds, T(margin)) {
     for (const PiledBox& box : pile)
-      ids_.push_back(stages_.add({.shape = Box<T>(cast<T>(box.half) * T(2)), .pose = cast<T>(box.pose)}));
+      ids_.push_back(stages_.add({.shape = Box<T>(converted<T>(box.half) * T(2)), .pose = converted<T>(box.pose)}));
     stages_.add({.shape = HalfSpace<T>(), .fixed = true});
   }
   void frame(const Poses& poses) {
-    for (std::size_t i = 0; i < ids_.size(); ++i) stages_.move(ids_[i], cast<T>(poses[i]));
+    for (std::size_t i = 0; i < ids_.size(); ++i) stages_.move(ids_[i], converted<T>(poses[i]));
     times_.push_back(stages_.update());
   }
   double time(std::size_t stage) const {

@@ -48,7 +48,7 @@ template <class T>
 void measure(const char* scalar, std::size_t count, std::size_t rounds, const std::regex& only) {
   Random random(1);
   std::vector<Vec3<T>> points;
-  for (int i = 0; i < 32; ++i) points.push_back(cast<T>(random.direction() * 0.6));
+  for (int i = 0; i < 32; ++i) points.push_back(converted<T>(random.direction() * 0.6));
   const std::vector<Shape<T>> shapes = {
       Sphere<T>(T(0.5)),
       Box<T>(Vec3<T>{T(0.5), T(0.4), T(0.3)}),
@@ -59,11 +59,12 @@ void measure(const char* scalar, std::size_t count, std::size_t rounds, const st
       Ellipsoid<T>(Vec3<T>{T(0.6), T(0.5), T(0.3)}),
       ConvexHull<T>(points),
       hills<T>()};
-  const Pose<T> pose{{T(1), T(2), T(3)}, cast<T>(random.rotation())};
+  const Pose<T> pose{{T(1), T(2), T(3)}, converted<T>(random.rotation())};
   std::vector<Ray<T>> rays;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3d from = cast<double>(pose.translation) + random.direction() * random.number(2, 3);
-    rays.push_back({cast<T>(from), cast<T>(cast<double>(pose.translation) + random.in_cube(0.4) - from)});
+    const Vec3d from = converted<double>(pose.translation) + random.direction() * random.number(2, 3);
+    rays.push_back(
+        {converted<T>(from), converted<T>(converted<double>(pose.translation) + random.in_cube(0.4) - from)});
   }
   std::vector<std::optional<RayHit<T>>> hits(count);
   for (const Shape<T>& shape : shapes) {

@@ -52,7 +52,7 @@ Soup bumpy_torus() {
       const double u = turn * i / around, v = turn * k / across;
       const double bump = 0.02 * std::sin(23 * u) * std::cos(9 * v) + random.number(-0.002, 0.002);
       const double minor = 0.38 + bump, rho = 1 + minor * std::cos(v);
-      soup.points.push_back(cast<float>(Vec3d{rho * std::cos(u), minor * std::sin(v), rho * std::sin(u)}));
+      soup.points.push_back(converted<float>(Vec3d{rho * std::cos(u), minor * std::sin(v), rho * std::sin(u)}));
       const auto at = [&](std::uint32_t a, std::uint32_t b) { return (a % around) * across + b % across; };
       soup.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
       soup.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
@@ -88,12 +88,12 @@ Soup read_obj(const char* path) {
 using Rays = std::vector<Ray<float>>;
 
 Ray<float> aimed(const Vec3d& from, const Vec3d& to) {
-  return {cast<float>(from), cast<float>(normalized(to - from, Vec3d{0, 0, 1}))};
+  return {converted<float>(from), converted<float>(normalized(to - from, Vec3d{0, 0, 1}))};
 }
 
 Rays camera_rays(const Soup& soup, std::size_t count) {
-  const Vec3d center = cast<double>(soup.bounds.center());
-  const double size = length(cast<double>(soup.bounds.extent()));
+  const Vec3d center = converted<double>(soup.bounds.center());
+  const double size = length(converted<double>(soup.bounds.extent()));
   const Vec3d eye = center + normalized(Vec3d{0.3, 0.8, 0.5}, Vec3d{}) * size;
   const Vec3d ahead = normalized(center - eye, Vec3d{}), right = normalized(cross(ahead, Vec3d{0, 1, 0}), Vec3d{});
   const Vec3d up = cross(right, ahead);
@@ -108,7 +108,7 @@ Rays camera_rays(const Soup& soup, std::size_t count) {
 }
 
 Rays shadow_rays(const Soup& soup, std::size_t count) {
-  const Vec3d center = cast<double>(soup.bounds.center()), half = cast<double>(soup.bounds.extent()) * 0.5;
+  const Vec3d center = converted<double>(soup.bounds.center()), half = converted<double>(soup.bounds.extent()) * 0.5;
   const Vec3d toward = normalized(Vec3d{0.4, 0.7, -0.2}, Vec3d{});
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(count)));
   Rays rays;
@@ -123,7 +123,7 @@ Rays shadow_rays(const Soup& soup, std::size_t count) {
 
 Rays random_rays(const Soup& soup, std::size_t count) {
   Random random(5);
-  const Vec3d center = cast<double>(soup.bounds.center()), half = cast<double>(soup.bounds.extent()) * 0.5;
+  const Vec3d center = converted<double>(soup.bounds.center()), half = converted<double>(soup.bounds.extent()) * 0.5;
   Rays rays;
   while (rays.size() < count) {
     const Vec3d from = center + random.direction() * (length(half) * 1.5);

@@ -47,9 +47,10 @@ std::vector<Moving> make_bodies(std::size_t count) {
     const bool ball = i % 2 == 0;
     const Vec3d v = random.in_cube(motion / 2);
     bodies.push_back({ball ? Shape<float>(Sphere<float>(static_cast<float>(size.x / 2)))
-                           : Shape<float>(Box<float>(cast<float>(size))),
-                      cast<float>(Posed{random.in_cube(half), random.rotation()}), cast<float>(random.in_cube(motion)),
-                      ball ? Quatf{} : cast<float>(Posed{{}, normalized(Quatd{v.x, v.y, v.z, 1})}).rotation});
+                           : Shape<float>(Box<float>(converted<float>(size))),
+                      converted<float>(Posed{random.in_cube(half), random.rotation()}),
+                      converted<float>(random.in_cube(motion)),
+                      ball ? Quatf{} : converted<float>(Posed{{}, normalized(Quatd{v.x, v.y, v.z, 1})}).rotation});
   }
   return bodies;
 }

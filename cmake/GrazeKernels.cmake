@@ -1,17 +1,17 @@
 # graze_kernels(<target> <sources...>): compiles each source once for every level of the instruction set and puts all of
 # the objects into the target. The source sees GRAZE_ISA, the namespace it is to define its functions in; which of them
-# is called is chosen at run time by lanes/dispatch.hpp.
+# is called is chosen at run time by simd/dispatch.hpp.
 #
 # Object libraries, because one target cannot compile a source twice. Their objects are linked for everyone, also on
 # machines without the instructions: hence no inline function that others share may be left in them, since the linker
-# keeps any one copy. tests/lanes/kernel_symbols.cmake looks for that.
+# keeps any one copy. tests/simd/kernel_symbols.cmake looks for that.
 set(graze_levels baseline)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
   list(APPEND graze_levels avx2 avx512)
 endif()
 
 # With GRAZE_LEVELS=native only the best of them that this machine has, for what runs where it is built: a third of the
-# kernels to compile. The library asks for GRAZE_ONLY_LEVEL in lanes/dispatch.hpp.
+# kernels to compile. The library asks for GRAZE_ONLY_LEVEL in simd/dispatch.hpp.
 set(graze_only_level "")
 if(GRAZE_LEVELS STREQUAL "native" AND "avx512" IN_LIST graze_levels)
   include(CheckCXXSourceRuns)

@@ -58,7 +58,7 @@ class Bodies {
     return any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
   }
   /// The rounding radius, which only a `Shape<T>` has.
-  T margin(std::size_t i) const { return one_kind() ? T(0) : any(i).margin(); }
+  T rounding(std::size_t i) const { return one_kind() ? T(0) : any(i).rounding(); }
   /// The shape as a value; where all are of one kind, lent by the concrete one.
   Shape<T> shape(std::size_t i) const { return one_kind() ? made_(concrete(i)) : any(i); }
   /// Calls `f` with it; it is only copied where all are of one kind.

@@ -111,8 +111,8 @@ TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, c
   const auto slender = length_squared(cross(b - a, c - a)) < T(slender_triangle * slender_triangle) * longest * longest;
   if (!any(slender)) return by_areas;
   const auto exact = detail::closest_point_by_areas(extended(a), extended(b), extended(c), extended(p));
-  return {select(slender, cast<T>(exact.point), by_areas.point),
-          select(slender, cast<T>(exact.weight), by_areas.weight)};
+  return {select(slender, converted<T>(exact.point), by_areas.point),
+          select(slender, converted<T>(exact.weight), by_areas.weight)};
 }
 
 /// Parameters of the nearest points of two segments or lines.

@@ -69,8 +69,8 @@ constexpr Mat3<T> select(const M& condition, const Mat3<T>& yes, const Mat3<T>& 
            select(condition, yes.row[2], no.row[2])}};
 }
 template <class S, class T>
-constexpr Mat3<S> cast(const Mat3<T>& m) {
-  return {{cast<S>(m.row[0]), cast<S>(m.row[1]), cast<S>(m.row[2])}};
+constexpr Mat3<S> converted(const Mat3<T>& m) {
+  return {{converted<S>(m.row[0]), converted<S>(m.row[1]), converted<S>(m.row[2])}};
 }
 
 }  // namespace graze

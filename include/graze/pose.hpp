@@ -44,8 +44,8 @@ constexpr Pose<T> relative(const Pose<T>& a, const Pose<T>& b) {
   return {inverse_transform(a, b.translation), conjugate(a.rotation) * b.rotation};
 }
 template <class S, class T>
-constexpr Pose<S> cast(const Pose<T>& pose) {
-  return {cast<S>(pose.translation), cast<S>(pose.rotation)};
+constexpr Pose<S> converted(const Pose<T>& pose) {
+  return {converted<S>(pose.translation), converted<S>(pose.rotation)};
 }
 
 }  // namespace graze

@@ -70,7 +70,7 @@ constexpr Mat3<T> rotation_matrix(const Quat<T>& q) {
 }
 
 template <class S, class T>
-constexpr Quat<S> cast(const Quat<T>& q) {
+constexpr Quat<S> converted(const Quat<T>& q) {
   return {static_cast<S>(q.x), static_cast<S>(q.y), static_cast<S>(q.z), static_cast<S>(q.w)};
 }
 

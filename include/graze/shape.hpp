@@ -42,16 +42,17 @@ class Shape {
  public:
   static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;
 
-  /// `concrete`, rounded by `margin`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a margin
-  /// that is negative, larger than `largest_magnitude`, or given to a composite.
+  /// `concrete`, rounded by `rounding`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a
+  /// rounding that is negative, larger than `largest_magnitude`, or given to a composite.
   template <class C>
-  requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T margin = T(0))
-      : list_(std::move(concrete)), margin_(validate::size(margin, "margin")) {
+  requires std::is_constructible_v<ShapeList<T>, C> Shape(C concrete, T rounding = T(0))
+      : list_(std::move(concrete)), rounding_(validate::size(rounding, "rounding")) {
     if constexpr (!BoundedConvex<C> && !std::is_same_v<C, HalfSpace<T>>)
-      if (margin != T(0)) validate::fail("margin", "0 (only convex shapes are rounded)", static_cast<double>(margin));
+      if (rounding != T(0))
+        validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
   }
 
-  T margin() const { return margin_; }
+  T rounding() const { return rounding_; }
   /// The shape's place in `ShapeList`.
   std::size_t index() const { return list_.index(); }
   const char* name() const {
@@ -89,7 +90,7 @@ class Shape {
   }
 
   ShapeList<T> list_;
-  T margin_;
+  T rounding_;
 };
 
 using Shapef = Shape<float>;

@@ -109,7 +109,7 @@ T max_abs(const Vec3<T>& v) {
 
 /// Conversion between scalars, component by component.
 template <class S, class T>
-constexpr Vec3<S> cast(const Vec3<T>& v) {
+constexpr Vec3<S> converted(const Vec3<T>& v) {
   return {static_cast<S>(v.x), static_cast<S>(v.y), static_cast<S>(v.z)};
 }
 

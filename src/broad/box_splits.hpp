@@ -101,7 +101,7 @@ class BoxSplits {
         count += n;
       }
       double cost() const {
-        return surface_area(Aabb<double>{cast<double>(bounds.lower), cast<double>(bounds.upper)}) * count;
+        return surface_area(Aabb<double>{converted<double>(bounds.lower), converted<double>(bounds.upper)}) * count;
       }
     };
     std::array<Bin, bins> bin;

@@ -121,7 +121,7 @@ class Tree {
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
       const Aabb<T>& box = boxes[order_[i]].box;
       centers = merged(centers, center(box));
-      lengths += cast<double>(box.extent());
+      lengths += converted<double>(box.extent());
     }
     std::size_t best = excluded == 0 ? 1 : 0;
     double most = -1;

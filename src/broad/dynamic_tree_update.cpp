@@ -30,7 +30,7 @@ Aabb<T> with_room(const Aabb<T>& box) {
 /// In double, where squares of floats do not overflow.
 template <class T>
 double area(const Aabb<T>& box) {
-  return surface_area(Aabb<double>{cast<double>(box.lower), cast<double>(box.upper)});
+  return surface_area(Aabb<double>{converted<double>(box.lower), converted<double>(box.upper)});
 }
 template <class T>
 bool is_open(const Aabb<T>& box) {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lanes/dispatch.hpp"
+#include "simd/dispatch.hpp"
 
 namespace graze {
 

@@ -1,5 +1,5 @@
 #include "broad/kept_kernels.hpp"
-#include "lanes/lanes.hpp"
+#include "simd/lanes.hpp"
 
 namespace graze::GRAZE_ISA {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lanes/dispatch.hpp"
+#include "simd/dispatch.hpp"
 
 namespace graze {
 

@@ -14,31 +14,31 @@ Placed<T> turning_about(const Collider& collider, const Mover& mover) {
   const Shape<T> shape = in_precision<T>(collider.shape);
   Posed local = collider.pose;
   local.translation = local.translation - mover.pivot;
-  if (local.translation == Vec3d{}) return {shape, cast<T>(collider.pose)};
-  return {Compound<T>(std::vector<Placed<T>>{{shape, cast<T>(local)}}), {cast<T>(mover.pivot), {}}};
+  if (local.translation == Vec3d{}) return {shape, converted<T>(collider.pose)};
+  return {Compound<T>(std::vector<Placed<T>>{{shape, converted<T>(local)}}), {converted<T>(mover.pivot), {}}};
 }
 
 template <class T>
 std::vector<SceneHit> cast_in(const Scene& scene, const SceneCast& question, const Mover& mover) {
-  const Velocity<T> velocity{validate::point(cast<T>(question.velocity.linear), "motion"),
-                             validate::point(cast<T>(question.velocity.angular), "spin")};
+  const Velocity<T> velocity{validate::point(converted<T>(question.velocity.linear), "motion"),
+                             validate::point(converted<T>(question.velocity.angular), "spin")};
   const T duration = validate::extent(static_cast<T>(question.duration), "duration");
-  validate::point(cast<T>(mover.pivot), "about");
+  validate::point(converted<T>(mover.pivot), "about");
   const bool spins = question.velocity.angular != Vec3d{};
   std::vector<SceneHit> hits;
   for (const std::uint32_t i : mover.colliders) {
     const Collider& own = scene.colliders[i];
     if (spins && own.shape.as<HalfSpace<double>>()) throw InvalidValue(own.name, "no spin of a half-space", "one");
     const Placed<T> body =
-        spins ? turning_about<T>(own, mover) : Placed<T>{in_precision<T>(own.shape), cast<T>(own.pose)};
+        spins ? turning_about<T>(own, mover) : Placed<T>{in_precision<T>(own.shape), converted<T>(own.pose)};
     for (std::uint32_t j = 0; j < scene.colliders.size(); ++j) {
       const Collider& other = scene.colliders[j];
       if (other.trigger || other.body == own.body || !may_collide(own.filter, other.filter)) continue;
-      const auto hit = cast<T>(body.shape, body.pose, velocity, in_precision<T>(other.shape), cast<T>(other.pose), {},
-                               duration, question.options);
+      const auto hit = cast<T>(body.shape, body.pose, velocity, in_precision<T>(other.shape), converted<T>(other.pose),
+                               {}, duration, question.options);
       if (hit)
-        hits.push_back({static_cast<double>(hit->t), i, j, cast<double>(hit->point), cast<double>(hit->normal),
-                        static_cast<double>(hit->depth), hit->status});
+        hits.push_back({static_cast<double>(hit->t), i, j, converted<double>(hit->point),
+                        converted<double>(hit->normal), static_cast<double>(hit->depth), hit->status});
     }
   }
   std::stable_sort(hits.begin(), hits.end(),

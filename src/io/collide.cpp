@@ -28,11 +28,11 @@ class ProgressExecutor final : public Executor {
 template <class T>
 Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifold<T>& m) {
   Manifold<double> out;
-  out.normal = cast<double>(m.normal);
+  out.normal = converted<double>(m.normal);
   out.piece_a = m.piece_a;
   out.piece_b = m.piece_b;
   for (const SolverPoint<T>& p : contacts.points_of(m))
-    out.points.push_back({cast<double>(p.a), cast<double>(p.b), static_cast<double>(p.distance), p.feature,
+    out.points.push_back({converted<double>(p.a), converted<double>(p.b), static_cast<double>(p.distance), p.feature,
                           static_cast<double>(p.weight)});
   return out;
 }

@@ -80,7 +80,7 @@ class Player {
       world_.set_filter(ids_[m.index], m.shown ? filters_[m.index] : Filter{0, 0, 0});
       if (!m.shown) return;
       if (m.reshaped) world_.set_shape(ids_[m.index], in_precision<T>(m.shape));
-      const Pose<T> pose = cast<T>(m.pose);
+      const Pose<T> pose = converted<T>(m.pose);
       check_pose(pose);
       world_.move(ids_[m.index], pose);
     } catch (const InvalidValue& e) {

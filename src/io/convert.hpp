@@ -10,27 +10,27 @@ inline Shapef to_single(const Shaped& shape);
 namespace detail {
 
 inline Sphere<float> single(const Sphere<double>& s) {
-  return Sphere<float>(static_cast<float>(s.radius()), cast<float>(s.center()));
+  return Sphere<float>(static_cast<float>(s.radius()), converted<float>(s.center()));
 }
 inline Capsule<float> single(const Capsule<double>& c) {
   return {static_cast<float>(2 * c.half_height()), static_cast<float>(c.radius_bottom()),
           static_cast<float>(c.radius_top())};
 }
-inline Box<float> single(const Box<double>& b) { return Box<float>(cast<float>(b.half_extents() * 2.0)); }
+inline Box<float> single(const Box<double>& b) { return Box<float>(converted<float>(b.half_extents() * 2.0)); }
 inline Rectangle<float> single(const Rectangle<double>& r) {
-  const Vec3f size = cast<float>(r.as_box().half_extents() * 2.0);
+  const Vec3f size = converted<float>(r.as_box().half_extents() * 2.0);
   return {size.x, size.z};
 }
 inline Cylinder<float> single(const Cylinder<double>& c) {
   return {static_cast<float>(2 * c.half_height()), static_cast<float>(c.radius_bottom()),
           static_cast<float>(c.radius_top())};
 }
-inline Ellipsoid<float> single(const Ellipsoid<double>& e) { return Ellipsoid<float>(cast<float>(e.radii())); }
+inline Ellipsoid<float> single(const Ellipsoid<double>& e) { return Ellipsoid<float>(converted<float>(e.radii())); }
 inline LineSegment<float> single(const LineSegment<double>& s) {
-  return {cast<float>(s.point(0)), cast<float>(s.point(1))};
+  return {converted<float>(s.point(0)), converted<float>(s.point(1))};
 }
 inline Triangle<float> single(const Triangle<double>& t) {
-  return {cast<float>(t.point(0)), cast<float>(t.point(1)), cast<float>(t.point(2))};
+  return {converted<float>(t.point(0)), converted<float>(t.point(1)), converted<float>(t.point(2))};
 }
 inline HalfSpace<float> single(const HalfSpace<double>&) { return {}; }
 
@@ -38,7 +38,7 @@ template <class From>
 std::vector<Vec3f> points(const From& from) {
   std::vector<Vec3f> out;
   out.reserve(from.size());
-  for (const Vec3d& p : from) out.push_back(cast<float>(p));
+  for (const Vec3d& p : from) out.push_back(converted<float>(p));
   return out;
 }
 inline ConvexHull<float> single(const ConvexHull<double>& h) { return ConvexHull<float>(points(h.data().vertices)); }
@@ -56,7 +56,7 @@ inline HeightField<float> single(const HeightField<double>& f) {
 inline Compound<float> single(const Compound<double>& c) {
   std::vector<Placed<float>> children;
   for (const Placed<double>& child : c.children())
-    children.push_back({to_single(child.shape), cast<float>(child.pose)});
+    children.push_back({to_single(child.shape), converted<float>(child.pose)});
   return Compound<float>(std::move(children));
 }
 
@@ -65,7 +65,7 @@ class SingleSupport final : public SupportFunction<float> {
  public:
   explicit SingleSupport(UserConvex<double> shape) : shape_(std::move(shape)) {}
   Vec3f support(const Vec3f& direction) const override {
-    return cast<float>(shape_.core_support(cast<double>(direction)));
+    return converted<float>(shape_.core_support(converted<double>(direction)));
   }
 
  private:
@@ -79,7 +79,9 @@ inline UserConvex<float> single(const UserConvex<double>& u) {
 
 /// The same shape with its numbers rounded to float. Throws `InvalidValue` for one that floats cannot hold.
 inline Shapef to_single(const Shaped& shape) {
-  return shape.visit([&](const auto& c) -> Shapef { return {detail::single(c), static_cast<float>(shape.margin())}; });
+  return shape.visit([&](const auto& c) -> Shapef {
+    return {detail::single(c), static_cast<float>(shape.rounding())};
+  });
 }
 
 /// The shape in the precision that a question is answered in.

@@ -47,7 +47,11 @@ void leave_plane_spans(Trace& trace) {
 
 template <class T>
 Distance<double> widened(const Distance<T>& d) {
-  return {static_cast<double>(d.distance), cast<double>(d.normal), cast<double>(d.a), cast<double>(d.b), d.status,
+  return {static_cast<double>(d.distance),
+          converted<double>(d.normal),
+          converted<double>(d.a),
+          converted<double>(d.b),
+          d.status,
           static_cast<double>(d.error)};
 }
 
@@ -56,11 +60,11 @@ Manifolds<double> widened(const Manifolds<T>& manifolds) {
   Manifolds<double> wide;
   for (const Manifold<T>& m : manifolds) {
     Manifold<double>& to = wide.emplace_back();
-    to.normal = cast<double>(m.normal);
+    to.normal = converted<double>(m.normal);
     to.piece_a = m.piece_a;
     to.piece_b = m.piece_b;
     for (const ContactPoint<T>& p : m.points)
-      to.points.push_back({cast<double>(p.a), cast<double>(p.b), static_cast<double>(p.distance), p.feature,
+      to.points.push_back({converted<double>(p.a), converted<double>(p.b), static_cast<double>(p.distance), p.feature,
                            static_cast<double>(p.weight)});
   }
   return wide;
@@ -69,16 +73,19 @@ Manifolds<double> widened(const Manifolds<T>& manifolds) {
 template <class T>
 void ask_closest(const Question<T>& q, Explanation& e) {
   const Closest<T> c = closest(q.a->shape, q.a->pose, *q.point, &e.trace);
-  e.distance = Distance<double>{static_cast<double>(c.distance), cast<double>(c.normal), cast<double>(c.point),
-                                cast<double>(*q.point), c.status};
+  e.distance = Distance<double>{static_cast<double>(c.distance), converted<double>(c.normal),
+                                converted<double>(c.point), converted<double>(*q.point), c.status};
   e.overlap = c.distance <= T(0);
 }
 
 template <class T>
 void ask_raycast(const Question<T>& q, Explanation& e) {
   const auto hit = raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length, BackFaces::hit, &e.trace);
-  e.ray = {{cast<double>(q.ray->origin), cast<double>(q.ray->direction)}, static_cast<double>(q.ray_length), {}};
-  if (hit) e.ray->hit = {static_cast<double>(hit->t), cast<double>(hit->point), cast<double>(hit->normal), hit->piece};
+  e.ray = {
+      {converted<double>(q.ray->origin), converted<double>(q.ray->direction)}, static_cast<double>(q.ray_length), {}};
+  if (hit)
+    e.ray->hit = {static_cast<double>(hit->t), converted<double>(hit->point), converted<double>(hit->normal),
+                  hit->piece};
   e.overlap = hit.has_value();
 }
 
@@ -87,14 +94,14 @@ void ask_cast(const Question<T>& q, Explanation& e) {
   const auto &a = *q.a, &b = *q.b;
   const auto hit =
       cast<T>(a.shape, a.pose, {a.linear, a.angular}, b.shape, b.pose, {b.linear, b.angular}, q.duration, {}, &e.trace);
-  e.cast = {{cast<double>(a.linear), cast<double>(a.angular)},
-            {cast<double>(b.linear), cast<double>(b.angular)},
+  e.cast = {{converted<double>(a.linear), converted<double>(a.angular)},
+            {converted<double>(b.linear), converted<double>(b.angular)},
             static_cast<double>(q.duration),
             {}};
   if (hit)
     e.cast->hit = {static_cast<double>(hit->t),
-                   cast<double>(hit->point),
-                   cast<double>(hit->normal),
+                   converted<double>(hit->point),
+                   converted<double>(hit->normal),
                    static_cast<double>(hit->depth),
                    hit->status,
                    hit->piece_a,

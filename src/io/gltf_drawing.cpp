@@ -72,7 +72,7 @@ std::size_t ModelWriter::positions(const std::vector<Vec3d>& points) {
     const float v[3] = {static_cast<float>(points[i].x), static_cast<float>(points[i].y),
                         static_cast<float>(points[i].z)};
     std::memcpy(bytes.data() + i * 12, v, 12);
-    box = merged(box, cast<double>(Vec3f{v[0], v[1], v[2]}));
+    box = merged(box, converted<double>(Vec3f{v[0], v[1], v[2]}));
   }
   constexpr int array_buffer = 34962, float_component = 5126;
   return model_.add("accessors", {{"bufferView", model_.add_view(bytes, array_buffer)},

@@ -92,8 +92,9 @@ void write_plane_cast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) 
 template <class T>
 Distance<double> widened_flat(T distance, const plane::Vec2<T>& normal, const plane::Vec2<T>& a,
                               const plane::Vec2<T>& b, Status status, T error) {
-  return {double(distance), cast<double>(flat(normal)), cast<double>(flat(a)), cast<double>(flat(b)), status,
-          double(error)};
+  return {
+      double(distance), converted<double>(flat(normal)), converted<double>(flat(a)), converted<double>(flat(b)), status,
+      double(error)};
 }
 
 }  // namespace
@@ -139,12 +140,12 @@ void explain_in_plane(const PlaneQuestion<T>& q, Explanation& e) {
     e.overlap = plane::contacts(a.shape, a.pose, b.shape, b.pose, q.margin, manifolds, &e.trace);
     for (const plane::Manifold<T>& m : manifolds) {
       Manifold<double>& to = e.manifolds.emplace_back();
-      to.normal = cast<double>(flat(m.normal));
+      to.normal = converted<double>(flat(m.normal));
       to.piece_a = m.piece_a;
       to.piece_b = m.piece_b;
       for (const plane::ContactPoint<T>& p : m.points)
-        to.points.push_back(
-            {cast<double>(flat(p.a)), cast<double>(flat(p.b)), double(p.distance), p.feature, double(p.weight)});
+        to.points.push_back({converted<double>(flat(p.a)), converted<double>(flat(p.b)), double(p.distance), p.feature,
+                             double(p.weight)});
     }
   }
 }

@@ -14,7 +14,7 @@ template <class T>
 plane::Rot2<T> read_angle(const JsonValue& json) {
   // In double, whatever the precision: a float's sine would lose a digit that its cosine keeps.
   const plane::Rot2<double> turn = plane::Rot2<double>::from_angle(double(json.number<T>()));
-  return plane::cast<T>(turn);
+  return plane::converted<T>(turn);
 }
 
 template <class T>

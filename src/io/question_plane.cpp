@@ -130,7 +130,7 @@ MovingBody<T> read_plane_body(const JsonValue& json, T depth) {
 /// How far a figure reaches from its origin.
 template <class T>
 T reach(const Shape<T>& shape) {
-  return shape.visit([](const auto& c) { return c.core_extent(); }) + shape.margin();
+  return shape.visit([](const auto& c) { return c.core_extent(); }) + shape.rounding();
 }
 
 }  // namespace

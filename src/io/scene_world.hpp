@@ -27,7 +27,7 @@ void check_pose(const Pose<T>& pose) {
 template <class T>
 graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
   try {
-    graze::Body<T> body{in_precision<T>(c.shape), cast<T>(c.pose)};
+    graze::Body<T> body{in_precision<T>(c.shape), converted<T>(c.pose)};
     body.filter = c.filter;
     body.filter.group = -1 - static_cast<std::int32_t>(c.body);
     body.fixed = fixed;

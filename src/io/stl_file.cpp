@@ -57,7 +57,7 @@ std::optional<Vec3d> vector_in(const Words& words, std::size_t from) {
 
 /// What other programs hold in single precision has to be a number there.
 bool finite_in_single(const Vec3d& v) {
-  const Vec3f single = cast<float>(v);
+  const Vec3f single = converted<float>(v);
   return std::isfinite(single.x) && std::isfinite(single.y) && std::isfinite(single.z);
 }
 

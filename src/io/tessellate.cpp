@@ -82,14 +82,14 @@ Polygons sampled(const Shaped& shape, const Posed& pose) {
   for (const Vec3d& d : directions) points.push_back(support(shape, d));
   Polygons out = of_hull(ConvexHull<double>(points), pose);
   const bool flat = shape.as<Box<double>>() || shape.as<Rectangle<double>>() || shape.as<Triangle<double>>();
-  out.smooth = !flat || shape.margin() > 0;
+  out.smooth = !flat || shape.rounding() > 0;
   return out;
 }
 
 }  // namespace
 
 Polygons tessellate(const Shaped& shape, const Posed& pose, const Vec3d& center, double half_space_size) {
-  if (shape.as<HalfSpace<double>>()) return of_half_space(pose, shape.margin(), center, half_space_size);
+  if (shape.as<HalfSpace<double>>()) return of_half_space(pose, shape.rounding(), center, half_space_size);
   if (const auto* mesh = shape.as<Mesh<double>>()) return of_mesh(*mesh, pose);
   if (const auto* field = shape.as<HeightField<double>>()) return of_height_field(*field, pose);
   if (const auto* compound = shape.as<Compound<double>>()) {
@@ -99,7 +99,7 @@ Polygons tessellate(const Shaped& shape, const Posed& pose, const Vec3d& center,
     return out;
   }
   const auto* hull = shape.as<ConvexHull<double>>();
-  return hull && shape.margin() == 0 ? of_hull(*hull, pose) : sampled(shape, pose);
+  return hull && shape.rounding() == 0 ? of_hull(*hull, pose) : sampled(shape, pose);
 }
 
 }  // namespace graze::io

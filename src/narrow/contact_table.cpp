@@ -2,18 +2,18 @@
 #include <array>
 
 #include "narrow/convex_pair.hpp"
-#include "narrow/flatten.hpp"
+#include "narrow/core/relative_frame.hpp"
 #include "narrow/general_contacts.hpp"
-#include "narrow/relative_frame.hpp"
+#include "simd/flatten.hpp"
 
 // The pairs with a form of their own. A pair without one takes the general path.
-#include "narrow/pairs/box_contacts.hpp"
-#include "narrow/pairs/box_triangle_contacts.hpp"
+#include "narrow/pairs/box_box/contacts.hpp"
+#include "narrow/pairs/box_triangle/contacts.hpp"
 #include "narrow/pairs/capsule_box_contact.hpp"
 #include "narrow/pairs/half_space_contacts.hpp"
-#include "narrow/pairs/round_contacts.hpp"
-#include "narrow/pairs/round_triangle_contact.hpp"
-#include "narrow/pairs/triangle_triangle.hpp"
+#include "narrow/pairs/sphere_capsule_contacts.hpp"
+#include "narrow/pairs/sphere_capsule_triangle_contact.hpp"
+#include "narrow/pairs/triangle_triangle/pair.hpp"
 
 namespace graze {
 
@@ -29,7 +29,7 @@ using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Po
 
 template <class A, class B, class T>
 concept MayLie = requires(const A& a, const B& b, T margin, const Pose<T>& pose, Manifold<T>& manifold) {
-  lying_contacts(a, margin, pose, b, margin, pose, margin, manifold);
+  segment_contacts(a, margin, pose, b, margin, pose, margin, manifold);
 };
 
 /// Where `own_contacts` has no answer; of two that lie it has left the closest points. Its own function: its numbers
@@ -39,8 +39,8 @@ template <class A, class B, class T>
                                                      const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   if constexpr (MayLie<A, B, T>)
     if (!manifold.points.empty())
-      if (const auto distance = lying_contacts(*a.template as<A>(), a.margin(), pose_a, *b.template as<B>(), b.margin(),
-                                               pose_b, margin, manifold))
+      if (const auto distance = segment_contacts(*a.template as<A>(), a.rounding(), pose_a, *b.template as<B>(),
+                                                 b.rounding(), pose_b, margin, manifold))
         return *distance;
   return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
@@ -52,7 +52,7 @@ GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Sh
                               T margin, Manifold<T>& manifold) {
   const A& ca = *a.template as<A>();
   const B& cb = *b.template as<B>();
-  const auto own = own_contacts(ca, a.margin(), pose_a, cb, b.margin(), pose_b, margin, manifold);
+  const auto own = own_contacts(ca, a.rounding(), pose_a, cb, b.rounding(), pose_b, margin, manifold);
   return own ? *own : remaining_contacts<A, B>(a, pose_a, b, pose_b, margin, manifold);
 }
 
@@ -83,7 +83,7 @@ bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
       return T(0);
     });
   };
-  const T size_a = extent(a) + a.margin(), size_b = extent(b) + b.margin();
+  const T size_a = extent(a) + a.rounding(), size_b = extent(b) + b.rounding();
   if (size_a != size_b) return size_a < size_b;
   const Posed frame_a = in_double(pose_a), frame_b = in_double(pose_b);
   const Vec3d at_b = inverse_transform(frame_a, frame_b.translation),

@@ -2,18 +2,18 @@
 // points. Which pairs have a path of their own, contact_table.cpp tells.
 #include <algorithm>
 
-#include "narrow/add_point.hpp"
-#include "narrow/contact_side.hpp"
 #include "narrow/convex_pair.hpp"
-#include "narrow/core.hpp"
+#include "narrow/core/core.hpp"
+#include "narrow/core/minkowski.hpp"
 #include "narrow/general.hpp"
 #include "narrow/general_contacts.hpp"
-#include "narrow/manifold.hpp"
-#include "narrow/minkowski.hpp"
-#include "narrow/outline.hpp"
-#include "narrow/polyhedral_pair.hpp"
-#include "narrow/reference_axis.hpp"
-#include "narrow/rounded_face.hpp"
+#include "narrow/manifold/add_point.hpp"
+#include "narrow/manifold/clip_faces.hpp"
+#include "narrow/manifold/contact_side.hpp"
+#include "narrow/manifold/polygon.hpp"
+#include "narrow/manifold/rounded_face.hpp"
+#include "narrow/sat/polyhedral_pair.hpp"
+#include "narrow/sat/reference_axis.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -71,11 +71,11 @@ template <class T>
 double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, const PlacedFace& face_b,
                   const Vec3d& normal, double limit, const Posed& frame, Manifold<T>& manifold) {
   FaceContacts faces;
-  lay_over(face_a, face_b, normal, normal_rounding<T> * (a.radius() + b.radius() + smaller_size(a, b)), faces);
+  clip_faces(face_a, face_b, normal, normal_rounding<T> * (a.radius() + b.radius() + smaller_size(a, b)), faces);
   const RoundedFace rounded_a(face_a, normal, a.radius()), rounded_b(face_b, -normal, b.radius());
   const T together = tolerance<T> * static_cast<T>(smaller_size(a, b));
   const Mat3d turn = rotation_matrix(frame.rotation);
-  const auto in_world = [&](const Vec3d& p) { return cast<T>(turn * p + frame.translation); };
+  const auto in_world = [&](const Vec3d& p) { return converted<T>(turn * p + frame.translation); };
   double nearest = std::numeric_limits<double>::infinity();
   for (const FaceContact& c : faces) {
     Vec3d on_a, on_b;
@@ -85,14 +85,14 @@ double add_points(const Side<T>& a, const PlacedFace& face_a, const Side<T>& b, 
     if (apart > limit) continue;
     add_point<T>({in_world(on_a), in_world(on_b), static_cast<T>(apart), c.feature}, together, manifold);
   }
-  manifold.normal = cast<T>(turn * normal);
+  manifold.normal = converted<T>(turn * normal);
   return nearest;
 }
 
 /// What lies as near as the nearest point up to rounding is kept with it, so that touching faces touch whole.
 template <class T>
 double furthest_kept(const Side<T>& a, const Side<T>& b, T margin, double distance) {
-  return greatest(static_cast<double>(margin), distance + rounding * (a.size() + b.size() + std::abs(distance)));
+  return greatest(static_cast<double>(margin), distance + rounding_error * (a.size() + b.size() + std::abs(distance)));
 }
 
 /// Whether a shape's face along a direction is the one found along another: they are the same in its scalar, but for
@@ -141,7 +141,7 @@ template <class T>
 T position_weight(const Shape<T>& a, const Shape<T>& b) {
   const auto *sa = a.template as<Sphere<T>>(), *sb = b.template as<Sphere<T>>();
   if (!sa || !sb) return T(0.5);
-  const T ra = sa->radius() + a.margin(), rb = sb->radius() + b.margin();
+  const T ra = sa->radius() + a.rounding(), rb = sb->radius() + b.rounding();
   return ra + rb > T(0) ? ra / (ra + rb) : T(0.5);
 }
 
@@ -151,7 +151,7 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
                       const Distance<T>& d, Manifold<T>& manifold) {
   const Posed frame = in_double(pose_a);
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
-  const Vec3d closest_normal = unit(rotate(conjugate(frame.rotation), cast<double>(d.normal)));
+  const Vec3d closest_normal = unit(rotate(conjugate(frame.rotation), converted<double>(d.normal)));
   const double distance = static_cast<double>(d.distance);
   const PlacedFace closest_a = side_a.face(closest_normal, true), closest_b = side_b.face(-closest_normal, true);
   if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
@@ -171,8 +171,8 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
     if (nearest <= distance + face_preference * smaller_size(side_a, side_b) && !manifold.points.empty()) return;
     manifold.points.clear();
   }
-  const std::uint32_t feature = feature_at(closest_a, inverse_transform(frame, cast<double>(d.a)), closest_b,
-                                           inverse_transform(frame, cast<double>(d.b)), closest_normal);
+  const std::uint32_t feature = feature_at(closest_a, inverse_transform(frame, converted<double>(d.a)), closest_b,
+                                           inverse_transform(frame, converted<double>(d.b)), closest_normal);
   manifold.normal = d.normal;
   manifold.points.push_back({d.a, d.b, d.distance, feature, position_weight(a, b)});
 }
@@ -196,7 +196,7 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
   const Posed frame = in_double(plane_pose);
   const Side<T> side(body, relative_in_double(plane_pose, pose));
   const Vec3d up{0, 1, 0};
-  const double lift = static_cast<double>(plane.margin());
+  const double lift = static_cast<double>(plane.rounding());
   const PlacedFace face = side.face(-up);
   const RoundedFace rounded(face, -up, side.radius());
   for (std::size_t i = 0; i < face.vertices.size(); ++i) {
@@ -204,11 +204,11 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
     const Vec3d low = face.vertices[i] - up * rise;
     const double apart = low.y - lift;
     if (apart > static_cast<double>(margin)) continue;
-    add_point<T>({cast<T>(transform(frame, Vec3d{low.x, lift, low.z})), cast<T>(transform(frame, low)),
+    add_point<T>({converted<T>(transform(frame, Vec3d{low.x, lift, low.z})), converted<T>(transform(frame, low)),
                   static_cast<T>(apart), feature_id(face_feature(0), vertex_feature(face.ids[i]))},
                  tolerance<T> * static_cast<T>(side.size()), manifold);
   }
-  manifold.normal = cast<T>(rotate(frame.rotation, up));
+  manifold.normal = converted<T>(rotate(frame.rotation, up));
 }
 
 }  // namespace
@@ -218,7 +218,8 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
                                      T margin, Manifold<T>& manifold) {
   const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
   const Side<T> side_a(a, Posed{}), side_b(b, b_in_a);
-  const double noise = rounding * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
+  const double noise =
+      rounding_error * (greatest(side_a.size(), side_b.size()) + max_abs(b_in_a.translation));  // `noise_of`
   const PolyhedralPair pair(a, b, b_in_a);
   const double radii = side_a.radius() + side_b.radius();
   const auto found = pair.axes(static_cast<double>(margin) + radii + noise);
@@ -228,7 +229,7 @@ std::optional<T> polyhedral_contacts(const Shape<T>& a, const Pose<T>& pose_a, c
   const double signed_distance = best.separation - radii;
   const double distance = std::abs(signed_distance) <= noise ? 0 : signed_distance;
   if (distance > static_cast<double>(margin)) {
-    manifold.normal = cast<T>(rotate(frame.rotation, best.normal));
+    manifold.normal = converted<T>(rotate(frame.rotation, best.normal));
     return static_cast<T>(distance);
   }
 
@@ -288,7 +289,7 @@ void contacts_along(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
   }
   const Posed frame = in_double(pose_a);
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
-  const Vec3d n = normalized(rotate(conjugate(frame.rotation), cast<double>(normal)));
+  const Vec3d n = normalized(rotate(conjugate(frame.rotation), converted<double>(normal)));
   add_points(side_a, side_a.face(n, true), side_b, side_b.face(-n, true), n, static_cast<double>(margin), frame,
              manifold);
   manifold.normal = normal;

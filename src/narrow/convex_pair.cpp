@@ -3,15 +3,15 @@
 #include <array>
 #include <optional>
 
-#include "narrow/closed_form.hpp"
-#include "narrow/flatten.hpp"
 #include "narrow/general.hpp"
+#include "narrow/pairs/closed_form.hpp"
 #include "shape/rounding.hpp"
+#include "simd/flatten.hpp"
 
 // The special pairs, one line each. A pair without a line here takes the general path.
-#include "narrow/pairs/box_distance.hpp"
-#include "narrow/pairs/box_overlap.hpp"
-#include "narrow/pairs/box_triangle_overlap.hpp"
+#include "narrow/pairs/box_box/distance.hpp"
+#include "narrow/pairs/box_box/overlap.hpp"
+#include "narrow/pairs/box_triangle/overlap.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
 #include "narrow/pairs/capsule_triangle.hpp"
@@ -21,7 +21,7 @@
 #include "narrow/pairs/sphere_sphere.hpp"
 #include "narrow/pairs/sphere_tapered_capsule.hpp"
 #include "narrow/pairs/sphere_triangle.hpp"
-#include "narrow/pairs/triangle_triangle.hpp"
+#include "narrow/pairs/triangle_triangle/pair.hpp"
 
 namespace graze {
 
@@ -45,7 +45,7 @@ concept OwnDistance = requires(const A& a, const B& b, T margin, const Pose<T>& 
 };
 template <class A, class B, class T>
 std::optional<Distance<T>> own_distance_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b) {
-  return own_distance(ca, a.shape.margin(), a.pose, cb, b.shape.margin(), b.pose);
+  return own_distance(ca, a.shape.rounding(), a.pose, cb, b.shape.rounding(), b.pose);
 }
 
 /// One that tells whether they touch sooner than how far apart they are.
@@ -65,7 +65,7 @@ Distance<T> general(const Body<T>& a, const Body<T>& b, T limit) {
   if (g.core.distance > beyond + radii + g.noise) {  // only proven, without points
     Distance<T> d;
     d.distance = static_cast<T>(g.core.distance - radii);
-    d.normal = cast<T>(rotate(frame.rotation, g.core.normal));
+    d.normal = converted<T>(rotate(frame.rotation, g.core.normal));
     return d;
   }
   // A distance that rounding cannot tell from none is none: the shapes touch.
@@ -82,8 +82,8 @@ template <class T, class A, class B>
 Distance<T> closed_form(const A& core_a, T radius_a, const Pose<T>& pose_a, const B& core_b, T radius_b,
                         const Pose<T>& pose_b) {
   if constexpr (evaluated_in_double<A, B>) {
-    const auto b_in_a = moved(cast<double>(core_b), relative_in_double(pose_a, pose_b));
-    return finished_in_double(core_distance(cast<double>(core_a), b_in_a), radius_a, radius_b, in_double(pose_a));
+    const auto b_in_a = moved(converted<double>(core_b), relative_in_double(pose_a, pose_b));
+    return finished_in_double(core_distance(converted<double>(core_a), b_in_a), radius_a, radius_b, in_double(pose_a));
   } else {
     return finished(core_distance(core_a, moved(core_b, relative(pose_a, pose_b))), radius_a, radius_b, pose_a);
   }
@@ -104,7 +104,8 @@ Distance<T> half_spaces(const Body<T>& a, T radius_a, const Body<T>& b, T radius
 
 template <class A, class B, class T>
 auto round_pair_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b) {
-  return round_pair(rounded_core(ca, a.shape.margin()), a.pose, rounded_core(cb, b.shape.margin()), b.pose);
+  return sphere_capsule_pair(rounded_core(ca, a.shape.rounding()), a.pose, rounded_core(cb, b.shape.rounding()),
+                             b.pose);
 }
 
 /// Both are boxes, or rectangles, which are boxes of no thickness.
@@ -120,14 +121,14 @@ concept BoxAndSuch = (Boxes<A, A, T> || Boxes<B, B, T>)&&requires(const A& a, co
 };
 template <class C, class T>
 PlacedBox<double> placed(const C& concrete, const Body<T>& body) {
-  return cast<double>(placed_box(rounded_core(concrete, body.shape.margin()), body.pose));
+  return converted<double>(placed_box(rounded_core(concrete, body.shape.rounding()), body.pose));
 }
 
 /// Shapes with a closed form, and whether these values of theirs have it.
 template <class A, class B, class T>
 std::optional<Distance<T>> closed_form_of(const A& ca, const Body<T>& a, const B& cb, const Body<T>& b) {
-  const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
-  if constexpr (is_round_pair<A, B>) {
+  const T ra = rounding_radius(ca, a.shape.rounding()), rb = rounding_radius(cb, b.shape.rounding());
+  if constexpr (is_sphere_capsule_pair<A, B>) {
     if (has_core(ca) && has_core(cb)) {
       const auto pair = round_pair_of(ca, a, cb, b);
       const CoreDistance<T> d = pair.in_world(pair.core(pair.nearest()));
@@ -148,7 +149,7 @@ std::optional<Distance<T>> special_distance(const Body<T>& a, const Body<T>& b) 
   const B& cb = *b.shape.template as<B>();
   constexpr bool half_a = std::is_same_v<A, HalfSpace<T>>, half_b = std::is_same_v<B, HalfSpace<T>>;
   if constexpr (half_b) {
-    const T ra = rounding_radius(ca, a.shape.margin()), rb = rounding_radius(cb, b.shape.margin());
+    const T ra = rounding_radius(ca, a.shape.rounding()), rb = rounding_radius(cb, b.shape.rounding());
     if constexpr (half_a)
       return half_spaces(a, ra, b, rb);
     else
@@ -167,18 +168,18 @@ std::optional<Distance<T>> special_distance(const Body<T>& a, const Body<T>& b) 
 /// Whether there is one at all.
 template <class A, class B, class T>
 inline constexpr bool has_special_distance =
-    std::is_same_v<B, HalfSpace<T>> || BoxAndSuch<A, B, T> || OwnDistance<A, B, T> || is_round_pair<A, B> ||
+    std::is_same_v<B, HalfSpace<T>> || BoxAndSuch<A, B, T> || OwnDistance<A, B, T> || is_sphere_capsule_pair<A, B> ||
     ClosedForm<A, B, T> || ClosedForm<B, A, T>;
 
 /// Of boxes that are rounded or not regular.
 template <class A, class B, class T>
 [[gnu::noinline]] GRAZE_FLATTEN std::optional<bool> other_boxes_overlap(const A& ca, const B& cb, const Body<T>& a,
                                                                         const Body<T>& b, bool faces_only) {
-  using Row = Several<double, 3>;
-  const ScaledBoxes<double> boxes(Row(cast<double>(core_of(ca).half)), PoseRows<double>(in_double(a.pose)),
-                                  Row(cast<double>(core_of(cb).half)), PoseRows<double>(in_double(b.pose)));
+  using Row = Packed<double, 3>;
+  const ScaledBoxes<double> boxes(Row(converted<double>(core_of(ca).half)), PoseRows<double>(in_double(a.pose)),
+                                  Row(converted<double>(core_of(cb).half)), PoseRows<double>(in_double(b.pose)));
   const Row& between = boxes.rows.translation;
-  const double reach = static_cast<double>(a.shape.margin()) + static_cast<double>(b.shape.margin());
+  const double reach = static_cast<double>(a.shape.rounding()) + static_cast<double>(b.shape.rounding());
   const double noise = noise_of(a.shape, b.shape, Vec3d{between[0], between[1], between[2]} / boxes.scale);
   if (boxes_apart(boxes, (reach + noise) * boxes.scale, faces_only)) return false;
   if (faces_only || reach == 0 || !boxes_apart(boxes, noise * boxes.scale)) return true;
@@ -191,7 +192,7 @@ std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, co
   // A rectangle is never regular.
   if constexpr (std::is_same_v<A, Box<T>> && std::is_same_v<B, Box<T>>) {
     static const auto kernel = GRAZE_KERNEL(chosen_isa(), boxes_touch<T>);
-    if (a.shape.margin() == T(0) && b.shape.margin() == T(0))
+    if (a.shape.rounding() == T(0) && b.shape.rounding() == T(0))
       if (const auto touch = kernel(ca, a.pose, cb, b.pose, faces_only)) return touch;
   }
   return other_boxes_overlap(ca, cb, a, b, faces_only);
@@ -201,7 +202,7 @@ std::optional<bool> boxes_overlap(const A& ca, const B& cb, const Body<T>& a, co
 template <class T>
 GRAZE_FLATTEN std::optional<bool> axes_overlap(const Box<T>& box, const Triangle<T>& triangle, const Body<T>& a,
                                                const Body<T>& b) {
-  if (a.shape.margin() != T(0) || b.shape.margin() != T(0)) return std::nullopt;
+  if (a.shape.rounding() != T(0) || b.shape.rounding() != T(0)) return std::nullopt;
   const BoxTouchesTriangle<T> found(core_of(box), a.pose, rounded_core(triangle, T(0)).core, b.pose);
   if (!found.known) return std::nullopt;
   return found.touch;
@@ -224,11 +225,11 @@ std::optional<bool> special_overlap(const Body<T>& a, const Body<T>& b) {
   const B& cb = *b.shape.template as<B>();
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>) {
     const auto pair = round_pair_of(ca, a, cb, b);
-    return spheres_overlap(pair.a.point, rounding_radius(ca, a.shape.margin()), pair.b.point,
-                           rounding_radius(cb, b.shape.margin()));
+    return spheres_overlap(pair.a.point, rounding_radius(ca, a.shape.rounding()), pair.b.point,
+                           rounding_radius(cb, b.shape.rounding()));
   } else {
     if constexpr (OwnOverlap<A, B, T>) {
-      if (const auto own = own_overlap(ca, a.shape.margin(), a.pose, cb, b.shape.margin(), b.pose)) return *own;
+      if (const auto own = own_overlap(ca, a.shape.rounding(), a.pose, cb, b.shape.rounding(), b.pose)) return *own;
     } else if constexpr (OwnDistance<A, B, T>) {
       if (const auto own = own_distance_of(ca, a, cb, b)) return own->distance <= T(0);
     }

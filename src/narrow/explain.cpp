@@ -6,8 +6,8 @@
 #include "narrow/explain_search.hpp"
 #include "narrow/general.hpp"
 #include "narrow/pairs/capsule_box.hpp"
-#include "narrow/polyhedral_pair.hpp"
-#include "narrow/reference_axis.hpp"
+#include "narrow/sat/polyhedral_pair.hpp"
+#include "narrow/sat/reference_axis.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -23,7 +23,7 @@ template <class T>
 std::optional<BoxCore<double>> box_core(const Shape<T>& shape) {
   std::optional<BoxCore<double>> core;
   shape.visit([&](const auto& c) {
-    if constexpr (std::is_same_v<decltype(core_of(c)), BoxCore<T>>) core = cast<double>(core_of(c));
+    if constexpr (std::is_same_v<decltype(core_of(c)), BoxCore<T>>) core = converted<double>(core_of(c));
   });
   return core;
 }
@@ -33,7 +33,7 @@ std::optional<SegmentCore<double>> segment_core(const Shape<T>& shape) {
   std::optional<SegmentCore<double>> core;
   shape.visit([&](const auto& c) {
     if constexpr (std::is_same_v<decltype(core_of(c)), SegmentCore<T>>)
-      if (has_core(c)) core = cast<double>(core_of(c));
+      if (has_core(c)) core = converted<double>(core_of(c));
   });
   return core;
 }
@@ -85,7 +85,7 @@ double furthest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direc
   if (shape.template as<HalfSpace<T>>()) {
     const Vec3<T> up = rotate(pose.rotation, Vec3<T>{T(0), T(1), T(0)});
     const bool along = dot(up, direction) > T(0.5);
-    return along ? static_cast<double>(dot(pose.translation, direction) + shape.margin())
+    return along ? static_cast<double>(dot(pose.translation, direction) + shape.rounding())
                  : std::numeric_limits<double>::infinity();
   }
   const Vec3<T> point = support(shape, rotate(conjugate(pose.rotation), direction));
@@ -129,7 +129,7 @@ template <class T>
 void explain_normal(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                     const Vec3<T>& normal, Trace& trace) {
   if (trace.winner.empty()) trace.winner = "normal";
-  trace.axes.push_back({"normal", cast<double>(normal), -furthest(a, pose_a, -normal), furthest(a, pose_a, normal),
+  trace.axes.push_back({"normal", converted<double>(normal), -furthest(a, pose_a, -normal), furthest(a, pose_a, normal),
                         -furthest(b, pose_b, -normal), furthest(b, pose_b, normal)});
 }
 
@@ -203,7 +203,8 @@ bool explain_reference_axis(const Shape<T>& a, const Pose<T>& pose_a, const Shap
   const SeparatingAxis& axis = reference_axis(axes, smaller);
   // The answer's normal is rounded to T, and the axis of two edges that are nearly parallel by more.
   const Vec3d normal = rotate(frame.rotation, axis.normal);
-  if (length(normal - cast<double>(answer.normal)) > std::sqrt(static_cast<double>(std::numeric_limits<T>::epsilon())))
+  if (length(normal - converted<double>(answer.normal)) >
+      std::sqrt(static_cast<double>(std::numeric_limits<T>::epsilon())))
     return false;
   trace.winner = pair.name(axis);
   if (&axis != &best)

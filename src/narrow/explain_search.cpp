@@ -1,9 +1,9 @@
 #include "narrow/explain_search.hpp"
 
-#include "narrow/epa.hpp"
 #include "narrow/general.hpp"
 #include "narrow/general_search.hpp"
-#include "narrow/trace_recorder.hpp"
+#include "narrow/gjk/epa.hpp"
+#include "narrow/gjk/trace_recorder.hpp"
 
 namespace graze {
 

@@ -1,12 +1,12 @@
 #include "narrow/general.hpp"
 
-#include "narrow/core_inside.hpp"
-#include "narrow/direct_depth.hpp"
-#include "narrow/epa.hpp"
+#include "narrow/core/core_inside.hpp"
+#include "narrow/depth/newton_depth.hpp"
 #include "narrow/general_search.hpp"
-#include "narrow/hull_depth.hpp"
-#include "narrow/pairs/box_distance.hpp"
-#include "narrow/polyhedral_pair.hpp"
+#include "narrow/gjk/epa.hpp"
+#include "narrow/gjk/hull_depth.hpp"
+#include "narrow/pairs/box_box/distance.hpp"
+#include "narrow/sat/polyhedral_pair.hpp"
 #include "shape/expect_faces.hpp"
 
 namespace graze {
@@ -22,7 +22,7 @@ CoreDistance<double> centered(double distance, const Vec3d& normal, const Vec3d&
 
 template <class Difference>
 GeneralDistance judged(const Difference& difference, const CoreDistance<double>& core, double gap, double noise) {
-  const double allowed = 0.5 * tolerance<double> * difference.size() + rounding * difference.reach();
+  const double allowed = 0.5 * tolerance<double> * difference.size() + rounding_error * difference.reach();
   if (gap <= allowed) return {core, Status::converged, greatest(gap, 0.0), noise};
   return {core, Status::bounded, gap + noise, noise};  // rounding too may take from the gap along the normal
 }
@@ -34,7 +34,7 @@ std::optional<GeneralDistance> directly(const Difference<T>& difference, const S
                                         const Posed& b_in_a, double limit, double noise) {
   const auto sum_a = a.summed(), sum_b = b.summed();
   if (!sum_a || !sum_b || !(max_abs(sum_a->radii) > 0 || max_abs(sum_b->radii) > 0)) return std::nullopt;
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), direct_depth);
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), newton_depth);
   const auto found = kernel(*sum_a, *sum_b, b_in_a, limit + noise);
   if (!found) return std::nullopt;
   const double distance = -found->depth;
@@ -59,7 +59,7 @@ EpaResult depth_of(const Difference& difference, const Simplex& start, double go
 template <class T>
 EpaResult depth_of(const HullDifference<T>& difference, const Simplex& start, double goal) {
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_depth<T>);
-  const double noise = rounding * difference.reach();
+  const double noise = rounding_error * difference.reach();
   EpaResult found;
   const bool proven =
       start.size() == 4 && kernel(difference.hulls(), difference.placed(), start.points.data(), noise, goal, found);

@@ -4,8 +4,8 @@
 
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
-#include "narrow/core.hpp"
-#include "narrow/minkowski.hpp"
+#include "narrow/core/core.hpp"
+#include "narrow/core/minkowski.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -16,7 +16,7 @@ double pair_size(const Shape<T>& a, const Shape<T>& b) {
   const auto extent = [](const Shape<T>& shape) {
     return shape.visit([&](const auto& c) {
       if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
-        return static_cast<double>(c.core_extent()) + static_cast<double>(rounding_radius(c, shape.margin()));
+        return static_cast<double>(c.core_extent()) + static_cast<double>(rounding_radius(c, shape.rounding()));
       else
         return 0.0;
     });
@@ -27,7 +27,7 @@ double pair_size(const Shape<T>& a, const Shape<T>& b) {
 /// What rounding may do to the distance of a pair: relative to its largest coordinate, in the frame of A.
 template <class T>
 double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) {
-  return rounding * (pair_size(a, b) + max_abs(translation));
+  return rounding_error * (pair_size(a, b) + max_abs(translation));
 }
 
 /// A signed distance of cores with its honesty.
@@ -51,9 +51,9 @@ bool general_overlap(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a, 
 /// A pose in double, whatever the scalar, its rotation of unit length to double's precision.
 template <class T>
 Posed in_double(const Pose<T>& pose) {
-  const Quatd q = cast<double>(pose.rotation);
+  const Quatd q = converted<double>(pose.rotation);
   const double scale = 1 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-  return {cast<double>(pose.translation), {q.x * scale, q.y * scale, q.z * scale, q.w * scale}};
+  return {converted<double>(pose.translation), {q.x * scale, q.y * scale, q.z * scale, q.w * scale}};
 }
 
 template <class T>

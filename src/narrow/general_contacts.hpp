@@ -7,8 +7,8 @@
 #include "graze/contact.hpp"
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
-#include "narrow/features.hpp"
-#include "narrow/manifold.hpp"
+#include "narrow/manifold/clip_faces.hpp"
+#include "narrow/manifold/features.hpp"
 
 namespace graze {
 

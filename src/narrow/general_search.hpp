@@ -4,10 +4,10 @@
 
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
-#include "narrow/gjk.hpp"
-#include "narrow/hull_support.hpp"
-#include "narrow/minkowski.hpp"
-#include "narrow/scanned_shape.hpp"
+#include "narrow/core/hull_support.hpp"
+#include "narrow/core/minkowski.hpp"
+#include "narrow/core/scanned_shape.hpp"
+#include "narrow/gjk/gjk.hpp"
 
 namespace graze {
 

@@ -118,19 +118,19 @@ T rounded_down(double t) {
 
 template <class T>
 Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t) {
-  return cast<T>(moved({cast<double>(pose.translation), normalized(cast<double>(pose.rotation))},
-                       {cast<double>(velocity.linear), double(velocity.angular)}, double(t)));
+  return converted<T>(moved({converted<double>(pose.translation), normalized(converted<double>(pose.rotation))},
+                            {converted<double>(velocity.linear), double(velocity.angular)}, double(t)));
 }
 
 template <class T>
 std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
                                const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration) {
   const auto wide = [](const Pose2<T>& pose) {
-    return Pose2d{cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
+    return Pose2d{converted<double>(pose.translation), normalized(converted<double>(pose.rotation))};
   };
   const Pose2d body_a = wide(pose_a), body_b = wide(pose_b);
-  const Velocity<double> of_a{cast<double>(velocity_a.linear), double(velocity_a.angular)},
-      of_b{cast<double>(velocity_b.linear), double(velocity_b.angular)};
+  const Velocity<double> of_a{converted<double>(velocity_a.linear), double(velocity_a.angular)},
+      of_b{converted<double>(velocity_b.linear), double(velocity_b.angular)};
   const double way = length(of_b.linear - of_a.linear) * double(duration);
   std::optional<CastHit<T>> best;
   double until = double(duration);
@@ -146,8 +146,8 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const 
     if (!hit || (best && hit->t == until && !(hit->depth > double(best->depth)))) return;
     until = hit->t;
     best = CastHit<T>{rounded_down<T>(hit->t),
-                      cast<T>(hit->point),
-                      cast<T>(hit->normal),
+                      converted<T>(hit->point),
+                      converted<T>(hit->normal),
                       static_cast<T>(hit->depth),
                       hit->status,
                       pair.piece_a,
@@ -158,7 +158,7 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const 
 
 template <class T>
 std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray, T length_of_ray) {
-  const Vec2d direction = normalized(cast<double>(ray.direction), Vec2d{}), origin = cast<double>(ray.origin);
+  const Vec2d direction = normalized(converted<double>(ray.direction), Vec2d{}), origin = converted<double>(ray.origin);
   const bool finite = std::isfinite(origin.x) && std::isfinite(origin.y) && length_squared(direction) > 0;
   if (!finite || !(length_of_ray >= T(0))) return {};
   const Core<T> point = core_of(Circle<T>(T(0)));
@@ -171,7 +171,7 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, co
     if (nearest(core, point, start, extent).distance - core.radius <= 0) {
       if (best && until == 0) return;
       until = 0;
-      best = RayHit<T>{T(0), ray.origin, cast<T>(-direction), piece};
+      best = RayHit<T>{T(0), ray.origin, converted<T>(-direction), piece};
       return;
     }
     const auto hit = first_contact(core, point, start, along, until, extent, near);
@@ -179,7 +179,8 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, co
     until = hit->t;
     // By rounding across the ray at most: a surface that it grazes does not face along it.
     const Vec2d n = rotate(at.rotation, hit->normal);
-    best = RayHit<T>{static_cast<T>(hit->t), cast<T>(origin + direction * hit->t), cast<T>(n), piece, hit->status};
+    best = RayHit<T>{static_cast<T>(hit->t), converted<T>(origin + direction * hit->t), converted<T>(n), piece,
+                     hit->status};
   });
   return best;
 }

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "graze/plane/shape.hpp"
-#include "narrow/features.hpp"
+#include "narrow/manifold/features.hpp"
 
 namespace graze::plane {
 
@@ -33,7 +33,7 @@ struct Core {
   double half_height = 0;            ///< of a tapered core
   const SupportFunction<T>* user = nullptr;
 
-  Vec2d vertex(std::uint32_t i) const { return plane::cast<double>(outside ? outside[i] : inside[i]); }
+  Vec2d vertex(std::uint32_t i) const { return plane::converted<double>(outside ? outside[i] : inside[i]); }
   std::uint32_t next(std::uint32_t i) const { return i + 1 == count ? 0 : i + 1; }
   std::uint32_t previous(std::uint32_t i) const { return i == 0 ? count - 1 : i - 1; }
   /// Edge i leads from vertex i to the next.
@@ -93,7 +93,7 @@ Core<T> core_of(const Ellipse<T>& e) {
   if (e.radii().y == T(0)) return polygon_core<T>({{-e.radii().x, T(0)}, {e.radii().x, T(0)}});
   Core<T> core;
   core.kind = CoreKind::ellipse;
-  core.radii = plane::cast<double>(e.radii());
+  core.radii = plane::converted<double>(e.radii());
   return core;
 }
 template <class T>
@@ -162,7 +162,8 @@ CorePoint support(const Core<T>& core, const Vec2d& direction) {
     return {{core.radii.x * scaled.x, core.radii.y * scaled.y}, vertex_feature(0)};
   }
   case CoreKind::user:
-    return {plane::cast<double>(core.user->support(plane::cast<T>(normalized(direction)))), vertex_feature(0)};
+    return {plane::converted<double>(core.user->support(plane::converted<T>(normalized(direction)))),
+            vertex_feature(0)};
   case CoreKind::half_plane: break;
   }
   return {};

@@ -15,7 +15,7 @@ void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piec
   if (const auto* compound = shape.template as<Compound<T>>()) {
     std::uint32_t number = 0;
     for (const Placed<T>& child : compound->children()) {
-      const Pose2d own{cast<double>(child.pose.translation), normalized(cast<double>(child.pose.rotation))};
+      const Pose2d own{converted<double>(child.pose.translation), normalized(converted<double>(child.pose.rotation))};
       for_each_leaf(child.shape, compose(pose, own), outermost ? number : piece, false, f);
       ++number;
     }
@@ -25,7 +25,7 @@ void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piec
 }
 template <class T, class F>
 void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {
-  const Pose2d wide{cast<double>(pose.translation), normalized(cast<double>(pose.rotation))};
+  const Pose2d wide{converted<double>(pose.translation), normalized(converted<double>(pose.rotation))};
   for_each_leaf(shape, wide, 0, true, f);
 }
 

@@ -31,7 +31,8 @@ Distance<double> pair_distance(const LeafPair<T>& pair) {
 
 template <class T>
 Distance<T> narrowed(const Distance<double>& d) {
-  return {static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b), d.status, static_cast<T>(d.error)};
+  return {static_cast<T>(d.distance), converted<T>(d.normal), converted<T>(d.a), converted<T>(d.b), d.status,
+          static_cast<T>(d.error)};
 }
 
 /// The smallest distance over all pairs. With a trace, explains the pair that has it.
@@ -53,11 +54,11 @@ Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
 template <class T>
 Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
   Manifold<T> out;
-  out.normal = cast<T>(rotate(pair.pose_a.rotation, of_a.normal));
+  out.normal = converted<T>(rotate(pair.pose_a.rotation, of_a.normal));
   out.piece_a = pair.piece_a;
   out.piece_b = pair.piece_b;
   for (const ContactPoint<double>& p : of_a.points)
-    out.points.push_back({cast<T>(transform(pair.pose_a, p.a)), cast<T>(transform(pair.pose_a, p.b)),
+    out.points.push_back({converted<T>(transform(pair.pose_a, p.a)), converted<T>(transform(pair.pose_a, p.b)),
                           static_cast<T>(p.distance), p.feature, static_cast<T>(p.weight)});
   return out;
 }
@@ -99,7 +100,7 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace) {
   const Distance<double> d = smallest<T>(shape, pose, Circle<T>(T(0)), {point, {}}, trace);
-  return {static_cast<T>(d.distance), cast<T>(d.a), cast<T>(d.normal), d.status, static_cast<T>(d.error)};
+  return {static_cast<T>(d.distance), converted<T>(d.a), converted<T>(d.normal), d.status, static_cast<T>(d.error)};
 }
 
 #define GRAZE_PLANE_QUERIES(T)                                                                                         \

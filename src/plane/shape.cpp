@@ -10,7 +10,7 @@ namespace {
 
 template <class T>
 bool turns_left(const Vec2<T>& a, const Vec2<T>& b, const Vec2<T>& c) {
-  return orientation(cast<double>(a), cast<double>(b), cast<double>(c)) > 0;
+  return orientation(converted<double>(a), converted<double>(b), converted<double>(c)) > 0;
 }
 
 /// The hull of points sorted from the lowest up, counter-clockwise (Andrew 1979, "Another efficient algorithm for
@@ -101,15 +101,15 @@ Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose) {
     if (n.y == T(0)) (n.x > T(0) ? half.upper : half.lower).x = pose.translation.x + n.x * moved;
     return half;
   }
-  const Rot2d turn = cast<double>(pose.rotation);
+  const Rot2d turn = converted<double>(pose.rotation);
   const auto reach = [&](const Vec2d& d) {
     return dot(support(core, inverse_rotate(turn, d)).point, inverse_rotate(turn, d)) + core.radius;
   };
   const Vec2d upper{reach({1, 0}), reach({0, 1})}, lower{-reach({-1, 0}), -reach({0, -1})};
   // Four roundings of numbers as large as the extent or the translation: rotation, sum and conversion.
   const T slack = T(4) * std::numeric_limits<T>::epsilon() * (extent(shape) + max_abs(pose.translation));
-  return {pose.translation + cast<T>(lower) - Vec2<T>{slack, slack},
-          pose.translation + cast<T>(upper) + Vec2<T>{slack, slack}};
+  return {pose.translation + converted<T>(lower) - Vec2<T>{slack, slack},
+          pose.translation + converted<T>(upper) + Vec2<T>{slack, slack}};
 }
 
 template class ConvexPolygon<float>;

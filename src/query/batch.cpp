@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "narrow/closed_form.hpp"
+#include "narrow/pairs/closed_form.hpp"
 #include "query/batch_portals.hpp"
 #include "query/batch_rows.hpp"
 
@@ -63,8 +63,8 @@ template <class A, class B, class T>
 auto overlap_kernel() {
   if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
     return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
-  else if constexpr (is_round_and_triangle<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), round_triangle_row_overlaps<A, T>);
+  else if constexpr (is_sphere_capsule_and_triangle<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_overlaps<A, T>);
   else
     return GRAZE_KERNEL(chosen_isa(), row_overlaps<A, B, T>);
 }
@@ -73,10 +73,10 @@ template <class A, class B, class T>
 auto distance_kernel() {
   if constexpr (std::is_same_v<A, Triangle<T>> && std::is_same_v<B, Triangle<T>>)
     return GRAZE_KERNEL(chosen_isa(), triangle_row_distances<T>);
-  else if constexpr (std::is_same_v<B, Box<T>> && !is_round_pair<A, B>)
+  else if constexpr (std::is_same_v<B, Box<T>> && !is_sphere_capsule_pair<A, B>)
     return GRAZE_KERNEL(chosen_isa(), box_row_distances<A, B, T>);
-  else if constexpr (is_round_and_triangle<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), round_triangle_row_distances<A, T>);
+  else if constexpr (is_sphere_capsule_and_triangle<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_distances<A, T>);
   else
     return GRAZE_KERNEL(chosen_isa(), row_distances<A, B, T>);
 }
@@ -104,7 +104,7 @@ struct Distances {
 
   template <class A, class B>
   static constexpr bool has_kernel =
-      !std::is_same_v<B, Triangle<T>> || is_round_and_triangle<A, B> || std::is_same_v<A, Triangle<T>>;
+      !std::is_same_v<B, Triangle<T>> || is_sphere_capsule_and_triangle<A, B> || std::is_same_v<A, Triangle<T>>;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return distance(pair...); });
   }

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "graze/batch.hpp"
-#include "narrow/rest_batch.hpp"
-#include "narrow/round_batch.hpp"
-#include "narrow/triangle_batch.hpp"
+#include "narrow/batch/half_space_batch.hpp"
+#include "narrow/batch/sphere_capsule_batch.hpp"
+#include "narrow/batch/triangle_batch.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
@@ -14,7 +14,7 @@ namespace {
 template <class T>
 struct OtherRows {
   std::uint8_t unknown[row_chunk], side_places[row_chunk];
-  RoomFor<SideContact<T>, row_chunk> sides;
+  RoomFor<SegmentContact<T>, row_chunk> sides;
 };
 
 /// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can
@@ -218,7 +218,7 @@ class OneByOne {
 /// Writes the pairs of a capsule that lies.
 template <class T>
 auto side_writer(Writer<T>& writer) {
-  return [&writer](std::size_t pair, T distance, const Vec3<T>& normal, const SidePoints<T>& points) {
+  return [&writer](std::size_t pair, T distance, const Vec3<T>& normal, const SegmentPoints<T>& points) {
     writer.touching(pair, distance, normal, 2, points);
   };
 }
@@ -233,7 +233,7 @@ class Together {
     if (route == Route::box_box)
       boxes(queue);
     else if (is_rest(route))
-      with_resting_kind<T>(route, [&]<class A>() { rests<A>(turned, queue); });
+      with_resting_kind<T>(route, [&]<class A>() { half_space_slots<A>(turned, queue); });
     else if (route == Route::box_triangle)
       triangles(turned, queue);
     else if (route == Route::triangle_triangle)
@@ -250,10 +250,10 @@ class Together {
         writer_);
   }
   template <class A>
-  void rests(bool turned, const Queue<T>& queue) {
-    visit_rest_contacts<A>(
+  void half_space_slots(bool turned, const Queue<T>& queue) {
+    visit_half_space_contacts<A>(
         queue.pairs.data(), queue.count, turned, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](std::size_t k, T distance, const RestPoints<T>& points) {
+        [&](std::size_t k, T distance, const HalfSpacePoints<T>& points) {
           touching(queue.places[k], distance, points.normal(), points);
         });
   }
@@ -272,15 +272,15 @@ class Together {
   }
   template <class Points>
   void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
-    writer_.touching(pair, distance, normal, most_box_points, points);
+    writer_.touching(pair, distance, normal, most_contact_slots, points);
   }
   void round(Route route, bool turned, const Queue<T>& queue) {
-    with_round_kinds<T>(route, [&]<class A, class B>() {
-      ask_round_kernel<A, B>(queue.pairs.data(), queue.count, contacts_, meetings_, sides_.records);
+    with_sphere_capsule_kinds<T>(route, [&]<class A, class B>() {
+      ask_sphere_capsule_kernel<A, B>(queue.pairs.data(), queue.count, contacts_, meetings_, sides_.records);
       if (turned)
         for (std::size_t k = 0; k < queue.count; ++k) contacts_[k] = mirrored(contacts_[k]);
       std::size_t others = writer_.write(queue.places.data(), contacts_, meetings_, queue.count);
-      const SideContact<T>* side = sides_.records;
+      const SegmentContact<T>* side = sides_.records;
       for (std::size_t k = 0; others > 0; ++k) {
         if (meetings_[k] < Meeting::unknown) continue;
         --others;
@@ -294,9 +294,9 @@ class Together {
 
   Writer<T>& writer_;
   OneByOne<T>& single_;
-  PointContact<T> contacts_[bundled(box_chunk)];
-  Meeting meetings_[bundled(box_chunk)];
-  RoomFor<SideContact<T>, box_chunk> sides_;
+  PointContact<T> contacts_[bundled(batch_chunk)];
+  Meeting meetings_[bundled(batch_chunk)];
+  RoomFor<SegmentContact<T>, batch_chunk> sides_;
 };
 
 /// Whether there is a kernel for the contacts of pairs in rows.
@@ -304,16 +304,16 @@ constexpr bool has_rows(Route route) { return route < Route::box_box && route !=
 
 template <class A, class B, class T>
 auto row_kernel() {
-  if constexpr (is_round_pair<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), round_row_contacts<A, B, T>);
+  if constexpr (is_sphere_capsule_pair<A, B>)
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_row_contacts<A, B, T>);
   else
-    return GRAZE_KERNEL(chosen_isa(), round_triangle_row_contacts<A, T>);
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_contacts<A, T>);
 }
 
 template <class T>
 void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Writer<T>& writer, OneByOne<T>& single) {
-  with_round_kinds<T>(route_of(queue), [&]<class A, class B>() {
-    if constexpr (is_round_pair<A, B> || is_round_and_triangle<A, B>) {
+  with_sphere_capsule_kinds<T>(route_of(queue), [&]<class A, class B>() {
+    if constexpr (is_sphere_capsule_pair<A, B> || is_sphere_capsule_and_triangle<A, B>) {
       const auto kernel = row_kernel<A, B, T>();
       const bool turned = is_turned(queue);
       visit_rows<A, B>(batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {

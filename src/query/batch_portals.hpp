@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "graze/batch.hpp"
-#include "narrow/portal_pairs.hpp"
+#include "narrow/gjk/mpr_pairs.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
@@ -96,8 +96,8 @@ class Portals {
     const std::size_t number = (kind_a.side == PortalSide::points) + (kind_b.side == PortalSide::points);
     Queue& queue = queues_[number];
     const auto from = [&](std::size_t column) { return PortalPlace{queue.pairs.column + column, queue.count}; };
-    const T reach = kind_a.put(a.concrete(i), from(PortalPairs::of_a)) + a.margin(i) +
-                    (kind_b.put(b.concrete(j), from(PortalPairs::of_b)) + b.margin(j));
+    const T reach = kind_a.put(a.concrete(i), from(PortalPairs::of_a)) + a.rounding(i) +
+                    (kind_b.put(b.concrete(j), from(PortalPairs::of_b)) + b.rounding(j));
     const Pose<T>&pose_a = a.pose(i), &pose_b = b.pose(j);
     from(PortalPairs::turn_a).put(pose_a.rotation);
     from(PortalPairs::turn_b).put(pose_b.rotation);
@@ -125,9 +125,9 @@ class Portals {
   const Single single_;
   Isa level_ = chosen_isa();
   /// By how many of the two sides are points.
-  Kernel kernels_[3] = {GRAZE_KERNEL(level_, portal_overlaps<PortalSide::sum, PortalSide::sum>),
-                        GRAZE_KERNEL(level_, portal_overlaps<PortalSide::sum, PortalSide::points>),
-                        GRAZE_KERNEL(level_, portal_overlaps<PortalSide::points, PortalSide::points>)};
+  Kernel kernels_[3] = {GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::sum, PortalSide::sum>),
+                        GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::sum, PortalSide::points>),
+                        GRAZE_KERNEL(level_, mpr_overlaps<PortalSide::points, PortalSide::points>)};
   Queue queues_[3];
 };
 

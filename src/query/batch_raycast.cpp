@@ -1,10 +1,10 @@
 #include "graze/batch_raycast.hpp"
 
-#include "narrow/flatten.hpp"
-#include "narrow/rays/box_rays.hpp"
-#include "narrow/rays/field_walk.hpp"
-#include "narrow/rays/mesh_block.hpp"
 #include "query/shape_rays.hpp"
+#include "rays/box_rays.hpp"
+#include "rays/height_field_traversal.hpp"
+#include "rays/ray_stream.hpp"
+#include "simd/flatten.hpp"
 
 namespace graze {
 
@@ -21,13 +21,13 @@ template <class T>
 BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   BlockShape out;
   out.both_sides = back == BackFaces::hit;
-  const double margin = static_cast<double>(shape.margin());
+  const double margin = static_cast<double>(shape.rounding());
   const auto put = [&](std::size_t i, const Vec3<T>& p) {
     for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
   };
   // As `hit_balls`.
   const auto put_balls = [&](const Vec3<T>& a, T core_a, const Vec3<T>& b, T core_b) {
-    const Vec3d between = cast<double>(b) - cast<double>(a);
+    const Vec3d between = converted<double>(b) - converted<double>(a);
     const double radius_a = static_cast<double>(core_a) + margin, radius_b = static_cast<double>(core_b) + margin;
     const bool one = length(between) <= std::abs(radius_a - radius_b) || a == b, first = radius_a >= radius_b;
     put(0, one && !first ? b : a);
@@ -63,7 +63,7 @@ BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
       if (margin == 0) out.kind = BlockShape::triangle;
     }
     out.around = rays::infinity;
-    if constexpr (BoundedConvex<C>) out.around = ball_around(c, shape.margin());
+    if constexpr (BoundedConvex<C>) out.around = ball_around(c, shape.rounding());
   });
   return out;
 }
@@ -127,7 +127,7 @@ std::optional<rays::TurnedBox> turned_box(const Shape<T>& shape, const Pose<T>& 
 
 template <class T>
 rays::BlockMesh<T> block_mesh(const MeshData<T>& mesh, BackFaces back, bool any) {
-  const Vec3d center = cast<double>(mesh.tree.bounds().center());
+  const Vec3d center = converted<double>(mesh.tree.bounds().center());
   return {mesh.tree.nodes().data(),
           mesh.leaves.data(),
           &mesh.points.data()->x,
@@ -141,7 +141,7 @@ rays::BlockMesh<T> block_mesh(const MeshData<T>& mesh, BackFaces back, bool any)
 
 template <class T>
 rays::BlockField<T> block_field(const HeightFieldData<T>& field, BackFaces back, bool any) {
-  const Vec3d center = cast<double>(field.bounds().center());
+  const Vec3d center = converted<double>(field.bounds().center());
   return {&field.pyramid,
           static_cast<double>(field.extent),
           {center.x, center.y, center.z},

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "graze/batch.hpp"
-#include "narrow/box_batch.hpp"
-#include "narrow/closed_form.hpp"
-#include "narrow/pair_kernels.hpp"
+#include "narrow/batch/box_batch.hpp"
+#include "narrow/batch/pair_kernels.hpp"
+#include "narrow/pairs/closed_form.hpp"
 
 namespace graze {
 
@@ -91,10 +91,10 @@ class Routes {
 
 /// The same of a route for round shapes.
 template <class T, class F>
-void with_round_kinds(Route route, const F& f) {
+void with_sphere_capsule_kinds(Route route, const F& f) {
   with_kinds<T>(route, [&]<class A, class B>() {
-    if constexpr (is_round_pair<A, B> || (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>) ||
-                  is_round_and_triangle<A, B>)
+    if constexpr (is_sphere_capsule_pair<A, B> || (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>) ||
+                  is_sphere_capsule_and_triangle<A, B>)
       f.template operator()<A, B>();
   });
 }
@@ -114,8 +114,8 @@ void with_resting_kind(Route route, const F& f) {
 /// one wants it.
 template <class T>
 struct Queue {
-  std::array<PairRef<T>, box_chunk> pairs;
-  std::array<std::size_t, box_chunk> places;
+  std::array<PairRef<T>, batch_chunk> pairs;
+  std::array<std::size_t, batch_chunk> places;
   std::size_t count = 0;
 };
 
@@ -133,7 +133,7 @@ bool regular(std::size_t kind, const void* concrete) {
       kind == detail::kind_of<Triangle<T>, T>())
     return true;
   if (kind == detail::kind_of<Box<T>, T>()) return regular_box(static_cast<const Box<T>*>(concrete)->half_extents());
-  return has_even_side(*static_cast<const Capsule<T>*>(concrete));
+  return has_untapered_side(*static_cast<const Capsule<T>*>(concrete));
 }
 
 /// Whether so many concrete shapes of one kind, at least one, all are; `at(k)` is the k-th.
@@ -150,7 +150,7 @@ bool all_regular(std::size_t kind, std::size_t count, const At& at) {
     }
     all = regular_box(low) && regular_box(high);
   } else if (kind == detail::kind_of<Capsule<T>, T>()) {
-    for (std::size_t k = 0; k < count; ++k) all &= has_even_side(*static_cast<const Capsule<T>*>(at(k)));
+    for (std::size_t k = 0; k < count; ++k) all &= has_untapered_side(*static_cast<const Capsule<T>*>(at(k)));
   }
   return all;
 }
@@ -158,7 +158,7 @@ bool all_regular(std::size_t kind, std::size_t count, const At& at) {
 /// The concrete shape, if it is of such a kind, regular and without a margin, else null.
 template <class T>
 const void* regular_concrete(const Shape<T>& shape) {
-  if (shape.margin() != T(0)) return nullptr;
+  if (shape.rounding() != T(0)) return nullptr;
   return shape.visit([&](const auto& concrete) -> const void* {
     using C = std::decay_t<decltype(concrete)>;
     if constexpr (has_route<C, T>)
@@ -201,7 +201,7 @@ void fetch(const PairRef<T>& pair) {
 template <class T>
 std::size_t append_even(const Batch<T>& batch, const EvenRow<T>& a, const EvenRow<T>& b, std::size_t first, bool turned,
                         T margin, Queue<T>& queue) {
-  const std::size_t begin = queue.count, count = std::min(box_chunk - begin, batch.size() - first);
+  const std::size_t begin = queue.count, count = std::min(batch_chunk - begin, batch.size() - first);
   for (std::size_t k = 0; k < count; ++k) {
     IdPair p = batch[first + k];
     if (turned) std::swap(p.a, p.b);
@@ -243,7 +243,7 @@ void visit_even_batch(const Batch<T>& batch, T margin, std::uint8_t number, Run&
     if (!all_regular<T>(kind_a, added, [&](std::size_t k) { return queue.pairs[begin + k].a; }) ||
         !all_regular<T>(kind_b, added, [&](std::size_t k) { return queue.pairs[begin + k].b; }))
       drop_irregular(kind_a, kind_b, begin, queue, single);
-    if (queue.count < box_chunk && i < batch.size()) continue;
+    if (queue.count < batch_chunk && i < batch.size()) continue;
     if (queue.count > 0) run(route_of(number), turned, queue);
     queue.count = 0;
   }
@@ -272,7 +272,7 @@ void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, const To
     const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
     const std::uint8_t number = routes(kind_a, kind_b);
     const Route route = route_of(number);
-    if (route == Route::none || !wanted(route) || a.margin(p.a) != T(0) || b.margin(p.b) != T(0)) {
+    if (route == Route::none || !wanted(route) || a.rounding(p.a) != T(0) || b.rounding(p.b) != T(0)) {
       single(i);
       continue;
     }
@@ -285,7 +285,7 @@ void visit_batch(const Batch<T>& batch, T margin, const Wanted& wanted, const To
     queue.pairs[queue.count] = is_turned(number) ? PairRef<T>{shape_b, shape_a, &b.pose(p.b), &a.pose(p.a), margin}
                                                  : PairRef<T>{shape_a, shape_b, &a.pose(p.a), &b.pose(p.b), margin};
     queue.places[queue.count++] = i;
-    if (queue.count == box_chunk) flush(number);
+    if (queue.count == batch_chunk) flush(number);
   }
   for (std::uint8_t number = 0; number < queues.size(); ++number)
     if (queues[number].count > 0) flush(number);

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cstring>
 
-#include "narrow/box_batch.hpp"
+#include "narrow/batch/box_batch.hpp"
 #include "query/batch_routes.hpp"
 
 namespace graze {
 
 /// So many pairs at most are in rows at a time.
-inline constexpr std::size_t row_chunk = box_chunk;
+inline constexpr std::size_t row_chunk = batch_chunk;
 
 /// Rows of C, shapes of one kind or poses, of one side: the bodies' own, or copies of them.
 template <class C>

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "mid/composite.hpp"
-#include "mid/moving_pieces.hpp"
-#include "mid/solid.hpp"
+#include "composite/composite.hpp"
+#include "composite/moving_leaves.hpp"
+#include "composite/solid.hpp"
 #include "query/explain_cast.hpp"
 
 namespace graze {
@@ -37,10 +37,10 @@ struct Asked {
         const Pose<T>& pose_b, const Velocity<T>& vb, T until, const CastOptions& options)
       : a(shape_a), b(shape_b), duration(static_cast<double>(until)), separating(options.separating) {
     const Posed in_a = in_double(pose_a), in_b = in_double(pose_b);
-    motion = {{in_a.rotation, cast<double>(va.angular)},
-              {in_b.rotation, cast<double>(vb.angular)},
+    motion = {{in_a.rotation, converted<double>(va.angular)},
+              {in_b.rotation, converted<double>(vb.angular)},
               in_b.translation - in_a.translation,
-              cast<double>(vb.linear) - cast<double>(va.linear)};
+              converted<double>(vb.linear) - converted<double>(va.linear)};
     path = length(motion.offset) + length(motion.velocity) * duration;
     coordinates = greatest(max_abs(in_a.translation), max_abs(in_b.translation)) + path;
   }
@@ -152,10 +152,10 @@ T rounded_down(double t) {
 template <class T>
 CastHit<T> hit_of(const PieceImpact& found, const Pose<T>& pose_a, const Velocity<T>& velocity_a) {
   const Impact& impact = found.impact;
-  const Vec3d origin = cast<double>(pose_a.translation) + cast<double>(velocity_a.linear) * impact.t;
+  const Vec3d origin = converted<double>(pose_a.translation) + converted<double>(velocity_a.linear) * impact.t;
   return {rounded_down<T>(impact.t),
-          cast<T>(origin + (impact.a + impact.b) * 0.5),
-          cast<T>(impact.normal),
+          converted<T>(origin + (impact.a + impact.b) * 0.5),
+          converted<T>(impact.normal),
           static_cast<T>(greatest(0.0, -impact.distance)),
           impact.status,
           found.piece_a,
@@ -168,8 +168,8 @@ template <class T>
 Pose<T> pose_at(const Pose<T>& pose, const Velocity<T>& velocity, T t) {
   const Vec3<T> translation = pose.translation + velocity.linear * t;
   if (velocity.angular == Vec3<T>{}) return {translation, pose.rotation};
-  const Turning turning{in_double(pose).rotation, cast<double>(velocity.angular)};
-  return {translation, normalized(cast<T>(turning.at(static_cast<double>(t))))};
+  const Turning turning{in_double(pose).rotation, converted<double>(velocity.angular)};
+  return {translation, normalized(converted<T>(turning.at(static_cast<double>(t))))};
 }
 
 template <class T>

@@ -1,7 +1,7 @@
 #include "query/explain_cast.hpp"
 
-#include "mid/composite.hpp"
-#include "mid/explain.hpp"
+#include "composite/composite.hpp"
+#include "composite/explain.hpp"
 #include "shape/reach.hpp"
 
 namespace graze {
@@ -14,7 +14,7 @@ constexpr std::size_t most_shown_steps = 64;
 /// The greatest speed of any point of a body by its turning alone.
 template <class T>
 double turning_speed(const BodyOnItsWay<T>& body) {
-  const double rate = length(cast<double>(body.velocity.angular));
+  const double rate = length(converted<double>(body.velocity.angular));
   return rate > 0 ? rate * static_cast<double>(reach_of(body.shape)) : 0;
 }
 
@@ -26,7 +26,7 @@ class ShownAdvancement {
   ShownAdvancement(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b)
       : a_(a),
         b_(b),
-        velocity_(cast<double>(b.velocity.linear) - cast<double>(a.velocity.linear)),
+        velocity_(converted<double>(b.velocity.linear) - converted<double>(a.velocity.linear)),
         turning_(turning_speed(a) + turning_speed(b)) {}
 
   Distance<T> at(T t) const { return any_distance(a_.shape, pose_of(a_, t), b_.shape, pose_of(b_, t)); }
@@ -36,7 +36,7 @@ class ShownAdvancement {
 
   /// Until when the plane of that distance parts the shapes; infinite when they do not come nearer along its normal.
   double parted_until(double t, const Distance<T>& d) const {
-    const double closing = turning_ - dot(cast<double>(d.normal), velocity_);
+    const double closing = turning_ - dot(converted<double>(d.normal), velocity_);
     return closing > 0 ? t + static_cast<double>(d.distance) / closing : std::numeric_limits<double>::infinity();
   }
 
@@ -56,7 +56,7 @@ void explain_cast(const BodyOnItsWay<T>& a, const BodyOnItsWay<T>& b, T duration
   const ShownAdvancement<T> advancement(a, b);
   const T last = hit ? hit->t : duration;
   const auto show = [&](T t, const Distance<T>& d) {
-    trace.steps.push_back({static_cast<double>(t), static_cast<double>(d.distance), cast<double>(d.normal)});
+    trace.steps.push_back({static_cast<double>(t), static_cast<double>(d.distance), converted<double>(d.normal)});
   };
   std::string end = hit ? "the shapes touch" : "the time is over before they touch";
   T t(0);

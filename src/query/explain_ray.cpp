@@ -4,7 +4,7 @@
 
 #include "query/shape_rays.hpp"
 
-#include "narrow/rays/explain.hpp"
+#include "rays/explain.hpp"
 
 namespace graze {
 
@@ -82,7 +82,7 @@ void explain_convex(const Shape<T>& shape, const LocalRay& ray, bool hit, Trace&
   const Made made = shape.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (BoundedConvex<C> || std::is_same_v<C, HalfSpace<T>>)
-      return explanation.of(c, shape.margin());
+      return explanation.of(c, shape.rounding());
     else
       return Made::by_steps;
   });

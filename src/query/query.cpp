@@ -1,8 +1,8 @@
 #include "graze/query.hpp"
 
-#include "mid/closest.hpp"
-#include "mid/composite.hpp"
-#include "mid/explain.hpp"
+#include "composite/closest.hpp"
+#include "composite/composite.hpp"
+#include "composite/explain.hpp"
 #include "narrow/convex_pair.hpp"
 #include "shape/rounding.hpp"
 
@@ -55,7 +55,7 @@ T contact_margin(const Shape<T>& a, const Shape<T>& b) {
   const auto size = [](const Shape<T>& shape) {
     return shape.visit([&](const auto& c) -> T {
       using C = std::decay_t<decltype(c)>;
-      if constexpr (BoundedConvex<C>) return c.core_extent() + rounding_radius(c, shape.margin());
+      if constexpr (BoundedConvex<C>) return c.core_extent() + rounding_radius(c, shape.rounding());
       if constexpr (std::is_same_v<C, HalfSpace<T>>) return std::numeric_limits<T>::infinity();
       return length(bounds(shape, Pose<T>{}).extent()) / T(2);
     });

@@ -5,9 +5,9 @@
 #include "query/explain_ray.hpp"
 #include "query/shape_rays.hpp"
 
-#include "narrow/flatten.hpp"
-#include "narrow/rays/box_rays.hpp"
-#include "narrow/rays/convex.hpp"
+#include "rays/box_rays.hpp"
+#include "rays/convex.hpp"
+#include "simd/flatten.hpp"
 
 namespace graze {
 
@@ -31,7 +31,7 @@ GRAZE_FLATTEN std::optional<RayHit<T>> convex_hit(const Shape<T>& shape, const P
   Frame frame = frame_of(pose);
   std::optional<LocalRay> local = local_ray(ray, length, frame);
   if (!local) return {};
-  MaybeHit hit = rays::hit_convex(*shape.template as<C>(), shape.margin(), *local, back);
+  MaybeHit hit = rays::hit_convex(*shape.template as<C>(), shape.rounding(), *local, back);
   if (!hit) return {};
   return in_world<T>({*hit, 0}, frame, ray, length);
 }

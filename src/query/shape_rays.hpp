@@ -5,11 +5,11 @@
 // whichever order.
 #pragma once
 
-#include "mid/pieces.hpp"
-#include "mid/solid.hpp"
-#include "narrow/flatten.hpp"
-#include "narrow/raycast.hpp"
-#include "narrow/rays/surface.hpp"
+#include "composite/leaves.hpp"
+#include "composite/solid.hpp"
+#include "rays/convex_raycast.hpp"
+#include "rays/surface.hpp"
+#include "simd/flatten.hpp"
 
 namespace graze::shape_rays {
 
@@ -25,12 +25,13 @@ using rays::opposing;
 template <class T>
 GRAZE_FLATTEN std::optional<LocalRay> local_ray(const Ray<T>& ray, T length, const Frame& frame) {
   // Squares of its numbers must neither over- nor underflow. Zeros and infinities become NaN.
-  Vec3d direction = cast<double>(ray.direction);
+  Vec3d direction = converted<double>(ray.direction);
   if constexpr (!std::is_same_v<T, float>) direction = direction / max_abs(direction);
   const double end = end_of(ray, direction, length);
   if (end < 0) return {};
   // Of unit length before it is turned: root and division do not wait for the frame.
-  LocalRay local = seen_from(frame, {cast<double>(ray.origin), direction * (1 / graze::length(direction)), 0, end, 0});
+  LocalRay local =
+      seen_from(frame, {converted<double>(ray.origin), direction * (1 / graze::length(direction)), 0, end, 0});
   local.blur = 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * graze::length(local.origin);
   return local;
 }
@@ -99,9 +100,9 @@ struct Candidate {
 
 template <class T>
 GRAZE_FLATTEN RayHit<T> in_world(const Candidate& c, const Frame& frame, const Ray<T>& ray, T length) {
-  const Vec3d normal = opposing(frame.out(c.hit.normal), cast<double>(ray.direction));
+  const Vec3d normal = opposing(frame.out(c.hit.normal), converted<double>(ray.direction));
   const Vec3d point = frame.translation + frame.out(c.hit.point);
-  return {least(static_cast<T>(c.hit.t), length), cast<T>(point), cast<T>(normal), c.piece};
+  return {least(static_cast<T>(c.hit.t), length), converted<T>(point), converted<T>(normal), c.piece};
 }
 
 inline bool before(const Candidate& a, const Candidate& b) {

@@ -34,7 +34,7 @@ Shape<T> swept(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& motion
   const bool bounded = shape.visit([](const auto& c) { return BoundedConvex<std::decay_t<decltype(c)>>; });
   if (!bounded) throw InvalidValue("shape", "a bounded convex shape", shape.name());
   const Vec3<T> local = rotate(conjugate(pose.rotation), validate::point(motion, "motion"));
-  const T radius = shape.visit([&](const auto& c) { return rounding_radius(c, shape.margin()); });
+  const T radius = shape.visit([&](const auto& c) { return rounding_radius(c, shape.rounding()); });
   return {UserConvex<T>(std::make_shared<SweptCore<T>>(shape, local)), radius};
 }
 

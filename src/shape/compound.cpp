@@ -28,7 +28,7 @@ Compound<T>::Compound(std::vector<Placed<T>> children) {
     child.pose.translation = validate::resolved(child.pose.translation);
     child.pose.rotation = validate::rotation(child.pose.rotation, path + ".rotation");
 
-    const T reach = length(child.pose.translation) + child.shape.margin() +
+    const T reach = length(child.pose.translation) + child.shape.rounding() +
                     child.shape.visit([](const auto& c) { return c.core_extent(); });
     // One in another in another adds up.
     constexpr T furthest = T(8) * largest_magnitude<T>;

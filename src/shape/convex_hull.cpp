@@ -37,11 +37,11 @@ template <class T, class S, class Vertex, class Around>
 std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::uint32_t start, const Vertex& vertex,
                       const Around& around) {
   std::uint32_t best = start;
-  S most = dot(cast<S>(hull.vertices[vertex(best)]), direction);
+  S most = dot(converted<S>(hull.vertices[vertex(best)]), direction);
   for (bool better = true; better;) {
     better = false;
     for (const std::uint32_t n : around(best)) {
-      const S along = dot(cast<S>(hull.vertices[vertex(n)]), direction);
+      const S along = dot(converted<S>(hull.vertices[vertex(n)]), direction);
       if (along > most) {
         most = along;
         best = n;
@@ -127,7 +127,7 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> given) {
   double largest = 0;
   for (std::size_t i = 0; i < given.size(); ++i) {
     resolved.push_back(validate::resolved(validate::point(given[i], "points[" + std::to_string(i) + "]")));
-    precise.push_back(cast<double>(resolved.back()));
+    precise.push_back(converted<double>(resolved.back()));
     largest = std::max(largest, max_abs(precise.back()));
   }
   const std::span<const Vec3<T>> points = resolved;
@@ -142,7 +142,7 @@ ConvexHull<T>::ConvexHull(std::span<const Vec3<T>> given) {
   if (surface.dimension == 3) {
     fill_faces(*hull, merged_loops(surface.triangles, precise, merge), points, grid.points);
     std::vector<Vec3d> kept;
-    for (const Vec3<T>& v : hull->vertices) kept.push_back(cast<double>(v));
+    for (const Vec3<T>& v : hull->vertices) kept.push_back(converted<double>(v));
     build_hierarchy(*hull, to_grid(kept).points);
   } else if (surface.dimension == 2) {
     fill_flat(*hull, surface.polygon, points, grid.points);

@@ -39,7 +39,7 @@ inline void write_faces(std::span<const Plane<double>> planes, FaceBlock* blocks
   for (std::size_t i = 0; i < face_blocks(planes.size()) * FaceBlock::size; ++i) {
     const Plane<double>& plane = planes[i < planes.size() ? i : 0];
     const std::size_t k = i % FaceBlock::size;
-    const Vec3<float> n = cast<float>(plane.normal);
+    const Vec3<float> n = converted<float>(plane.normal);
     FaceBlock& block = blocks[i / FaceBlock::size];
     block.x[k] = n.x, block.y[k] = n.y, block.z[k] = n.z;
     block.offset[k] = static_cast<float>(plane.offset);
@@ -64,16 +64,16 @@ inline void write_edges(std::span<const HullEdge> edges, std::span<const Plane<d
 inline InnerBall inner_ball(std::span<const Vec3d> vertices, std::span<const Plane<double>> planes) {
   Vec3d sum{};
   for (const Vec3d& v : vertices) sum += v;
-  const Vec3<float> middle = cast<float>(sum / static_cast<double>(vertices.size()));
+  const Vec3<float> middle = converted<float>(sum / static_cast<double>(vertices.size()));
   double radius = std::numeric_limits<double>::infinity();
-  for (const Plane<double>& plane : planes) radius = least(radius, -signed_distance(plane, cast<double>(middle)));
+  for (const Plane<double>& plane : planes) radius = least(radius, -signed_distance(plane, converted<double>(middle)));
   return {middle, greatest(0.0f, static_cast<float>(radius) * (1 - std::numeric_limits<float>::epsilon()))};
 }
 
 /// Of a polyhedron with few edges, by the unit normals of its faces.
 inline void fill_facets(HullData<float>& hull, std::span<const Vec3d> normals) {
   std::vector<Vec3d> vertices;
-  for (const Vec3<float>& v : hull.vertices) vertices.push_back(cast<double>(v));
+  for (const Vec3<float>& v : hull.vertices) vertices.push_back(converted<double>(v));
   FacetRows& rows = hull.facets;
   for (const Vec3d& n : normals) move_out(rows.planes.emplace_back(Plane<double>{n, 0}), vertices);
   rows.faces.resize(face_blocks(rows.planes.size()));

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "graze/shape/convex_hull.hpp"
-#include "lanes/dispatch.hpp"
 #include "shape/hull_hierarchy.hpp"
+#include "simd/dispatch.hpp"
 
 namespace graze {
 
@@ -16,7 +16,7 @@ static_assert(scan_limit <= 2 * VertexBlock::size && scan_limit <= 32, "two bloc
 template <class T>
 void fill_block(const Vec3<T>* vertices, std::size_t count, VertexBlock& block, std::size_t first = 0) {
   for (std::size_t k = 0; k < VertexBlock::size; ++k) {
-    const Vec3<float> v = cast<float>(vertices[first + k < count ? first + k : 0]);
+    const Vec3<float> v = converted<float>(vertices[first + k < count ? first + k : 0]);
     block.x[k] = v.x, block.y[k] = v.y, block.z[k] = v.z;
   }
 }

@@ -167,9 +167,9 @@ void fill_lists(const std::vector<std::vector<std::uint32_t>>& lists, std::vecto
 /// The plane with this unit normal, moved out until no vertex of the loop lies outside.
 template <class T>
 Plane<T> plane_of(const HullData<T>& hull, std::span<const std::uint32_t> loop, const Vec3d& n) {
-  double offset = dot(n, cast<double>(hull.vertices[loop[0]]));
-  for (const std::uint32_t v : loop) offset = std::max(offset, dot(n, cast<double>(hull.vertices[v])));
-  return {cast<T>(n), static_cast<T>(offset)};
+  double offset = dot(n, converted<double>(hull.vertices[loop[0]]));
+  for (const std::uint32_t v : loop) offset = std::max(offset, dot(n, converted<double>(hull.vertices[v])));
+  return {converted<T>(n), static_cast<T>(offset)};
 }
 
 }  // namespace

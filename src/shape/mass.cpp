@@ -102,11 +102,11 @@ Vec3d side_normal(const Vec3d& from, const Vec3d& to, const Vec3d& up) { return 
 
 template <class T>
 Vec3d at(const HullData<T>& hull, std::uint32_t v) {
-  return cast<double>(hull.vertices[v]);
+  return converted<double>(hull.vertices[v]);
 }
 template <class T>
 Vec3d face_normal(const HullData<T>& hull, std::uint32_t f) {
-  return cast<double>(hull.planes[f].normal);
+  return converted<double>(hull.planes[f].normal);
 }
 
 template <class T>
@@ -231,7 +231,7 @@ Moments hull_of_supports(const Shape<T>& shape, int count) {
   points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double y = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - y * y), turn = 2.399963229728653 * i;
-    points.push_back(cast<double>(support(shape, cast<T>(Vec3d{r * std::cos(turn), y, r * std::sin(turn)}))));
+    points.push_back(converted<double>(support(shape, converted<T>(Vec3d{r * std::cos(turn), y, r * std::sin(turn)}))));
   }
   return of_points(points, 0);
 }
@@ -249,7 +249,7 @@ Moments sampled(const Shape<T>& shape) {
 
 template <class T>
 Moments of_box(const Vec3<T>& half_t, double r) {
-  const Vec3d h = cast<double>(half_t);
+  const Vec3d h = converted<double>(half_t);
   std::vector<Vec3d> corners;
   corners.reserve(8);
   for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z});
@@ -259,7 +259,7 @@ Moments of_box(const Vec3<T>& half_t, double r) {
 template <class T>
 Moments of(const Sphere<T>& s, double margin) {
   const double r = static_cast<double>(s.radius()) + margin;
-  return moved(revolved(0, 0, r, 0, r), {cast<double>(s.center()), {}});
+  return moved(revolved(0, 0, r, 0, r), {converted<double>(s.center()), {}});
 }
 template <class T>
 Moments of(const Capsule<T>& c, double margin) {
@@ -281,18 +281,19 @@ Moments of(const Rectangle<T>& r, double margin) {
 }
 template <class T>
 Moments of(const Ellipsoid<T>& e, double margin) {
-  const Vec3d r = cast<double>(e.radii());
+  const Vec3d r = converted<double>(e.radii());
   if (margin > 0) return sampled(Shape<double>(Ellipsoid<double>(r), margin));
   const double volume = 4 * std::acos(-1.0) / 3 * r.x * r.y * r.z;
   return {volume, {}, Mat3d::diagonal(scaled(r, r)) * (volume / 5)};
 }
 template <class T>
 Moments of(const LineSegment<T>& s, double margin) {
-  return of_points({cast<double>(s.point(0)), cast<double>(s.point(1))}, margin);
+  return of_points({converted<double>(s.point(0)), converted<double>(s.point(1))}, margin);
 }
 template <class T>
 Moments of(const Triangle<T>& t, double margin) {
-  return of_points({cast<double>(t.point(0)), cast<double>(t.point(1)), cast<double>(t.point(2))}, margin);
+  return of_points({converted<double>(t.point(0)), converted<double>(t.point(1)), converted<double>(t.point(2))},
+                   margin);
 }
 template <class T>
 Moments of(const ConvexHull<T>& h, double margin) {
@@ -314,8 +315,8 @@ template <class T>
 Moments of(const Mesh<T>& mesh, double) {
   if (!mesh.closed()) return {};
   const auto points = mesh.points();
-  const Vec3d base = cast<double>(points[mesh.triangles()[0][0]]);
-  const auto corner = [&](std::uint32_t i) { return cast<double>(points[i]) - base; };
+  const Vec3d base = converted<double>(points[mesh.triangles()[0][0]]);
+  const auto corner = [&](std::uint32_t i) { return converted<double>(points[i]) - base; };
   Moments m;
   for (const auto& t : mesh.triangles()) {
     const Vec3d a = corner(t[0]), b = corner(t[1]), c = corner(t[2]);
@@ -330,12 +331,12 @@ Moments of(const Compound<T>& compound, double) {
   Moments m;
   for (const Placed<T>& child : compound.children())
     m = m + moved(of_shape(child.shape),
-                  {cast<double>(child.pose.translation), normalized(cast<double>(child.pose.rotation))});
+                  {converted<double>(child.pose.translation), normalized(converted<double>(child.pose.rotation))});
   return m;
 }
 template <class T>
 Moments of_shape(const Shape<T>& shape) {
-  return shape.visit([&](const auto& c) { return of(c, static_cast<double>(shape.margin())); });
+  return shape.visit([&](const auto& c) { return of(c, static_cast<double>(shape.rounding())); });
 }
 
 }  // namespace
@@ -347,7 +348,7 @@ MassProperties<T> mass_properties(const Shape<T>& shape) {
   const Vec3d center = m.first / m.volume;
   const Mat3d about = m.second - outer(center, center) * m.volume;
   const double trace = about.row[0].x + about.row[1].y + about.row[2].z;
-  return {static_cast<T>(m.volume), cast<T>(center), cast<T>(Mat3d::diagonal({trace, trace, trace}) - about)};
+  return {static_cast<T>(m.volume), converted<T>(center), converted<T>(Mat3d::diagonal({trace, trace, trace}) - about)};
 }
 
 template MassProperties<float> mass_properties(const Shape<float>&);

@@ -36,7 +36,7 @@ struct MeshData {
 template <class T>
 double ball_radius(const Aabb<T>& box) {
   constexpr double epsilon = std::numeric_limits<T>::epsilon();
-  const Vec3d lower = cast<double>(box.lower), upper = cast<double>(box.upper);
+  const Vec3d lower = converted<double>(box.lower), upper = converted<double>(box.upper);
   return length(upper - lower) * 0.5005 + 2 * epsilon * greatest(max_abs(lower), max_abs(upper));
 }
 

@@ -14,7 +14,7 @@ T reach_of(const Shape<T>& shape) {
   if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
   if (const auto* compound = shape.template as<Compound<T>>(); compound && !compound->data().unbounded.empty())
     return std::numeric_limits<T>::infinity();
-  return shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.margin()); });
+  return shape.visit([&](const auto& c) { return c.core_extent() + rounding_radius(c, shape.rounding()); });
 }
 
 /// The bounds of a shape at its pose, or, of one that turns, at all that it may come to.

@@ -1,4 +1,4 @@
-// The radius of the ball that is added to a core: a shape's own and its margin.
+// The radius of the ball that is added to a core: a shape's own and its rounding.
 #pragma once
 
 #include "graze/shape.hpp"
@@ -6,16 +6,16 @@
 namespace graze {
 
 template <class C, class T>
-T rounding_radius(const C& concrete, T margin) {
+T rounding_radius(const C& concrete, T rounding) {
   if constexpr (requires { concrete.core_radius(); })
-    return concrete.core_radius() + margin;
+    return concrete.core_radius() + rounding;
   else
-    return margin;
+    return rounding;
 }
 
 template <class T>
 T rounding_radius(const Shape<T>& shape) {
-  return shape.visit([&](const auto& concrete) { return rounding_radius(concrete, shape.margin()); });
+  return shape.visit([&](const auto& concrete) { return rounding_radius(concrete, shape.rounding()); });
 }
 
 }  // namespace graze

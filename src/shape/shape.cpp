@@ -16,7 +16,7 @@ constexpr T bounds_rounding = T(16) * std::numeric_limits<T>::epsilon();
 template <class T>
 Aabb<T> bounds(const Shape<T>& shape, const Pose<T>& pose) {
   return shape.visit([&](const auto& c) {
-    const T grow = rounding_radius(c, shape.margin());
+    const T grow = rounding_radius(c, shape.rounding());
     const T slack = bounds_rounding<T> * (max_abs(pose.translation) + c.core_extent() + grow);
     return inflated(c.core_bounds(pose), grow + slack);
   });
@@ -26,7 +26,7 @@ template <class T>
 Vec3<T> support(const Shape<T>& shape, const Vec3<T>& direction) {
   return shape.visit([&](const auto& c) -> Vec3<T> {
     if constexpr (BoundedConvex<std::decay_t<decltype(c)>>)
-      return c.core_support(direction) + normalized(direction) * rounding_radius(c, shape.margin());
+      return c.core_support(direction) + normalized(direction) * rounding_radius(c, shape.rounding());
     else
       return Vec3<T>{};
   });

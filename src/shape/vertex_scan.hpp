@@ -3,8 +3,8 @@
 // Guarantee: as `furthest_vertex.hpp`.
 #pragma once
 
-#include "lanes/lanes.hpp"
 #include "shape/furthest_vertex.hpp"
+#include "simd/lanes.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -102,7 +102,7 @@ template <class T, class S>
 [[gnu::noinline]] std::uint32_t furthest_among(const ScannedHull<T>& hull, std::uint32_t among,
                                                const Vec3<S>& direction) {
   const auto first = [&] { return static_cast<std::uint32_t>(__builtin_ctz(among)); };
-  const auto along = [&](std::uint32_t v) { return dot(cast<S>(hull.vertices[v]), direction); };
+  const auto along = [&](std::uint32_t v) { return dot(converted<S>(hull.vertices[v]), direction); };
   std::uint32_t best = first();
   S most = along(best);
   for (among &= among - 1; among != 0; among &= among - 1) {
@@ -122,7 +122,7 @@ template <class T, class S>
 
 template <std::size_t Blocks, class T, class S>
 [[gnu::always_inline]] inline std::uint32_t highest_of(const ScannedHull<T>& hull, const Vec3<S>& direction) {
-  const Vec3<float> d = cast<float>(direction);
+  const Vec3<float> d = converted<float>(direction);
   const Places<Blocks> places(hull.blocks, d);
   const float slack = scan_slack * hull.extent * max_abs(d) + scan_floor;
   // What is not known to be lower may be the one: also where overflow has left no number.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "mid/sweep.hpp"
+#include "composite/sweep.hpp"
 #include "shape/reach.hpp"
 
 namespace graze {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "composite/composite.hpp"
 #include "graze/world/manifolds.hpp"
-#include "mid/composite.hpp"
 
 namespace graze {
 

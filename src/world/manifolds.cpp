@@ -4,13 +4,13 @@
 #include <limits>
 #include <utility>
 
-#include "mid/composite.hpp"
-#include "mid/standing.hpp"
-#include "narrow/cached_axis.hpp"
+#include "composite/composite.hpp"
+#include "composite/internal_edges/face_contact.hpp"
+#include "narrow/batch/half_space_batch.hpp"
+#include "narrow/batch/sphere_capsule_batch.hpp"
+#include "narrow/batch/triangle_batch.hpp"
 #include "narrow/convex_pair.hpp"
-#include "narrow/rest_batch.hpp"
-#include "narrow/round_batch.hpp"
-#include "narrow/triangle_batch.hpp"
+#include "narrow/sat/cached_axis.hpp"
 #include "query/batch_routes.hpp"
 #include "world/shares.hpp"
 
@@ -241,9 +241,9 @@ bool ManifoldFinder<T>::stays(const BodyArrays<T>& bodies, const IdPair& pair, c
   const auto piece = [&](std::uint32_t i, std::span<const PlacedRef<T>> around) {
     const Shape<T>& shape = bodies.shapes()[i];
     const Pose<T>& pose = bodies.poses()[i];
-    return PieceOf<T>{shape, pose, shape, pose, around};
+    return LeafInContext<T>{shape, pose, shape, pose, around};
   };
-  const PieceOf<T> a = piece(pair.a, beside.of_a), b = piece(pair.b, beside.of_b);
+  const LeafInContext<T> a = piece(pair.a, beside.of_a), b = piece(pair.b, beside.of_b);
   return (a.beside.empty() || stands_clear(a, b, normal, standing_point(points, &ContactPoint<T>::a))) &&
          (b.beside.empty() || stands_clear(b, a, -normal, standing_point(points, &ContactPoint<T>::b)));
 }
@@ -298,9 +298,10 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
     visit_triangle_pair_contacts(pairs, count, none, met, singly);
   } else if (is_rest(waiting.route)) {
     with_resting_kind<T>(waiting.route, [&]<class A>() {
-      visit_rest_contacts<A>(
-          pairs, count, waiting.turned, none,
-          [&](std::size_t i, T distance, const RestPoints<T>& points) { many(i, distance, points.normal(), points); });
+      visit_half_space_contacts<A>(pairs, count, waiting.turned, none,
+                                   [&](std::size_t i, T distance, const HalfSpacePoints<T>& points) {
+                                     many(i, distance, points.normal(), points);
+                                   });
     });
   } else {
     const auto one = [&](std::size_t i, const PointContact<T>& found) {
@@ -308,8 +309,8 @@ void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& w
       to.push_back({contact.point, {}});
       keep(bodies, places[i], task, contact.point.distance <= T(0), contact.normal, 1);
     };
-    with_round_kinds<T>(waiting.route, [&]<class A, class B>() {
-      visit_round_contacts<A, B>(pairs, count, waiting.turned, none, one, many, singly);
+    with_sphere_capsule_kinds<T>(waiting.route, [&]<class A, class B>() {
+      visit_sphere_capsule_contacts<A, B>(pairs, count, waiting.turned, none, one, many, singly);
     });
   }
 }

@@ -1,8 +1,8 @@
 // The questions to a world: down its tree, and then to each body that is left.
 #include <algorithm>
 
+#include "composite/sweep.hpp"
 #include "graze/world.hpp"
-#include "mid/sweep.hpp"
 #include "shape/hierarchy.hpp"
 #include "shape/reach.hpp"
 
@@ -97,10 +97,10 @@ std::optional<BodyDistance<T>> World<T>::closest(const Shape<T>& shape, const Po
 template <class T>
 template <class F>
 void World<T>::each_hit(const Ray<T>& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const {
-  const Vec3d direction = normalized(graze::cast<double>(ray.direction), Vec3d{});
+  const Vec3d direction = normalized(graze::converted<double>(ray.direction), Vec3d{});
   // A hit is known up to the rounding of the ray, which the boxes' own margin need not cover.
   const double slack =
-      16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * max_abs(graze::cast<double>(ray.origin));
+      16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * max_abs(graze::converted<double>(ray.origin));
   const NodeRay<T> seen(ray.origin, direction, slack);
   const auto entries = [&](const WideNode<T>& node, std::array<T, WideNode<T>::width>& out) {
     node.entries(seen, out);

@@ -121,15 +121,15 @@ TEST(DynamicTree, FollowsARayFromNearToFarAndMissesNothing) {
   std::vector<Aabbf> boxes;
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const Aabbd box = random.box(20, i % 3 == 0 ? 0 : 1);  // some are points
-    boxes.push_back({cast<float>(box.lower), cast<float>(box.upper)});
+    boxes.push_back({converted<float>(box.lower), converted<float>(box.upper)});
     tree.insert(i, boxes.back());
   }
   std::size_t crossed = 0, told = 0;
   for (int k = 0; k < 1500; ++k) {
     // Half of them through a corner of a box, a third along a side of it.
     const Aabbf& aimed = boxes[random.bits() % boxes.size()];
-    const Vec3f from = k % 3 == 0 ? Vec3f{aimed.lower.x, aimed.upper.y, -30} : cast<float>(random.point(25));
-    Vec3d way = cast<double>(aimed.upper) - cast<double>(from);
+    const Vec3f from = k % 3 == 0 ? Vec3f{aimed.lower.x, aimed.upper.y, -30} : converted<float>(random.point(25));
+    Vec3d way = converted<double>(aimed.upper) - converted<double>(from);
     if (k % 3 == 0) way = {0, 0, 1};
     if (k % 2 != 0 && k % 3 != 0) way = random.point(1);
     const NodeRay<float> ray(from, way, 0);

@@ -104,7 +104,7 @@ template <class T>
 Shape<T> build(const Specimen& s, T scale) {
   const T a = T(s.size[0]) * scale, b = T(s.size[1]) * scale, c = T(s.size[2]) * scale, margin = T(s.margin) * scale;
   std::vector<Vec3<T>> points;
-  for (const Vec3f& p : s.points) points.push_back(cast<T>(p) * scale);
+  for (const Vec3f& p : s.points) points.push_back(converted<T>(p) * scale);
   switch (s.kind) {
   case Kind::sphere: return {Sphere<T>(a), margin};
   case Kind::capsule: return {Capsule<T>(a, b), margin};
@@ -127,7 +127,7 @@ template Shape<double> build(const Specimen&, double);
 
 template <class T>
 Pose<T> pose_of(const PlacedSpecimen& p, T scale) {
-  return {cast<T>(p.translation) * scale, normalized(cast<T>(p.rotation))};
+  return {converted<T>(p.translation) * scale, normalized(converted<T>(p.rotation))};
 }
 template Pose<float> pose_of(const PlacedSpecimen&, float);
 template Pose<double> pose_of(const PlacedSpecimen&, double);

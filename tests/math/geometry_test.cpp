@@ -201,7 +201,7 @@ void lanes_equal_scalars() {
     Vec3<T> lane[N][4];
     for (auto& v : wide)
       for (int i = 0; i < N; ++i) {
-        const Vec3<T> p = cast<T>(vector(random));
+        const Vec3<T> p = converted<T>(vector(random));
         lane[i][&v - wide] = p;
         v.x.set(i, p.x), v.y.set(i, p.y), v.z.set(i, p.z);
       }

@@ -1,5 +1,5 @@
 // The distance of two boxes as axes and corners tell it: proven, right, and the same in lanes.
-#include "narrow/pairs/box_distance.hpp"
+#include "narrow/pairs/box_box/distance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "common/specimen.hpp"
 #include "manifold_of.hpp"
-#include "narrow/closed_form.hpp"
+#include "narrow/pairs/closed_form.hpp"
 
 namespace graze::testing {
 namespace {
@@ -57,8 +57,8 @@ PlacedBox<double> placed(const PlacedSpecimen& s) {
   const Shaped shape = build<double>(s.specimen);
   const Posed pose = pose_of<double>(s);
   if (const auto* capsule = shape.as<Capsule<double>>())
-    return placed_box(rounded_core(*capsule, shape.margin()), pose);
-  return placed_box(rounded_core(*shape.as<Box<double>>(), shape.margin()), pose);
+    return placed_box(rounded_core(*capsule, shape.rounding()), pose);
+  return placed_box(rounded_core(*shape.as<Box<double>>(), shape.rounding()), pose);
 }
 
 /// How many of so many pairs are not proven. Of those that are, everything is right up to rounding.

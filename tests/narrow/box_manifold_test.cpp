@@ -16,10 +16,10 @@ namespace {
 /// left.
 template <class T>
 double hull_area(const Manifold<T>& m) {
-  const Vec3d n = normalized(cast<double>(m.normal)), u = any_perpendicular(n), v = cross(n, u);
+  const Vec3d n = normalized(converted<double>(m.normal)), u = any_perpendicular(n), v = cross(n, u);
   std::vector<std::pair<double, double>> points;
   for (const auto& p : m.points) {
-    const Vec3d q = cast<double>(p.a) - cast<double>(m.points[0].a);
+    const Vec3d q = converted<double>(p.a) - converted<double>(m.points[0].a);
     points.push_back({dot(q, u), dot(q, v)});
   }
   const auto start = std::min_element(points.begin(), points.end());
@@ -50,12 +50,12 @@ Vec3f half_extents(Random& random) { return abs(random_vector(random, 0.8f)) + V
 
 template <class T>
 Shape<T> random_box(Random& random, T scale) {
-  return Box<T>(cast<T>(half_extents(random)) * scale);
+  return Box<T>(converted<T>(half_extents(random)) * scale);
 }
 /// Some of them slivers, to which other ways lead.
 template <class T>
 Shape<T> random_triangle(Random& random, T scale) {
-  const auto corner = [&] { return cast<T>(random_vector(random, 1)) * scale; };
+  const auto corner = [&] { return converted<T>(random_vector(random, 1)) * scale; };
   const Vec3<T> a = corner(), b = corner(), c = corner(), middle = (a + b + c) / T(3);
   return Triangle<T>(a - middle, b - middle, c - middle);
 }
@@ -70,7 +70,7 @@ void expect_agreement(const Make& make, unsigned seed, double scale, double tole
     const Quatf turn = random_rotation(random), other = random_rotation(random);
     const Vec3f lean = random_vector(random, 0.01f);
     const auto pose = [&](const Vec3f& place, const Quatf& q) {
-      return Pose<T>{cast<T>(place) * T(scale), normalized(cast<T>(q))};
+      return Pose<T>{converted<T>(place) * T(scale), normalized(converted<T>(q))};
     };
     const Pose<T> pose_a = pose(random_vector(random, 0.4f), turn);
     const Pose<T> pose_b =
@@ -114,9 +114,9 @@ void expect_agreement(unsigned seed, double tolerance_of_size) {
   }
 }
 
-TEST(BoxManifold, AgreesWithFacesLaidOverEachOtherInDouble) { expect_agreement<double>(1, 1e-9); }
+TEST(ContactSlots, AgreesWithFacesLaidOverEachOtherInDouble) { expect_agreement<double>(1, 1e-9); }
 
-TEST(BoxManifold, AgreesWithFacesLaidOverEachOtherInFloat) { expect_agreement<float>(2, 2e-5); }
+TEST(ContactSlots, AgreesWithFacesLaidOverEachOtherInFloat) { expect_agreement<float>(2, 2e-5); }
 
 }  // namespace
 }  // namespace graze::testing

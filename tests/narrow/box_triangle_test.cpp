@@ -6,7 +6,7 @@
 
 #include "common/specimen.hpp"
 #include "manifold_of.hpp"
-#include "narrow/features.hpp"
+#include "narrow/manifold/features.hpp"
 #include "reference/separating_axes.hpp"
 
 namespace graze::testing {
@@ -60,12 +60,13 @@ void check(const PlacedSpecimen& a, const PlacedSpecimen& b, const reference::Ax
   if (!touch) return;
   ++compared;
   const Manifold<T>& m = manifolds[0];
-  const Vec3d normal = cast<double>(m.normal);
+  const Vec3d normal = converted<double>(m.normal);
   ASSERT_NEAR(length(normal), 1, 1e-5);
   double nearest = 0;
   for (const auto& p : m.points) {
     nearest = std::min(nearest, static_cast<double>(p.distance));
-    ASSERT_LE(length(cast<double>(p.b) - cast<double>(p.a) - normal * static_cast<double>(p.distance)), allowed);
+    ASSERT_LE(length(converted<double>(p.b) - converted<double>(p.a) - normal * static_cast<double>(p.distance)),
+              allowed);
     ASSERT_LE(std::abs(static_cast<double>(closest(sa, pa, p.a).distance)), allowed) << describe(a) << describe(b);
     ASSERT_LE(std::abs(static_cast<double>(closest(sb, pb, p.b).distance)), allowed) << describe(a) << describe(b);
   }

@@ -32,7 +32,7 @@ struct ByFaces {
       ++other_counts;
       return;
     }
-    const auto apart = [&](const Vec3<T>& x, const Vec3<T>& y) { return length(cast<double>(x - y)) / scale; };
+    const auto apart = [&](const Vec3<T>& x, const Vec3<T>& y) { return length(converted<double>(x - y)) / scale; };
     EXPECT_LT(apart(fast[0].normal * T(scale), slow[0].normal * T(scale)), 1e-6);
     for (std::size_t k = 0; k < p.size(); ++k) {
       other_names += p[k].feature != q[k].feature;

@@ -19,12 +19,12 @@ void expect_as_by_faces(unsigned seed, double near) {
   for (int i = 0; i < 4000; ++i) {
     const Shape<T> capsule(Capsule<T>(T(uniform(random, 0.1f, 1)), T(uniform(random, 0, 0.5f))),
                            T(i % 8 == 0 ? 0.1 : 0));
-    const Shape<T> box(Box<T>(cast<T>(abs(random_vector(random, 1)) + Vec3f{0.1f, 0.1f, 0.1f})),
+    const Shape<T> box(Box<T>(converted<T>(abs(random_vector(random, 1)) + Vec3f{0.1f, 0.1f, 0.1f})),
                        T(i % 7 == 0 ? 0.1 : 0));
-    const Pose<T> pose{cast<T>(random_vector(random, 0.7f)),
-                       i % 3 == 0 ? Quat<T>{} : normalized(cast<T>(random_rotation(random)))};
-    const Pose<T> ground{cast<T>(random_vector(random, 0.7f)),
-                         i % 2 == 0 ? Quat<T>{} : normalized(cast<T>(random_rotation(random)))};
+    const Pose<T> pose{converted<T>(random_vector(random, 0.7f)),
+                       i % 3 == 0 ? Quat<T>{} : normalized(converted<T>(random_rotation(random)))};
+    const Pose<T> ground{converted<T>(random_vector(random, 0.7f)),
+                         i % 2 == 0 ? Quat<T>{} : normalized(converted<T>(random_rotation(random)))};
     const bool turned = i % 5 == 0;
     Manifolds<T> fast, slow;
     const bool touch = turned ? contacts<T>(box, ground, capsule, pose, T(0.05), fast)
@@ -34,12 +34,12 @@ void expect_as_by_faces(unsigned seed, double near) {
     ASSERT_EQ(fast.size(), slow.size());
     if (fast.empty()) continue;
     ASSERT_EQ(fast[0].points.size(), slow[0].points.size());
-    EXPECT_LT(length(cast<double>(fast[0].normal - slow[0].normal)), near);
+    EXPECT_LT(length(converted<double>(fast[0].normal - slow[0].normal)), near);
     for (std::size_t k = 0; k < fast[0].points.size(); ++k, ++compared) {
       const ContactPoint<T>&p = fast[0].points[k], &q = slow[0].points[k];
       EXPECT_NEAR(static_cast<double>(p.distance), static_cast<double>(q.distance), near);
-      EXPECT_LT(length(cast<double>(p.a - q.a)), near);
-      EXPECT_LT(length(cast<double>(p.b - q.b)), near);
+      EXPECT_LT(length(converted<double>(p.a - q.a)), near);
+      EXPECT_LT(length(converted<double>(p.b - q.b)), near);
       other_names += p.feature != q.feature;
     }
   }
@@ -68,11 +68,11 @@ ByFaces compare_lying(unsigned seed, double tilt, double scale) {
     const double yaw = i % 11 == 0 ? std::acos(0.0) * (i % 4) : some(0, 6);
     const Quatd lean = Quatd::from_axis_angle({0, 0, 1}, i % 3 == 0 ? 0 : some(-tilt, tilt));
     const Posed ground{Vec3d{some(-1, 1), some(-1, 1), some(-1, 1)} * scale,
-                       i % 2 == 0 ? Quatd{} : normalized(cast<double>(random_rotation(random)))};
+                       i % 2 == 0 ? Quatd{} : normalized(converted<double>(random_rotation(random)))};
     const Posed on{place * scale, Quatd::from_axis_angle({0, 1, 0}, yaw) * lean * on_its_side};
     const Shape<T> capsule(Capsule<T>(T(some(0.05, 2) * scale), T(radius * scale)), T(rounded * scale));
-    const Shape<T> box(Box<T>(cast<T>(size * scale)), T(edges * scale));
-    const Pose<T> pose = cast<T>(compose(ground, on)), pose_box = cast<T>(ground);
+    const Shape<T> box(Box<T>(converted<T>(size * scale)), T(edges * scale));
+    const Pose<T> pose = converted<T>(compose(ground, on)), pose_box = converted<T>(ground);
     const T margin = T(i % 6 == 0 ? 0 : 0.05 * scale);
     if (i % 5 == 1)
       found.compare(box, pose_box, capsule, pose, margin, scale);

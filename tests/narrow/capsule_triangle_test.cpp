@@ -1,4 +1,4 @@
-// Even capsules against triangles: distances against GJK's, points of contact against those of the support faces, and
+// Untapered capsules against triangles: distances against GJK's, points of contact against those of the support faces, and
 // against themselves, since what contacts, distances and overlaps say has to be the same.
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
 #include "in_general.hpp"
+#include "narrow/batch/sphere_capsule_batch.hpp"
 #include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
-#include "narrow/round_batch.hpp"
 
 namespace graze::testing {
 namespace {
@@ -25,12 +25,12 @@ void expect_alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double all
   ASSERT_EQ(fast.size(), slow.size());
   if (fast.empty()) return;
   ASSERT_EQ(fast[0].points.size(), slow[0].points.size());
-  ASSERT_LT(length(cast<double>(fast[0].normal - slow[0].normal)), 1e-5);
+  ASSERT_LT(length(converted<double>(fast[0].normal - slow[0].normal)), 1e-5);
   for (std::size_t k = 0; k < fast[0].points.size(); ++k) {
     const ContactPoint<T>&p = fast[0].points[k], &q = slow[0].points[k];
     ASSERT_NEAR(static_cast<double>(p.distance), static_cast<double>(q.distance), allowed);
     other_names += p.feature != q.feature;
-    const double off = std::max(length(cast<double>(p.a - q.a)), length(cast<double>(p.b - q.b)));
+    const double off = std::max(length(converted<double>(p.a - q.a)), length(converted<double>(p.b - q.b)));
     if (off > allowed && p.feature == q.feature && fast[0].points.size() == 1) {
       ++ties;
       ASSERT_LT(off, near);
@@ -48,28 +48,28 @@ void expect_as_in_general(unsigned seed, double near) {
   for (int i = 0; i < 8000; ++i) {
     static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1e2f, 1e4f};
     const float scale = scales[i % 5];
-    const auto vector = [&](float reach) { return cast<T>(random_vector(random, reach * scale)); };
+    const auto vector = [&](float reach) { return converted<T>(random_vector(random, reach * scale)); };
     const Vec3<T> away = i % 5 == 0 ? vector(100) : Vec3<T>{};
     Vec3<T> p = vector(1), q = vector(1), r = vector(1);
     if (i % 4 == 0) p.y = q.y = r.y = T(0);
     const Shape<T> b(Triangle<T>(p, q, r), i % 7 == 0 ? T(scale) * T(0.1) : T(0)),
         a(Capsule<T>(T(scale) * T(uniform(random, 0.1f, 1.5f)), T(scale) * T(uniform(random, 0, 0.5f))),
           i % 6 == 0 ? T(scale) * T(0.1) : T(0));
-    const Pose<T> pose_b{away, i % 3 == 0 ? Quat<T>{} : normalized(cast<T>(random_rotation(random)))},
+    const Pose<T> pose_b{away, i % 3 == 0 ? Quat<T>{} : normalized(converted<T>(random_rotation(random)))},
         pose_a{away + vector(1),
                i % 8 == 0   ? pose_b.rotation
                : i % 8 == 4 ? pose_b.rotation * Quat<T>{T(0), T(0), T(0.70710678118654752), T(0.70710678118654752)}
-                            : normalized(cast<T>(random_rotation(random)))};
+                            : normalized(converted<T>(random_rotation(random)))};
     const double size = static_cast<double>(scale), allowed = near * (i % 5 == 0 ? 100 : 1) * size;
 
     const Distance<T> d = distance(a, pose_a, b, pose_b);
-    const auto radii = static_cast<double>(a.template as<Capsule<T>>()->core_radius() + a.margin() + b.margin());
+    const auto radii = static_cast<double>(a.template as<Capsule<T>>()->core_radius() + a.rounding() + b.rounding());
     const auto general = general_distance<T>(a, b, relative_in_double(pose_a, pose_b));
     ASSERT_NEAR(static_cast<double>(d.distance), general.core.distance - radii, allowed) << i;
-    ASSERT_LT(length(cast<double>(d.b - d.a - d.normal * d.distance)), allowed) << i;
+    ASSERT_LT(length(converted<double>(d.b - d.a - d.normal * d.distance)), allowed) << i;
     if (general.core.distance > 0.01 * size) {
       const Vec3d normal = rotate(in_double(pose_a).rotation, general.core.normal);
-      ASSERT_LT(length(cast<double>(d.normal) - normal), 1000 * near) << i;
+      ASSERT_LT(length(converted<double>(d.normal) - normal), 1000 * near) << i;
     }
     Manifolds<T> fast, slow;
     const bool touch = contacts(a, pose_a, b, pose_b, T(0), fast);
@@ -100,7 +100,7 @@ ByFaces compare_lying_on_triangles(unsigned seed, double tilt, double scale) {
   const auto some = [&](double low, double high) {
     return static_cast<double>(uniform(random, static_cast<float>(low), static_cast<float>(high)));
   };
-  const auto vector = [&](double reach) { return cast<double>(random_vector(random, static_cast<float>(reach))); };
+  const auto vector = [&](double reach) { return converted<double>(random_vector(random, static_cast<float>(reach))); };
   for (int i = 0; i < 2000; ++i) {
     const double radius = i % 5 == 0 ? 0 : some(0.01, 0.5), rounded = i % 8 == 0 ? 0.1 : 0,
                  edges = i % 7 == 0 ? 0.1 : 0, half = some(0.05, 2);
@@ -123,14 +123,16 @@ ByFaces compare_lying_on_triangles(unsigned seed, double tilt, double scale) {
     const double u = some(-0.3, 1.3), v = of_face ? some(-0.3, 1.3) : i % 6 == 0 ? 0 : some(-0.01, 0.01);
     const Vec3d place = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v +
                         normal * (radius + rounded + edges + some(-0.1, 0.02));
-    const Posed ground{vector(1) * scale, i % 2 == 0 ? Quatd{} : normalized(cast<double>(random_rotation(random)))};
+    const Posed ground{vector(1) * scale,
+                       i % 2 == 0 ? Quatd{} : normalized(converted<double>(random_rotation(random)))};
     const Vec3d y{0, 1, 0}, between = cross(y, axis);
     const Posed on{(place + own) * scale, normalized(Quatd{between.x, between.y, between.z, 1 + dot(y, axis)})};
     const Shape<T> capsule(Capsule<T>(T(half * scale), T(radius * scale)), T(rounded * scale));
-    const Shape<T> triangle(Triangle<T>(cast<T>((corners[0] + own) * scale), cast<T>((corners[1] + own) * scale),
-                                        cast<T>((corners[2] + own) * scale)),
+    const Shape<T> triangle(Triangle<T>(converted<T>((corners[0] + own) * scale),
+                                        converted<T>((corners[1] + own) * scale),
+                                        converted<T>((corners[2] + own) * scale)),
                             T(edges * scale));
-    const Pose<T> pose = cast<T>(compose(ground, on)), pose_triangle = cast<T>(ground);
+    const Pose<T> pose = converted<T>(compose(ground, on)), pose_triangle = converted<T>(ground);
     const T margin = T(i % 6 == 0 ? 0 : 0.05 * scale);
     if (i % 5 == 1)
       found.compare(triangle, pose_triangle, capsule, pose, margin, scale);
@@ -163,10 +165,10 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
   Random random(3);
   std::vector<Triangle<T>> triangles;
   std::vector<Pose<T>> poses;
-  const auto vector = [&] { return cast<T>(random_vector(random, 1)); };
+  const auto vector = [&] { return converted<T>(random_vector(random, 1)); };
   for (std::size_t i = 0; i < 2 * rounds.size(); ++i) {
     triangles.emplace_back(vector(), vector(), vector());
-    poses.push_back({vector() * T(0.5), normalized(cast<T>(random_rotation(random)))});
+    poses.push_back({vector() * T(0.5), normalized(converted<T>(random_rotation(random)))});
   }
   std::vector<PairRef<T>> pairs;
   for (std::size_t i = 0; i < rounds.size(); ++i)
@@ -179,7 +181,7 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
                                 Shape<T>(*static_cast<const Triangle<T>*>(chunk[i].b)), *chunk[i].pose_b,
                                 chunk[i].margin, found);
     };
-    visit_round_contacts<A, Triangle<T>>(
+    visit_sphere_capsule_contacts<A, Triangle<T>>(
         chunk, std::min(most_chunk, pairs.size() - first), false,
         [&](std::size_t i) {
           Manifold<T> found;

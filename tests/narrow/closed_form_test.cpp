@@ -24,7 +24,7 @@ TEST(SphereSphere, ContactPositionIsWeightedByTheRadii) {
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     const double r1 = static_cast<double>(uniform(random, 0.1f, 2)), r2 = static_cast<double>(uniform(random, 0.1f, 2));
-    const Vec3d c1 = cast<double>(random_vector(random, 1)), c2 = cast<double>(random_vector(random, 1));
+    const Vec3d c1 = converted<double>(random_vector(random, 1)), c2 = converted<double>(random_vector(random, 1));
     Manifolds<double> manifolds;
     if (!contacts<double>(Sphere<double>(r1), {c1, {}}, Sphere<double>(r2), {c2, {}}, 0, manifolds)) continue;
     const Vec3d p = manifolds.at(0).points[0].position();
@@ -36,8 +36,9 @@ TEST(SphereSphere, ContactPositionIsWeightedByTheRadii) {
 TEST(SphereSegment, APointAtAnEndGetsANormalThatSeparates) {
   Random random(2);
   for (int i = 0; i < 1000; ++i) {
-    const Vec3d from = cast<double>(random_vector(random, 1)), to = cast<double>(random_vector(random, 1));
-    const Posed pose{cast<double>(random_vector(random, 1)), normalized(cast<double>(random_rotation(random)))};
+    const Vec3d from = converted<double>(random_vector(random, 1)), to = converted<double>(random_vector(random, 1));
+    const Posed pose{converted<double>(random_vector(random, 1)),
+                     normalized(converted<double>(random_rotation(random)))};
     const Vec3d end = transform(pose, from), along = transform(pose, to) - end;
     const Distance<double> d = distance<double>(Sphere<double>(0), {end, {}}, LineSegment<double>(from, to), pose);
     EXPECT_NEAR(d.distance, 0, 1e-15);
@@ -62,8 +63,9 @@ TEST(SphereSphere, SquaredTestTouchesExactly) {
 TEST(HalfSpaceBox, AllCornersAndTheProjectedRadiusAgree) {
   Random random(2);
   for (int i = 0; i < 10000; ++i) {
-    const Vec3d half = abs(cast<double>(random_vector(random, 2)));
-    const Posed pose{cast<double>(random_vector(random, 3)), normalized(cast<double>(random_rotation(random)))};
+    const Vec3d half = abs(converted<double>(random_vector(random, 2)));
+    const Posed pose{converted<double>(random_vector(random, 3)),
+                     normalized(converted<double>(random_rotation(random)))};
     EXPECT_NEAR(lowest_corner(half, pose), lowest_by_radius(half, pose), 1e-14);
   }
 }
@@ -106,7 +108,7 @@ TEST(ClosedForms, AgreeWithTheGeneralPath) {
         const Shaped sa = build<double>(a.specimen), sb = build<double>(b.specimen);
         const Posed pa = pose_of<double>(a), pb = pose_of<double>(b);
         const auto radius = [](const Shaped& s) {
-          return s.margin() + s.visit([](const auto& c) {
+          return s.rounding() + s.visit([](const auto& c) {
             if constexpr (requires { c.core_radius(); })
               return c.core_radius();
             else

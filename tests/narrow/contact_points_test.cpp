@@ -110,7 +110,8 @@ TEST(ContactPoints, ACylinderAlongABoxesEdgeTouchesInTwoPointsHoweverTheSceneIsT
   const Posed at_can{{-0.1805, -0.2852, 0.511}, {}};
   const Posed at_box{{-0.7145, -0.648, 0.7669}, Quatd::from_axis_angle({1, 0, 0}, std::acos(-1) / 2)};
   for (int i = 0; i < 1000; ++i) {
-    const Posed move{cast<double>(random_vector(random, 50)), normalized(cast<double>(random_rotation(random)))};
+    const Posed move{converted<double>(random_vector(random, 50)),
+                     normalized(converted<double>(random_rotation(random)))};
     const Posed pa = compose(move, at_can), pb = compose(move, at_box);
     const Manifold<double> m = only_manifold(can, pa, box, pb);
     ASSERT_EQ(m.points.size(), 2u) << i;
@@ -151,7 +152,8 @@ TEST(ContactPoints, PointsKeepTheirNumberAndNamesWhenTheSceneIsTurned) {
   Random random(18);
   for (const Case& c : cases)
     for (int i = 0; i < 500; ++i) {
-      const Posed move{cast<double>(random_vector(random, 50)), normalized(cast<double>(random_rotation(random)))};
+      const Posed move{converted<double>(random_vector(random, 50)),
+                       normalized(converted<double>(random_rotation(random)))};
       std::multiset<std::uint32_t> features;
       for (const auto& p : only_manifold(c.a, compose(move, c.at_a), c.b, compose(move, c.at_b)).points)
         features.insert(p.feature);

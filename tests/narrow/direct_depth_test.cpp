@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "common/specimen.hpp"
-#include "narrow/direct_depth.hpp"
-#include "narrow/epa.hpp"
-#include "narrow/gjk.hpp"
-#include "narrow/polar_proof.hpp"
+#include "narrow/depth/depth_certificate.hpp"
+#include "narrow/depth/newton_depth.hpp"
+#include "narrow/gjk/epa.hpp"
+#include "narrow/gjk/gjk.hpp"
 
 namespace graze::testing {
 namespace {
@@ -22,7 +22,7 @@ struct DirectPair {
       : a(build<double>(sa)), b(build<double>(sb)), pose(b_in_a) {}
   double overlap_along(const Vec3d& n) const { return -dot(difference.support(n).w, n); }
   std::optional<DirectDepth> direct(double limit, Isa level = chosen_isa()) const {
-    return GRAZE_KERNEL(level, direct_depth)(*core_a.summed(), *core_b.summed(), pose, limit);
+    return GRAZE_KERNEL(level, newton_depth)(*core_a.summed(), *core_b.summed(), pose, limit);
   }
 };
 
@@ -34,7 +34,7 @@ void for_round_pairs(std::uint64_t seed, int count, float spread, const Check& c
     const Kind a = i % 2 ? Kind::cylinder : Kind::ellipsoid, b = summed_kinds[random() % std::size(summed_kinds)];
     const DirectPair pair(
         random_specimen(a, 1, random), random_specimen(b, 1, random),
-        {cast<double>(random_vector(random, spread)), normalized(cast<double>(random_rotation(random)))});
+        {converted<double>(random_vector(random, spread)), normalized(converted<double>(random_rotation(random)))});
     check(pair, random);
   }
 }
@@ -63,7 +63,7 @@ TEST(DirectDepth, NoDirectionHasLessThanIsProven) {
     if (!found || found->depth < 0) return;
     for (int i = 0; i < 200; ++i) {
       // Half of them near the normal that was found, where little more is the rule.
-      const Vec3d any = cast<double>(random_vector(random, 1));
+      const Vec3d any = converted<double>(random_vector(random, 1));
       const Vec3d n = normalized(i % 2 ? any : found->normal + any * 0.1);
       EXPECT_GE(pair.overlap_along(n), found->lower - 1e-13 * pair.difference.size());
     }
@@ -127,7 +127,7 @@ bool proven(const PolarTerms& terms) {
   return least;
 }
 
-/// The sum of `polar_proof.hpp`, by its formulas.
+/// The sum of `depth_certificate.hpp`, by its formulas.
 double sum_at(const PolarTerms& terms, const PolarTangent& t, double s) {
   const auto along = [&](const PolarTangent& x) { return x.u * t.u + x.v * t.v; };
   double sum = -terms.depth * s * s + (terms.cap + along(terms.cap_slope)) * s;

@@ -25,8 +25,8 @@ Real tolerance_of(Kind a, Kind b, bool overlapping) {
 template <class T>
 reference::Answer answer_of(const Distance<T>& d) {
   // A float normal is as long as floats let it be; the reference wants unit ones.
-  return {d.distance, reference::normalized(vector_of(cast<double>(d.normal))), vector_of(cast<double>(d.a)),
-          vector_of(cast<double>(d.b))};
+  return {d.distance, reference::normalized(vector_of(converted<double>(d.normal))), vector_of(converted<double>(d.a)),
+          vector_of(converted<double>(d.b))};
 }
 
 template <class T>
@@ -122,7 +122,8 @@ TEST_P(EveryPair, SwappingAndTurningTheSceneChangesNothing) {
     const double allowed = 1e-9 * static_cast<double>(reference::size(reference_of(a), reference_of(b)));
     EXPECT_NEAR(swapped.distance, d.distance, allowed);
 
-    const Posed turn{cast<double>(random_vector(random, 3)), normalized(cast<double>(random_rotation(random)))};
+    const Posed turn{converted<double>(random_vector(random, 3)),
+                     normalized(converted<double>(random_rotation(random)))};
     const Distance<double> turned = distance(sa, compose(turn, pa), sb, compose(turn, pb));
     EXPECT_NEAR(turned.distance, d.distance, 2 * allowed) << describe(a) << "\n" << describe(b);
   }

@@ -9,7 +9,7 @@
 #include "common/asked_number.hpp"
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
-#include "narrow/core.hpp"
+#include "narrow/core/core.hpp"
 #include "reference/certificate.hpp"
 
 namespace graze::testing {
@@ -57,7 +57,7 @@ void expect_true_or_bounded(const PlacedSpecimen& a, const PlacedSpecimen& b) {
              allowed = static_cast<Real>(tolerance<T>) * size + 16 * static_cast<Real>(epsilon<T>) * far;
   if (!(size > 0)) return;
   const Distance<T> d = distance(build<T>(a.specimen), pose_of<T>(a), build<T>(b.specimen), pose_of<T>(b));
-  const Vec3d normal = cast<double>(d.normal), on_a = cast<double>(d.a), on_b = cast<double>(d.b);
+  const Vec3d normal = converted<double>(d.normal), on_a = converted<double>(d.a), on_b = converted<double>(d.b);
   const auto measured = static_cast<Real>(d.distance);
   const Real truth =
       greatest(reference::signed_distance(ra, rb).distance, reference::separation(ra, rb, reference_vector(normal)));
@@ -102,7 +102,8 @@ TEST(ExtremePairs, BallsInsideBodiesOfRevolutionAreProven) {
   for (int i = 0; i < 200; ++i) {
     const Shaped ball = Sphere<double>(0.01);
     const Shaped round = i % 2 ? Shaped(Cylinder<double>(2, 0.5, 0.2)) : Shaped(Capsule<double>(2, 0.5, 0.2));
-    const Posed pose{cast<double>(random_vector(random, 0.1f)), normalized(cast<double>(random_rotation(random)))};
+    const Posed pose{converted<double>(random_vector(random, 0.1f)),
+                     normalized(converted<double>(random_rotation(random)))};
     EXPECT_EQ(distance(round, pose, ball, Posed{}).status, Status::converged) << i;
   }
 }
@@ -125,7 +126,8 @@ TEST(ExtremePairs, WitnessPointsOfNearlyParallelBoxesLieOnThem) {
     for (std::size_t k = 0; k < 3; ++k)
       b.translation[k] = k == axis ? 0.99 : random() % 2 ? static_cast<double>(uniform(random, -0.3f, 0.3f)) : 0;
     if (i % 2 == 0) {
-      const Posed moved{cast<double>(random_vector(random, 1)), normalized(cast<double>(random_rotation(random)))};
+      const Posed moved{converted<double>(random_vector(random, 1)),
+                        normalized(converted<double>(random_rotation(random)))};
       a = compose(moved, a);
       b = compose(moved, b);
     }

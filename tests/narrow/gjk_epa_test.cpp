@@ -3,14 +3,14 @@
 
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
-#include "narrow/epa.hpp"
-#include "narrow/gjk.hpp"
-#include "narrow/trace_recorder.hpp"
+#include "narrow/gjk/epa.hpp"
+#include "narrow/gjk/gjk.hpp"
+#include "narrow/gjk/trace_recorder.hpp"
 
 namespace graze::testing {
 namespace {
 
-Vec3d vector(Random& random, float reach) { return cast<double>(random_vector(random, reach)); }
+Vec3d vector(Random& random, float reach) { return converted<double>(random_vector(random, reach)); }
 
 /// The nearest point to the origin by brute force: a fine grid of barycentric weights.
 double grid_distance(const Simplex& s, int steps) {
@@ -94,8 +94,8 @@ TEST(Epa, PolytopeIsConvexAndHoldsTheOrigin) {
   for (int i = 0; i < 50; ++i) {
     const Shaped a = build<double>(random_specimen(Kind::hull, 1, random)), b = Box<double>({1, 0.7, 0.4});
     const ShapeCore<double> ca(a), cb(b);
-    const MinkowskiDifference difference(ca, cb,
-                                         {vector(random, 0.1f), normalized(cast<double>(random_rotation(random)))});
+    const MinkowskiDifference difference(
+        ca, cb, {vector(random, 0.1f), normalized(converted<double>(random_rotation(random)))});
     const GjkResult g = gjk(difference, {1e-13});
     if (g.end != GjkEnd::touching) continue;
     Trace trace;

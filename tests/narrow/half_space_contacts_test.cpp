@@ -14,14 +14,15 @@ namespace {
 template <class T>
 Shape<T> random_resting_shape(int i, Random& random) {
   const Vec3f size = abs(random_vector(random, 1.0f)) + Vec3f{0.05f, 0.05f, 0.05f};
-  if (i % 4 == 0) return Shape<T>(Sphere<T>(T(size.x), cast<T>(random_vector(random, 0.2f))), T(i % 8 == 0 ? 0.1 : 0));
+  if (i % 4 == 0)
+    return Shape<T>(Sphere<T>(T(size.x), converted<T>(random_vector(random, 0.2f))), T(i % 8 == 0 ? 0.1 : 0));
   if (i % 16 == 3) {
     // Slivers, sides of no length and points too.
-    const Vec3<T> a = cast<T>(random_vector(random, 0.5f)), b = a + cast<T>(random_vector(random, 1.0f));
+    const Vec3<T> a = converted<T>(random_vector(random, 0.5f)), b = a + converted<T>(random_vector(random, 1.0f));
     return Triangle<T>(a, i % 80 == 3 ? a : b,
                        i % 48 == 3    ? a
                        : i % 48 == 19 ? (a + b) * T(0.5)
-                                      : a + cast<T>(random_vector(random, 1.0f)));
+                                      : a + converted<T>(random_vector(random, 1.0f)));
   }
   if (i % 16 == 7) {
     // Lies, where what it is turned by does not lean.
@@ -29,7 +30,7 @@ Shape<T> random_resting_shape(int i, Random& random) {
     return Triangle<T>({T(0), y, T(size.x)}, {T(size.y), y, T(0)}, {T(-size.z), y, T(-size.y)});
   }
   if (i % 4 == 1) return Shape<T>(Capsule<T>(T(size.x), T(size.y)), T(i % 8 == 1 ? 0.1 : 0));
-  return Box<T>(cast<T>(i % 16 == 2 ? Vec3f{size.x, 0, size.z} : size));
+  return Box<T>(converted<T>(i % 16 == 2 ? Vec3f{size.x, 0, size.z} : size));
 }
 
 /// A direction of the body that points about down, by less than what makes a flat part its support face, by more, or
@@ -48,11 +49,12 @@ void expect_as_in_double(unsigned seed, double tolerance_of_size) {
   int compared = 0;
   for (int i = 0; i < 8000; ++i) {
     const Shape<T> shape = random_resting_shape<T>(i, random), plane(HalfSpace<T>(), T(i % 5 == 0 ? 0.2 : 0));
-    const Pose<T> ground{cast<T>(random_vector(random, 3.0f)), normalized(cast<T>(random_rotation(random)))};
-    const Quat<T> lean = normalized(cast<T>(random_lean(i, random)));
+    const Pose<T> ground{converted<T>(random_vector(random, 3.0f)), normalized(converted<T>(random_rotation(random)))};
+    const Quat<T> lean = normalized(converted<T>(random_lean(i, random)));
     const Pose<T> upright{Vec3<T>{T(random_vector(random, 2.0f).x), T(0), T(0)}, lean};
     // Lifted until its lowest point is about at the surface.
-    const T lift = -distance<T>(shape, upright, plane, Pose<T>{}).distance + cast<T>(random_vector(random, 0.1f)).x;
+    const T lift =
+        -distance<T>(shape, upright, plane, Pose<T>{}).distance + converted<T>(random_vector(random, 0.1f)).x;
     const Pose<T> pose = compose(ground, Pose<T>{upright.translation + Vec3<T>{T(0), lift, T(0)}, lean});
 
     const bool turned = i % 2 == 0;
@@ -64,7 +66,7 @@ void expect_as_in_double(unsigned seed, double tolerance_of_size) {
     ASSERT_EQ(fast.size(), slow.size());
     if (fast.empty()) continue;
     const double near = tolerance_of_size * 5;
-    EXPECT_LT(length(cast<double>(fast[0].normal - slow[0].normal)), near);
+    EXPECT_LT(length(converted<double>(fast[0].normal - slow[0].normal)), near);
     T lowest = fast[0].points[0].distance;
     for (const auto& p : fast[0].points) {
       lowest = std::min(lowest, p.distance);
@@ -77,8 +79,8 @@ void expect_as_in_double(unsigned seed, double tolerance_of_size) {
       }
       ++compared;
       EXPECT_NEAR(static_cast<double>(p.distance), static_cast<double>(same->distance), near);
-      EXPECT_LT(length(cast<double>(p.a - same->a)), near);
-      EXPECT_LT(length(cast<double>(p.b - same->b)), near);
+      EXPECT_LT(length(converted<double>(p.a - same->a)), near);
+      EXPECT_LT(length(converted<double>(p.b - same->b)), near);
     }
     EXPECT_NEAR(
         static_cast<double>(lowest),
@@ -98,7 +100,7 @@ TEST(HalfSpaceContacts, OfAFaceThatTouchesAreAllItsCorners) {
   Random random(3);
   for (int i = 0; i < 1000; ++i) {
     // Turned with its ground, so that rounding alone lifts one of its corners or the other.
-    const Posed ground{{}, normalized(cast<double>(random_rotation(random)))};
+    const Posed ground{{}, normalized(converted<double>(random_rotation(random)))};
     const Posed box = compose(ground, Posed{{0.3, 0.5, 0.2}, {}});
     Manifolds<double> found;
     contacts<double>(Box<double>({1, 1, 1}), box, HalfSpace<double>(), ground, 1e-14, found);

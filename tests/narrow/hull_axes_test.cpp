@@ -1,15 +1,15 @@
 // The separating axes of small polyhedra on lanes: those of the test one by one, at every level of the instruction set
 // the same bits; and what boxes and triangles are made to for it.
-#include "narrow/hull_axes.hpp"
+#include "narrow/sat/hull_axes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <iterator>
 
 #include "common/specimen.hpp"
-#include "narrow/faceted_shape.hpp"
+#include "narrow/core/faceted_shape.hpp"
 #include "narrow/general.hpp"
-#include "narrow/separating_axes.hpp"
+#include "narrow/sat/separating_axes.hpp"
 
 namespace graze::testing {
 namespace {
@@ -29,7 +29,8 @@ Specimen random_polyhedron(int i, float scale, Random& random) {
 struct TwoPolyhedra {
   TwoPolyhedra(const Specimen& first, const Specimen& second, float apart, Random& random)
       : TwoPolyhedra(first, second,
-                     {cast<double>(random_vector(random, apart)), normalized(cast<double>(random_rotation(random)))}) {}
+                     {converted<double>(random_vector(random, apart)),
+                      normalized(converted<double>(random_rotation(random)))}) {}
   TwoPolyhedra(const Specimen& first, const Specimen& second, const Posed& b_in_a)
       : a(build<float>(first)), b(build<float>(second)), facets_a(a), facets_b(b), pose(b_in_a) {
     one_by_one_a.set(a);
@@ -169,10 +170,11 @@ TEST_F(HullAxes, RowsHoldWhatTheirShapeDoes) {
       EXPECT_LE(length(plane.normal - polyhedron.normals()[f]), tolerance);
       EXPECT_NEAR(plane.offset, polyhedron.offset(f), tolerance);
       for (const Vec3d& v : polyhedron.vertices()) EXPECT_LE(signed_distance(plane, v), 0);
-      EXPECT_LE(signed_distance(plane, cast<double>(view.ball.middle)), -static_cast<double>(view.ball.radius) + 1e-7);
+      EXPECT_LE(signed_distance(plane, converted<double>(view.ball.middle)),
+                -static_cast<double>(view.ball.radius) + 1e-7);
       const FaceBlock& block = view.faces[f / FaceBlock::size];
       const std::size_t k = f % FaceBlock::size;
-      EXPECT_EQ((Vec3f{block.x[k], block.y[k], block.z[k]}), cast<float>(plane.normal));
+      EXPECT_EQ((Vec3f{block.x[k], block.y[k], block.z[k]}), converted<float>(plane.normal));
       EXPECT_EQ(block.offset[k], static_cast<float>(plane.offset));
       EXPECT_NEAR(signed_distance(plane, corner(view, block.vertex[k])), 0, tolerance);
     }

@@ -1,7 +1,7 @@
 // Two small hulls, or one and another shape of few corners, by the kernel that scans both: what any two cores give, at
 // every level of the instruction set; and GJK from four points against GJK from one; and their depth on lanes against
 // that of the general EPA.
-#include "narrow/hull_support.hpp"
+#include "narrow/core/hull_support.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "common/specimen.hpp"
-#include "narrow/epa.hpp"
-#include "narrow/gjk.hpp"
-#include "narrow/hull_depth.hpp"
-#include "narrow/scanned_shape.hpp"
+#include "narrow/core/scanned_shape.hpp"
+#include "narrow/gjk/epa.hpp"
+#include "narrow/gjk/gjk.hpp"
+#include "narrow/gjk/hull_depth.hpp"
 
 namespace graze::testing {
 namespace {
@@ -26,7 +26,7 @@ struct TwoHulls {
   TwoHulls(const Shape<T>& first, const Shape<T>& second, float apart, Random& random)
       : a(first),
         b(second),
-        pose{cast<double>(random_vector(random, apart)), normalized(cast<double>(random_rotation(random)))},
+        pose{converted<double>(random_vector(random, apart)), normalized(converted<double>(random_rotation(random)))},
         core_a(a),
         core_b(b),
         cores(core_a, core_b, pose) {
@@ -65,7 +65,7 @@ TYPED_TEST(HullDifferences, AreThoseOfTheirCores) {
     if (!two.scanned()) continue;
     const HullPair<T> pair = two.difference().hulls();
     for (std::size_t k = 0; k < 20; ++k) {
-      Vec3d direction = cast<double>(random_vector(random, 1));
+      Vec3d direction = converted<double>(random_vector(random, 1));
       if (k < 6) {  // across a box's edges
         direction = {};
         direction[k % 3] = k < 3 ? 1 : -1;
@@ -124,7 +124,7 @@ template <class T>
 void compare_depths(const TwoHulls<T>& two, Compared& compared) {
   if (!two.scanned()) return;
   HullDifference<T> difference = two.difference();
-  const double tolerance = 1e-11 * difference.size(), noise = rounding * difference.reach();
+  const double tolerance = 1e-11 * difference.size(), noise = rounding_error * difference.reach();
   const GjkResult g = gjk_spread(difference, {tolerance});
   if (g.end != GjkEnd::touching || g.simplex.size() < 4) return;
   const EpaResult expected = epa(difference, g.simplex, tolerance);
@@ -172,7 +172,7 @@ TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereThePolytopeGrows) {
     std::vector<Vec3<T>> points;
     for (int k = 0; k < 32; ++k) {
       const Vec3f p = normalized(random_vector(random, 1));
-      points.push_back(cast<T>(Vec3f{p.x * wide, p.y * high, p.z}));
+      points.push_back(converted<T>(Vec3f{p.x * wide, p.y * high, p.z}));
     }
     return Shape<T>(ConvexHull<T>(std::span<const Vec3<T>>(points)));
   };
@@ -189,7 +189,7 @@ TYPED_TEST(HullDifferences, AreAsDeepOnLanesWhereManyFacetsSeeAPoint) {
   Random random(9);
   const auto hull_of = [&](const std::vector<Vec3f>& around) {
     std::vector<Vec3<T>> points;
-    for (const Vec3f& p : around) points.push_back(cast<T>(p));
+    for (const Vec3f& p : around) points.push_back(converted<T>(p));
     return Shape<T>(ConvexHull<T>(std::span<const Vec3<T>>(points)));
   };
   Compared compared;

@@ -3,7 +3,7 @@
 
 #include "narrow/convex_pair.hpp"
 #include "narrow/general_contacts.hpp"
-#include "narrow/polyhedral_pair.hpp"
+#include "narrow/sat/polyhedral_pair.hpp"
 
 namespace graze::testing {
 

@@ -17,7 +17,7 @@ Shape<T> prism(int corners, double radius) {
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * half_turn * i / corners + 0.1;
     for (const double y : {-half_height, half_height})
-      vertices.push_back(cast<T>(Vec3d{radius * std::cos(angle), y, radius * std::sin(angle)}));
+      vertices.push_back(converted<T>(Vec3d{radius * std::cos(angle), y, radius * std::sin(angle)}));
   }
   return ConvexHull<T>(vertices);
 }
@@ -52,8 +52,9 @@ void expect_whole_faces(double lean) {
         const double depth = i % 4 == 0 ? 0 : std::pow(10, -2 - 4 * std::abs(unit(random)));
         const Vec3d place{unit(random) * 0.3, half_height - depth, unit(random) * 0.3};
         const Quatd frame = normalized(Quatd{unit(random), unit(random), unit(random), unit(random)});
-        const Pose<T> pose_below{{}, cast<T>(frame)};
-        const Pose<T> pose_thin{cast<T>(rotate(frame, place)), cast<T>(normalized(frame * leans * turned * up))};
+        const Pose<T> pose_below{{}, converted<T>(frame)};
+        const Pose<T> pose_thin{converted<T>(rotate(frame, place)),
+                                converted<T>(normalized(frame * leans * turned * up))};
         for (const bool swapped : {false, true}) {
           Manifolds<T> manifolds;
           swapped ? contacts(thin, pose_thin, below, pose_below, T(0.02), manifolds)

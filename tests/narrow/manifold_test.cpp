@@ -130,8 +130,10 @@ TEST(Manifold, SwappingTheShapesMirrorsPointsAndFeatures) {
   Random random(8);
   const Shaped box = Box<double>({1, 0.6, 0.8}), can = Cylinder<double>(0.8, 0.4);
   for (int i = 0; i < 500; ++i) {
-    const Posed pa{cast<double>(random_vector(random, 0.5f)), normalized(cast<double>(random_rotation(random)))};
-    const Posed pb{cast<double>(random_vector(random, 0.5f)), normalized(cast<double>(random_rotation(random)))};
+    const Posed pa{converted<double>(random_vector(random, 0.5f)),
+                   normalized(converted<double>(random_rotation(random)))};
+    const Posed pb{converted<double>(random_vector(random, 0.5f)),
+                   normalized(converted<double>(random_rotation(random)))};
     const Manifold<double> m = only_manifold(box, pa, can, pb, 0.01), w = only_manifold(can, pb, box, pa, 0.01);
     ASSERT_EQ(m.points.size(), w.points.size());
     if (m.points.empty()) continue;
@@ -180,8 +182,8 @@ double shared_area(const std::vector<std::array<double, 2>>& p, const std::vecto
 TEST(Manifold, PointsCoverWhatTheFacesShare) {
   Random random(10);
   for (int i = 0; i < 3000; ++i) {
-    const Vec3d size_a = cast<double>(abs(random_vector(random, 1))) + Vec3d{0.05, 0.05, 0.05};
-    const Vec3d size_b = cast<double>(abs(random_vector(random, 1))) + Vec3d{0.05, 0.05, 0.05};
+    const Vec3d size_a = converted<double>(abs(random_vector(random, 1))) + Vec3d{0.05, 0.05, 0.05};
+    const Vec3d size_b = converted<double>(abs(random_vector(random, 1))) + Vec3d{0.05, 0.05, 0.05};
     const double yaw = static_cast<double>(i % 3 == 0 ? uniform(random, -0.01f, 0.01f) : uniform(random, -4, 4));
     const double tilt = static_cast<double>(uniform(random, -0.002f, 0.002f));
     const Posed pose{{static_cast<double>(uniform(random, -1, 1)) * (size_a.x + size_b.x) * 0.3,
@@ -232,7 +234,8 @@ TEST(Manifold, MovingTheSceneMovesThePoints) {
     PlacedSpecimen b{random_specimen(i % 2 ? Kind::hull : Kind::box, 1, random), random_vector(random, 0.4f),
                      random_rotation(random)};
     const Shaped sa = build<double>(a.specimen), sb = build<double>(b.specimen);
-    const Posed move{cast<double>(random_vector(random, 10)), normalized(cast<double>(random_rotation(random)))};
+    const Posed move{converted<double>(random_vector(random, 10)),
+                     normalized(converted<double>(random_rotation(random)))};
     const Manifold<double> m = only_manifold(sa, pose_of<double>(a), sb, pose_of<double>(b));
     const Manifold<double> w =
         only_manifold(sa, compose(move, pose_of<double>(a)), sb, compose(move, pose_of<double>(b)));
@@ -261,7 +264,7 @@ TEST(Manifold, RestingBoxesDoNotFlicker) {
       bool face = true;
       int kinds = 0, counts = 0, ids = 0;
       for (int i = 0; i < 10000; ++i) {
-        const Vec3d tilt = cast<double>(random_vector(random, 0.005f));
+        const Vec3d tilt = converted<double>(random_vector(random, 0.005f));
         const Posed pose{{shift + static_cast<double>(uniform(random, -0.001f, 0.001f)),
                           0.999 + static_cast<double>(uniform(random, -0.0005f, 0.0005f)), shift / 2},
                          normalized(Quatd{tilt.x / 2, tilt.y / 2, tilt.z / 2, 1}) *

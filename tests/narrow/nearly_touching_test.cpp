@@ -44,8 +44,8 @@ Pair nearly_touching(Kind ka, Kind kb, Random& random) {
          sb,
          build<double>(sa),
          build<double>(sb),
-         {{}, normalized(cast<double>(random_rotation(random)))},
-         {vector(random, 1.5), normalized(cast<double>(random_rotation(random)))}};
+         {{}, normalized(converted<double>(random_rotation(random)))},
+         {vector(random, 1.5), normalized(converted<double>(random_rotation(random)))}};
   const Distance<double> far = p.ask();
   const auto size = static_cast<double>(reference::size(placed(sa, p.pose_a), placed(sb, p.pose_b)));
   double gap = size * std::pow(10, number(random, -9, -5)) * (random() % 2 ? 1 : -1);
@@ -55,7 +55,7 @@ Pair nearly_touching(Kind ka, Kind kb, Random& random) {
 }
 
 Pair moved(Pair p, Random& random) {
-  const Posed motion{vector(random, 3), normalized(cast<double>(random_rotation(random)))};
+  const Posed motion{vector(random, 3), normalized(converted<double>(random_rotation(random)))};
   for (Posed* pose : {&p.pose_a, &p.pose_b})
     *pose = {transform(motion, pose->translation), motion.rotation * pose->rotation};
   return p;
@@ -106,14 +106,14 @@ TEST(ClosestInTaperedCapsule, IsExactInsideAndOut) {
     Specimen s = random_specimen(Kind::tapered_capsule, 1, random);
     if (i % 5 == 0) s.size[2] = s.size[1] + (i % 2 ? 1e-6f : -1e-3f);  // all but even
     if (i % 7 == 0) s.size[0] *= 0.1f;                                 // one ball may hold the other
-    const Posed pose{vector(random, 1), normalized(cast<double>(random_rotation(random)))};
+    const Posed pose{vector(random, 1), normalized(converted<double>(random_rotation(random)))};
     const double reach = static_cast<double>(s.size[0] + s.size[1] + s.size[2]) / 2;
     Vec3d local = vector(random, i % 2 ? reach : reach / 4);
     if (i % 3 == 0) local.x = local.z = 0;
     const Vec3d p = transform(pose, local);
     const Closest<double> found = closest(build<double>(s), pose, p);
     const reference::Placed shape = placed(s, pose), point = reference::place(reference::point(), vector_of(p));
-    SCOPED_TRACE(describe({s, cast<float>(pose.translation), {}}));
+    SCOPED_TRACE(describe({s, converted<float>(pose.translation), {}}));
     EXPECT_EQ(found.status, Status::converged);
     EXPECT_EQ(found.error, 0);
     EXPECT_NEAR(found.distance, static_cast<double>(reference::signed_distance(shape, point).distance),

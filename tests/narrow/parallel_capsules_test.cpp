@@ -26,10 +26,10 @@ ByFaces compare_parallel(unsigned seed, double tilt, double scale) {
     const Quatd lean = Quatd::from_axis_angle(normalized(Vec3d{some(-1, 1), 0, some(-1, 1)}, {1, 0, 0}),
                                               (i % 3 == 0 ? 0 : some(-tilt, tilt)) + (i % 19 == 0 ? straight : 0));
     const Posed frame{Vec3d{some(-1, 1), some(-1, 1), some(-1, 1)} * scale,
-                      normalized(cast<double>(random_rotation(random)))};
+                      normalized(converted<double>(random_rotation(random)))};
     const Shape<T> a(Capsule<T>(T(half_a * scale), T(radius_a * scale)), T(rounded * scale));
     const Shape<T> b(Capsule<T>(T(half_b * scale), T(radius_b * scale)));
-    found.compare(a, cast<T>(compose(frame, Posed{beside * scale, lean})), b, cast<T>(frame),
+    found.compare(a, converted<T>(compose(frame, Posed{beside * scale, lean})), b, converted<T>(frame),
                   T(i % 6 == 0 ? 0 : 0.05 * scale), scale);
   }
   return found;

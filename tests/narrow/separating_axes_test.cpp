@@ -7,7 +7,7 @@
 #include "common/asked_number.hpp"
 #include "common/specimen.hpp"
 #include "manifold_of.hpp"
-#include "narrow/polyhedral_pair.hpp"
+#include "narrow/sat/polyhedral_pair.hpp"
 
 namespace graze::testing {
 namespace {
@@ -66,7 +66,7 @@ void check(const PlacedSpecimen& a, const PlacedSpecimen& b, const AxisResult& t
       << describe(a) << "\n"
       << describe(b);
   if (truth.runner_up > truth.depth + 10 * allowed) {
-    const Vec3d n = cast<double>(d.normal);
+    const Vec3d n = converted<double>(d.normal);
     const reference::Vector off{truth.normal.x - Real(n.x), truth.normal.y - Real(n.y), truth.normal.z - Real(n.z)};
     EXPECT_LT(reference::length(off), (std::is_same_v<T, float> ? 1e-4L : 1e-7L)) << describe(a) << "\n" << describe(b);
   }
@@ -152,7 +152,7 @@ TEST(SeparatingAxes, FaceAxesAloneMayOnlySayTooOften) {
     const Posed pa = pose_of<double>(a), pb = pose_of<double>(b);
     const bool touch = overlap(sa, pa, sb, pb), may = may_overlap(sa, pa, sb, pb);
     ASSERT_TRUE(may || !touch) << describe(a) << "\n" << describe(b);
-    const double reach = length(cast<double>(a.translation - b.translation));
+    const double reach = length(converted<double>(a.translation - b.translation));
     const auto radius = [](const PlacedSpecimen& s) {
       return 0.5 * length(Vec3d{s.specimen.size[0], s.specimen.size[1], s.specimen.size[2]});
     };

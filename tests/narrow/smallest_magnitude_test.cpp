@@ -192,7 +192,7 @@ TYPED_TEST(SmallestMagnitude, IsTheSmallestThatConstructorsKeep) {
   EXPECT_EQ(Capsule<T>(below, bound).radius_top(), bound);
   EXPECT_EQ(Cylinder<T>(T(1), below).radius_bottom(), T(0));
   EXPECT_EQ(Ellipsoid<T>({below, bound, T(1)}).core_bounds({}).upper, (Vec3<T>{0, bound, 1}));
-  EXPECT_EQ(Shape<T>(Sphere<T>(T(1)), below).margin(), T(0));
+  EXPECT_EQ(Shape<T>(Sphere<T>(T(1)), below).rounding(), T(0));
   const std::vector<Vec3<T>> points{{below, 0, 0}, {bound, 0, 0}, {0, 1, 0}};
   EXPECT_EQ(Triangle<T>(points[0], points[1], points[2]).core_bounds({}).upper, (Vec3<T>{bound, 1, 0}));
   EXPECT_EQ(ConvexHull<T>(std::vector<Vec3<T>>{{below, below, 0}}).core_bounds({}).upper, (Vec3<T>{0, 0, 0}));

@@ -7,9 +7,9 @@
 #include "common/specimen.hpp"
 #include "graze/geometry.hpp"
 #include "graze/query.hpp"
-#include "narrow/features.hpp"
 #include "narrow/general.hpp"
-#include "narrow/manifold.hpp"
+#include "narrow/manifold/clip_faces.hpp"
+#include "narrow/manifold/features.hpp"
 
 namespace graze::testing {
 namespace {
@@ -31,8 +31,8 @@ template <class T>
 BallAt<T> random_ball_at(int i, Random& random) {
   static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1e2f, 1e4f};
   const float scale = scales[i % 5];
-  const auto vector = [&](float reach) { return cast<T>(random_vector(random, reach * scale)); };
-  const auto turn = [&] { return i % 3 == 0 ? Quat<T>{} : normalized(cast<T>(random_rotation(random))); };
+  const auto vector = [&](float reach) { return converted<T>(random_vector(random, reach * scale)); };
+  const auto turn = [&] { return i % 3 == 0 ? Quat<T>{} : normalized(converted<T>(random_rotation(random))); };
   const Vec3<T> away = i % 5 == 0 ? vector(100) : Vec3<T>{};
   const T radius = i % 11 == 0 ? T(0) : T(scale) * T(uniform(random, 0.1f, 0.8f));
   const Vec3<T> p = vector(1), q = vector(1), r = vector(1);
@@ -48,8 +48,8 @@ BallAt<T> random_ball_at(int i, Random& random) {
 template <class T>
 double to_triangle(const BallAt<T>& s) {
   const Posed to = in_double(s.pose_triangle), from = in_double(s.pose_ball);
-  const Vec3d p = inverse_transform(to, transform(from, cast<double>(s.ball.center())));
-  const auto at = [&](std::size_t i) { return cast<double>(s.triangle.point(i)); };
+  const Vec3d p = inverse_transform(to, transform(from, converted<double>(s.ball.center())));
+  const auto at = [&](std::size_t i) { return converted<double>(s.triangle.point(i)); };
   return length(closest_point_on_triangle(at(0), at(1), at(2), p).point - p);
 }
 
@@ -58,10 +58,10 @@ template <class T>
 std::uint32_t general_name(const BallAt<T>& s, const Vec3d& normal, const Vec3d& on_b) {
   const Posed frame = in_double(s.pose_triangle);
   Face<T> face;
-  s.triangle.core_face(cast<T>(rotate(conjugate(frame.rotation), -normal)), face, side_lean<T>);
+  s.triangle.core_face(converted<T>(rotate(conjugate(frame.rotation), -normal)), face, side_lean<T>);
   PlacedFace placed, vertex;
   placed.id = face.id;
-  for (const Vec3<T>& v : face.vertices) placed.vertices.push_back(transform(frame, cast<double>(v)));
+  for (const Vec3<T>& v : face.vertices) placed.vertices.push_back(transform(frame, converted<double>(v)));
   for (const std::uint32_t id : face.ids) placed.ids.push_back(id);
   vertex.vertices.push_back({});
   vertex.ids.push_back(0);
@@ -84,11 +84,11 @@ void expect_as_in_general(unsigned seed, double near) {
     ASSERT_NEAR(static_cast<double>(d.distance), general.core.distance - radius_a - radius_b, allowed);
     const Vec3d normal = rotate(in_double(s.pose_ball).rotation, general.core.normal);
     if (general.core.distance > 0.01 * size) {
-      ASSERT_LT(length(cast<double>(d.normal) - normal), 100 * near) << i;
+      ASSERT_LT(length(converted<double>(d.normal) - normal), 100 * near) << i;
       const Vec3d on_b = transform(in_double(s.pose_ball), general.core.b) - normal * radius_b;
-      ASSERT_LT(length(cast<double>(d.b) - on_b), 10 * allowed);
+      ASSERT_LT(length(converted<double>(d.b) - on_b), 10 * allowed);
     }
-    ASSERT_LT(length(cast<double>(d.b - d.a - d.normal * d.distance)), allowed);
+    ASSERT_LT(length(converted<double>(d.b - d.a - d.normal * d.distance)), allowed);
 
     Manifolds<T> found, mirrored;
     const bool touch = contacts(a, s.pose_ball, b, s.pose_triangle, T(0), found);
@@ -122,14 +122,14 @@ template <class T>
 void expect_consistent_where_degenerate() {
   Random random(5);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3<T> p = cast<T>(random_vector(random, 1)), q = cast<T>(random_vector(random, 1));
+    const Vec3<T> p = converted<T>(random_vector(random, 1)), q = converted<T>(random_vector(random, 1));
     const T thin = T(std::exp2(-uniform(random, 0, 60)));
     const Vec3<T> r = i % 4 == 0   ? p
                       : i % 4 == 1 ? p + (q - p) * T(uniform(random, -1, 2))
-                                   : p + (q - p) * T(0.3) + cast<T>(random_vector(random, 1)) * thin;
+                                   : p + (q - p) * T(0.3) + converted<T>(random_vector(random, 1)) * thin;
     const Shape<T> triangle(Triangle<T>(p, i % 8 == 0 ? p : q, r)), ball(Sphere<T>(T(1 + i % 3) * T(0.1)));
     const T off = i % 2 == 0 ? T(0) : T(std::exp2(-uniform(random, 0, 60)));
-    const Pose<T> at{(p + q + r) * T(1.0 / 3) + cast<T>(random_vector(random, 1)) * off, {}};
+    const Pose<T> at{(p + q + r) * T(1.0 / 3) + converted<T>(random_vector(random, 1)) * off, {}};
     const Distance<T> d = distance(ball, at, triangle, {});
     ASSERT_NEAR(static_cast<double>(length(d.normal)), 1, 1e-6);
     ASSERT_LT(length(d.b - d.a - d.normal * d.distance), T(1e-5));

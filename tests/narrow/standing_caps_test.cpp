@@ -32,7 +32,7 @@ class StandingCaps : public ::testing::Test {
   Manifold<T> standing(const Shape<T>& floor, const Shape<T>& body, double lean, double towards, double turned,
                        T margin) const {
     const Quatd leans = Quatd::from_axis_angle({std::sin(towards), 0, -std::cos(towards)}, lean);
-    Pose<T> pose{{}, cast<T>(normalized(leans * Quatd::from_axis_angle({0, 1, 0}, turned)))};
+    Pose<T> pose{{}, converted<T>(normalized(leans * Quatd::from_axis_angle({0, 1, 0}, turned)))};
     pose.translation.y = -bounds(body, pose).lower.y;
     const T top = floor.template as<Box<T>>() ? T(1) : T(0);
     Manifolds<T> manifolds;
@@ -57,7 +57,7 @@ TYPED_TEST(StandingCaps, ReachTheWholeRadiusWhereTheyLeanAndNineTenthsAllAround)
           SCOPED_TRACE(::testing::Message() << floor.name() << ' ' << body.name() << " leaning " << lean);
           ASSERT_EQ(m.points.size(), 8u);
           // The flat part of the cap: what is rounded is left out. Its middle moves with the lean, by half its height.
-          const double flat = static_cast<double>(this->radius - body.margin()), moved = 0.6 * lean;
+          const double flat = static_cast<double>(this->radius - body.rounding()), moved = 0.6 * lean;
           const auto along = [](double a) { return Vec3<T>{T(std::cos(a)), 0, T(std::sin(a))}; };
           if (lean >= 1e-3) {
             EXPECT_GT(reach(m, along(towards)), flat * (1 - 1e-5) - moved);

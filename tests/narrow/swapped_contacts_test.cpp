@@ -6,7 +6,7 @@
 #include <random>
 
 #include "graze/query.hpp"
-#include "narrow/features.hpp"
+#include "narrow/manifold/features.hpp"
 
 namespace graze::testing {
 namespace {
@@ -33,7 +33,7 @@ class SwappedContacts : public ::testing::Test {
     const double lean = upright ? 1e-3 * draw(-1, 1) : draw(-3, 3), about = draw(-3, 3);
     const Quatd leans = Quatd::from_axis_angle({std::cos(about), 0, std::sin(about)}, lean);
     const Quatd turned = Quatd::from_axis_angle({0, 1, 0}, draw(-3, 3));
-    return {{T(draw(-0.3, 0.3)), 0, T(draw(-0.3, 0.3))}, cast<T>(normalized(leans * turned))};
+    return {{T(draw(-0.3, 0.3)), 0, T(draw(-0.3, 0.3))}, converted<T>(normalized(leans * turned))};
   }
 
  private:

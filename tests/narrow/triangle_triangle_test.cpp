@@ -1,6 +1,6 @@
 // Triangles against triangles: distances proven by a reference in extended precision, contacts against those of the
 // general path, and both against each other, since distances, overlaps and contacts have to agree on what touches.
-#include "narrow/pairs/triangle_triangle.hpp"
+#include "narrow/pairs/triangle_triangle/pair.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "common/specimen.hpp"
 #include "graze/batch.hpp"
 #include "in_general.hpp"
-#include "narrow/pairs/triangle_triangle_manifold.hpp"
+#include "narrow/pairs/triangle_triangle/contacts.hpp"
 #include "reference/certificate.hpp"
 
 namespace graze::testing {
@@ -24,19 +24,19 @@ struct TrianglePair {
 
   template <class T>
   Triangle<T> shape_a(T scale = T(1)) const {
-    return {cast<T>(a[0]) * scale, cast<T>(a[1]) * scale, cast<T>(a[2]) * scale};
+    return {converted<T>(a[0]) * scale, converted<T>(a[1]) * scale, converted<T>(a[2]) * scale};
   }
   template <class T>
   Triangle<T> shape_b(T scale = T(1)) const {
-    return {cast<T>(b[0]) * scale, cast<T>(b[1]) * scale, cast<T>(b[2]) * scale};
+    return {converted<T>(b[0]) * scale, converted<T>(b[1]) * scale, converted<T>(b[2]) * scale};
   }
   template <class T>
   Pose<T> pose_a() const {
-    return {{}, normalized(cast<T>(turn_a))};
+    return {{}, normalized(converted<T>(turn_a))};
   }
   template <class T>
   Pose<T> pose_b(T scale = T(1)) const {
-    return {cast<T>(at_b) * scale, normalized(cast<T>(turn_b))};
+    return {converted<T>(at_b) * scale, normalized(converted<T>(turn_b))};
   }
 };
 
@@ -203,7 +203,7 @@ TEST(TriangleTriangle, GivesTheSameBitsInLanesAndAtEveryLevel) {
     a.push_back(p.shape_a<double>()), at_a.push_back(p.pose_a<double>());
     b.push_back(p.shape_b<double>()), at_b.push_back(p.pose_b<double>());
     const auto of_a = placed_triangle(a.back(), 0.0, at_a.back()), of_b = placed_triangle(b.back(), 0.0, at_b.back());
-    const auto in_rows = triangle_distance<Several<double, 3>>(of_a, of_b, 1e9);
+    const auto in_rows = triangle_distance<Packed<double, 3>>(of_a, of_b, 1e9);
     for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
       TriangleDistance<double> of_level;
@@ -227,7 +227,7 @@ bool alike(const Manifolds<T>& fast, const Manifolds<T>& slow, double allowed) {
   if (length(fast[0].normal - slow[0].normal) > T(1e-4)) return false;
   const auto same = [&](const ContactPoint<T>& p, const ContactPoint<T>& q) {
     return std::abs(static_cast<double>(p.distance) - static_cast<double>(q.distance)) <= allowed &&
-           length(cast<double>(p.a - q.a)) <= allowed && length(cast<double>(p.b - q.b)) <= allowed &&
+           length(converted<double>(p.a - q.a)) <= allowed && length(converted<double>(p.b - q.b)) <= allowed &&
            p.feature == q.feature;
   };
   return std::is_permutation(fast[0].points.begin(), fast[0].points.end(), slow[0].points.begin(), slow[0].points.end(),
@@ -273,7 +273,7 @@ TEST(TriangleTriangle, AgreesWithItselfAndInGeneral) {
 struct PointsAlone {
   TriangleDistance<double> found;
   TriangleAxes<double> axes;
-  BoxManifold<double> points;
+  ContactSlots<double> points;
 
   PointsAlone(Isa level, const TrianglePair& p, double margin) {
     points.filled = 0;
@@ -301,8 +301,8 @@ int points_unknown(TrianglePair (*make)(Random&), int count, unsigned seed) {
       EXPECT_EQ(other.points.filled, alone.points.filled);
       EXPECT_EQ(other.points.normal, alone.points.normal);
       for (auto filled = static_cast<unsigned>(alone.points.filled); filled != 0; filled &= filled - 1) {
-        const BoxSlot<double> q = alone.points.slot(static_cast<std::size_t>(__builtin_ctz(filled))),
-                              r = other.points.slot(static_cast<std::size_t>(__builtin_ctz(filled)));
+        const ContactSlot<double> q = alone.points.slot(static_cast<std::size_t>(__builtin_ctz(filled))),
+                                  r = other.points.slot(static_cast<std::size_t>(__builtin_ctz(filled)));
         EXPECT_TRUE(q.a == r.a && q.b == r.b && q.distance == r.distance && q.part_a == r.part_a &&
                     q.part_b == r.part_b);
       }
@@ -374,7 +374,8 @@ TEST(TriangleTriangle, DoesNotMindHowThePairIsSeen) {
     const TrianglePair p = i % 2 == 0 ? any_pair(random) : close_pair(random);
     const Shape<double> a(p.shape_a<double>()), b(p.shape_b<double>());
     const Posed pose_a = p.pose_a<double>(), pose_b = p.pose_b<double>();
-    const Posed elsewhere{cast<double>(random_vector(random, 100)), normalized(cast<double>(random_rotation(random)))};
+    const Posed elsewhere{converted<double>(random_vector(random, 100)),
+                          normalized(converted<double>(random_rotation(random)))};
     const Distance<double> d = distance(a, pose_a, b, pose_b), swapped = distance(b, pose_b, a, pose_a),
                            moved = distance(a, compose(elsewhere, pose_a), b, compose(elsewhere, pose_b)),
                            doubled = distance<double>(p.shape_a(2.0), pose_a, p.shape_b(2.0), p.pose_b(2.0));

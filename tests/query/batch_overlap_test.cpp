@@ -10,7 +10,7 @@ namespace {
 
 /// Pairs of bodies, the i-th of A with the i-th of B.
 template <class T>
-struct Facing {
+struct HullSatCulling {
   std::vector<Shape<T>> a, b;
   std::vector<Pose<T>> pose_a, pose_b;
 
@@ -41,7 +41,7 @@ void for_all_kinds(const F& f) {
 template <class T>
 void random_pairs(T scale, float far, unsigned seed) {
   Random random(seed);
-  Facing<T> pairs;
+  HullSatCulling<T> pairs;
   for_all_kinds([&](Kind a, Kind b) {
     const Vec3f middle = random_vector(random, far);
     for (int i = 0; i < 12; ++i) {
@@ -64,8 +64,8 @@ TEST(BatchOverlap, AnswersAsAloneForAllKindsAtAnySizeAndPlace) {
 
 TEST(BatchOverlap, AnswersAsAloneWhereShapesAreDegenerateOrInLine) {
   Random random(6);
-  Facing<float> floats;
-  Facing<double> doubles;
+  HullSatCulling<float> floats;
+  HullSatCulling<double> doubles;
   for_all_kinds([&](Kind a, Kind b) {
     for (int i = 0; i < 16; ++i) {
       const PlacedSpecimen p = on_lattice(degenerate_specimen(a, 1, random), 1, random),
@@ -81,14 +81,14 @@ TEST(BatchOverlap, AnswersAsAloneWhereShapesAreDegenerateOrInLine) {
 // Within what a portal can prove, on its rim and beyond.
 TEST(BatchOverlap, AnswersAsAloneWhereShapesNearlyTouch) {
   Random random(7);
-  Facing<double> pairs;
+  HullSatCulling<double> pairs;
   for_all_kinds([&](Kind a, Kind b) {
     if (a == Kind::half_space || b == Kind::half_space) return;
     for (const double gap : {1e-8, 1e-7, 1e-6, 4e-6, 1e-5, 2e-5, 4e-5, 1e-4}) {
       const Shape<double> first = build<double>(random_specimen(a, 1, random)),
                           second = build<double>(random_specimen(b, 1, random));
-      const Posed at{{}, cast<double>(random_rotation(random))};
-      Posed there{cast<double>(random_vector(random, 1)), cast<double>(random_rotation(random))};
+      const Posed at{{}, converted<double>(random_rotation(random))};
+      Posed there{converted<double>(random_vector(random, 1)), converted<double>(random_rotation(random))};
       const Distance<double> d = distance(first, at, second, there);
       for (const double wanted : {gap, -gap}) {
         const Vec3d touching = there.translation + d.normal * (wanted - d.distance);
@@ -108,7 +108,7 @@ PortalPairs columns_of(Kind a, Kind b, Random& random) {
       Specimen specimen = random_specimen(kind, 1, random);
       const Shape<float> shape = build<float>(specimen);
       const float radius = shape.visit([&](const auto& concrete) {
-        return kinds[shape.index()].put(&concrete, {pairs.column + core, k}) + shape.margin();
+        return kinds[shape.index()].put(&concrete, {pairs.column + core, k}) + shape.rounding();
       });
       PortalPlace{pairs.column + turn, k}.put(random_rotation(random));
       return radius;
@@ -126,11 +126,11 @@ TEST(BatchOverlap, PortalsTellOfNearlyAllAndTheSameAtEveryLevel) {
   const auto ask = [&]<PortalSide A, PortalSide B>(Kind a, Kind b) {
     const PortalPairs pairs = columns_of(a, b, random);
     std::uint8_t expected[portal_chunk];
-    baseline::portal_overlaps<A, B>(pairs, portal_chunk, expected);
+    baseline::mpr_overlaps<A, B>(pairs, portal_chunk, expected);
     for (const Isa level : {Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
       std::uint8_t found[portal_chunk];
-      GRAZE_KERNEL(level, portal_overlaps<A, B>)(pairs, portal_chunk, found);
+      GRAZE_KERNEL(level, mpr_overlaps<A, B>)(pairs, portal_chunk, found);
       EXPECT_TRUE(std::equal(found, found + portal_chunk, expected)) << name_of(a) << ' ' << name_of(b);
     }
     unknown += static_cast<std::size_t>(std::count(expected, expected + portal_chunk, 2));

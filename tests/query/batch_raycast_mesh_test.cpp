@@ -5,8 +5,8 @@
 
 #include "common/specimen.hpp"
 #include "graze/batch_raycast.hpp"
-#include "narrow/rays/mesh_block.hpp"
 #include "query/as_alone.hpp"
+#include "rays/ray_stream.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze::testing {
@@ -45,7 +45,7 @@ template <class T>
 std::vector<MeshRays<T>> questions(Random& random, const Aabb<T>& bounds) {
   const Vec3<T> center = bounds.center();
   const T size = length(bounds.extent());
-  const auto inside = [&] { return center + cast<T>(random_vector(random, 0.5f)) * size; };
+  const auto inside = [&] { return center + converted<T>(random_vector(random, 0.5f)) * size; };
   std::vector<MeshRays<T>> all;
   for (const T far : {T(0.7), T(1000)}) {
     MeshRays<T> picture{{}, std::numeric_limits<T>::infinity()}, shadow{{}, size * T(1.5)}, any = picture,
@@ -56,7 +56,7 @@ std::vector<MeshRays<T>> questions(Random& random, const Aabb<T>& bounds) {
       const Vec3<T> target = center + across * (size / T(20));
       picture.rays.push_back({eye, target - eye});
       shadow.rays.push_back({target + toward * size, -toward});
-      const Vec3<T> from = center + normalized(cast<T>(random_vector(random, 1))) * (size * far);
+      const Vec3<T> from = center + normalized(converted<T>(random_vector(random, 1))) * (size * far);
       any.rays.push_back({from, inside() - from});
       Ray<T> ray{bounds.lower + across + Vec3<T>{T(0), size, T(0)}, {T(0), T(-1), T(0)}};
       if (i % 4 == 1) ray.direction = {T(1), T(0), T(0)};
@@ -84,8 +84,8 @@ TYPED_TEST(BatchRaycastMesh, AnswersAsForEachRayAlone) {
     for (const T scale : {T(1), T(0.125)}) {
       const Mesh<T> mesh = gridded<T>(random, side, scale);
       const Shape<T> shape = mesh;
-      for (const Pose<T>& pose :
-           {Pose<T>{}, Pose<T>{cast<T>(random_vector(random, 9)), normalized(cast<T>(random_rotation(random)))}})
+      for (const Pose<T>& pose : {Pose<T>{}, Pose<T>{converted<T>(random_vector(random, 9)),
+                                                     normalized(converted<T>(random_rotation(random)))}})
         for (auto [rays, end] : questions<T>(random, mesh.data().tree.bounds())) {
           const BackFaces back = random() % 2 == 0 ? BackFaces::hit : BackFaces::ignored;
           if (random() % 2 == 0)
@@ -117,7 +117,7 @@ TYPED_TEST(BatchRaycastMesh, GivesTheSameBitsAtEveryLevel) {
   };
   const Mesh<T> mesh = gridded<T>(random, 20, T(1));
   const MeshData<T>& data = mesh.data();
-  const Vec3d center = cast<double>(data.tree.bounds().center());
+  const Vec3d center = converted<double>(data.tree.bounds().center());
   rays::BlockMesh<T> question{data.tree.nodes().data(),
                               data.leaves.data(),
                               &data.points.data()->x,

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "common/specimen.hpp"
-#include "narrow/rays/box_rays.hpp"
+#include "rays/box_rays.hpp"
 
 namespace graze::testing {
 namespace {
@@ -38,8 +38,8 @@ std::vector<Ray<T>> random_rays(Random& random, std::size_t count, float scale, 
   std::vector<Ray<T>> rays;
   for (std::size_t i = 0; i < count; ++i) {
     const float reach = i % 7 == 0 ? 0.3f : i % 11 == 0 ? 1000.0f : 3.0f;
-    Ray<T> ray{center + cast<T>(random_vector(random, reach * scale)), {}};
-    const Vec3<T> target = center + cast<T>(random_vector(random, 0.5f * scale));
+    Ray<T> ray{center + converted<T>(random_vector(random, reach * scale)), {}};
+    const Vec3<T> target = center + converted<T>(random_vector(random, 0.5f * scale));
     ray.direction = (target - ray.origin) * T(uniform(random, 0.01f, 10));
     if (i % 5 == 0) ray.direction[random() % 3] = T(0);
     if (i % 13 == 0) ray.direction = {T(0), T(i % 2 == 0 ? 1 : -1), T(0)};
@@ -86,8 +86,8 @@ TYPED_TEST(BatchRaycast, AnswersAsForEachRayAlone) {
   Random random(1);
   for (const float scale : {1e-4f, 1.0f, 1e4f})
     for (const Shape<T>& shape : shapes<T>(random, scale)) {
-      const Pose<T> pose{cast<T>(random_vector(random, 10 * scale)),
-                         random() % 3 == 0 ? Quat<T>{} : normalized(cast<T>(random_rotation(random)))};
+      const Pose<T> pose{converted<T>(random_vector(random, 10 * scale)),
+                         random() % 3 == 0 ? Quat<T>{} : normalized(converted<T>(random_rotation(random)))};
       const T length = random() % 2 == 0 ? std::numeric_limits<T>::infinity() : T(3 * scale);
       const BackFaces back = random() % 2 == 0 ? BackFaces::hit : BackFaces::ignored;
       std::vector<Ray<T>> rays = random_rays<T>(random, 150, scale, pose.translation);
@@ -189,7 +189,7 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsAtEveryLevel) {
       shape.around = 1e100;
       for (auto& p : shape.points)
         for (double& v : p) v = static_cast<double>(uniform(random, 0.1f, 2));
-      const Mat3d turn = rotation_matrix(normalized(cast<double>(random_rotation(random))));
+      const Mat3d turn = rotation_matrix(normalized(converted<double>(random_rotation(random))));
       BlockFrame frame{{1, -2, 3}, {}};
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k) frame.rotation[i][k] = turn.row[i][k];
@@ -212,7 +212,7 @@ TYPED_TEST(BatchRaycast, GivesTheSameBitsForABoxAtEveryLevel) {
   };
   for (int round = 0; round < 50; ++round) {
     const Vec3<T> half{T(uniform(random, 0.1f, 2)), T(round % 5), T(uniform(random, 0.1f, 2))};
-    const Pose<T> pose{{T(1), T(-2), T(3)}, cast<T>(random_rotation(random))};
+    const Pose<T> pose{{T(1), T(-2), T(3)}, converted<T>(random_rotation(random))};
     const rays::TurnedBox box(half, pose);
     const auto some = random_rays<T>(random, RayBlock::size - 3, 2, pose.translation);
     const T length(round % 3 == 0 ? 4 : 1e9);

@@ -14,12 +14,12 @@ namespace {
 
 /// Bodies of all kinds, many of them of those with kernels, most of them near each other; some face to face.
 template <class T>
-struct Crowd {
+struct RayStream {
   std::vector<Shape<T>> shapes;
   std::vector<Pose<T>> poses;
   std::vector<IdPair> pairs;
 
-  explicit Crowd(std::size_t count, unsigned seed) {
+  explicit RayStream(std::size_t count, unsigned seed) {
     Random random(seed);
     constexpr Kind often[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::box, Kind::triangle};
     for (std::size_t i = 0; i < count; ++i) {
@@ -106,15 +106,15 @@ void expect_same(const Batch<T>& batch, T margin) {
 }
 
 TEST(Batch, AnswersAsTheQuestionAboutEachPairDoes) {
-  const Crowd<float> floats(150, 1);
+  const RayStream<float> floats(150, 1);
   expect_same(Batch<float>(floats.bodies(), floats.bodies(), floats.pairs), 0.02f);
-  const Crowd<double> doubles(150, 2);
+  const RayStream<double> doubles(150, 2);
   expect_same(Batch<double>(doubles.bodies(), doubles.bodies(), doubles.pairs), 0.02);
 }
 
 // The neighbours of a pair in its bundle change with every order and every split.
 TEST(Batch, GivesEveryPairTheSameBitsInAnyOrderAndSplit) {
-  const Crowd<float> crowd(100, 3);
+  const RayStream<float> crowd(100, 3);
   const Batch<float> whole(crowd.bodies(), crowd.bodies(), crowd.pairs);
   BatchContacts<float> expected, found;
   contacts(whole, 0.02f, expected);
@@ -210,8 +210,8 @@ void expect_same_of_boxes(unsigned seed) {
   std::vector<Box<T>> boxes;
   std::vector<IdPair> pairs;
   for (std::uint32_t i = 0; i < 500; ++i) {
-    here.push_back({cast<T>(random_vector(random, 0.4f)), cast<T>(random_rotation(random))});
-    there.push_back({cast<T>(random_vector(random, 0.4f)), i % 3 == 0 ? here[i].rotation : Quat<T>{}});
+    here.push_back({converted<T>(random_vector(random, 0.4f)), converted<T>(random_rotation(random))});
+    there.push_back({converted<T>(random_vector(random, 0.4f)), i % 3 == 0 ? here[i].rotation : Quat<T>{}});
     boxes.emplace_back(Vec3<T>{T(0.5), T(0.3), random() % 10 == 0 ? T(sizeof(T) == 4 ? 1e-8 : 1e-80) : T(0.4)});
     pairs.push_back({static_cast<std::uint32_t>(random() % 500), static_cast<std::uint32_t>(random() % 500)});
   }
@@ -241,17 +241,18 @@ struct Rows {
     for (std::uint32_t i = 0; i < count; ++i) {
       Vec3f place = random_vector(random, 0.8f);
       if (i % 3 == 0) place = {-0.0f, i % 2 == 0 ? 0.0f : -0.0f, place.z};  // where zeros keep or lose their sign
-      poses.push_back({cast<T>(place), cast<T>(random_rotation(random))});
+      poses.push_back({converted<T>(place), converted<T>(random_rotation(random))});
       centred.emplace_back(T(0.4));
-      balls.emplace_back(T(0.3), i % 2 == 0 ? Vec3<T>{} : cast<T>(random_vector(random, 0.5f)));
+      balls.emplace_back(T(0.3), i % 2 == 0 ? Vec3<T>{} : converted<T>(random_vector(random, 0.5f)));
       capsules.emplace_back(T(i % 7 == 0 ? 0.0 : 0.6), T(0.2));
-      boxes.emplace_back(cast<T>(abs(random_vector(random, 0.5f)) + Vec3f{0.1f, 0.1f, i % 5 == 0 ? 1e-8f : 0.1f}));
-      const Vec3<T> corner = cast<T>(random_vector(random, 0.5f)), side = cast<T>(random_vector(random, 0.5f));
+      boxes.emplace_back(converted<T>(abs(random_vector(random, 0.5f)) + Vec3f{0.1f, 0.1f, i % 5 == 0 ? 1e-8f : 0.1f}));
+      const Vec3<T> corner = converted<T>(random_vector(random, 0.5f)),
+                    side = converted<T>(random_vector(random, 0.5f));
       // Some slivers and points.
       triangles.emplace_back(corner, corner + side,
                              corner + (i % 7 == 0   ? side
                                        : i % 7 == 1 ? side * T(0.5)
-                                                    : cast<T>(random_vector(random, 0.5f))));
+                                                    : converted<T>(random_vector(random, 0.5f))));
       planes.emplace_back();
       pairs.push_back({static_cast<std::uint32_t>(random() % count), static_cast<std::uint32_t>(random() % count)});
     }
@@ -296,7 +297,7 @@ struct RoundsAndTriangles {
     static constexpr float scales[] = {1, 1e-4f, 1e-2f, 1e2f, 1e4f};
     for (std::uint32_t i = 0; i < count; ++i) {
       const float scale = scales[i % 5];
-      const auto vector = [&](float reach) { return cast<T>(random_vector(random, reach * scale)); };
+      const auto vector = [&](float reach) { return converted<T>(random_vector(random, reach * scale)); };
       const Vec3<T> away = i % 10 == 5 ? vector(1e4f) : Vec3<T>{}, p = vector(1);
       Vec3<T> q = vector(1), r = vector(1);
       if (i % 16 == 1) q = p;
@@ -307,13 +308,13 @@ struct RoundsAndTriangles {
               height = i % 13 == 0 ? T(0) : T(scale) * T(uniform(random, 0.1f, 2));
       balls.emplace_back(radius, i % 4 == 0 ? vector(0.5f) : Vec3<T>{});
       capsules.emplace_back(height, radius, i % 17 == 0 ? radius / 2 : radius);
-      const Quat<T> turn = i % 3 == 0 ? Quat<T>{} : cast<T>(random_rotation(random));
+      const Quat<T> turn = i % 3 == 0 ? Quat<T>{} : converted<T>(random_rotation(random));
       triangles_at.push_back({away, turn});
       // Over the triangle's middle, and just its radius away, or anywhere.
       const Vec3<T> n = rotate(turn, normalized(cross(q - p, r - p))), middle = rotate(turn, (p + q + r) * T(1.0 / 3));
       const bool exact = i % 6 == 0;
       at.push_back({exact ? away + middle + n * radius : away + vector(i % 6 == 1 ? 0.01f : 0.8f),
-                    i % 6 < 2 ? turn : cast<T>(random_rotation(random))});
+                    i % 6 < 2 ? turn : converted<T>(random_rotation(random))});
       pairs.push_back({static_cast<std::uint32_t>(random() % count), static_cast<std::uint32_t>(random() % count)});
     }
   }
@@ -354,17 +355,18 @@ void expect_same_of_lying() {
     const Vec3d size{some(0.3, 2), some(0.3, 2), some(0.3, 2)};
     rods.emplace_back(T(some(0.3, 1.6)), T(radius));
     others.emplace_back(T(some(0.3, 1.6)), T(radius));
-    boxes.emplace_back(cast<T>(size));
+    boxes.emplace_back(converted<T>(size));
     const Vec3d half = size * 0.5, away{some(-1, 1), i % 4 == 0 ? some(-1, 1) : 0, some(-1, 1)};
-    triangles.emplace_back(cast<T>(half), cast<T>(Vec3d{half.x, half.y, -half.z}), cast<T>(half - away));
-    const Posed floor{cast<double>(random_vector(random, 1.0f)), normalized(cast<double>(random_rotation(random)))};
+    triangles.emplace_back(converted<T>(half), converted<T>(Vec3d{half.x, half.y, -half.z}), converted<T>(half - away));
+    const Posed floor{converted<double>(random_vector(random, 1.0f)),
+                      normalized(converted<double>(random_rotation(random)))};
     const Quatd side =
         Quatd::from_axis_angle({0, 1, 0}, some(0, 6)) * Quatd::from_axis_angle({0, 0, 1}, quarter + lean);
     const Posed rod =
         compose(floor, Posed{{some(-0.6, 0.6) * size.x, size.y / 2 + radius + some(-0.05, 0.05), 0}, side});
-    ground.push_back(cast<T>(floor));
-    on.push_back(cast<T>(rod));
-    beside.push_back(cast<T>(compose(
+    ground.push_back(converted<T>(floor));
+    on.push_back(converted<T>(rod));
+    beside.push_back(converted<T>(compose(
         rod, Posed{{2 * radius + some(-0.05, 0.05), some(-1, 1), 0}, Quatd::from_axis_angle({1, 0, 0}, lean)})));
     shapes.emplace_back(rods.back());
   }

@@ -19,7 +19,7 @@ struct Thrown {
 
 template <class T>
 Thrown<T> made(const PlacedSpecimen& placed, const Velocity<float>& v) {
-  return {build<T>(placed.specimen), pose_of<T>(placed), {cast<T>(v.linear), cast<T>(v.angular)}};
+  return {build<T>(placed.specimen), pose_of<T>(placed), {converted<T>(v.linear), converted<T>(v.angular)}};
 }
 
 double distance_at(const Thrown<double>& a, const Thrown<double>& b, double t) {

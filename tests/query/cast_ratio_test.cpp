@@ -21,7 +21,7 @@ struct Moving {
   double reach;
 
   Moving(const PlacedSpecimen& p, const Velocity<float>& v) : placed(p), velocity(v), shape(build<double>(p.specimen)) {
-    reach = shape.margin() + shape.visit([](const auto& c) {
+    reach = shape.rounding() + shape.visit([](const auto& c) {
       if constexpr (requires { c.core_radius(); })
         return c.core_extent() + c.core_radius();
       else
@@ -30,26 +30,27 @@ struct Moving {
   }
   template <class T>
   Velocity<T> velocity_in() const {
-    return {cast<T>(velocity.linear), cast<T>(velocity.angular)};
+    return {converted<T>(velocity.linear), converted<T>(velocity.angular)};
   }
   Posed at(double t) const { return pose_at(pose_of<double>(placed), velocity_in<double>(), t); }
 };
 
 /// A large shape, and a small one some of its own sizes away that flies at a point of its surface.
 std::pair<Moving, Moving> large_and_small(Kind ka, Kind kb, float ratio, bool turning, Random& random) {
-  const auto point = [&](float reach) { return cast<double>(random_vector(random, reach)); };
+  const auto point = [&](float reach) { return converted<double>(random_vector(random, reach)); };
   Moving a({random_specimen(ka, ratio, random), random_vector(random, ratio), random_rotation(random)}, {});
   Moving b({random_specimen(kb, 1, random), {}, random_rotation(random)}, {});
   const Shape<double> speck{Sphere<double>(0)};
   const Posed afar{a.at(0).translation + normalized(point(1), Vec3d{1, 0, 0}) * (10 * a.reach), {}};
   const Distance<double> seen = distance(a.shape, a.at(0), speck, afar);
   const Vec3d start = seen.a + (seen.normal * 1.2 + point(0.7f)) * (b.reach * 1.5);
-  b.placed.translation = cast<float>(start);
+  b.placed.translation = converted<float>(start);
   // Half of them go a few of their own sizes, half of them a few of the large one's.
   const double step = static_cast<double>(uniform(random, 2, 6) * (random() % 2 ? 1 : ratio)) * b.reach;
   const Vec3f common = random_vector(random, 1);
   a.velocity.linear = common;
-  b.velocity.linear = common + cast<float>(normalized(seen.a + point(0.6f) * b.reach - start, Vec3d{1, 0, 0}) * step);
+  b.velocity.linear =
+      common + converted<float>(normalized(seen.a + point(0.6f) * b.reach - start, Vec3d{1, 0, 0}) * step);
   if (turning) b.velocity.angular = random_vector(random, 6);
   return {a, b};
 }
@@ -59,7 +60,7 @@ class RatioCase {
  public:
   RatioCase(const Moving& a, const Moving& b) : a_(a), b_(b) {
     const auto scale = [](double size) { return static_cast<double>(cast_tolerance<T>) * size; };
-    const double path = length(cast<double>(b.velocity.linear)) + length(a.at(0).translation) + a.reach;
+    const double path = length(converted<double>(b.velocity.linear)) + length(a.at(0).translation) + a.reach;
     tolerance_ = 4 * scale(least(a.reach, b.reach)) + 1e-9 * a.reach +
                  4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * path;
     for (const Moving* m : {&a, &b})

@@ -35,7 +35,7 @@ struct Mover {
   }
   template <class T>
   Velocity<T> velocity() const {
-    return {graze::cast<T>(linear), graze::cast<T>(angular)};
+    return {graze::converted<T>(linear), graze::converted<T>(angular)};
   }
 };
 
@@ -44,8 +44,8 @@ class ReferenceMover {
  public:
   explicit ReferenceMover(const Mover& m)
       : start_(reference_of(m.placed)),
-        linear_(vector_of(graze::cast<double>(m.linear))),
-        angular_(vector_of(graze::cast<double>(m.angular))) {}
+        linear_(vector_of(graze::converted<double>(m.linear))),
+        angular_(vector_of(graze::converted<double>(m.angular))) {}
 
   reference::Placed at(Real t) const {
     reference::Placed p = start_;
@@ -87,7 +87,7 @@ struct CastCase {
     Real told = size;
     for (const Shape<double>* shape : {&shape_a, &shape_b})
       if (const auto* user = shape->template as<UserConvex<double>>())
-        told = std::max(told, static_cast<Real>(user->core_extent() + shape->margin()));
+        told = std::max(told, static_cast<Real>(user->core_extent() + shape->rounding()));
     return tolerance + static_cast<Real>(cast_tolerance<T>) * (told - size);
   }
 
@@ -144,7 +144,8 @@ template <class T>
 void check_contact(const CastCase<T>& c, const CastHit<T>& hit) {
   const Real t = hit.t;
   const reference::Placed a = c.ra.at(t), b = c.rb.at(t);
-  const reference::Vector n = vector_of(graze::cast<double>(hit.normal)), p = vector_of(graze::cast<double>(hit.point));
+  const reference::Vector n = vector_of(graze::converted<double>(hit.normal)),
+                          p = vector_of(graze::converted<double>(hit.point));
   const Real moved = std::is_same_v<T, float> ? 4e-6L * (c.size + c.reach()) : 0;
   const Real allowed = c.tolerance + moved;
   EXPECT_NEAR(static_cast<double>(reference::length(n)), 1, (std::is_same_v<T, float> ? 1e-6 : 1e-12));

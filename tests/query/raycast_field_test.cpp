@@ -7,9 +7,9 @@
 
 #include "common/specimen.hpp"
 #include "graze/batch_raycast.hpp"
-#include "narrow/rays/field_walk.hpp"
-#include "narrow/rays/sheared.hpp"
 #include "query/as_alone.hpp"
+#include "rays/height_field_traversal.hpp"
+#include "rays/ray_triangle.hpp"
 #include "shape/height_field_data.hpp"
 
 namespace graze::testing {
@@ -34,8 +34,8 @@ std::vector<Ray<T>> field_rays(Random& random, const HeightFieldData<T>& field, 
   while (rays.size() < count) {
     Vec3<T> to = field.triangle(static_cast<std::uint32_t>(random() % field.size()))[random() % 3];
     if (!(to == to)) continue;
-    if (!at_corners || random() % 2 == 0) to = to + cast<T>(random_vector(random, 0.5f)) * field.spacing_x;
-    Vec3<T> along = cast<T>(random_vector(random, 1));
+    if (!at_corners || random() % 2 == 0) to = to + converted<T>(random_vector(random, 0.5f)) * field.spacing_x;
+    Vec3<T> along = converted<T>(random_vector(random, 1));
     if (random() % 2 == 0) along.y = along.y / T(8);
     if (random() % 3 == 0) along[random() % 3] = T(0);
     if (random() % 9 == 0) along = {T(0), T(random() % 2 == 0 ? 1 : -1), T(0)};
@@ -116,8 +116,8 @@ TYPED_TEST(RaycastField, AnswersManyRaysAsEachAlone) {
   for (const auto& [columns, rows] : field_sizes) {
     const Shape<T> shape = bumpy<T>(random, columns, rows, T(0.5), random() % 2 == 0);
     const HeightFieldData<T>& data = shape.template as<HeightField<T>>()->data();
-    for (const Pose<T>& pose :
-         {Pose<T>{}, Pose<T>{cast<T>(random_vector(random, 9)), normalized(cast<T>(random_rotation(random)))}}) {
+    for (const Pose<T>& pose : {Pose<T>{}, Pose<T>{converted<T>(random_vector(random, 9)),
+                                                   normalized(converted<T>(random_rotation(random)))}}) {
       std::vector<Ray<T>> rays = field_rays(random, data, 500);
       for (Ray<T>& ray : rays) ray = {transform(pose, ray.origin), rotate(pose.rotation, ray.direction)};
       const T end = random() % 2 == 0 ? std::numeric_limits<T>::infinity() : length(data.bounds().extent());
@@ -141,10 +141,10 @@ TYPED_TEST(RaycastField, GivesTheSameBitsAtEveryLevel) {
   Random random(4);
   const HeightField<T> field = bumpy<T>(random, 70, 33, T(0.5), true);
   const HeightFieldData<T>& data = field.data();
-  const Vec3d center = cast<double>(data.bounds().center());
+  const Vec3d center = converted<double>(data.bounds().center());
   using Cells = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
   const auto nearest = [&](const Ray<T>& ray) {
-    const Vec3d along = normalized(cast<double>(ray.direction)), from = cast<double>(ray.origin);
+    const Vec3d along = normalized(converted<double>(ray.direction)), from = converted<double>(ray.origin);
     return rays::LocalRay{from + along * dot(center - from, along), along, -1e9, 1e9, 0};
   };
   const auto cells = [&](Isa level, const Ray<T>& ray) {
@@ -189,7 +189,7 @@ TYPED_TEST(RaycastField, GivesTheSameBitsAtEveryLevel) {
       for (std::uint32_t k = 0; k < field.triangle_numbers(); ++k) {
         if (!field.has_triangle(k)) continue;
         const auto p = field.triangle(k);
-        const auto corner = [&](std::size_t i) { return sheared(cast<double>(p[i])); };
+        const auto corner = [&](std::size_t i) { return sheared(converted<double>(p[i])); };
         const auto kind = rays::crossing(corner(0), corner(1), corner(2)).kind;
         if (kind != rays::Crossing::front && kind != rays::Crossing::back) continue;
         const std::pair cell{k / 2 % 69, k / 2 / 69};

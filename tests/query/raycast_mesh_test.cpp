@@ -28,7 +28,7 @@ bool holds(const Surface<T>& s, const Vec3<T>& point) {
   double whole = 0;
   for (const Index& t : s.triangles) {
     Vec3d p[3];
-    for (std::size_t i = 0; i < 3; ++i) p[i] = normalized(cast<double>(s.points[t[i]]) - cast<double>(point));
+    for (std::size_t i = 0; i < 3; ++i) p[i] = normalized(converted<double>(s.points[t[i]]) - converted<double>(point));
     whole += 2 * std::atan2(dot(p[0], cross(p[1], p[2])), 1 + dot(p[0], p[1]) + dot(p[1], p[2]) + dot(p[2], p[0]));
   }
   return std::abs(whole) > 6.283185307179586;
@@ -97,7 +97,7 @@ Surface<T> torus(std::uint32_t around, std::uint32_t across) {
     for (std::uint32_t k = 0; k < across; ++k) {
       const double u = 6.283185307179586 * i / around, v = 6.283185307179586 * k / across;
       const double rho = 1 + 0.3 * std::cos(v);
-      s.points.push_back(cast<T>(Vec3d{rho * std::cos(u), 0.3 * std::sin(v), rho * std::sin(u)}));
+      s.points.push_back(converted<T>(Vec3d{rho * std::cos(u), 0.3 * std::sin(v), rho * std::sin(u)}));
       const auto at = [&](std::uint32_t a, std::uint32_t b) { return (a % around) * across + b % across; };
       s.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
       s.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
@@ -193,7 +193,7 @@ TYPED_TEST(RaycastMesh, AnswersAsEveryTriangleByItself) {
     const Shape<T> mesh(Mesh<T>(surface.points, surface.triangles));
     const T tol = tolerance<T> * T(4);
     for (int i = 0; i < 400; ++i) {
-      const Vec3<T> from = cast<T>(random_vector(random, 2)), to = cast<T>(random_vector(random, 1));
+      const Vec3<T> from = converted<T>(random_vector(random, 2)), to = converted<T>(random_vector(random, 1));
       const Ray<T> ray{from, to - from};
       std::vector<RayHit<T>> hits, single;
       raycast_all(mesh, {}, ray, hits);
@@ -234,8 +234,8 @@ TYPED_TEST(RaycastMesh, AnswersTheSameAtEverySizeAndPlace) {
       const Shape<T> mesh(Mesh<T>(surface.points, surface.triangles));
       std::size_t met = 0;
       for (int i = 0; i < 300; ++i) {
-        const Vec3<T> from = cast<T>(random_vector(random, 2)) * size + middle;
-        Ray<T> ray{from, cast<T>(random_vector(random, 1)) * size + middle - from};
+        const Vec3<T> from = converted<T>(random_vector(random, 2)) * size + middle;
+        Ray<T> ray{from, converted<T>(random_vector(random, 1)) * size + middle - from};
         if (i % 3 == 0) ray.direction[random() % 3] = T(0);
         if (i % 9 == 0) ray.direction = {T(0), T(i % 2 == 0 ? 1 : -1), T(0)};
         std::vector<RayHit<T>> hits;

@@ -34,7 +34,7 @@ struct RayCase {
   /// What an answer may be off by: the shape's share and the ray's, whose origin is as exact as its distance allows.
   /// `t` adds to it where a half-space is met further away than that: it is known in relative terms only.
   double tolerance_from(const Vec3d& origin, double t = 0) const {
-    const double afar = length(origin - cast<double>(pose.translation)) + t;
+    const double afar = length(origin - converted<double>(pose.translation)) + t;
     return static_cast<double>(tolerance<T>) * size +
            16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * afar;
   }
@@ -42,13 +42,13 @@ struct RayCase {
 
 template <class T>
 Ray<T> random_ray(double scale, double afar, Random& random) {
-  const Vec3d target = cast<double>(random_vector(random, static_cast<float>(0.5 * scale)));
-  const Vec3d from = normalized(cast<double>(random_vector(random, 1))) * (afar * scale);
+  const Vec3d target = converted<double>(random_vector(random, static_cast<float>(0.5 * scale)));
+  const Vec3d from = normalized(converted<double>(random_vector(random, 1))) * (afar * scale);
   // Directions of any length, some along an axis.
   Vec3d direction = (target - from) * static_cast<double>(uniform(random, 0.01f, 10));
   if (random() % 8 == 0) direction = scaled(direction, Vec3d{1, 0, random() % 2 ? 1.0 : 0.0});
   if (direction == Vec3d{}) direction = {1, 0, 0};
-  return {cast<T>(from), cast<T>(direction)};
+  return {converted<T>(from), converted<T>(direction)};
 }
 
 /// The least value of a convex function between two places.
@@ -66,8 +66,8 @@ double least_value(double low, double high, const F& f) {
 
 template <class T>
 void expect_proven_hit(const RayCase<T>& c, const Ray<T>& ray, const RayHit<T>& hit) {
-  const Vec3d origin = cast<double>(ray.origin), direction = normalized(cast<double>(ray.direction));
-  const Vec3d point = cast<double>(hit.point), normal = cast<double>(hit.normal);
+  const Vec3d origin = converted<double>(ray.origin), direction = normalized(converted<double>(ray.direction));
+  const Vec3d point = converted<double>(hit.point), normal = converted<double>(hit.normal);
   const double t = static_cast<double>(hit.t), tol = c.tolerance_from(origin, t);
   const double unit = 8 * static_cast<double>(std::numeric_limits<T>::epsilon());
   ASSERT_GE(t, 0);
@@ -86,8 +86,8 @@ void expect_proven_hit(const RayCase<T>& c, const Ray<T>& ray, const RayHit<T>& 
 
 template <class T>
 void expect_proven_miss(const RayCase<T>& c, const Ray<T>& ray) {
-  const Vec3d origin = cast<double>(ray.origin), direction = normalized(cast<double>(ray.direction));
-  const double far = length(origin - cast<double>(c.pose.translation)) + 2 * c.size + 1e-3;
+  const Vec3d origin = converted<double>(ray.origin), direction = normalized(converted<double>(ray.direction));
+  const double far = length(origin - converted<double>(c.pose.translation)) + 2 * c.size + 1e-3;
   const double tol = c.tolerance_from(origin);
   // Outside the reference closed form is the distance; that of a point that just is in the shape must be of no depth.
   const auto outside = [&](double t) {
@@ -95,7 +95,7 @@ void expect_proven_miss(const RayCase<T>& c, const Ray<T>& ray) {
   };
   if (least_value(0, far, outside) > 0) return;
   const auto signed_distance = [&](double t) {
-    return static_cast<double>(closest(c.shape, c.pose, cast<T>(origin + direction * t)).distance);
+    return static_cast<double>(closest(c.shape, c.pose, converted<T>(origin + direction * t)).distance);
   };
   ASSERT_GE(least_value(0, far, signed_distance), -tol);
 }
@@ -103,11 +103,11 @@ void expect_proven_miss(const RayCase<T>& c, const Ray<T>& ray) {
 /// The same without convexity: no point of the ray is inside before the hit, nor any point of a miss.
 template <class T>
 void expect_outside_before(const RayCase<T>& c, const Ray<T>& ray, const std::optional<RayHit<T>>& hit) {
-  const Vec3d origin = cast<double>(ray.origin), direction = normalized(cast<double>(ray.direction));
+  const Vec3d origin = converted<double>(ray.origin), direction = normalized(converted<double>(ray.direction));
   if (hit && hit->t == T(0)) return;  // proven to begin inside
   const double far = hit ? static_cast<double>(hit->t) : length(origin) + 2 * c.size;
   for (int i = 0; i < 200; ++i) {
-    const Vec3<T> p = cast<T>(origin + direction * (far * i / 200));
+    const Vec3<T> p = converted<T>(origin + direction * (far * i / 200));
     ASSERT_GE(static_cast<double>(closest(c.shape, c.pose, p).distance), -c.tolerance_from(origin));
   }
 }
@@ -129,7 +129,7 @@ void check_ray(const RayCase<T>& c, const Ray<T>& ray, Tally& tally) {
     expect_proven_miss(c, ray);
   if (tally.rays % 200 == 0) expect_outside_before(c, ray, hit);
   if (hit && hit->t > T(0)) {
-    const T slack = static_cast<T>(c.tolerance_from(cast<double>(ray.origin), static_cast<double>(hit->t)));
+    const T slack = static_cast<T>(c.tolerance_from(converted<double>(ray.origin), static_cast<double>(hit->t)));
     ASSERT_TRUE(raycast(c.shape, c.pose, ray, hit->t + slack));
     ASSERT_FALSE(raycast(c.shape, c.pose, ray, hit->t * T(0.99)));
   }
@@ -176,7 +176,7 @@ TEST_P(RaycastKind, Degenerate) {
       Ray<double> ray = random_ray<double>(1, 3, random);
       if (k < 2) {  // from lattice to lattice: along faces, through edges and corners
         const PlacedSpecimen from = on_lattice(c.placed.specimen, 1, random), to = on_lattice(from.specimen, 1, random);
-        ray = {cast<double>(from.translation), cast<double>(to.translation - from.translation)};
+        ray = {converted<double>(from.translation), converted<double>(to.translation - from.translation)};
         if (ray.direction == Vec3d{}) ray.direction = {0, 0, 1};
       }
       SCOPED_TRACE(describe(c.placed));
@@ -284,10 +284,11 @@ TEST(Raycast, CompoundsNameTheChild) {
 TEST(Raycast, ThinThingsAreMetWhenAimedAt) {
   Random random(5);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3d a = cast<double>(random_vector(random, 1)), b = cast<double>(random_vector(random, 1));
+    const Vec3d a = converted<double>(random_vector(random, 1)), b = converted<double>(random_vector(random, 1));
     const Vec3d target = a + (b - a) * static_cast<double>(uniform(random, 0, 1));
-    const Vec3d from = cast<double>(random_vector(random, 5));
-    const Pose<double> pose{cast<double>(random_vector(random, 3)), normalized(cast<double>(random_rotation(random)))};
+    const Vec3d from = converted<double>(random_vector(random, 5));
+    const Pose<double> pose{converted<double>(random_vector(random, 3)),
+                            normalized(converted<double>(random_rotation(random)))};
     const auto hit = raycast(Shape<double>(LineSegment<double>(a, b)), pose,
                              {transform(pose, from), rotate(pose.rotation, target - from)});
     ASSERT_TRUE(hit);

@@ -17,7 +17,7 @@ TEST(Swept, OverlapsWhatTheMovingShapeHits) {
                            random_rotation(random)};
     const PlacedSpecimen b{random_specimen(static_cast<Kind>(i / bounded_kinds % bounded_kinds), 1, random),
                            random_vector(random, 3), random_rotation(random)};
-    const Vec3d motion = cast<double>(random_vector(random, 4));
+    const Vec3d motion = converted<double>(random_vector(random, 4));
     const Shaped sa = build<double>(a.specimen), sb = build<double>(b.specimen);
     const Posed pa = pose_of<double>(a), pb = pose_of<double>(b);
     const double gap = distance(swept(sa, pa, motion), pa, sb, pb).distance;

@@ -106,7 +106,7 @@ TEST(Trace, ContactsOfBoxesStandOnTheWinner) {
   for (int i = 0; i < 2000; ++i) {
     const Shape<double> a = Box<double>({1, 1, 1}), b = Box<double>({1, 0.5, 2});
     const Pose<double> pose_a{},
-        pose_b{cast<double>(random_vector(random, 0.8f)), normalized(cast<double>(random_rotation(random)))};
+        pose_b{converted<double>(random_vector(random, 0.8f)), normalized(converted<double>(random_rotation(random)))};
     Manifolds<double> manifolds, alone;
     Trace trace;
     contacts(a, pose_a, b, pose_b, 0.0, manifolds, &trace);

@@ -89,7 +89,7 @@ TYPED_TEST(HeightFields, ThePyramidMissesNothing) {
     heights[0] = heights[1] = heights[columns] = heights[columns + 1] = T(0);
     const HeightField<T> field(columns, rows, heights, T(0.7), T(1.3));
     const HeightFieldData<T>& data = field.data();
-    const Vec3<T> p = cast<T>(random_vector(random, 12));
+    const Vec3<T> p = converted<T>(random_vector(random, 12));
     const BoxQuestion<T> question{inflated(Aabb<T>{p, p}, T(uniform(random, 0, 3)))};
     const T limit = T(uniform(random, 0, 2));
     std::set<std::uint32_t> found;
@@ -114,7 +114,7 @@ TYPED_TEST(HeightFields, ThePyramidMissesNothing) {
     // What the grid tells without a search: of a small region, at a corner of the grid in one case of two.
     const std::array<Vec3<T>, 3> some =
         field.triangle(2 * (static_cast<std::uint32_t>(random() % ((columns - 1) * (rows - 1)))));
-    const Vec3<T> q = random() % 2 == 0 ? some[random() % 3] : cast<T>(random_vector(random, 12));
+    const Vec3<T> q = random() % 2 == 0 ? some[random() % 3] : converted<T>(random_vector(random, 12));
     const Aabb<T> near = inflated(Aabb<T>{{q.x, -1, q.z}, {q.x, 1, q.z}}, T(uniform(random, 0, 1e-3f)));
     std::set<std::uint32_t> told;
     auto tell = [&](std::uint32_t t) { EXPECT_TRUE(field.has_triangle(t) && told.insert(t).second); };
@@ -125,7 +125,7 @@ TYPED_TEST(HeightFields, ThePyramidMissesNothing) {
 
     // The bounds under a pose contain every corner, and are not wider than that but for rounding and what
     // `loose_bounds` allows.
-    const Pose<T> pose{cast<T>(random_vector(random, 5)), normalized(cast<T>(random_rotation(random)))};
+    const Pose<T> pose{converted<T>(random_vector(random, 5)), normalized(converted<T>(random_rotation(random)))};
     const Aabb<T> bounds = graze::bounds(Shape<T>(field), pose);
     Aabb<T> corners = Aabb<T>::empty();
     for (std::uint32_t t = 0; t < field.triangle_numbers(); ++t)

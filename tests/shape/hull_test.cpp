@@ -14,10 +14,10 @@ template <class T>
 std::vector<Vec3<T>> ball(std::size_t count, Random& random, bool on_surface) {
   std::vector<Vec3<T>> points;
   while (points.size() < count) {
-    const Vec3d p = cast<double>(random_vector(random, 1));
+    const Vec3d p = converted<double>(random_vector(random, 1));
     const double l = length(p);
     if (l > 1 || l < 0.1) continue;
-    points.push_back(cast<T>(on_surface ? p / l : p));
+    points.push_back(converted<T>(on_surface ? p / l : p));
   }
   return points;
 }
@@ -31,7 +31,8 @@ void check(const std::vector<Vec3<T>>& points, const ConvexHull<T>& hull) {
     EXPECT_NEAR(static_cast<double>(length(plane.normal)), 1, 1e-6);
     double outside = -1e300;
     for (const Vec3<T>& p : points)
-      outside = std::max(outside, dot(cast<double>(plane.normal), cast<double>(p)) - static_cast<double>(plane.offset));
+      outside = std::max(outside, dot(converted<double>(plane.normal), converted<double>(p)) -
+                                      static_cast<double>(plane.offset));
     // A float's normal is itself rounded; what it leans reaches as far as the points do.
     EXPECT_LE(outside, tolerance + 4 * static_cast<double>(std::numeric_limits<T>::epsilon() * data.extent));
   }
@@ -52,10 +53,11 @@ template <class T>
 void check_support(const ConvexHull<T>& hull, Random& random, int directions) {
   const auto& vertices = hull.data().vertices;
   for (int i = 0; i < directions; ++i) {
-    const Vec3d d = normalized(cast<double>(random_vector(random, 1)));
+    const Vec3d d = normalized(converted<double>(random_vector(random, 1)));
     double most = -1e300;
-    for (const Vec3<T>& v : vertices) most = std::max(most, dot(cast<double>(v), d));
-    EXPECT_NEAR(dot(cast<double>(vertices[hull.support_vertex(d)]), d), most, static_cast<double>(hull.tolerance()));
+    for (const Vec3<T>& v : vertices) most = std::max(most, dot(converted<double>(v), d));
+    EXPECT_NEAR(dot(converted<double>(vertices[hull.support_vertex(d)]), d), most,
+                static_cast<double>(hull.tolerance()));
   }
 }
 
@@ -78,11 +80,12 @@ template <class T>
 void turned_cubes() {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const Quatd q = normalized(cast<double>(random_rotation(random)));
-    const Vec3d offset = cast<double>(random_vector(random, 10));
+    const Quatd q = normalized(converted<double>(random_rotation(random)));
+    const Vec3d offset = converted<double>(random_vector(random, 10));
     std::vector<Vec3<T>> points;
     for (int k = 0; k < 8; ++k)
-      points.push_back(cast<T>(offset + rotate(q, Vec3d{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0})));
+      points.push_back(
+          converted<T>(offset + rotate(q, Vec3d{k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0})));
     const ConvexHull<T> hull(points);
     EXPECT_EQ(hull.data().planes.size(), 6u);
     check(points, hull);
@@ -124,7 +127,7 @@ TEST(ConvexHull, SliversKeepTheirTips) {
     check(points, hull);
     for (int i = 0; i < 50; ++i) {
       const Vec3d d = i < 3 ? Vec3d{double(i == 0), double(i == 1), double(i == 2)}
-                            : normalized(cast<double>(random_vector(random, 1)));
+                            : normalized(converted<double>(random_vector(random, 1)));
       const auto reach = [&](const std::vector<Vec3d>& of) {
         double most = -1e300;
         for (const Vec3d& p : of) most = std::max(most, dot(p, d));
@@ -135,7 +138,7 @@ TEST(ConvexHull, SliversKeepTheirTips) {
     points.clear();
     const double thin = std::pow(10.0, uniform(random, -13, -9));
     for (std::size_t i = 4 + random() % 30; i > 0; --i) {
-      const Vec3d p = cast<double>(random_vector(random, 1));
+      const Vec3d p = converted<double>(random_vector(random, 1));
       points.push_back({p.x * thin, p.y, p.z});
     }
   }
@@ -149,7 +152,7 @@ TEST(ConvexHull, HoldsEveryKindOfPoints) {
     case 1:  // every point twice, and once more nearby
       for (std::size_t i = 0, n = points.size(); i < n; ++i) {
         points.push_back(points[i]);
-        points.push_back(points[i] + cast<double>(random_vector(random, 1e-15f)));
+        points.push_back(points[i] + converted<double>(random_vector(random, 1e-15f)));
       }
       break;
     case 2:  // a lattice: many coplanar and collinear
@@ -170,7 +173,7 @@ TEST(ConvexHull, HoldsEveryKindOfPoints) {
     check(points, hull);
     check_support(hull, random, 50);
     std::vector<Vec3f> singles;
-    for (const Vec3d& p : points) singles.push_back(cast<float>(p));
+    for (const Vec3d& p : points) singles.push_back(converted<float>(p));
     check(singles, ConvexHull<float>(singles));
   }
 }
@@ -212,8 +215,8 @@ void support_is_the_scan(double scale) {
     const HullData<T>& data = hull.data();
     if (data.vertices.size() > 32) continue;
     std::vector<Vec3<S>> directions;
-    for (int i = 0; i < 100; ++i) directions.push_back(cast<S>(random_vector(random, 1)));
-    for (const Plane<T>& plane : data.planes) directions.push_back(cast<S>(plane.normal));
+    for (int i = 0; i < 100; ++i) directions.push_back(converted<S>(random_vector(random, 1)));
+    for (const Plane<T>& plane : data.planes) directions.push_back(converted<S>(plane.normal));
     for (const Vec3<S>& unit : directions)
       for (const double reach : {1.0, 1e-30, 1e25}) {
         const Vec3<S> d = unit * static_cast<S>(reach);

@@ -106,9 +106,10 @@ TEST(Mass, MovesAndScalesWithTheShape) {
   Random random(6);
   for (int i = 0; i < 50; ++i) {
     std::vector<Vec3d> points, moved, doubled;
-    const Posed pose{cast<double>(random_vector(random, 1000)), normalized(cast<double>(random_rotation(random)))};
+    const Posed pose{converted<double>(random_vector(random, 1000)),
+                     normalized(converted<double>(random_rotation(random)))};
     for (int k = 0; k < 20; ++k) {
-      points.push_back(cast<double>(random_vector(random, 1)));
+      points.push_back(converted<double>(random_vector(random, 1)));
       moved.push_back(transform(pose, points.back()));
       doubled.push_back(points.back() * 2.0);
     }

@@ -23,7 +23,7 @@ TEST(Shape, SupportAgreesWithTheReference) {
                              {}};
       const Shaped shape = build<double>(s.specimen);
       const reference::Placed placed = reference_of(s);
-      const Vec3d d = cast<double>(random_vector(random, 1));
+      const Vec3d d = converted<double>(random_vector(random, 1));
       const Vec3d point = support(shape, d);
       EXPECT_NEAR(dot(point, normalized(d)), static_cast<double>(reference::support_value(placed, vector_of(d))), 1e-12)
           << describe(s);
@@ -40,7 +40,7 @@ TEST(Shape, FacesLieOnTheirShapeAndFaceTheirDirection) {
       s.specimen.margin = 0;
       const Shaped shape = build<double>(s.specimen);
       const reference::Placed placed = reference_of(s);
-      Vec3d d = normalized(cast<double>(random_vector(random, 1)));
+      Vec3d d = normalized(converted<double>(random_vector(random, 1)));
       if (i % 3 == 0) d = normalized(Vec3d{std::round(d.x), std::round(d.y), std::round(d.z)});
       shape.visit([&](const auto& c) {
         if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) {
@@ -109,7 +109,7 @@ TEST(Shape, ConstructorsNameWhatTheyRefuse) {
   EXPECT_EQ(refusal([] { Capsule<double>(1, 2, -1); }), "radiusTop: expected a finite number >= 0, got -1");
   EXPECT_EQ(refusal([] { Cylinder<double>(-1, 2); }), "height: expected a finite number >= 0, got -1");
   EXPECT_EQ(refusal([] { Rectangle<double>(1, -1); }), "sizeZ: expected a finite number >= 0, got -1");
-  EXPECT_EQ(refusal([] { Shaped(Sphere<double>(1), -1); }), "margin: expected a finite number >= 0, got -1");
+  EXPECT_EQ(refusal([] { Shaped(Sphere<double>(1), -1); }), "rounding: expected a finite number >= 0, got -1");
   EXPECT_EQ(refusal([] { UserConvex<double>(nullptr); }), "function: expected a support function, got null");
   EXPECT_EQ(refusal([&] {
               Triangle<double>({0, 0, 0}, {1, 0, 0}, {0, inf, 0});

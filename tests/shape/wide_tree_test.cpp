@@ -15,8 +15,8 @@ template <class T>
 std::vector<TreePiece<T>> random_pieces(Random& random, std::size_t count, float reach, float size, float offset) {
   std::vector<TreePiece<T>> pieces;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Vec3<T> p = cast<T>(random_vector(random, reach)) + Vec3<T>{T(offset), T(0), T(0)};
-    const Vec3<T> e = cast<T>(abs(random_vector(random, size)));
+    const Vec3<T> p = converted<T>(random_vector(random, reach)) + Vec3<T>{T(offset), T(0), T(0)};
+    const Vec3<T> e = converted<T>(abs(random_vector(random, size)));
     pieces.push_back({{p - e, p + e}, i});
   }
   return pieces;
@@ -46,7 +46,7 @@ TYPED_TEST(WideTrees, FindEverythingNearARegion) {
         const WideTree<T> tree(pieces);
         EXPECT_EQ(tree.size(), count);
         for (int k = 0; k < 20; ++k) {
-          const Vec3<T> p = cast<T>(random_vector(random, scale * 1.5f)) + Vec3<T>{T(offset * scale), T(0), T(0)};
+          const Vec3<T> p = converted<T>(random_vector(random, scale * 1.5f)) + Vec3<T>{T(offset * scale), T(0), T(0)};
           const Aabb<T> region = inflated(Aabb<T>{p, p}, T(scale * uniform(random, 0, 0.3f)));
           const T limit = T(scale * uniform(random, 0, 0.3f));
           const std::set<std::uint32_t> found = pieces_within(tree, region, limit);
@@ -66,7 +66,7 @@ TYPED_TEST(WideTrees, AShrinkingLimitLeavesLittleToVisit) {
   const WideTree<T> tree(pieces);
   std::size_t visited = 0;
   for (int k = 0; k < 50; ++k) {
-    const Vec3<T> p = cast<T>(random_vector(random, 12));
+    const Vec3<T> p = converted<T>(random_vector(random, 12));
     const BoxQuestion<T> question{{p, p}};
     T best = std::numeric_limits<T>::infinity(), expected = best;
     const auto distance = [&](const Aabb<T>& box) { return std::sqrt(std::max(question(box), T(0))); };
@@ -94,7 +94,8 @@ TYPED_TEST(WideTrees, FindEverythingOnARay) {
   const WideTree<T> tree(pieces);
   const T inf = std::numeric_limits<T>::infinity();
   for (int k = 0; k < 300; ++k) {
-    Vec3<T> origin = cast<T>(random_vector(random, 15)), direction = normalized(cast<T>(random_vector(random, 1)));
+    Vec3<T> origin = converted<T>(random_vector(random, 15)),
+            direction = normalized(converted<T>(random_vector(random, 1)));
     if (k % 2 == 0) {
       origin = {T(random() % 9), T(random() % 9), T(random() % 9)};
       direction = {T(0), T(0), T(0)};
@@ -113,7 +114,8 @@ TYPED_TEST(WideTrees, FindEverythingOnARay) {
     // The same with doubles on whatever the tree holds.
     std::size_t wide = 0;
     visit_ray(
-        tree, cast<double>(origin), cast<double>(inverse), [&] { return 1e9; }, [&](std::uint32_t) { ++wide; });
+        tree, converted<double>(origin), converted<double>(inverse), [&] { return 1e9; },
+        [&](std::uint32_t) { ++wide; });
     EXPECT_GE(wide, found.size());
   }
 }
@@ -148,7 +150,7 @@ TYPED_TEST(WideTrees, FindEveryPairOfTwo) {
     const auto pieces_a = random_pieces<T>(random, 1 + random() % 200, 3, 0.3f, 0),
                pieces_b = random_pieces<T>(random, 1 + random() % 200, 3, 0.3f, 0);
     const WideTree<T> a(pieces_a), b(pieces_b);
-    const Pose<T> b_in_a{cast<T>(random_vector(random, 4)), normalized(cast<T>(random_rotation(random)))};
+    const Pose<T> b_in_a{converted<T>(random_vector(random, 4)), normalized(converted<T>(random_rotation(random)))};
     const T limit = T(uniform(random, 0, 0.5f));
     std::set<std::pair<std::uint32_t, std::uint32_t>> found;
     visit_pairs(

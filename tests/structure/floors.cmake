@@ -3,10 +3,10 @@
 cmake_minimum_required(VERSION 3.22)
 
 set(floors
-    "^src/lanes/|^include/graze/[a-z0-9_]+\\.hpp$"
+    "^src/simd/|^include/graze/[a-z0-9_]+\\.hpp$"
     "^src/shape/|^include/graze/(shape[./]|swept\\.hpp$)"
-    "^src/(narrow|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs)\\.hpp$)"
-    "^src/mid/"
+    "^src/(narrow|cast|rays|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs)\\.hpp$)"
+    "^src/composite/"
     "^src/query/|^include/graze/(query|cast|raycast|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$)"
     "^src/dynamics/|^include/graze/(free_motion|impulse|blows|mass|material)\\.hpp$"

@@ -31,8 +31,8 @@ TYPED_TEST(Impacts, FastBodiesAreToldWhatTheyWouldPassThrough) {
       const bool turns = random() % 2 == 0;
       if (body.shape.template as<HalfSpace<T>>()) continue;
       body.fast = i % 3 == 0 && !body.fixed;
-      if (!body.fixed) body.linear = cast<T>(testing::random_vector(random, body.fast ? 40.0f : 2.0f));
-      if (!body.fixed && turns) body.angular = cast<T>(testing::random_vector(random, 2));
+      if (!body.fixed) body.linear = converted<T>(testing::random_vector(random, body.fast ? 40.0f : 2.0f));
+      if (!body.fixed && turns) body.angular = converted<T>(testing::random_vector(random, 2));
       world.add(body);
     }
     const T duration(0.25);

@@ -70,7 +70,7 @@ template <class T>
 Quat<T> random_stand(Draw& draw) {
   const double lean = draw(0, 1) < 0.4 ? 0 : draw(0, 0.3) * draw(0, 1) * draw(0, 1), about = draw(-3, 3);
   const Quatd leans = Quatd::from_axis_angle({std::cos(about), 0, std::sin(about)}, lean);
-  return cast<T>(normalized(leans * Quatd::from_axis_angle({0, 1, 0}, draw(-3.2, 3.2))));
+  return converted<T>(normalized(leans * Quatd::from_axis_angle({0, 1, 0}, draw(-3.2, 3.2))));
 }
 
 template <class T>

@@ -79,7 +79,7 @@ struct Falling {
   }
   /// How far below its origin its lowest point is.
   double below(const Quat<T>& turned) const {
-    const Vec3d up = abs(rotation_matrix(normalized(cast<double>(turned))).row[1]);
+    const Vec3d up = abs(rotation_matrix(normalized(converted<double>(turned))).row[1]);
     return kind == 0 ? size : kind == 1 ? dot(up, Vec3d{size / 2, size * 0.75, size}) : size + size * up.y;
   }
 };
@@ -106,7 +106,7 @@ struct Outcome {
   template <class T>
   void judge(const Falling<T>& body, double width, const Way<T>& way, T t) {
     const double moved =
-        length(cast<double>(way.velocity.linear)) + body.size * length(cast<double>(way.velocity.angular));
+        length(converted<double>(way.velocity.linear)) + body.size * length(converted<double>(way.velocity.angular));
     const double allowed = 16 * static_cast<double>(cast_tolerance<T>) * body.size +
                            4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * moved + 2e-10 * width;
     early += height_at(body, way, t) > allowed;

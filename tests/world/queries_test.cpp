@@ -19,7 +19,8 @@ Shape<T> random_shape(Random& random, float scale = 1) {
 
 template <class T>
 Pose<T> random_pose(Random& random, float reach) {
-  return {cast<T>(testing::random_vector(random, reach)), normalized(cast<T>(testing::random_rotation(random)))};
+  return {converted<T>(testing::random_vector(random, reach)),
+          normalized(converted<T>(testing::random_rotation(random)))};
 }
 
 /// Bodies of all kinds, some of them triggers and in other categories, some moved and removed after an update.
@@ -124,8 +125,8 @@ TYPED_TEST(WorldQueries, Rays) {
   using T = TypeParam;
   std::size_t hits = 0;
   for (int i = 0; i < 200; ++i) {
-    const Ray<T> ray{cast<T>(testing::random_vector(this->random, 8)),
-                     cast<T>(testing::random_vector(this->random, 1))};
+    const Ray<T> ray{converted<T>(testing::random_vector(this->random, 8)),
+                     converted<T>(testing::random_vector(this->random, 1))};
     const T length = i % 2 == 0 ? std::numeric_limits<T>::infinity() : T(5);
     for (const QueryFilter& filter : filters()) {
       std::vector<BodyRayHit<T>> all, found;
@@ -156,8 +157,8 @@ TYPED_TEST(WorldQueries, Casts) {
   for (int i = 0; i < 60; ++i) {
     const Shape<T> shape = random_shape<T>(this->random, 0.5f);
     const Pose<T> pose = random_pose<T>(this->random, 8);
-    Velocity<T> velocity{cast<T>(testing::random_vector(this->random, 6)), {}};
-    if (i % 3 == 0) velocity.angular = cast<T>(testing::random_vector(this->random, 3));
+    Velocity<T> velocity{converted<T>(testing::random_vector(this->random, 6)), {}};
+    if (i % 3 == 0) velocity.angular = converted<T>(testing::random_vector(this->random, 3));
     QueryFilter filter;
     filter.accept = [&](BodyId id) {  // a half-space and what turns
       return i % 3 != 0 || !this->world.bodies().body(id).shape.template as<HalfSpace<T>>();

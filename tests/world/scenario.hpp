@@ -19,7 +19,7 @@ Shape<T> random_shape(Random& random) {
 
 template <class T>
 Pose<T> random_pose(Random& random, float reach) {
-  return {cast<T>(random_vector(random, reach)), cast<T>(random_rotation(random))};
+  return {converted<T>(random_vector(random, reach)), converted<T>(random_rotation(random))};
 }
 
 template <class T>
@@ -83,7 +83,7 @@ class Scenario {
       if (few && random_() % 20 != 0) continue;
       const Body<T> body = world_.bodies().body(id);
       if (body.fixed && random_() % 10 != 0) continue;
-      const auto nudge = cast<T>(random_vector(random_, 0.05f));
+      const auto nudge = converted<T>(random_vector(random_, 0.05f));
       switch (random_() % 40) {
       case 0:
         world_.remove(id);

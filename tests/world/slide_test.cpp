@@ -66,13 +66,14 @@ TEST(Slide, NeverEntersAnything) {
     for (int i = 0; i < 40; ++i) {
       const auto kind = static_cast<testing::Kind>(random() % testing::bounded_kinds);
       world.add({testing::build<double>(testing::random_specimen(kind, 1, random)),
-                 {cast<double>(testing::random_vector(random, 4)), cast<double>(testing::random_rotation(random))}});
+                 {converted<double>(testing::random_vector(random, 4)),
+                  converted<double>(testing::random_rotation(random))}});
     }
     const Shaped body(Capsule<double>(0.6, 0.2, 0.2));
     for (int i = 0; i < 20; ++i) {
-      const Posed start{cast<double>(testing::random_vector(random, 4)), {}};
+      const Posed start{converted<double>(testing::random_vector(random, 4)), {}};
       if (world.overlaps_any(body, start)) continue;
-      const Vec3d motion = cast<double>(testing::random_vector(random, 5));
+      const Vec3d motion = converted<double>(testing::random_vector(random, 5));
       const auto result = slide(body, start, motion, world);
       const auto nearest = world.closest(body, result.pose);
       ASSERT_TRUE(nearest.has_value());

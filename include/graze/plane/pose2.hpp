@@ -40,7 +40,7 @@ constexpr Vec2<T> inverse_rotate(const Rot2<T>& q, const Vec2<T>& v) {
   return {q.cosine * v.x + q.sine * v.y, q.cosine * v.y - q.sine * v.x};
 }
 template <class S, class T>
-constexpr Rot2<S> cast(const Rot2<T>& q) {
+constexpr Rot2<S> converted(const Rot2<T>& q) {
   return {static_cast<S>(q.cosine), static_cast<S>(q.sine)};
 }
 /// The rotation at unit length, as rounding or conversion to another scalar may have left it a little off.
@@ -82,8 +82,8 @@ constexpr Pose2<T> relative(const Pose2<T>& a, const Pose2<T>& b) {
   return {inverse_transform(a, b.translation), inverse(a.rotation) * b.rotation};
 }
 template <class S, class T>
-constexpr Pose2<S> cast(const Pose2<T>& pose) {
-  return {cast<S>(pose.translation), cast<S>(pose.rotation)};
+constexpr Pose2<S> converted(const Pose2<T>& pose) {
+  return {converted<S>(pose.translation), converted<S>(pose.rotation)};
 }
 
 /// All points between `lower` and `upper`, both included.

@@ -87,7 +87,7 @@ T max_abs(const Vec2<T>& v) {
 
 /// Conversion between scalars, component by component.
 template <class S, class T>
-constexpr Vec2<S> cast(const Vec2<T>& v) {
+constexpr Vec2<S> converted(const Vec2<T>& v) {
   return {static_cast<S>(v.x), static_cast<S>(v.y)};
 }
 

@@ -27,7 +27,7 @@ class Box {
 
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
-    const Vec3<S> h = cast<S>(half_);
+    const Vec3<S> h = converted<S>(half_);
     return {direction.x < S(0) ? -h.x : h.x, direction.y < S(0) ? -h.y : h.y, direction.z < S(0) ? -h.z : h.z};
   }
 

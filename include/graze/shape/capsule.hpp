@@ -1,6 +1,6 @@
 // The capsule: the convex hull of two balls, of equal radius or not (tapered).
 //
-// Guarantee: the core of an even capsule is its segment; of a tapered one, what is left of it when a ball of the
+// Guarantee: the core of an untapered capsule is its segment; of a tapered one, what is left of it when a ball of the
 // smaller radius is taken off (a ball and a point). One ball may hold the other: then the capsule is that ball.
 #pragma once
 

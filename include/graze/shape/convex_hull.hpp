@@ -115,7 +115,7 @@ class ConvexHull {
   T core_extent() const { return data_->extent; }
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
-    return cast<S>(data_->vertices[support_vertex(direction)]);
+    return converted<S>(data_->vertices[support_vertex(direction)]);
   }
   /// The face, edge or vertex at the support vertex that leans least from `direction`.
   void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const;

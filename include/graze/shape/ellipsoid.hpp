@@ -26,7 +26,7 @@ class Ellipsoid {
   /// The image of the unit ball's support point: R (R d) / |R d| for R = diag(radii).
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
-    const Vec3<S> r = cast<S>(radii_);
+    const Vec3<S> r = converted<S>(radii_);
     return scaled(r, normalized(scaled(r, direction), Vec3<S>{}));
   }
   void core_face(const Vec3<T>& direction, Face<T>& face) const {

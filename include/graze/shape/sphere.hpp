@@ -26,7 +26,7 @@ class Sphere {
   T core_extent() const { return length(center_); }
   template <class S>
   Vec3<S> core_support(const Vec3<S>&) const {
-    return cast<S>(center_);
+    return converted<S>(center_);
   }
   void core_face(const Vec3<T>&, Face<T>& face) const {
     face.clear();

@@ -17,9 +17,9 @@ namespace detail {
 template <class S, class T>
 std::size_t furthest(const Vec3<T>* vertices, std::size_t count, const Vec3<S>& direction) {
   std::size_t best = 0;
-  S most = dot(cast<S>(vertices[0]), direction);
+  S most = dot(converted<S>(vertices[0]), direction);
   for (std::size_t i = 1; i < count; ++i) {
-    const S along = dot(cast<S>(vertices[i]), direction);
+    const S along = dot(converted<S>(vertices[i]), direction);
     if (along > most) {
       most = along;
       best = i;
@@ -52,7 +52,7 @@ class Triangle {
   T core_extent() const { return greatest(length(points_[0]), greatest(length(points_[1]), length(points_[2]))); }
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
-    return cast<S>(points_[detail::furthest(points_, 3, direction)]);
+    return converted<S>(points_[detail::furthest(points_, 3, direction)]);
   }
   /// The whole triangle (from either side), an edge or a vertex.
   void core_face(const Vec3<T>& direction, Face<T>& face, T lean = face_lean<T>) const {
@@ -105,7 +105,7 @@ class LineSegment {
   T core_extent() const { return greatest(length(points_[0]), length(points_[1])); }
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
-    return cast<S>(points_[detail::furthest(points_, 2, direction)]);
+    return converted<S>(points_[detail::furthest(points_, 2, direction)]);
   }
   void core_face(const Vec3<T>& direction, Face<T>& face) const {
     face.clear();

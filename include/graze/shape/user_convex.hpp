@@ -58,7 +58,7 @@ class UserConvex {
   T core_extent() const { return extent_; }
   template <class S>
   Vec3<S> core_support(const Vec3<S>& direction) const {
-    return cast<S>(function_->support(cast<T>(normalized(direction))));
+    return converted<S>(function_->support(converted<T>(normalized(direction))));
   }
   void core_face(const Vec3<T>& direction, Face<T>& face) const {
     face.clear();

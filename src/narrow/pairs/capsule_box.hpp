@@ -2,7 +2,7 @@
 #pragma once
 
 #include "graze/geometry.hpp"
-#include "narrow/core.hpp"
+#include "narrow/core/core.hpp"
 
 namespace graze {
 

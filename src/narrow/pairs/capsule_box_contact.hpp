@@ -4,8 +4,8 @@
 // names are those that the faces give.
 #pragma once
 
-#include "narrow/pairs/box_distance.hpp"
-#include "narrow/pairs/round_contacts.hpp"
+#include "narrow/pairs/box_box/distance.hpp"
+#include "narrow/pairs/sphere_capsule_contacts.hpp"
 
 namespace graze {
 
@@ -48,7 +48,7 @@ struct CapsuleOnFace {
                 const Vec3<S>& normal) {
     const Mat3<S> turn = rotation_of(box.pose.rotation);
     const Vec3<S> against = transposed_times(turn, -normal);
-    const auto face = OneOfThree<S>::longest(against);
+    const auto face = AxisPermutation<S>::longest(against);
     const Mask positive = face.pick(against) >= S(0);
     const S side = select(positive, S(1), S(-1));
     const auto seen = [&](const Vec3<S>& v) {
@@ -69,8 +69,8 @@ struct CapsuleOnFace {
 /// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T,
 /// the scalar of the shapes. `margin`: up to where contacts are wanted. Only for those within the margin of each other.
 template <class T, class S>
-SideContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const CoreDistance<S>& at,
-                            const S& margin) {
+SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const CoreDistance<S>& at,
+                               const S& margin) {
   using std::abs, std::sqrt;
   using Lane = typename LaneOf<S>::type;
   using Mask = decltype(S() < S());
@@ -98,10 +98,10 @@ SideContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box
   stretch.cut(foot.x, pace.x, h.x, slack);
   stretch.cut(foot.y, pace.y, h.y, slack);
 
-  SideContact<S> found;
+  SegmentContact<S> found;
   found.distance = at.distance;
   found.normal = select(by_face, -on.outward, at.normal);
-  const auto put = [&](typename SideContact<S>::Slot& slot, const S& along) -> Mask {
+  const auto put = [&](typename SegmentContact<S>::Slot& slot, const S& along) -> Mask {
     const S rise = side.rise(along);
     slot.distance = (m.z + c.z * along - h.z) * steep - (rise + box.radius);
     slot.a = capsule.pose.translation + (axis * along + found.normal * rise);
@@ -135,8 +135,8 @@ SideContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box
 template <class T>
 RoundContact<T> round_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& pose_a, const Rounded<BoxCore<T>, T>& b,
                               const Pose<T>& pose_b, const T& margin) {
-  const auto capsule = cast<double>(placed_box(a, pose_a)), box = cast<double>(placed_box(b, pose_b));
-  return cast<T>(
+  const auto capsule = converted<double>(placed_box(a, pose_a)), box = converted<double>(placed_box(b, pose_b));
+  return converted<T>(
       capsule_box_contact(capsule, box, box_distance(capsule, box), before_rounding<T>(static_cast<double>(margin))));
 }
 
@@ -144,17 +144,17 @@ template <class T>
 std::optional<T> own_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
                               const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   if (!round::regular(a) || !round::regular(b)) return std::nullopt;
-  return round_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
+  return sphere_capsule_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
 }
 
 /// Of a capsule that lies, for which `own_contacts` leaves the closest points only.
 template <class T>
-std::optional<T> lying_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
-                                const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  const auto found = side_contact<T>(cast<double>(placed_box(rounded_core(a, margin_a), pose_a)),
-                                     cast<double>(placed_box(rounded_core(b, margin_b), pose_b)),
-                                     cast<double>(take_closest(manifold)), static_cast<double>(margin));
-  return put_sides(cast<T>(found), ids_with_box, manifold);
+std::optional<T> segment_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Box<T>& b, T margin_b,
+                                  const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const auto found = side_contact<T>(converted<double>(placed_box(rounded_core(a, margin_a), pose_a)),
+                                     converted<double>(placed_box(rounded_core(b, margin_b), pose_b)),
+                                     converted<double>(take_closest(manifold)), static_cast<double>(margin));
+  return put_sides(converted<T>(found), ids_with_box, manifold);
 }
 
 }  // namespace graze

@@ -1,5 +1,5 @@
-// Even capsule against triangle: an end of the capsule, or its side across an edge of the triangle, across lanes, in
-// double.
+// Untapered capsule against triangle: an end of the capsule, or its side across an edge of the triangle, across lanes,
+// in double.
 //
 // Guarantee: an answer is known only with its proof, a plane between the cores as far from both as it says. `distance`,
 // `overlap` and `contacts` take theirs from here, so that they agree on what touches, of one pair or of many. Where the
@@ -79,16 +79,16 @@ CapsuleAndTriangle<double> with_triangle(const Capsule<T>& capsule, T margin, co
                                          const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle) {
   const auto of = rounded_core(capsule, margin);
   return {{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},
-          cast<double>(pose),
+          converted<double>(pose),
           rounded_in_double(triangle, margin_triangle),
-          cast<double>(pose_triangle)};
+          converted<double>(pose_triangle)};
 }
 
 template <class T>
 GRAZE_FLATTEN std::optional<Distance<T>> own_distance(const Capsule<T>& capsule, T margin, const Pose<T>& pose,
                                                       const Triangle<T>& triangle, T margin_triangle,
                                                       const Pose<T>& pose_triangle) {
-  if (!has_even_side(capsule)) return std::nullopt;
+  if (!has_untapered_side(capsule)) return std::nullopt;
   return distance_of<T>(with_triangle(capsule, margin, pose, triangle, margin_triangle, pose_triangle));
 }
 

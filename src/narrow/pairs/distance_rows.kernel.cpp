@@ -1,6 +1,6 @@
 // The distances of pairs in rows: round shapes and balls with boxes, and all of these and triangles with half-spaces.
+#include "narrow/batch/row_answers.hpp"
 #include "narrow/pairs/row_distance.hpp"
-#include "narrow/row_answers.hpp"
 
 namespace graze::GRAZE_ISA {
 

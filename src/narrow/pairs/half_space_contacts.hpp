@@ -1,4 +1,4 @@
-// Boxes, triangles, balls and even capsules on a half-space: the points that `rest` finds, as a manifold.
+// Boxes, triangles, balls and untapered capsules on a half-space: the points that `rest` finds, as a manifold.
 //
 // Guarantee: the distance is that of `distance`, bit for bit; the points are those that the general path gives, up to
 // rounding, under the same names. Nothing is answered for other shapes.
@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "narrow/closed_form.hpp"
-#include "narrow/rest_batch.hpp"
+#include "narrow/batch/half_space_batch.hpp"
+#include "narrow/pairs/closed_form.hpp"
 
 namespace graze {
 
@@ -17,7 +17,7 @@ T resting_contacts(const C& body, T margin_body, const Pose<T>& pose_body, T mar
                    T margin, Manifold<T>& manifold) {
   const Rest<T> found = rest(rounded_core(body, margin_body), pose_body, margin_plane, pose_plane, margin);
   manifold.normal = -found.up;
-  each_rest_point<T>(
+  each_half_space_point<T>(
       static_cast<unsigned>(found.filled), points_together(body, margin_body),
       [&](std::size_t i) { return found.slots[i]; }, [&](const ContactPoint<T>& p) { manifold.points.push_back(p); });
   return found.distance;
@@ -33,7 +33,7 @@ template <class T>
 std::optional<T> own_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose_capsule,
                               const HalfSpace<T>&, T margin_plane, const Pose<T>& pose_plane, T margin,
                               Manifold<T>& manifold) {
-  if (!has_even_side(capsule)) return std::nullopt;
+  if (!has_untapered_side(capsule)) return std::nullopt;
   return resting_contacts(capsule, margin_capsule, pose_capsule, margin_plane, pose_plane, margin, manifold);
 }
 

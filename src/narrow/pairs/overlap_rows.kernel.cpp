@@ -1,9 +1,9 @@
 // Whether pairs in rows touch: by their distance, but for balls, boxes, and boxes with triangles. And one pair of
 // boxes.
-#include "narrow/pairs/box_overlap.hpp"
-#include "narrow/pairs/box_triangle_overlap.hpp"
+#include "narrow/batch/row_answers.hpp"
+#include "narrow/pairs/box_box/overlap.hpp"
+#include "narrow/pairs/box_triangle/overlap.hpp"
 #include "narrow/pairs/row_distance.hpp"
-#include "narrow/row_answers.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -21,14 +21,14 @@ Touching<Lanes<T>> touching(const RowBundle<A, B, T>& p) {
 }
 template <class T>
 Touching<Lanes<T>> touching(const RowBundle<Sphere<T>, Sphere<T>, T>& p) {
-  const auto pair = round_pair(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b);
+  const auto pair = sphere_capsule_pair(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b);
   return {spheres_overlap(pair.a.point, pair.radius_a, pair.b.point, pair.radius_b), p.regular()};
 }
 template <class T>
 Touching<Lanes<T>> touching(const RowBundle<Box<T>, Box<T>, T>& p) {
   using S = Lanes<T>;
-  const ScaledBoxes<S> boxes(Several<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
-                             Several<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
+  const ScaledBoxes<S> boxes(Packed<S, 3>(p.a.shapes.core.half), PoseRows<S>(p.pose_a),
+                             Packed<S, 3>(p.b.shapes.core.half), PoseRows<S>(p.pose_b));
   return {!boxes_apart(boxes, box_noise(boxes)), p.regular()};
 }
 
@@ -54,7 +54,7 @@ template <class A, class B, class T>
 template <class T>
 [[gnu::flatten]] std::optional<bool> boxes_touch(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b,
                                                  const Pose<T>& pose_b, bool faces_only) {
-  const Several<T, 3> half_a(a.half_extents()), half_b(b.half_extents());
+  const Packed<T, 3> half_a(a.half_extents()), half_b(b.half_extents());
   if (!regular_boxes<T>(half_a, half_b)) return std::nullopt;
   const ScaledBoxes<T> boxes(half_a, PoseRows<T>(pose_a), half_b, PoseRows<T>(pose_b));
   return !boxes_apart(boxes, box_noise(boxes), faces_only);

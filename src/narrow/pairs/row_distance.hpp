@@ -4,13 +4,13 @@
 // Guarantee: in every lane the bits that the pair gives alone; everything is inlined.
 #pragma once
 
-#include "narrow/closed_form.hpp"
+#include "narrow/batch/row_bundle.hpp"
 #include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/closed_form.hpp"
 #include "narrow/pairs/half_space.hpp"
 #include "narrow/pairs/sphere_box.hpp"
 #include "narrow/pairs/sphere_capsule.hpp"
 #include "narrow/pairs/sphere_sphere.hpp"
-#include "narrow/row_bundle.hpp"
 
 namespace graze::GRAZE_ISA {
 
@@ -18,7 +18,7 @@ namespace graze::GRAZE_ISA {
 template <class A, class B, class S>
 inline CoreDistance<S> distance_of(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
                                    const Pose<S>& pose_b) {
-  const auto pair = round_pair(a, pose_a, b, pose_b);
+  const auto pair = sphere_capsule_pair(a, pose_a, b, pose_b);
   return pair.in_world(pair.core(pair.nearest()));
 }
 template <class A, class S>

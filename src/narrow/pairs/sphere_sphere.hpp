@@ -1,7 +1,7 @@
 // Point against point: sphere against sphere.
 #pragma once
 
-#include "narrow/core.hpp"
+#include "narrow/core/core.hpp"
 
 namespace graze {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "narrow/closed_form.hpp"
+#include "narrow/pairs/closed_form.hpp"
 
 namespace graze {
 
@@ -41,7 +41,7 @@ std::optional<Distance<T>> own_distance(const Sphere<T>& sphere, T margin_sphere
   if (!capsule.tapered()) return std::nullopt;
   const Posed frame = in_double(pose_capsule), of_sphere = in_double(pose_sphere);
   const Posed seen = relative(frame, of_sphere);
-  const Vec3d p = transform(seen, cast<double>(sphere.center()));
+  const Vec3d p = transform(seen, converted<double>(sphere.center()));
   const double half_height = static_cast<double>(capsule.half_height()), margin = static_cast<double>(margin_capsule),
                bottom = static_cast<double>(capsule.radius_bottom()) + margin,
                top = static_cast<double>(capsule.radius_top()) + margin,
@@ -51,7 +51,8 @@ std::optional<Distance<T>> own_distance(const Sphere<T>& sphere, T margin_sphere
   const Vec3d beside = across > 0 ? Vec3d{p.x / across, 0, p.z / across} : Vec3d{1, 0, 0};
   const Vec3d outward{beside.x * at.across, at.along, beside.z * at.across};
   // A distance that rounding cannot tell from none is none: they touch.
-  const double extent = half_height + greatest(bottom, top), noise = rounding * (greatest(extent, radius) + max_abs(p));
+  const double extent = half_height + greatest(bottom, top),
+               noise = rounding_error * (greatest(extent, radius) + max_abs(p));
   const double from_center = std::abs(at.distance - radius) <= noise ? radius : at.distance;
   const CoreDistance<double> core{from_center, outward, p - outward * from_center, p};
   return mirrored(finished_in_double(core, T(0), static_cast<T>(radius), frame));

@@ -10,11 +10,11 @@
 
 #include "graze/result.hpp"
 #include "graze/shape.hpp"
-#include "narrow/closed_form.hpp"
-#include "narrow/flatten.hpp"
-#include "narrow/minkowski.hpp"
-#include "narrow/pairs/sided_triangle.hpp"
-#include "narrow/relative_frame.hpp"
+#include "narrow/core/minkowski.hpp"
+#include "narrow/core/relative_frame.hpp"
+#include "narrow/pairs/closed_form.hpp"
+#include "narrow/pairs/triangle_closest_feature.hpp"
+#include "simd/flatten.hpp"
 
 namespace graze {
 
@@ -36,8 +36,8 @@ struct RoundAndTriangle {
         between(origin - pose_triangle.translation),
         radius_round(radius),
         radius_triangle(of.radius),
-        noise(S(rounding) * (greatest(extent + radius_round, triangle.extent() + radius_triangle) + max_abs(between))) {
-  }
+        noise(S(rounding_error) *
+              (greatest(extent + radius_round, triangle.extent() + radius_triangle) + max_abs(between))) {}
 
   Vec3<S> seen_by_triangle(const Vec3<S>& p) const { return transposed_times(turn, p + between); }
   NearTriangle<S> nearest_to(const Vec3<S>& p) const { return triangle.nearest_to(seen_by_triangle(p), noise); }
@@ -87,7 +87,8 @@ class BallAndTriangle {
 /// A triangle with its margin in double, as pairs are asked about.
 template <class T>
 Rounded<TriangleCore<double>, double> rounded_in_double(const Triangle<T>& triangle, T margin) {
-  return {{{cast<double>(triangle.point(0)), cast<double>(triangle.point(1)), cast<double>(triangle.point(2))}},
+  return {{{converted<double>(triangle.point(0)), converted<double>(triangle.point(1)),
+            converted<double>(triangle.point(2))}},
           static_cast<double>(margin)};
 }
 
@@ -96,10 +97,10 @@ template <class T>
 BallAndTriangle<double> with_triangle(const Sphere<T>& ball, T margin, const Pose<T>& pose, const Triangle<T>& triangle,
                                       T margin_triangle, const Pose<T>& pose_triangle) {
   const auto of = rounded_core(ball, margin);
-  return {{cast<double>(of.core), static_cast<double>(of.radius)},
-          cast<double>(pose),
+  return {{converted<double>(of.core), static_cast<double>(of.radius)},
+          converted<double>(pose),
           rounded_in_double(triangle, margin_triangle),
-          cast<double>(pose_triangle)};
+          converted<double>(pose_triangle)};
 }
 
 /// Nothing where it is not known.
@@ -107,7 +108,7 @@ template <class T, class Pair>
 std::optional<Distance<T>> distance_of(const Pair& pair) {
   if (!pair.known()) return std::nullopt;
   const CoreDistance<double> d = pair.distance();
-  return Distance<T>{static_cast<T>(d.distance), cast<T>(d.normal), cast<T>(d.a), cast<T>(d.b)};
+  return Distance<T>{static_cast<T>(d.distance), converted<T>(d.normal), converted<T>(d.a), converted<T>(d.b)};
 }
 
 template <class T>

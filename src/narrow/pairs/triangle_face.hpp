@@ -4,7 +4,7 @@
 // Guarantee: in every lane the bits that the pair gives alone.
 #pragma once
 
-#include "narrow/pairs/triangle_outline.hpp"
+#include "narrow/pairs/box_triangle/outline.hpp"
 #include "narrow/pairs/triangle_parts.hpp"
 
 namespace graze::detail {
@@ -98,7 +98,7 @@ struct TriangleFace {
     const Vec3<S>& far = view.far;
     const Mask seen = !whole, top0 = (far.x <= far.y) & (far.x <= far.z), top1 = (!top0) & (far.y <= far.z),
                top2 = !(top0 | top1);
-    const auto top = OneOfThree<S>::of(top0, top1);
+    const auto top = AxisPermutation<S>::of(top0, top1);
     const S after = top.pick(view.fall), before = top.pick(view.fall.z, view.fall.x, view.fall.y);
     edge = seen & (least(after, before) <= view.most_fall);
     const Mask ahead = (!edge) | (after < before), back = !ahead;

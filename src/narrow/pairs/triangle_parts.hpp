@@ -3,7 +3,7 @@
 // Guarantee: a name is the one that the triangle's faces give.
 #pragma once
 
-#include "narrow/features.hpp"
+#include "narrow/manifold/features.hpp"
 
 namespace graze {
 

@@ -1,0 +1,311 @@
+#include "composite/internal_edges/ghost_contacts.hpp"
+
+#include <optional>
+
+#include "composite/internal_edges/face_contact.hpp"
+#include "composite/internal_edges/occluders.hpp"
+#include "composite/internal_edges/voronoi_neighbours.hpp"
+#include "graze/geometry.hpp"
+#include "narrow/convex_pair.hpp"
+#include "shape/mesh_data.hpp"
+
+namespace graze {
+
+namespace {
+
+/// The face normal of a triangle on the side where the other shape is, in the world; zero without area.
+template <class T>
+Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const LeafInContext<T>& other,
+                       const Vec3<T>& point) {
+  const Vec3<T> face = rotate(pose.rotation, face_normal(triangle));
+  return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
+}
+
+/// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh.
+/// To its back pushes the wall of a closed mesh that is met from inside, below the top.
+template <class T>
+bool lies_open(const LeafInContext<T>& self, const Vec3<T>& outward) {
+  const auto* triangle = self.piece.template as<Triangle<T>>();
+  if (!triangle || !self.beside.empty() || self.whole.template as<Compound<T>>()) return false;
+  const Vec3<T> front = cross(triangle->point(1) - triangle->point(0), triangle->point(2) - triangle->point(0));
+  return dot(front, rotate(conjugate(self.pose.rotation), outward)) >= T(0);
+}
+
+/// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle
+/// its own face's, on the side where the other shape is, unless a sheet covers that; of a solid piece that of the
+/// neighbour which rises above it, as far as the other shape touches that, or of a face of its own, if nothing rises
+/// above those.
+template <class T>
+std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Placed<T>& neighbour,
+                                         const LeafInContext<T>& other, const Vec3<T>& point, const Vec3<T>& outward,
+                                         T margin) {
+  if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
+    if (face == Vec3<T>{}) return std::nullopt;
+    if (lies_open(self, face)) return face;
+    const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
+    return over ? over->normal : face;
+  }
+  if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
+    const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
+    if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
+  }
+  Manifold<T> beside;
+  convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside);
+  if (!beside.points.empty()) {
+    const LeafInContext<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
+    const Vec3<T> place = standing_point<T>(beside.points, &ContactPoint<T>::a);
+    if (!riser_around(self, place, beside.normal, Among::all) && !surface_over(next, place, beside.normal, other))
+      return beside.normal;
+  }
+  std::optional<OnSurface<T>> seen = surface_over(self, point, outward, other);
+  if (!seen) seen = own_surface(self, point, outward, other);
+  return seen ? std::optional(seen->normal) : std::nullopt;
+}
+
+/// A manifold without points between the pieces that another is between.
+template <class T>
+Manifold<T> between_same_pieces(const Manifold<T>& like) {
+  Manifold<T> manifold;
+  manifold.piece_a = like.piece_a;
+  manifold.piece_b = like.piece_b;
+  return manifold;
+}
+
+/// The manifold of two pieces along `outward`, a normal of A or B. Where their faces do not meet, as of a thing that
+/// stands beside the piece on the continuation of its face, it has no points.
+template <class T>
+Manifold<T> laid_along(const LeafInContext<T>& a, const LeafInContext<T>& b, bool of_a, const Vec3<T>& outward,
+                       T margin, const Manifold<T>& like) {
+  Manifold<T> manifold = between_same_pieces(like);
+  contacts_along(a.piece, a.pose, b.piece, b.pose, of_a ? outward : -outward, margin, manifold);
+  return manifold;
+}
+
+/// One point: where the other shape reaches furthest below the plane of the piece's face. Its distance is `nearest` at
+/// least.
+template <class T>
+Manifold<T> furthest_below(const LeafInContext<T>& self, const LeafInContext<T>& other, bool of_a,
+                           const Vec3<T>& outward, const Manifold<T>& like,
+                           T nearest = -std::numeric_limits<T>::infinity()) {
+  const Vec3<T> lowest = furthest(other.piece, other.pose, -outward);
+  const T distance = greatest(nearest, dot(lowest - furthest(self.piece, self.pose, outward), outward));
+  const Vec3<T> above = lowest - outward * distance;
+  Manifold<T> manifold = between_same_pieces(like);
+  manifold.normal = of_a ? outward : -outward;
+  manifold.points.push_back({of_a ? above : lowest, of_a ? lowest : above, distance, like.points[0].feature});
+  return manifold;
+}
+
+/// Whether a piece goes as far as a place in the plane of one of its faces.
+template <class T>
+bool reaches_to(const LeafInContext<T>& self, const Vec3<T>& place) {
+  const T noise = tolerance<T> * max_abs(bounds(self.piece, self.pose).extent()) + place_noise(place);
+  return distance_to(self, place) <= noise;
+}
+
+/// Whether a triangle of a mesh is known to lie level with all around it.
+template <class T>
+bool lies_level(const LeafInContext<T>& self) {
+  const auto* mesh = self.whole.template as<Mesh<T>>();
+  return mesh && mesh->data().level[self.number];
+}
+
+/// What the coordinates of a place on a piece may be off by, wherever the origin is.
+template <class T>
+T own_noise(const LeafInContext<T>& self, const Vec3<T>& place) {
+  return place_noise(place) + coordinate_noise(max_abs(bounds(self.piece, self.pose).extent()));
+}
+
+/// Whether a triangle reaches further along a normal than where the contact stands, which that of an own feature never
+/// does. Near a corner this is less than what coordinates may be off by, but more than what they are when both come
+/// from one pose.
+template <class T>
+bool leans_over(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward) {
+  const Vec3<T> further = furthest(self.piece, self.pose, outward) - point;
+  return dot(further, outward) > region_slack<T> * length(further) + own_noise(self, point) / T(32);
+}
+
+/// What a contact has instead of a normal that is none of the surface's.
+template <class T>
+struct Correction {
+  Vec3<T> normal;                             ///< outward
+  std::optional<Distance<T>> least_way = {};  ///< from the piece to the other shape, if the normal is of that
+};
+
+template <class T>
+std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal) {
+  return normal ? std::optional(Correction<T>{*normal}) : std::nullopt;
+}
+
+/// The least way out of a triangle, if its normal is one of the surface's and not that of the triangle's face. That of
+/// a face of the other shape, which a contact takes where it is about as good, leaves the region of an edge that it
+/// leans over, though that edge is a ridge and touched.
+template <class T>
+std::optional<Correction<T>> least_way_out(const LeafInContext<T>& self, const LeafInContext<T>& other) {
+  const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose);
+  if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
+  return Correction<T>{d.normal, d};
+}
+
+/// Adds where two pieces are deepest in each other, unless the manifold has a point as deep: what lies on a ridge meets
+/// it along a line, and round sides that are laid on it end before.
+template <class T>
+void add_deepest(const LeafInContext<T>& self, bool of_a, const Distance<T>& d, const Manifold<T>& like,
+                 Manifold<T>& manifold) {
+  // Distances are of the pair alone, wherever it is.
+  const T noise = coordinate_noise(max_abs(bounds(self.piece, self.pose).extent())) / T(16);
+  for (const ContactPoint<T>& p : manifold.points)
+    if (p.distance <= d.distance + noise) return;
+  manifold.normal = of_a ? d.normal : -d.normal;
+  manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
+}
+
+/// A contact as one of its two pieces sees it.
+template <class T>
+struct SeenContact {
+  const Manifold<T>& manifold;
+  Vec3<T> ContactPoint<T>::*side;
+  Vec3<T> outward;
+  bool on_face;  ///< of the piece: the normal is that of one
+  T distance;    ///< signed, of the two
+};
+
+/// Whether a contact's normal is that of the least way out itself: no direction parts the two more.
+template <class T>
+bool is_least_way(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact) {
+  const Vec3<T> high = furthest(self.piece, self.pose, contact.outward);
+  const Vec3<T> from = furthest(other.piece, other.pose, -contact.outward) - high;
+  const T noise = T(4) * std::numeric_limits<T>::epsilon() * (max_abs(high) + max_abs(from));
+  return dot(from, contact.outward) >= contact.distance - noise;
+}
+
+/// Where a contact stands on the edge or corner of a solid that its normal is one of. Its points may lie a little
+/// beside that, on a face; the nearest points are on it, unless another way out is as good and they are of that: then
+/// they lie lower.
+template <class T>
+Vec3<T> place_on_solid(const LeafInContext<T>& self, const LeafInContext<T>& other, const SeenContact<T>& contact) {
+  const Vec3<T> of_points = standing_point<T>(contact.manifold.points, contact.side);
+  const Vec3<T> nearest = convex_distance<T>(self.piece, self.pose, other.piece, other.pose).a;
+  return dot(of_points - nearest, contact.outward) > own_noise(self, nearest) ? of_points : nearest;
+}
+
+/// What is in place of a contact's normal if this is none of the surface's.
+template <class T>
+std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafInContext<T>& other,
+                                       const SeenContact<T>& contact, T margin) {
+  const auto* triangle = self.piece.template as<Triangle<T>>();
+  const Vec3<T>& outward = contact.outward;
+  const bool open = lies_open(self, outward);
+  if (contact.on_face && open) return std::nullopt;
+  const Vec3<T> point = contact.on_face || triangle ? standing_point<T>(contact.manifold.points, contact.side)
+                                                    : place_on_solid(self, other, contact);
+  if (open && lies_level(self)) {
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
+    if (lies_open(self, face)) return Correction<T>{face};
+  }
+  if (!contact.on_face) {
+    std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
+    const bool leans = triangle && leans_over(self, point, outward);
+    if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
+    if (leans || (triangle && neighbour && !is_least_way(self, other, contact)))
+      if (const auto least = least_way_out(self, other)) return least;
+    if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
+  }
+  if (open) return std::nullopt;
+  const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
+  return as_correction(over ? std::optional(over->normal) : std::nullopt);
+}
+
+/// How far apart two pieces are along a normal that leads out of one; negative is a depth.
+template <class T>
+T apart_along(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& outward) {
+  return dot(furthest(other.piece, other.pose, -outward) - furthest(self.piece, self.pose, outward), outward);
+}
+
+/// The normal of the face of a piece that leans least from a direction; zero where it has none there.
+template <class T>
+Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
+  Face<T> face;
+  const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
+  self.piece.visit([&](const auto& c) {
+    if constexpr (requires { c.core_face(local, face, T()); })
+      c.core_face(local, face, side_lean<T>);
+    else if constexpr (requires { c.core_face(local, face); })
+      c.core_face(local, face);
+  });
+  Vec3<T> sum{};
+  for (std::size_t i = 2; i < face.vertices.size(); ++i)
+    sum += cross(face.vertices[i - 1] - face.vertices[0], face.vertices[i] - face.vertices[0]);
+  return rotate(self.pose.rotation, normalized(sum, Vec3<T>{}));
+}
+
+/// A correction that is no wall of a neighbour. Where three pieces meet in a corner the sight of one may end on the
+/// wall of another, and along that wall's normal the other shape is as deep as it is wide. A face of the piece itself,
+/// the one that leans least from the refused normal or from the way to the middle of the other shape, is taken before
+/// one along which the two are deeper, if nothing rises above it and nothing covers it.
+template <class T>
+std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const LeafInContext<T>& other,
+                                        const SeenContact<T>& contact, std::optional<Correction<T>> right) {
+  if (!right || right->least_way || self.piece.template as<Triangle<T>>()) return right;
+  const Vec3<T> point = standing_point<T>(contact.manifold.points, contact.side);
+  const T noise = own_noise(self, point);
+  T apart = apart_along(self, other, right->normal);
+  if (apart >= contact.distance - noise) return right;
+  const Vec3<T> to_middle = normalized(bounds(other.piece, other.pose).center() - point, contact.outward);
+  for (const Vec3<T>& direction : {contact.outward, to_middle}) {
+    const Vec3<T> own = leaning_least(self, direction);
+    if (own == Vec3<T>{} || apart_along(self, other, own) <= apart + noise) continue;
+    if (riser_around(self, point, own, Among::all) || surface_over(self, point, own, other)) continue;
+    right = Correction<T>{own};
+    apart = apart_along(self, other, own);
+  }
+  return right;
+}
+
+}  // namespace
+
+template <class T>
+Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T margin, const Manifold<T>& manifold,
+                         T distance) {
+  Settled<T> settled{manifold, {}};
+  Manifold<T>& now = settled.manifold;
+  for (const bool of_a : {true, false}) {
+    const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
+    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || !is_solid(other.piece)) continue;
+    const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
+    const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
+    Manifold<T> found;
+    if (tilted) {
+      found = now;
+      now = laid_along(a, b, of_a, face, margin, found);
+    }
+    // Rounding may leave one without points; and a corner or a ball, which stands on the face alone, has none to be
+    // laid.
+    const bool sliver = now.points.empty();
+    const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
+    const SeenContact<T> seen{sliver ? found : now, side, on_face ? face : outward, on_face, distance};
+    const auto right = least_deep(self, other, seen, corrected(self, other, seen, margin));
+    if (right) {
+      if (!sliver) found = now;
+      now = laid_along(a, b, of_a, right->normal, margin, found);
+      if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
+      // Whether the two are as deep as that at all, nothing laid along the normal has shown.
+      if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found, distance);
+    } else if (sliver) {
+      const Manifold<T> corner = furthest_below(self, other, of_a, face, found);
+      if (reaches_to(self, corner.points[0].*side))
+        now = corner;
+      else
+        settled.instead = found;
+    }
+  }
+  return settled;
+}
+
+template Settled<float> settle_normal(const LeafInContext<float>&, const LeafInContext<float>&, float,
+                                      const Manifold<float>&, float);
+template Settled<double> settle_normal(const LeafInContext<double>&, const LeafInContext<double>&, double,
+                                       const Manifold<double>&, double);
+
+}  // namespace graze

@@ -1,0 +1,42 @@
+// Contacts that only the cutting of a surface into pieces makes, and what is there instead.
+//
+// A piece of a composite does not know its neighbours: a box that slides over a floor of triangles meets, a little
+// below the surface, the edges that they share, and is pushed aside by them. A normal is one of the surface only if it
+// lies in the Voronoi region of the feature that it stands on (Mirtich 1998, "V-Clip", section 2), which is to say that
+// nothing of the surface around its point rises above the plane through the point that it is the normal of.
+//
+// Where a normal is none, what rises (`risers.hpp`) or what lies over the contact (`cover.hpp`) tells the surface's.
+//
+// Guarantee: no contact of a solid has a normal that is not the surface's. What would have one is laid along the least
+// way out of the triangle if that is a ridge's or a corner's own, and then has the place where the two are deepest;
+// else along the normal of the piece's own face, or of what covers it; or is left out where the piece is not met along
+// that. No contact that is inside its region is lost, unless it leads to the back of all around it and another piece
+// lies over it.
+//
+// Regions are told from each other by 1e-4 (sine) and by what coordinates lose by rounding (`piece_of.hpp`): a normal
+// that leaves one by less is kept. It is decided by where the pieces lie and not by which vertices they share, so that
+// duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies, solids beside sheets among them,
+// are all alike. What a mesh knows of its level triangles only saves the search; that for risers is among the triangles
+// at hand (`mesh_patch.hpp`) and most often ends at corners, so that knowing each edge's two sides beforehand saves
+// nothing.
+#pragma once
+
+#include "composite/internal_edges/leaf_in_context.hpp"
+#include "graze/contact.hpp"
+
+namespace graze {
+
+/// What becomes of the manifold of two pieces.
+template <class T>
+struct Settled {
+  Manifold<T> manifold;  ///< of the surface; it may have no points
+  Manifold<T> instead;   ///< for when no other piece has any: one point, if the manifold has none
+};
+
+/// Lays a manifold of two pieces along the surface where its normal is not one of the surface's. `distance`: of the
+/// two, signed. No allocation.
+template <class T>
+Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T margin, const Manifold<T>& manifold,
+                         T distance);
+
+}  // namespace graze

@@ -1,0 +1,129 @@
+#include "composite/internal_edges/voronoi_neighbours.hpp"
+
+#include "composite/leaves.hpp"
+#include "composite/mesh_patch.hpp"
+#include "graze/geometry.hpp"
+#include "narrow/convex_pair.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Whether a triangle touches `p` and rises above the plane through it. `at_place`: what the coordinates of `p` may be
+/// off by for where it is; near the origin they are off by what those of the triangle are.
+template <class T>
+bool rises_above(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& p, const Vec3<T>& n, T at_place) {
+  const T to_a = length(a - p), to_b = length(b - p), to_c = length(c - p);
+  const T size = greatest(to_a, greatest(to_b, to_c)), noise = at_place + coordinate_noise(size);
+  const auto rises = [&](const Vec3<T>& corner, T away) { return dot(corner - p, n) > region_slack<T> * away + noise; };
+  if (!rises(a, to_a) && !rises(b, to_b) && !rises(c, to_c)) return false;
+  return length(closest_point_on_triangle(a, b, c, p).point - p) <= on_piece<T> * size + noise;
+}
+
+/// Calls `look(number)` for the triangles that come near `region`, until it returns false. Those of a patch are at
+/// hand.
+template <class T, class F>
+void each_near(const MeshData<T>& mesh, const Aabb<T>& region, const MeshPatch<T>* patch, F& look) {
+  if (patch && patch->covers(mesh, region))
+    patch->each([&](const Aabb<T>& box) { return overlap(box, region); }, look);
+  else
+    visit(
+        mesh.tree, region, [] { return T(0); }, look);
+}
+template <class T, class F>
+void each_near(const HeightFieldData<T>& field, const Aabb<T>& region, const MeshPatch<T>*, F& look) {
+  field.each_at(region, look);
+}
+
+/// How far a triangle's bounds may be from a point that lies on it.
+template <class T>
+T reach_on(const HeightFieldData<T>& field, T noise) {
+  return on_piece<T> * max_abs(field.hierarchy().bounds().extent()) + noise;
+}
+
+/// A triangle of a mesh or height field that touches `p` and rises there.
+template <class T, class Surface>
+std::optional<std::uint32_t> rising_triangle(const Surface& surface, const MeshPatch<T>* patch, const Vec3<T>& p,
+                                             const Vec3<T>& n, T noise) {
+  std::optional<std::uint32_t> found;
+  const Aabb<T> region = inflated(Aabb<T>{p, p}, reach_on(surface, noise));
+  const auto look = [&](std::uint32_t number) {
+    const std::array<Vec3<T>, 3> t = surface.triangle(number);
+    if (overlap(bounds_of(t), region) && rises_above(t[0], t[1], t[2], p, n, noise)) found = number;
+    return !found;
+  };
+  each_near(surface, region, patch, look);
+  return found;
+}
+
+/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
+/// there is one.
+template <class T>
+std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self,
+                               const MeshPatch<T>* patch, const Vec3<T>& point, const Vec3<T>& outward) {
+  std::optional<Placed<T>> found;
+  const Vec3<T> local = inverse_transform(pose, point);
+  const T noise = place_noise(point);
+  const auto of_surface = [&](const auto& surface) {
+    const auto number = rising_triangle(surface, patch, local, rotate(conjugate(pose.rotation), outward), noise);
+    if (number) found.emplace(Placed<T>{triangle_shape(surface.triangle(*number)), pose});
+  };
+  if (with_surface(whole, of_surface)) return found;
+  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
+    if (&piece == self) return true;
+    if (!piece.convex())
+      found = riser(piece, at, self, patch, point, outward);
+    else if (piece_rises_above(piece, at, point, outward))
+      found.emplace(Placed<T>{piece, at});
+    return !found;
+  };
+  // No piece is larger than the whole: of a compound its bounds would cost a look at every child.
+  const auto* compound = whole.template as<Compound<T>>();
+  const T size = compound ? T(2) * compound->core_extent() : max_abs(bounds(whole, Pose<T>{}).extent());
+  const Aabb<T> region = inflated(Aabb<T>{local, local}, on_piece<T> * size + noise);
+  visit_pieces(
+      whole, pose, region, [] { return T(0); }, look);
+  return found;
+}
+
+}  // namespace
+
+template <class T>
+bool piece_rises_above(const Shape<T>& piece, const Pose<T>& pose, const Vec3<T>& point, const Vec3<T>& outward) {
+  const Vec3<T> p = inverse_transform(pose, point), n = rotate(conjugate(pose.rotation), outward);
+  const T noise = place_noise(point);
+  return piece.visit([&](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (std::is_same_v<C, Triangle<T>>) {
+      return rises_above(c.point(0), c.point(1), c.point(2), p, n, noise);
+    } else if constexpr (BoundedConvex<C>) {
+      const T radius = rounding_radius(c, piece.rounding()), size = c.core_extent() + radius;
+      const Distance<T> d = convex_distance<T>(piece, pose, Shape<T>(Sphere<T>(T(0))), Pose<T>{point, {}});
+      if (std::abs(d.distance) > on_piece<T> * size + noise) return false;
+      return dot(c.core_support(n) - p, n) + radius > region_slack<T> * size + noise;
+    } else {
+      return false;
+    }
+  });
+}
+
+template <class T>
+std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
+                                      Among among) {
+  std::optional<Placed<T>> found;
+  any_around(self, point, [&](const Shape<T>& shape, const Pose<T>& at) {
+    found = riser(shape, at, among == Among::others ? &self.piece : nullptr, self.patch, point, outward);
+    return found.has_value();
+  });
+  return found;
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template bool piece_rises_above(const Shape<T>&, const Pose<T>&, const Vec3<T>&, const Vec3<T>&);                    \
+  template std::optional<Placed<T>> riser_around(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&, Among);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze

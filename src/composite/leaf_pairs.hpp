@@ -1,0 +1,75 @@
+// Two shapes, either of which may be a composite, taken apart into the pairs of convex pieces that come near each
+// other.
+//
+// Guarantee: every pair of convex pieces that comes within the limit is visited, in the same order for the same input.
+// Two meshes, and two compounds, descend both trees at once: the cost follows from what is near. No allocation but for
+// hierarchies deeper than any good one.
+#pragma once
+
+#include <concepts>
+
+#include "composite/leaves.hpp"
+#include "composite/mesh_patch.hpp"
+
+namespace graze {
+
+/// A piece on its way to being convex, and the number that the outermost composite knows it by.
+template <class T>
+struct Part {
+  const Shape<T>& shape;
+  const Pose<T>& pose;
+  std::uint32_t number = 0;
+  bool outermost = true;
+  bool front_only = false;              ///< a triangle that pushes from its front alone
+  const MeshPatch<T>* patch = nullptr;  ///< of its mesh, if it is a triangle of one
+
+  Part piece(const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t child_number) const {
+    return {child, child_pose, outermost ? child_number : number, false, one_sided(shape)};
+  }
+};
+
+/// Which pairs are near enough: those up to `distance` apart, which may shrink on the way. With a `direction`, a unit
+/// vector from A to B in the world or zero, none that is further apart than that along it.
+template <class T>
+struct Nearness {
+  const T& distance;
+  const Vec3<T>* direction = nullptr;
+  bool with_patches = false;  ///< pieces come with what lies around them; the distance does not shrink
+
+  T operator()() const { return distance; }
+};
+
+template <class T>
+struct TriangleRun;  // triangles_together.hpp
+
+/// Whom the pairs are shown to: somebody's function, called as `f(part_a, part_b)`, which may return false to end the
+/// visit; if it can also be called as `f(run)`, triangles that there are kernels for are shown several at a time. Known
+/// by its address alone, so that the descent is compiled once and not for each function; such a call costs two
+/// nanoseconds where a pair costs hundreds.
+template <class T>
+class PairVisitor {
+ public:
+  template <class F>
+  requires(!std::same_as<F, PairVisitor>) explicit PairVisitor(F& f)
+      : function_(&f), call_([](void* function, const Part<T>& a, const Part<T>& b) {
+          return go_on(*static_cast<F*>(function), a, b);
+        }) {
+    if constexpr (std::invocable<F&, const TriangleRun<T>&>)
+      call_run_ = [](void* function, const TriangleRun<T>& run) { return go_on(*static_cast<F*>(function), run); };
+  }
+
+  bool operator()(const Part<T>& a, const Part<T>& b) const { return call_(function_, a, b); }
+  bool takes_runs() const { return call_run_ != nullptr; }
+  bool operator()(const TriangleRun<T>& run) const { return call_run_(function_, run); }
+
+ private:
+  void* function_;
+  bool (*call_)(void*, const Part<T>&, const Part<T>&);
+  bool (*call_run_)(void*, const TriangleRun<T>&) = nullptr;
+};
+
+/// Shows the visitor all pairs of convex pieces that may be near enough; returns whether it went to the end.
+template <class T>
+bool visit_convex_pairs(const Part<T>& a, const Part<T>& b, const Nearness<T>& limit, const PairVisitor<T>& visitor);
+
+}  // namespace graze

@@ -1,0 +1,107 @@
+// Triangles of one surface that may touch the same body, asked about several at a time.
+//
+// Guarantee: of each triangle what `convex_contacts` answers, bit for bit, and in the order in which they were
+// gathered. Nothing is allocated.
+#pragma once
+
+#include "composite/leaf_pairs.hpp"
+#include "composite/near_convex.hpp"
+#include "narrow/batch/sphere_capsule_batch.hpp"
+#include "narrow/general_contacts.hpp"
+
+namespace graze {
+
+/// Some triangles of a surface and a bounded body whose bounds they come near. As plain numbers, so that none is
+/// cleared that is not used.
+template <class T>
+struct TriangleRun {
+  static constexpr std::size_t most = block_pairs;
+
+  const Part<T>&surface, &body;
+  bool surface_is_a;
+  const MeshPatch<T>* patch;  ///< of the surface's mesh, where there is one
+  const NearConvex<T>& question;
+  std::size_t count = 0;
+  std::uint32_t number[most];
+  T corner[most][3][3];
+
+  TriangleRun(const Part<T>& of, const Part<T>& with, bool of_a, const MeshPatch<T>* in, const NearConvex<T>& asked)
+      : surface(of), body(with), surface_is_a(of_a), patch(in), question(asked) {}
+
+  void add(const Corners<T>& corners, std::uint32_t triangle) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) corner[count][i][axis] = corners[i][axis];
+    number[count++] = triangle;
+  }
+  Corners<T> corners(std::size_t i) const {
+    const auto& c = corner[i];
+    return {{{c[0][0], c[0][1], c[0][2]}, {c[1][0], c[1][1], c[1][2]}, {c[2][0], c[2][1], c[2][2]}}};
+  }
+  /// Calls `f(part_a, part_b)` for the i-th triangle and the body, as a `PairVisitor` is called.
+  template <class F>
+  decltype(auto) with_pair(std::size_t i, F&& f) const {
+    const Shape<T> shape = triangle_shape(corners(i));
+    Part<T> piece = surface.piece(shape, surface.pose, number[i]);
+    piece.patch = patch;
+    return surface_is_a ? f(piece, body) : f(body, piece);
+  }
+};
+
+/// Whether there are kernels for the contacts of a shape with triangles.
+template <class T>
+bool meets_runs(const Shape<T>& shape) {
+  if (shape.rounding() != T(0)) return false;
+  const auto* capsule = shape.template as<Capsule<T>>();
+  return shape.template as<Sphere<T>>() || (capsule && has_untapered_side(*capsule)) || plain_box(shape);
+}
+
+/// Asks about the contacts of a run with such a shape up to `margin`, which is not negative: `touching(i, distance,
+/// manifold)`, the manifold without its pieces' names, or `alone(i)` where no kernel tells. Those that are further
+/// apart are passed over.
+template <class T, class Touching, class Alone>
+void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& touching, const Alone& alone) {
+  static_assert(sizeof run.corner[0] == sizeof(Triangle<T>));  // as kernels load them
+  PairRef<T> pairs[TriangleRun<T>::most];
+  const auto put_pairs = [&](const void* body) {
+    for (std::size_t i = 0; i < run.count; ++i)
+      pairs[i] = {body, run.corner[i], &run.body.pose, &run.surface.pose, margin};
+  };
+  const auto apart = [](std::size_t) {};
+  const auto touch = [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& add_points) {
+    Manifold<T> manifold;
+    manifold.normal = normal;
+    add_points(manifold.points);
+    if (run.surface_is_a) mirror(manifold);
+    touching(i, distance, manifold);
+  };
+  const auto round = [&]<class C>(const C* body) {
+    put_pairs(body);
+    visit_sphere_capsule_contacts<C, Triangle<T>, TriangleRun<T>::most>(
+        pairs, run.count, false, apart,
+        [&](std::size_t i, const PointContact<T>& c) {
+          touch(i, c.point.distance, c.normal, [&](auto& points) { points.push_back(c.point); });
+        },
+        [&](std::size_t i, T distance, const Vec3<T>& normal, const SegmentPoints<T>& found) {
+          touch(i, distance, normal, [&](auto& points) { found.append(points); });
+        },
+        alone);
+  };
+  if (const auto* ball = run.body.shape.template as<Sphere<T>>()) return round(ball);
+  if (const auto* capsule = run.body.shape.template as<Capsule<T>>()) return round(capsule);
+  put_pairs(run.body.shape.template as<Box<T>>());
+  visit_triangle_contacts(
+      pairs, run.count, apart,
+      [&](const MetPairs<T>& met) {
+        const ContactPoint<T>* from = met.points;
+        for (std::size_t k = 0; k < met.count; ++k) {
+          const std::span points(from, met.points_of(k));
+          from += points.size();
+          touch(met.place(k), met.distance(k), met.normal(k), [&](auto& to) {
+            for (const ContactPoint<T>& point : points) to.push_back(point);
+          });
+        }
+      },
+      alone);
+}
+
+}  // namespace graze

@@ -1,0 +1,250 @@
+// Contacts of many pairs of boxes, or of boxes and triangles, by the kernels for them.
+//
+// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "narrow/batch/pair_kernels.hpp"
+#include "narrow/manifold/features.hpp"
+#include "narrow/pairs/box_triangle/clip_faces.hpp"
+
+namespace graze {
+
+/// Appends the points in the slots of one pair, of which there are at most eight, to `points` (of contact points or of
+/// what begins with one), and returns how many. Of two of the same features the deeper one is kept. `slot(i)` gives the
+/// i-th slot of the pair, the features are what the parts of A and B name.
+template <class T, class Slot, class Points>
+std::size_t take_points(unsigned filled, const Slot& slot, const std::uint32_t* features_a,
+                        const std::uint32_t* features_b, Points& points) {
+  using Point = std::remove_cvref_t<decltype(points[0])>;
+  const std::size_t first = points.size();
+  // All lie on one face of either, where features are the same just where parts are. Two parts on each that have no bit
+  // in common with those before have not come yet; few others share a bit.
+  std::uint64_t seen = 0;
+  for (; filled != 0; filled &= filled - 1) {
+    const ContactSlot<T> from = slot(static_cast<std::size_t>(std::countr_zero(filled)));
+    const auto part_a = static_cast<std::uint32_t>(static_cast<int>(from.part_a)),
+               part_b = static_cast<std::uint32_t>(static_cast<int>(from.part_b));
+    const std::uint32_t feature = feature_id(features_a[part_a], features_b[part_b]);
+    const std::uint64_t bit = std::uint64_t{1} << ((9 * part_a + part_b) % 64);
+    const ContactPoint<T> point{from.a, from.b, from.distance, feature};
+    if ((seen & bit) != 0) [[unlikely]] {
+      std::size_t place = first;
+      while (place < points.size() && points[place].feature != feature) ++place;
+      if (place < points.size()) {
+        if (from.distance < points[place].distance) points[place] = Point{point};
+        continue;
+      }
+    }
+    seen |= bit;
+    // Written where it stays: one that is made elsewhere would be read back by more bytes than it was just written by.
+    points.emplace_back() = Point{point};
+  }
+  return points.size() - first;
+}
+
+/// Of two points of a pair in a block that have the same features keeps the deeper one, in the place of the first.
+template <class T>
+void drop_twice(PointBlock<T>& block) {
+  const ContactPoint<T>* from = block.points;
+  ContactPoint<T>* to = block.points;
+  for (std::size_t k = 0; k < block.manifold_count; ++k) {
+    auto& manifold = block.manifolds[k];
+    ContactPoint<T>* const first = to;
+    for (const ContactPoint<T>* const end = from + manifold.point_count; from < end; ++from) {
+      ContactPoint<T>* const same =
+          std::find_if(first, to, [&](const ContactPoint<T>& p) { return p.feature == from->feature; });
+      if (same == to)
+        *to++ = *from;
+      else if (from->distance < same->distance)
+        *same = *from;
+    }
+    manifold.first_point = block.first_point + static_cast<std::uint32_t>(first - block.points);
+    manifold.point_count = static_cast<std::uint32_t>(to - first);
+  }
+  block.point_count = static_cast<std::uint32_t>(to - block.points);
+  block.any_twice = false;
+}
+
+/// Pairs that meet, some of a block one behind the other, all of them known.
+template <class T>
+struct MetPairs {
+  const typename BatchContacts<T>::Group* manifolds;  ///< one of each
+  const ContactPoint<T>* points;                      ///< of all, pair after pair
+  std::size_t count, point_count;
+  const std::uint32_t* places;  ///< among those that were asked about
+  const T* distances;
+
+  std::size_t place(std::size_t k) const { return places[k]; }
+  T distance(std::size_t k) const { return distances[k]; }
+  const Vec3<T>& normal(std::size_t k) const { return manifolds[k].normal; }
+  std::uint32_t points_of(std::size_t k) const { return manifolds[k].point_count; }
+};
+
+/// Calls `met` with the pairs of a block that follow each other and are known, and `unknown(place)` for each other one,
+/// in their order.
+template <class T, class Met, class Unknown>
+void visit_block(const PointBlock<T>& block, const std::uint32_t* places, const T* distances, std::size_t count,
+                 const Met& met, const Unknown& unknown) {
+  MetPairs<T> some{block.manifolds, block.points, 0, 0, nullptr, nullptr};
+  for (std::size_t k = 0; k < count; ++k) {
+    some.count = static_cast<std::size_t>(std::countr_one(block.known >> k));
+    if (some.count > 0) {
+      const auto& last = some.manifolds[some.count - 1];
+      some.point_count = last.first_point + last.point_count - some.manifolds->first_point;
+      some.places = places + k;
+      some.distances = distances + k;
+      met(some);
+      some.manifolds += some.count;
+      some.points += some.point_count;
+      k += some.count;
+    }
+    if (k < count) unknown(places[k]);
+  }
+}
+
+/// Room for what a kernel writes: its numbers are not set before.
+template <class Record, std::size_t size>
+union RoomFor {
+  RoomFor() {}  // NOLINT(modernize-use-equals-default): it would set them
+  Record records[size];
+};
+
+/// Where a block is written to if nobody knows a better place.
+template <class T>
+class BlockRoom {
+ public:
+  void offer(PointBlock<T>& block) {
+    block.manifolds = manifolds_.records;
+    block.points = points_.records;
+    block.first_point = 0;
+  }
+  /// Told before those of a block of `count` pairs are visited.
+  void settle(PointBlock<T>&, std::size_t) {}
+
+ private:
+  RoomFor<typename BatchContacts<T>::Group, block_pairs> manifolds_;
+  RoomFor<ContactPoint<T>, PointBlock<T>::room> points_;
+};
+
+/// Has the lines of so many records brought near that are to be written when a kernel is done with the next pairs,
+/// which are likely to have as many: they may be behind the end of an array.
+template <class Record>
+void fetch_for_writing(const Record* first, std::size_t count) {
+  fetch_lines<true>(first, count);
+}
+
+/// The pairs that a chunk is made of: what is loaded for the axes is still near when the points are found, and those
+/// that touch fill several blocks.
+inline constexpr std::size_t batch_chunk = 128;
+/// The most that are asked about at a time. Where most pairs wait for one kernel, as in a world, twice a chunk leaves
+/// half as many lanes of the last blocks empty.
+inline constexpr std::size_t most_chunk = 2 * batch_chunk;
+
+/// Has `points(block)` find what there is to know of `count` pairs, and visits them.
+template <class T, class Points, class Room, class Met, class Unknown>
+void visit_points(const Points& points, const std::uint32_t* places, const T* distances, std::size_t count, Room& room,
+                  const Met& met, const Unknown& unknown) {
+  PointBlock<T> block;
+  room.offer(block);
+  points(block);
+  if (block.any_twice) drop_twice(block);
+  room.settle(block, count);
+  visit_block(block, places, distances, count, met, unknown);
+}
+
+/// Asks the kernel about the boxes that wait, as long as there is a block full of them, or about `all`.
+template <class T, class Room, class Met, class Unknown>
+void visit_met_boxes(MetBoxes<T>& boxes, bool all, Room& room, const Met& met, const Unknown& unknown) {
+  const auto kernel = GRAZE_KERNEL(chosen_isa(), box_points<T>);
+  for (std::size_t waiting; waiting = boxes.count - boxes.first, waiting >= block_pairs || (all && waiting > 0);) {
+    const std::size_t size = std::min(waiting, block_pairs), end = boxes.first + size;
+    // Lanes that stay empty repeat the last pair.
+    for (std::size_t column = 0; size < block_pairs && column < MetBoxes<T>::columns; ++column)
+      std::fill(boxes.number[column] + end, boxes.number[column] + boxes.first + block_pairs,
+                boxes.number[column][end - 1]);
+    visit_points<T>([&](PointBlock<T>& block) { kernel(boxes, size, block); }, boxes.place + boxes.first,
+                    boxes.number[MetBoxes<T>::distance] + boxes.first, size, room, met, unknown);
+    boxes.first = end;
+  }
+}
+
+/// Asks kernels about plain boxes (`plain_box`), up to `most_chunk`: `apart(i)` for those further apart than their
+/// margins; and, in the order of the pairs, `met(pairs)`, the `MetPairs`, for some at a time, or, where their faces do
+/// not tell, `unknown(i)`.
+template <class T, class Apart, class Met, class Unknown, class Room = BlockRoom<T>>
+void visit_box_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
+                        const Unknown& unknown, Room&& room = {}) {
+  const auto axes = GRAZE_KERNEL(chosen_isa(), box_axes<T>);
+  MetBoxes<T> boxes;
+  std::uint32_t places[MetBoxes<T>::most + block_pairs];
+  for (std::size_t first = 0; first < count; first += MetBoxes<T>::most) {
+    const std::size_t apart_count = axes(pairs + first, std::min(MetBoxes<T>::most, count - first),
+                                         static_cast<std::uint32_t>(first), boxes, places);
+    for (std::size_t k = 0; k < apart_count; ++k) apart(places[k]);
+    visit_met_boxes(boxes, false, room, met, unknown);
+  }
+  visit_met_boxes(boxes, true, room, met, unknown);
+}
+/// And about plain boxes in rows, of which up to `MetBoxes::most` are asked about at a time, the first of them pair
+/// number `number`. What is left of them waits in `boxes` for the next ones.
+template <class T, class Apart, class Met, class Unknown, class Room>
+void visit_box_contacts(const PairRows<T>& rows, std::size_t count, T margin, std::uint32_t number, MetBoxes<T>& boxes,
+                        const Apart& apart, const Met& met, const Unknown& unknown, Room& room) {
+  static_assert(batch_chunk <= MetBoxes<T>::most);
+  std::uint32_t places[MetBoxes<T>::most + block_pairs];
+  const std::size_t apart_count =
+      GRAZE_KERNEL(chosen_isa(), box_row_axes<T>)(rows, count, margin, number, boxes, places);
+  for (std::size_t k = 0; k < apart_count; ++k) apart(places[k]);
+  visit_met_boxes(boxes, false, room, met, unknown);
+}
+
+/// A kernel for the points of contact of pairs whose distances, and what else a `Choice` says, are known.
+template <class T, class Choice>
+using PointKernel = void (*)(const PairRef<T>*, const Choice*, std::size_t, PointBlock<T>&);
+
+/// Asks a kernel about the points of up to `most_chunk` pairs; calls as `visit_box_contacts`.
+template <class T, class Choice, class Apart, class Met, class Unknown>
+void visit_contacts(PointKernel<T, Choice> points, const PairRef<T>* pairs, const Choice* choices, std::size_t count,
+                    const Apart& apart, const Met& met, const Unknown& unknown) {
+  // No branch that nobody foresees: places are written either way and kept or written over.
+  std::uint32_t place[most_chunk], apart_place[most_chunk];
+  std::size_t met_count = 0, apart_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool meets = !(choices[i].distance > pairs[i].margin);
+    place[met_count] = apart_place[apart_count] = static_cast<std::uint32_t>(i);
+    met_count += meets;
+    apart_count += !meets;
+  }
+  for (std::size_t k = 0; k < apart_count; ++k) apart(apart_place[k]);
+  PairRef<T> some[block_pairs];
+  Choice some_choices[block_pairs];
+  T distances[block_pairs];
+  BlockRoom<T> room;
+  for (std::size_t first = 0; first < met_count; first += block_pairs) {
+    const std::size_t size = std::min(block_pairs, met_count - first);
+    for (std::size_t k = 0; k < size; ++k) {
+      some[k] = pairs[place[first + k]];
+      some_choices[k] = choices[place[first + k]];
+      distances[k] = some_choices[k].distance;
+    }
+    visit_points<T>([&](PointBlock<T>& block) { points(some, some_choices, size, block); }, place + first, distances,
+                    size, room, met, unknown);
+  }
+}
+
+/// The same of plain boxes and triangles without a margin; slivers are `unknown`.
+template <class T, class Apart, class Met, class Unknown>
+void visit_triangle_contacts(const PairRef<T>* pairs, std::size_t count, const Apart& apart, const Met& met,
+                             const Unknown& unknown) {
+  const Isa level = chosen_isa();
+  TriangleReferenceAxis<T> axes[most_chunk];
+  GRAZE_KERNEL(level, triangle_axes<T>)(pairs, count, axes);
+  visit_contacts<T, TriangleReferenceAxis<T>>(GRAZE_KERNEL(level, triangle_points<T>), pairs, axes, count, apart, met,
+                                              unknown);
+}
+
+}  // namespace graze

@@ -1,0 +1,113 @@
+// Contacts of what rests on half-spaces: of one pair, and of many by the kernel for them.
+//
+// Guarantee: for each pair what `convex_contacts` answers, bit for bit.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+
+#include "narrow/batch/box_batch.hpp"
+#include "narrow/manifold/add_point.hpp"
+#include "narrow/pairs/box_half_space.hpp"
+#include "narrow/pairs/sphere_capsule_half_space.hpp"
+#include "narrow/pairs/triangle_half_space.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+/// Points of a body that are nearer to each other than this are one; zero where none of its own can be.
+template <class T>
+T points_together(const Sphere<T>&, T) {
+  return T(0);
+}
+template <class T>
+T points_together(const Capsule<T>& capsule, T margin) {
+  const T together = tolerance<T> * (capsule.core_extent() + rounding_radius(capsule, margin));
+  return T(2) * capsule.half_height() > together ? T(0) : together;
+}
+template <class T>
+T points_together(const Box<T>& box, T) {
+  const Vec3<T>& half = box.half_extents();
+  const T together = tolerance<T> * length(half);
+  return least(half.x, least(half.y, half.z)) > together ? T(0) : together;
+}
+
+template <class T>
+T points_together(const Triangle<T>& triangle, T) {
+  const T together = tolerance<T> * triangle.core_extent();
+  const auto side = [&](std::size_t i, std::size_t j) { return length(triangle.point(i) - triangle.point(j)); };
+  return least(side(0, 1), least(side(1, 2), side(2, 0))) > T(2) * together ? T(0) : together;
+}
+
+/// Calls `f(point)` for the points in the slots of one pair, the body before the half-space, but the later of two at
+/// one place. `slot(i)` gives the i-th slot; `together` as above.
+template <class T, class Slot, class F>
+void each_half_space_point(unsigned filled, T together, const Slot& slot, const F& f) {
+  const auto point = [&](std::size_t i) {
+    const typename Rest<T>::Slot from = slot(i);
+    return ContactPoint<T>{from.of_body, from.of_plane, from.distance,
+                           feature_id(vertex_feature(static_cast<std::uint32_t>(from.corner)), face_feature(0))};
+  };
+  if (together == T(0)) [[likely]] {
+    for (; filled != 0; filled &= filled - 1) f(point(static_cast<std::size_t>(std::countr_zero(filled))));
+    return;
+  }
+  Manifold<T> manifold;
+  for (; filled != 0; filled &= filled - 1)
+    add_point(point(static_cast<std::size_t>(std::countr_zero(filled))), together, manifold);
+  for (const ContactPoint<T>& p : manifold.points) f(p);
+}
+
+/// The points of one of the pairs of a block. In the order in which the two stand, which is with the half-space first
+/// where they are `turned`.
+template <class T>
+struct HalfSpacePoints {
+  const HalfSpaceBlock<T>& block;
+  std::size_t pair;
+  T together;
+  bool turned;
+
+  /// Unit, from the first of the two to the second.
+  Vec3<T> normal() const {
+    const Vec3<T> up{block.up[0][pair], block.up[1][pair], block.up[2][pair]};
+    return turned ? up : -up;
+  }
+  /// Appends them to `points` (of contact points or of what begins with one) and returns how many.
+  template <class Points>
+  std::size_t append(Points& points) const {
+    const std::size_t first = points.size();
+    const auto at = [&](const auto& columns) { return Vec3<T>{columns[0][pair], columns[1][pair], columns[2][pair]}; };
+    each_half_space_point<T>(
+        static_cast<unsigned>(block.filled[pair]), together,
+        [&](std::size_t i) {
+          const auto& slot = block.slots[i];
+          return typename Rest<T>::Slot{at(slot.of_body), at(slot.of_plane), slot.distance[pair], slot.corner[pair]};
+        },
+        [&](const ContactPoint<T>& p) { points.push_back({turned ? mirrored(p) : p}); });
+    return points.size() - first;
+  }
+};
+
+/// Asks about pairs of a body A, as the kernels take it, and a plain half-space, in their order: `apart(i)` for those
+/// further apart than their margins, for the others `touching(i, distance, points)`, the last `HalfSpacePoints`.
+/// `turned` tells whether the half-space is the first of the two for whoever asks.
+template <class A, class T, class Apart, class Touching>
+void visit_half_space_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, const Apart& apart,
+                               const Touching& touching) {
+  const auto kernel = GRAZE_KERNEL(chosen_isa(), half_space_slots<A, T>);
+  HalfSpaceBlock<T> block;
+  for (std::size_t first = 0; first < count; first += block_pairs) {
+    const std::size_t size = std::min(block_pairs, count - first);
+    kernel(pairs + first, size, block);
+    for (std::size_t k = 0; k < size; ++k) {
+      const PairRef<T>& pair = pairs[first + k];
+      if (!(block.distance[k] <= pair.margin))
+        apart(first + k);
+      else
+        touching(first + k, block.distance[k],
+                 HalfSpacePoints<T>{block, k, points_together(*static_cast<const A*>(pair.a), T(0)), turned});
+    }
+  }
+}
+
+}  // namespace graze

@@ -1,0 +1,86 @@
+// The Minkowski difference of two small hulls, whose vertices are scanned; or of one and what `ScannedShape` makes a
+// hull of.
+//
+// Guarantee: as `MinkowskiDifference` of their cores, to the last bit; only where two corners of a box or a segment lie
+// equally far along a direction but for rounding, it may be the other. A query is one call of a kernel, in which the
+// two scans run beside each other.
+#pragma once
+
+#include "narrow/core/support_point.hpp"
+#include "shape/furthest_vertex.hpp"
+
+namespace graze {
+
+/// B - A, B turned and moved into A's frame.
+template <class T>
+struct HullPair {
+  ScannedHull<T> a, b;
+  Mat3d rotation;
+  Vec3d translation;
+};
+
+/// B's vertices in A's frame: queries that read them turn neither a direction nor a point, of which they would wait for
+/// one after the other.
+struct PlacedVertices {
+  static constexpr std::size_t room = 2 * VertexBlock::size;
+  alignas(64) double x[room], y[room], z[room];
+  VertexBlock turned[2];  ///< without the translation, rounded
+};
+
+// clang-format off
+GRAZE_DECLARE_KERNEL(
+    /// The point of the difference that lies least far along a direction.
+    template <class T> void hull_support(const HullPair<T>& hulls, const Vec3d& direction, SupportPoint& point);
+    /// Costs as much as two or three queries.
+    template <class T> void place_vertices(const HullPair<T>& hulls, PlacedVertices& placed);
+    /// As `hull_support`, to the last bit.
+    template <class T> void placed_support(const HullPair<T>& hulls, const PlacedVertices& placed,
+                                           const Vec3d& direction, SupportPoint& point);)
+// clang-format on
+
+template <class T>
+class HullDifference {
+ public:
+  /// `size`: the larger of their extents.
+  HullDifference(const ScannedHull<T>& a, const ScannedHull<T>& b, T size, const Posed& b_in_a)
+      : hulls_{a, b, rotation_matrix(b_in_a.rotation), b_in_a.translation},
+        size_(static_cast<double>(size)),
+        reach_(size_ + max_abs(b_in_a.translation)) {}
+
+  /// For the one question that most often tells that two hulls are apart.
+  SupportPoint first_support(const Vec3d& direction) const {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), hull_support<T>);
+    SupportPoint point;
+    kernel(hulls_, direction, point);
+    return point;
+  }
+  /// Before all other questions.
+  void place() {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), place_vertices<T>);
+    kernel(hulls_, placed_);
+  }
+  SupportPoint support(const Vec3d& direction) const {
+    SupportPoint point;
+    support_(hulls_, placed_, direction, point);
+    return point;
+  }
+  const HullPair<T>& hulls() const { return hulls_; }
+  const PlacedVertices& placed() const { return placed_; }
+  const Vec3d& center_offset() const { return hulls_.translation; }
+  double size() const { return size_; }
+  double reach() const { return reach_; }
+
+ private:
+  using Support = void (*)(const HullPair<T>&, const PlacedVertices&, const Vec3d&, SupportPoint&);
+  static Support kernel() {
+    static const Support chosen = GRAZE_KERNEL(chosen_isa(), placed_support<T>);
+    return chosen;
+  }
+
+  HullPair<T> hulls_;
+  Support support_ = kernel();
+  double size_, reach_;
+  PlacedVertices placed_;
+};
+
+}  // namespace graze

@@ -1,0 +1,81 @@
+// Any core with few corners as a hull that is scanned: a ball's middle, a segment, a triangle, a box, a small hull.
+//
+// Guarantee: the corners are those of `ShapeCore`, in an order in which the first of those that lie equally far along a
+// direction is the one that it gives.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "narrow/core/core.hpp"
+#include "shape/furthest_vertex.hpp"
+
+namespace graze {
+
+template <class T>
+bool is_hull(const Shape<T>& shape) {
+  return shape.template as<ConvexHull<T>>() != nullptr;
+}
+
+/// Whether a shape's core has few corners and no other points.
+template <class T>
+bool is_scannable(const Shape<T>& shape) {
+  return shape.visit([](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (std::is_same_v<C, ConvexHull<T>>)
+      return !c.data().blocks.empty();
+    else
+      return std::is_same_v<C, Triangle<T>> || has_core(c);
+  });
+}
+
+template <class T>
+class ScannedShape {
+ public:
+  /// A shape that is scannable and outlives this.
+  explicit ScannedShape(const Shape<T>& shape) {
+    shape.visit([&](const auto& c) {
+      using C = std::decay_t<decltype(c)>;
+      if constexpr (std::is_same_v<C, ConvexHull<T>>)
+        view_ = scanned(c.data()), extent_ = c.data().extent;
+      else if constexpr (std::is_same_v<C, Triangle<T>>)
+        take({c.point(0), c.point(1), c.point(2)});
+      else if constexpr (std::is_same_v<C, LineSegment<T>>)
+        take({c.point(0), c.point(1)});
+      else if constexpr (std::is_same_v<C, Capsule<T>>)
+        take({{T(0), c.half_height(), T(0)}, {T(0), -c.half_height(), T(0)}});
+      else
+        take(core_of(c));
+    });
+  }
+  ScannedShape(const ScannedShape&) = delete;
+  ScannedShape& operator=(const ScannedShape&) = delete;
+
+  const ScannedHull<T>& view() const { return view_; }
+  /// The greatest distance of a corner from the frame's origin.
+  T extent() const { return extent_; }
+
+ private:
+  void take(const PointCore<T>& core) { take({core.point}); }
+  void take(const BoxCore<T>& core) {
+    const auto& [x, y, z] = core.half;
+    take({{x, y, z}, {-x, y, z}, {x, -y, z}, {-x, -y, z}, {x, y, -z}, {-x, y, -z}, {x, -y, -z}, {-x, -y, -z}});
+  }
+  template <class Other>
+  void take(const Other&) {}  // no scannable shape has another core
+  void take(std::initializer_list<Vec3<T>> corners) {
+    std::copy(corners.begin(), corners.end(), corners_);
+    extent_ = T(0);
+    for (const Vec3<T>& corner : corners) extent_ = greatest(extent_, length(corner));
+    view_ = {&block_, corners_, static_cast<std::uint32_t>(corners.size()), static_cast<float>(extent_)};
+    fill_block(corners_, corners.size(), block_);
+  }
+
+  ScannedHull<T> view_;
+  T extent_;
+  // Of what is no hull.
+  VertexBlock block_;
+  Vec3<T> corners_[8];
+};
+
+}  // namespace graze

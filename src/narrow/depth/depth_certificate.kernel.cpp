@@ -1,0 +1,214 @@
+#include "narrow/depth/depth_certificate.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+
+#include "simd/lanes.hpp"
+
+// The directions are taken in cells, a sector of tangents and an interval of s each, a cell a lane; each term counts as
+// the least that it has anywhere in the cell. A cell that this leaves in doubt is cut, both ways in four or, where its
+// interval has no end, its tangents in two (branch and bound).
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+using S = Lanes<double>;
+
+/// Cells that are looked at together, at every level as many, so that each comes to the same doubts.
+constexpr std::size_t together = 8;
+constexpr auto step = static_cast<std::size_t>(S::lanes);
+/// How often a cell is cut: to sectors of a fifth of a degree. What is in doubt then has about as little as was found.
+constexpr int cuts = 8;
+/// Most proofs take four to ten bundles of cells; one that takes so many takes twice as long as EPA.
+constexpr int most_bundles = 400;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// From here on, as s, directions are taken to the opposite of n at once; until there in these intervals.
+constexpr double far_away = 8;
+constexpr double ends[] = {0, 0.5, 2, far_away};
+
+class Cells {
+ public:
+  /// The last cells are cut first, so that of each size there are left at most those of one bundle that was cut.
+  static constexpr std::size_t room = 3 * together + cuts * 4 * together;
+
+  bool empty() const { return count_ == 0; }
+
+  /// All tangents, in eight sectors.
+  [[gnu::always_inline]] void add_around(double from, double to) {
+    constexpr double h = 0.70710678118654752440;
+    constexpr double cosines[] = {1, h, 0, -h, -1, -h, 0, h};
+    const auto tangent = [&](std::size_t i) -> PolarTangent { return {cosines[i % 8], cosines[(i + 6) % 8]}; };
+    for (std::size_t i = 0; i < together; ++i) add(tangent(i), tangent(i + 1), from, to, 0);
+  }
+
+  /// Takes the last ones, up to `together`; they stay readable until others are added.
+  [[gnu::always_inline]] std::size_t take() {
+    const std::size_t taken = count_ < together ? count_ : together;
+    count_ -= taken;
+    return taken;
+  }
+  std::size_t begin() const { return count_; }
+
+  /// The numbers of a register of cells from the `first` on.
+  struct Bundle {
+    S u0, v0, u1, v1, from, to;
+  };
+  [[gnu::always_inline]] Bundle bundle(std::size_t first) const {
+    return {S::load(u0_ + first), S::load(v0_ + first),   S::load(u1_ + first),
+            S::load(v1_ + first), S::load(from_ + first), S::load(to_ + first)};
+  }
+
+  struct Cell {
+    PolarTangent first, last;
+    double from, to;
+    int cuts;
+  };
+  [[gnu::always_inline]] Cell cell(std::size_t i) const {
+    return {{u0_[i], v0_[i]}, {u1_[i], v1_[i]}, from_[i], to_[i], cuts_[i]};
+  }
+
+  [[gnu::always_inline]] void add(const PolarTangent& first, const PolarTangent& last, double from, double to,
+                                  int cut) {
+    u0_[count_] = first.u;
+    v0_[count_] = first.v;
+    u1_[count_] = last.u;
+    v1_[count_] = last.v;
+    from_[count_] = from;
+    to_[count_] = to;
+    cuts_[count_++] = static_cast<std::int8_t>(cut);
+  }
+
+ private:
+  std::size_t count_ = 0;
+  alignas(64) double u0_[room], v0_[room], u1_[room], v1_[room], from_[room], to_[room];
+  std::int8_t cuts_[room];
+};
+
+/// The tangents between two; they lie in the triangle of both and of the point where their own tangents meet, which
+/// bounds linear terms.
+struct Sector {
+  S u0, v0, u1, v1;
+  S meet;  ///< of the sum of the two
+
+  [[gnu::always_inline]] Sector(const S& a_u, const S& a_v, const S& b_u, const S& b_v)
+      : u0(a_u), v0(a_v), u1(b_u), v1(b_v), meet(S(1) / (S(1) + a_u * b_u + a_v * b_v)) {}
+
+  [[gnu::always_inline]] S highest(const PolarTangent& x) const {
+    const S a = S(x.u) * u0 + S(x.v) * v0, b = S(x.u) * u1 + S(x.v) * v1;
+    return greatest(greatest(a, b), (a + b) * meet);
+  }
+  [[gnu::always_inline]] S lowest(const PolarTangent& x) const { return -highest({-x.u, -x.v}); }
+  /// The least slope over a crease.
+  [[gnu::always_inline]] S slope_over(const PolarTerms::Crease& c) const {
+    const S a = S(c.axis.u) * u0 + S(c.axis.v) * v0, b = S(c.axis.u) * u1 + S(c.axis.v) * v1, zero(0);
+    const S up = least(a, b) * S(c.up), down = -greatest(a, b) * S(c.down);
+    return select((a > zero) & (b > zero), up, select((a < zero) & (b < zero), down, zero));
+  }
+};
+
+/// The same of the doubled angles, in which forms are linear.
+[[gnu::always_inline]] inline Sector twice(const Sector& s) {
+  return Sector(s.u0 * s.u0 - s.v0 * s.v0, S(2) * s.u0 * s.v0, s.u1 * s.u1 - s.v1 * s.v1, S(2) * s.u1 * s.v1);
+}
+
+/// Where j s - depth s^2 + sum of e is nowhere negative, by what it has divided by s.
+[[gnu::always_inline]] inline S::Mask holds_between(const PolarTerms& terms, const Cells::Bundle& cell) {
+  const S zero(0);
+  const Sector sector(cell.u0, cell.v0, cell.u1, cell.v1), doubled = twice(sector);
+  S slope(0);
+  if (terms.cap > 0) slope = greatest(zero, S(terms.cap) + sector.lowest(terms.cap_slope));
+  for (const PolarTerms::Crease& c : terms.creases) slope += sector.slope_over(c);
+  // A segment's share grows with s; close to s = 0 only one across n has any.
+  const S turned = cell.from - S(1) / greatest(cell.from, S(std::numeric_limits<double>::min()));
+  for (const PolarTerms::Segment& s : terms.segments)
+    slope += S(s.half) * greatest(zero, S(s.along) * turned - S(2) * sector.highest(s.axis));
+  const auto by_least_bend = slope >= cell.to * S(terms.depth - terms.least_bend);
+  S bend(0);
+  for (const PolarTerms::Round& r : terms.rounds) {
+    // A form is its mean and a linear term in the doubled angle.
+    const TangentForm& f = r.across;
+    const PolarTangent swing{(f.uu - f.vv) * 0.5, f.uv};
+    const S mean((f.uu + f.vv) * 0.5), point = sector.highest(r.point);
+    const S least_across = greatest(zero, mean + doubled.lowest(swing)), most_across = mean + doubled.highest(swing);
+    // The most of X, which is concave in s.
+    const S top = least(cell.to, greatest(cell.from, point / S(r.extent)));
+    const S x = S(r.extent) * (S(1) - top * top) + S(2) * top * point, y = S(4) * cell.to * cell.to * most_across;
+    const S root = sqrt(x * x + y), below = select(x > zero, root + x, y / (root - x));
+    const S bends = select(below > zero, S(2) * least_across / below, zero);
+    // Beyond the face of a disc, sqrt(X^2 + Y^2) - X is no less than -2 X.
+    const auto over = -x > bends * cell.to * cell.to;
+    slope = select(over, slope - x / cell.to, slope);
+    bend = select(over, bend, bend + bends);
+  }
+  return by_least_bend | (slope >= cell.to * (S(terms.depth) - bend));
+}
+
+/// The same from the start of the interval on up to the opposite of n, divided by s^2.
+[[gnu::always_inline]] inline S::Mask holds_beyond(const PolarTerms& terms, const Cells::Bundle& cell) {
+  const Sector sector(cell.u0, cell.v0, cell.u1, cell.v1);
+  const S zero(0), turned = S(1) - S(1) / (cell.from * cell.from);
+  S bend(0);
+  for (const PolarTerms::Round& r : terms.rounds)
+    bend += greatest(zero, S(r.extent) * turned - S(2) * greatest(zero, sector.highest(r.point)) / cell.from);
+  for (const PolarTerms::Segment& s : terms.segments)
+    bend += S(s.half) * greatest(zero, S(s.along) * turned - S(2) * greatest(zero, sector.highest(s.axis)) / cell.from);
+  return bend >= S(terms.depth);
+}
+
+/// Cuts a cell; or tells of its middle as a doubt and returns false.
+[[gnu::always_inline]] inline bool cut(const Cells::Cell& c, Cells& cells, PolarDoubt& doubt) {
+  const double scale = 1 / std::sqrt(2 + 2 * (c.first.u * c.last.u + c.first.v * c.last.v));
+  const PolarTangent middle{(c.first.u + c.last.u) * scale, (c.first.v + c.last.v) * scale};
+  const bool endless = c.to == infinity;
+  const double half = endless ? 2 * c.from : (c.from + c.to) * 0.5;
+  if (c.cuts == cuts) {
+    doubt = {middle, half};
+    return false;
+  }
+  for (int i = 0; i < (endless ? 1 : 2); ++i) {
+    const double from = i == 0 ? c.from : half, to = i == 0 && !endless ? half : c.to;
+    cells.add(c.first, middle, from, to, c.cuts + 1);
+    cells.add(middle, c.last, from, to, c.cuts + 1);
+  }
+  return true;
+}
+
+/// Whether all cells hold, the last ones first; looks at no more than so many bundles, which are taken off `left`.
+template <class Holds>
+[[gnu::always_inline]] inline bool all_hold(Cells& cells, const Holds& holds, int& left, PolarDoubt& doubt) {
+  while (!cells.empty()) {
+    if (left-- == 0) return false;
+    const std::size_t taken = cells.take(), begin = cells.begin();
+    std::uint32_t open = 0;
+    for (std::size_t i = 0; i < taken; i += step) open |= bits_of(!holds(cells.bundle(begin + i))) << i;
+    open &= (1u << taken) - 1;
+    if (open == 0) continue;
+    Cells::Cell doubtful[together];
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < taken; ++i)
+      if (open >> i & 1) doubtful[count++] = cells.cell(begin + i);
+    for (std::size_t i = 0; i < count; ++i)
+      if (!cut(doubtful[i], cells, doubt)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+[[gnu::flatten]] bool no_less_around(const PolarTerms& terms, PolarDoubt& doubt) {
+  doubt = {{0, 0}, 0};
+  int left = most_bundles;
+  Cells cells;
+  cells.add_around(far_away, infinity);
+  const auto beyond = [&](const Cells::Bundle& bundle) { return holds_beyond(terms, bundle); };
+  if (!all_hold(cells, beyond, left, doubt)) return false;
+  for (std::size_t i = 0; i + 1 < std::size(ends); ++i) cells.add_around(ends[i], ends[i + 1]);
+  const auto between = [&](const Cells::Bundle& bundle) { return holds_between(terms, bundle); };
+  return all_hold(cells, between, left, doubt);
+}
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,99 @@
+// Box against box that moves without turning: the ray from the origin against their difference, whose facets all stand
+// across the fifteen axes, is clipped by one slab an axis (Kay, Kajiya 1986, "Ray tracing complex scenes").
+//
+// Guarantee: until the time returned some axis parts the boxes by at least the gap asked for; when that is never to
+// end, the axes prove it.
+#pragma once
+
+#include <optional>
+
+#include "narrow/pairs/box_box/distance.hpp"
+
+namespace graze {
+
+struct BoxTranslation {
+  double t;                                    ///< infinity when they stay apart throughout
+  std::optional<CoreDistance<double>> impact;  ///< at that time, where the axis tells it
+};
+
+namespace detail {
+
+/// What is left of the time in which no axis parts the boxes.
+class SlabClip {
+ public:
+  SlabClip(double gap, double duration) : gap_(gap), end_(duration) {}
+
+  /// An axis of squared length `squared` along which the centres are `middle` apart and move by `pace`, the boxes being
+  /// `reach` wide from centre to centre.
+  void clip(double middle, double pace, double reach, double squared, int number) {
+    const double rate = std::abs(pace), against = pace > 0 ? -middle : middle;
+    if (!(rate > 0)) {
+      if (std::abs(middle) > reach + gap_) begin_ = std::numeric_limits<double>::infinity();
+      return;
+    }
+    const double scale = 1 / rate;
+    // No axis is longer than a unit vector.
+    end_ = least(end_, (against + reach + gap_) * scale);
+    if ((against - reach) * scale <= begin_) return;
+    const double norm = squared == 1 ? 1 : std::sqrt(squared), enters = (against - reach - gap_ * norm) * scale;
+    if (enters <= begin_) return;
+    begin_ = enters;
+    number_ = number;
+  }
+  bool never() const { return begin_ > end_; }
+  /// Whether some axis parts them at the begin.
+  bool apart() const { return number_ >= 0; }
+  double begin() const { return begin_; }
+  int number() const { return number_; }
+
+ private:
+  double gap_, begin_ = 0, end_;
+  int number_ = -1;
+};
+
+/// How far the boxes are apart along the axis of a number, as they stand.
+inline double separation_along(const BoxPair<double>& p, int number) {
+  const auto k = static_cast<std::size_t>(number);
+  Vec3d n = k < 3 ? unit_axis<double>(k) : p.rotation.column(k % 3);
+  if (k >= 6) n = unit(cross(unit_axis<double>((k - 6) / 3), n));
+  const double middle = dot(p.translation, n);
+  const double reach = dot(abs(n), p.half_a) + dot(abs(transposed_times(p.rotation, n)), p.half_b);
+  return std::abs(middle) - reach;
+}
+
+}  // namespace detail
+
+/// B moves by `velocity` for `duration` and is to stay `gap` > 0 from A. Nothing when no axis parts them by that at the
+/// begin. Points of an impact may be off their boxes by `slack`.
+inline std::optional<BoxTranslation> box_translation(BoxPair<double> p, const Vec3d& velocity, double gap,
+                                                     double duration, double slack) {
+  const Mat3d absolute = abs(p.rotation);
+  detail::SlabClip slabs(gap, duration);
+  for (std::size_t i = 0; i < 3; ++i)
+    slabs.clip(p.translation[i], velocity[i], p.half_a[i] + dot(absolute.row[i], p.half_b), 1, static_cast<int>(i));
+  for (std::size_t j = 0; j < 3 && !slabs.never(); ++j) {
+    const Vec3d axis = p.rotation.column(j);
+    slabs.clip(dot(p.translation, axis), dot(velocity, axis), p.half_b[j] + dot(absolute.column(j), p.half_a), 1,
+               static_cast<int>(3 + j));
+  }
+  const BoxRows<double> rows(p);
+  any_of_three([&](auto i) {
+    const BoxEdgeAxes<double> edges = box_edges<i>(rows);
+    const auto squares = edges.length_squared();
+    for (int j = 0; j < 3; ++j) {
+      if (slabs.never()) return true;
+      if (!(squares[j] > parallel_edges<double>)) continue;
+      const double pace = edges.along_1[j] * velocity[(i + 1) % 3] + edges.along_2[j] * velocity[(i + 2) % 3];
+      slabs.clip(edges.middle[j], pace, edges.reach[j], squares[j], static_cast<int>(6 + 3 * i) + j);
+    }
+    return false;
+  });
+  if (slabs.never()) return BoxTranslation{std::numeric_limits<double>::infinity(), std::nullopt};
+  if (!slabs.apart()) return std::nullopt;
+  p.translation += velocity * slabs.begin();
+  const BoxNearest<double> impact =
+      along_axis(p, static_cast<double>(slabs.number()), detail::separation_along(p, slabs.number()), slack);
+  return BoxTranslation{slabs.begin(), impact.proven ? std::optional(impact.core) : std::nullopt};
+}
+
+}  // namespace graze

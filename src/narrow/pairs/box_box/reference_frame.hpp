@@ -1,0 +1,116 @@
+// Two boxes as they meet along an axis, turned until the axis runs about along z, across lanes.
+//
+// Guarantee: in every lane the bits that the pair gives alone; nothing of a single pair is a jump but whether the axis
+// is one of edges.
+#pragma once
+
+#include "narrow/pairs/box_box/reference_axis.hpp"
+
+namespace graze {
+
+namespace detail {
+
+/// Puts one of three axes last, and before it those that follow it.
+template <class S>
+class AxisLast {
+ public:
+  using Number = S;
+  using Row = Packed<S, 3>;
+  using Mask = typename Row::Mask;
+
+  AxisLast() = default;
+  /// The axis of that number, 0, 1 or 2, which is given three times.
+  static AxisLast of(const Row& number) { return {number == Row(S(0)), number == Row(S(1))}; }
+  /// The axis along which a vector is longest, the first of those.
+  static AxisLast longest(const Row& v) {
+    const Row a = abs(v), x = spread<0>(a), y = spread<1>(a), z = spread<2>(a);
+    const Mask first = (x >= y) & (x >= z);
+    return {first, (!first) & (y >= z)};
+  }
+  friend AxisLast select(const Mask& condition, const AxisLast& yes, const AxisLast& no) {
+    const Mask other = !condition;
+    return {(condition & yes.first_) | (other & no.first_), (condition & yes.second_) | (other & no.second_)};
+  }
+
+  /// What belongs to the axis, of three.
+  Row pick(const Row& x, const Row& y, const Row& z) const { return select(first_, x, select(second_, y, z)); }
+  S pick(const S& x, const S& y, const S& z) const { return pick(Row(x), Row(y), Row(z))[0]; }
+  /// The components of a vector, or the rows of a matrix, in the new order.
+  Row operator()(const Row& v) const { return pick(following(v), preceding(v), v); }
+  Rows<S> operator()(const Rows<S>& m) const {
+    const Row* const row = m.row;
+    return {pick(row[1], row[2], row[0]), pick(row[2], row[0], row[1]), pick(row[0], row[1], row[2])};
+  }
+
+ private:
+  AxisLast(const Mask& first, const Mask& second) : first_(first), second_(second) {}
+  Mask first_, second_;
+};
+
+/// The unit vector of A's i-th axis times B's j-th, from A to B, by 3 i + j, which is given three times.
+template <class S>
+Packed<S, 3> edges_normal(const BoxRows<S>& p, const Packed<S, 3>& number) {
+  using std::sqrt;
+  using Row = Packed<S, 3>;
+  const Row zero(S(0)), first = select(number < Row(S(3)), zero, select(number < Row(S(6)), Row(S(1)), Row(S(2))));
+  const Rows<S> columns = transposed(p.rotation);
+  const Row along = AxisLast<S>::of(number - first * Row(S(3))).pick(columns.row[0], columns.row[1], columns.row[2]),
+            back = -along;
+  const Row product = AxisLast<S>::of(first).pick(
+      gathered<0, 2, 1>(zero, back, along), gathered<2, 0, 0>(along, zero, back), gathered<1, 0, 0>(back, along, zero));
+  const S scale = S(1) / sqrt(sum(product * product));
+  return product * Row(scale * select(sum(p.translation * product) < S(0), S(-1), S(1)));
+}
+
+/// Whether an axis, by its number, is that of a face of B: B is the clipping one of the two then, else A.
+template <class S, int N>
+auto face_of_b(const Packed<S, N>& number) {
+  using Numbers = Packed<S, N>;
+  return (number >= Numbers(S(3))) & (number < Numbers(S(6)));
+}
+
+/// Two boxes seen from the one whose face is a rectangle along the axis, which is called the clipping one.
+template <class S>
+struct ReferenceFrame {
+  using Row = Packed<S, 3>;
+  using Mask = typename Row::Mask;
+
+  Mask by_b;             ///< the clipping one is B
+  AxisLast<S> face;      ///< the axis of the clipping one's face, and so the order of the coordinates here
+  Row normal;            ///< from it to the other; of a face exactly one of its axes
+  S steep;               ///< one over the last of the normal
+  Row half, half_other;  ///< of the other in its own order
+  Row translation;       ///< of the other
+  Rows<S> rotation;      ///< and its turn
+
+  ReferenceFrame(const BoxRows<S>& p, const S& axis) {
+    const Row number(axis), zero(S(0)), one(S(1));
+    const Mask of_edges = number >= Row(S(6));
+    const bool any_edges = any(of_edges);
+    by_b = face_of_b(number);
+    face = AxisLast<S>::of(number - select(by_b, Row(S(3)), zero));
+    Row product;
+    if (any_edges) {
+      product = edges_normal(p, number - Row(S(6)));
+      face = select(of_edges, AxisLast<S>::longest(product), face);
+    }
+    half = face(select(by_b, p.half_b, p.half_a));
+    half_other = select(by_b, p.half_a, p.half_b);
+    translation = face(select(by_b, -transposed_times(p.rotation, p.translation), p.translation));
+    const Rows<S> back = transposed(p.rotation);
+    rotation = face(Rows<S>{select(by_b, back.row[0], p.rotation.row[0]), select(by_b, back.row[1], p.rotation.row[1]),
+                            select(by_b, back.row[2], p.rotation.row[2])});
+    const Row far = spread<2>(translation);
+    const Row sign = select((far > zero) | ((!by_b) & (far >= zero)), one, -one);
+    normal = Row(S(0), S(0), S(1)) * sign;
+    steep = sign[0];
+    if (any_edges) {
+      normal = select(of_edges, face(product), normal);
+      steep = select(of_edges[0], S(1) / normal[2], steep);
+    }
+  }
+};
+
+}  // namespace detail
+
+}  // namespace graze

@@ -1,0 +1,212 @@
+// Box against triangle: the axis that contacts stand on, of three of the box, the triangle's normal and those of its
+// sides in its plane, and the nine products of their edges (Akenine-Möller 2001, "Fast 3D triangle-box overlap
+// testing", Journal of Graphics Tools); across lanes.
+//
+// Guarantee: in every lane the bits that the pair gives alone. The separation along an axis is that of the two's
+// intervals, so that the largest of all is a lower bound of the distance, and of those that overlap exactly minus the
+// depth, up to rounding. What a triangle as slender as `regular` excludes gives means nothing.
+#pragma once
+
+#include "narrow/pairs/box_box/reference_axis.hpp"
+#include "simd/packed.hpp"
+
+namespace graze {
+
+/// A triangle lower than this part of its longest side is left to the general path: of a lower one rounding turns the
+/// normal by more than some tens of roundings.
+inline constexpr double lowest_triangle = 1.0 / 32;
+
+/// A number for each of the triangle's corners, or of its edges, which begin at them.
+template <class S>
+using OfCorners = Vec3<Packed<S, 3>>;
+template <class S>
+Vec3<S> of_corner(const OfCorners<S>& v, int i) {
+  return {v.x[i], v.y[i], v.z[i]};
+}
+/// The same for all.
+template <class S>
+OfCorners<S> for_corners(const Vec3<S>& v) {
+  using Three = Packed<S, 3>;
+  return {Three(v.x), Three(v.y), Three(v.z)};
+}
+
+/// A box and a triangle in the frame of the box.
+template <class S>
+struct BoxAndTriangle {
+  using Three = Packed<S, 3>;
+
+  Mat3<S> turn;  ///< of the box in the world
+  Vec3<S> half;
+  OfCorners<S> point, before, edge;  ///< each corner, the one before it, and from it to the next
+  S size_a, size_b;                  ///< about their own origins
+  S noise;                           ///< what rounding may do to the separation along an axis
+
+  BoxAndTriangle(const BoxCore<S>& box, const Pose<S>& pose_a, const TriangleCore<S>& triangle, const Pose<S>& pose_b)
+      : turn(rotation_of(pose_a.rotation)), half(box.half) {
+    using std::sqrt;
+    const RelativeFrame<S> b_in_a = relative_frame(pose_a, turn, pose_b);
+    const Vec3<S>&a = triangle.point[0], &b = triangle.point[1], &c = triangle.point[2];
+    const OfCorners<S> corner{Three(a.x, b.x, c.x), Three(a.y, b.y, c.y), Three(a.z, b.z, c.z)};
+    const Mat3<Three> rotation{{for_corners(b_in_a.rotation.row[0]), for_corners(b_in_a.rotation.row[1]),
+                                for_corners(b_in_a.rotation.row[2])}};
+    // Differences of corners keep their digits wherever the triangle lies in its own frame.
+    edge = rotation * OfCorners<S>{Three(b.x - a.x, c.x - b.x, a.x - c.x), Three(b.y - a.y, c.y - b.y, a.y - c.y),
+                                   Three(b.z - a.z, c.z - b.z, a.z - c.z)};
+    point = rotation * corner + for_corners(b_in_a.translation);
+    const auto last_first = [](const Three& v) { return Three(v[2], v[0], v[1]); };
+    before = {last_first(point.x), last_first(point.y), last_first(point.z)};
+    size_a = length(half);
+    size_b = sqrt(largest(length_squared(corner)));
+    noise = S(box_rounding<typename LaneOf<S>::type>) * (greatest(size_a, size_b) + max_abs(b_in_a.translation));
+  }
+  static S largest(const Three& v) { return greatest(v[0], greatest(v[1], v[2])); }
+};
+
+/// The directions of a triangle.
+template <class S>
+struct TriangleDirections {
+  OfCorners<S> along;             ///< unit, of its edges
+  Vec3<S> normal;                 ///< unit, out of its front
+  decltype(S() < S()) regular{};  ///< of no sliver, and of lengths as those of `regular_box`
+
+  TriangleDirections() = default;
+  explicit TriangleDirections(const BoxAndTriangle<S>& p) {
+    using T = typename LaneOf<S>::type;
+    using Three = Packed<S, 3>;
+    using std::sqrt;
+    constexpr T lowest = static_cast<T>(lowest_triangle * lowest_triangle);
+    const S least_square(std::numeric_limits<T>::min());
+    const Three squared = length_squared(p.edge);
+    const Vec3<S> area = cross(of_corner(p.edge, 0), of_corner(p.edge, 1));
+    const S longest = p.largest(squared), area_squared = length_squared(area);
+    regular = regular_box(Vec3<S>{sqrt(longest), p.size_b, p.size_b}) & (area_squared > longest * longest * S(lowest));
+    along = p.edge * (Three(S(1)) / sqrt(greatest(squared, Three(least_square))));
+    normal = area * (S(1) / sqrt(greatest(area_squared, least_square)));
+  }
+};
+
+/// The axis that contacts stand on.
+template <class S>
+struct TriangleReferenceAxis {
+  S distance;      ///< signed; where it is more than the margin, a lower bound; minus infinity of a sliver
+  Vec3<S> normal;  ///< unit, from the box to the triangle, in the frame of the box
+};
+
+namespace detail {
+
+/// The best axis of those tried so far.
+template <class S>
+struct BestAxis {
+  S separation;
+  Vec3<S> normal;  ///< unit, from the box to the triangle
+
+  void keep(const S& other, const Vec3<S>& other_normal) {
+    const auto better = other > separation;
+    separation = select(better, other, separation);
+    normal = select(better, other_normal, normal);
+  }
+};
+
+/// The box's own axes.
+template <class S>
+BestAxis<S> box_side_axes(const BoxAndTriangle<S>& p) {
+  BestAxis<S> best{S(-std::numeric_limits<typename LaneOf<S>::type>::infinity()), {S(0), S(0), S(0)}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const S a = p.point[i][0], b = p.point[i][1], c = p.point[i][2];
+    const S above = least(a, least(b, c)) - p.half[i], below = -greatest(a, greatest(b, c)) - p.half[i];
+    Vec3<S> toward{S(0), S(0), S(0)};
+    toward[i] = select(above > below, S(1), S(-1));
+    best.keep(greatest(above, below), toward);
+  }
+  return best;
+}
+
+/// The triangle's normal and those of its sides, where they are better than `best`.
+template <class S>
+BestAxis<S> triangle_side_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d, BestAxis<S> best) {
+  using std::abs;
+  using Three = Packed<S, 3>;
+  const S offset = dot(d.normal, of_corner(p.point, 0));
+  best.keep(abs(offset) - dot(graze::abs(d.normal), p.half), select(offset > S(0), d.normal, -d.normal));
+  const OfCorners<S> inward = -cross(d.along, for_corners(d.normal));
+  const Three separations = dot(inward, p.point) - dot(graze::abs(inward), for_corners(p.half));
+  if (!any(separations > Three(best.separation))) return best;
+  for (int i = 0; i < 3; ++i) best.keep(separations[i], of_corner(inward, i));
+  return best;
+}
+
+/// The best of those products of the box's edges with the triangle's that are better than `face`; minus infinity where
+/// none is.
+template <class S>
+BestAxis<S> edge_axes(const BoxAndTriangle<S>& p, const TriangleDirections<S>& d, const S& face) {
+  using std::abs, std::sqrt;
+  using T = typename LaneOf<S>::type;
+  using Three = Packed<S, 3>;
+  // Separations are compared by their squares with their signs, a product each in place of a root. Axes are numbered 3
+  // i + j for the box's i-th edge and the triangle's j-th.
+  const Three parallel(S(parallel_edges<S>)), least_square(face * abs(face));
+  S gap(-std::numeric_limits<T>::infinity()), squared(1), number(0), toward(1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t u = i == 2 ? 0 : i + 1, v = i == 0 ? 2 : i - 1;
+    // The whole edge is one place along its product: the triangle has but two.
+    const Three n_u = -d.along[v], n_v = d.along[u];
+    const Three one = n_u * p.point[u] + n_v * p.point[v], other = n_u * p.before[u] + n_v * p.before[v],
+                reach = abs(n_u) * Three(p.half[u]) + abs(n_v) * Three(p.half[v]);
+    const Three above = least(one, other) - reach, below = -greatest(one, other) - reach,
+                apart = greatest(above, below), lengths = n_u * n_u + n_v * n_v, squares = apart * abs(apart);
+    const auto promising = (lengths > parallel) & (squares > least_square * lengths);
+    if (!any(promising)) continue;
+    const auto upper = above > below;
+    for (int j = 0; j < 3; ++j) {
+      const auto better = promising[j] & (squares[j] * squared > gap * lengths[j]);
+      gap = select(better, squares[j], gap);
+      squared = select(better, lengths[j], squared);
+      number = select(better, S(static_cast<T>(3 * static_cast<int>(i) + j)), number);
+      toward = select(better, select(upper[j], S(1), S(-1)), toward);
+    }
+  }
+  using Mask = decltype(S() < S());
+  const Mask first = number < S(3), second = (!first) & (number < S(6));
+  const S j = number - select(first, S(0), select(second, S(3), S(6))), scale = toward / sqrt(squared);
+  const Vec3<S> f =
+      select(j == S(0), of_corner(d.along, 0), select(j == S(1), of_corner(d.along, 1), of_corner(d.along, 2)));
+  const Vec3<S> product =
+      select(first, Vec3<S>{S(0), -f.z, f.y}, select(second, Vec3<S>{f.z, S(0), -f.x}, Vec3<S>{-f.y, f.x, S(0)}));
+  const S separation = sqrt(abs(gap) / squared);
+  return {select(gap < S(0), -separation, separation), product * scale};
+}
+
+}  // namespace detail
+
+/// `margin` is up to where contacts are wanted. A face is taken before an edge that is hardly better. The triangle's
+/// directions are found only where the box's own axes do not tell.
+template <class S>
+TriangleReferenceAxis<S> triangle_choice(const BoxAndTriangle<S>& p, const S& margin,
+                                         TriangleDirections<S>& directions) {
+  using std::abs;
+  using T = typename LaneOf<S>::type;
+  const S infinity(std::numeric_limits<T>::infinity()), enough = margin + p.noise;
+  const detail::BestAxis<S> of_box = detail::box_side_axes(p);
+  // Where a face tells that they are further apart than anybody asks, no further axis need be tried.
+  const auto by_box = of_box.separation > enough;
+  if (all(by_box)) return {of_box.separation, of_box.normal};
+  directions = TriangleDirections<S>(p);
+  const detail::BestAxis<S> of_both = detail::triangle_side_axes(p, directions, of_box),
+                            face{select(by_box, of_box.separation, of_both.separation),
+                                 select(by_box, of_box.normal, of_both.normal)};
+  const auto by_face = face.separation > enough;
+  detail::BestAxis<S> edge{-infinity, face.normal};
+  if (!all(by_face)) edge = detail::edge_axes(p, directions, face.separation);
+  edge.separation = select(by_face, -infinity, edge.separation);
+
+  const S smaller = least(p.size_a, p.size_b);
+  const auto edge_best = edge.separation > face.separation + p.noise,
+             edge_chosen = edge.separation > face.separation + S(T(face_preference)) * smaller;
+  const S separation = select(edge_best, edge.separation, face.separation);
+  const S distance = select(abs(separation) <= p.noise, S(0), separation);
+  const auto outside = distance > margin;
+  const auto by_edge = (outside & edge_best) | ((!outside) & edge_chosen);
+  return {select(by_box | directions.regular, distance, -infinity), select(by_edge, edge.normal, face.normal)};
+}
+
+}  // namespace graze

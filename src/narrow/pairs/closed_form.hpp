@@ -1,0 +1,189 @@
+// A pair of the simplest cores: B's brought to A's frame, and the answer back to the world with the rounding radii on.
+#pragma once
+
+#include "graze/result.hpp"
+#include "graze/shape.hpp"
+#include "narrow/core/core.hpp"
+#include "narrow/general.hpp"
+#include "shape/rounding.hpp"
+
+namespace graze {
+
+template <class S>
+PointCore<S> moved(const PointCore<S>& core, const Pose<S>& pose) {
+  return {transform(pose, core.point)};
+}
+/// The ends keep the roundings of numbers that may have cancelled: a turn and a sum have some five of them.
+template <class S>
+SegmentCore<S> moved(const SegmentCore<S>& core, const Pose<S>& pose) {
+  const auto& [a, b] = core.segment;
+  return {{transform(pose, a), transform(pose, b)},
+          core.error + S(8) * epsilon<S> * (max_abs(pose.translation) + greatest(max_abs(a), max_abs(b)))};
+}
+
+/// A core where a pose puts it, in a frame at `offset` from the pose's origin along the world's axes.
+template <class S>
+PointCore<S> turned(const PointCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
+  // The same bits without the question, since zeros lose their sign: most balls are about their origins.
+  const Vec3<S> zero{S(0), S(0), S(0)};
+  if (is_origin(core.point)) return {offset + zero};
+  return {offset + (rotate(rotation, core.point) + zero)};
+}
+template <class S>
+TurnedAxis<S> turned(const AxisCore<S>& core, const Quat<S>& rotation, const Vec3<S>& offset) {
+  return {offset, rotation_matrix(rotation).column(1), core.half_height};
+}
+
+/// The signed distance of two cores from their nearest points.
+template <class A, class B>
+auto core_distance(const A& a, const B& b) -> decltype(core_distance(a, b, nearest_points(a, b))) {
+  return core_distance(a, b, nearest_points(a, b));
+}
+
+/// Two round shapes in a frame at A's origin along the world's axes: their cores turn, and the answer has only to move.
+template <class A, class B, class S>
+struct SphereCapsulePair {
+  Vec3<S> origin;  ///< of that frame, in the world
+  decltype(turned(A(), Quat<S>(), Vec3<S>())) a;
+  decltype(turned(B(), Quat<S>(), Vec3<S>())) b;
+  S radius_a, radius_b;
+
+  SphereCapsulePair(const Rounded<A, S>& of_a, const Pose<S>& pose_a, const Rounded<B, S>& of_b, const Pose<S>& pose_b)
+      : origin(pose_a.translation),
+        a(turned(of_a.core, pose_a.rotation, Vec3<S>{S(0), S(0), S(0)})),
+        b(turned(of_b.core, pose_b.rotation, pose_b.translation - pose_a.translation)),
+        radius_a(of_a.radius),
+        radius_b(of_b.radius) {}
+
+  S radii() const { return radius_a + radius_b; }
+  CorePoints<S> nearest() const { return nearest_points(a, b); }
+  CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(a, b, nearest); }
+  /// The same of the rounded shapes, in the world.
+  CoreDistance<S> in_world(const CoreDistance<S>& core) const {
+    return {core.distance - radii(), core.normal, origin + (core.a + core.normal * radius_a),
+            origin + (core.b - core.normal * radius_b)};
+  }
+};
+
+/// A ball and a box, whose core is about its own origin: the ball's centre as the box sees it.
+template <class S>
+struct BallAndBox {
+  Vec3<S> center;  ///< from the box's origin along the world's axes
+  Mat3<S> rotation;
+  Vec3<S> origin;  ///< of the box, in the world
+  PointCore<S> ball;
+  BoxCore<S> box;
+  S radius_ball, radius_box;
+
+  BallAndBox(const Rounded<PointCore<S>, S>& of_ball, const Pose<S>& pose_ball, const Rounded<BoxCore<S>, S>& of_box,
+             const Pose<S>& pose_box)
+      : center(turned(of_ball.core, pose_ball.rotation, pose_ball.translation - pose_box.translation).point),
+        rotation(rotation_matrix(pose_box.rotation)),
+        origin(pose_box.translation),
+        ball{transposed_times(rotation, center)},
+        box(of_box.core),
+        radius_ball(of_ball.radius),
+        radius_box(of_box.radius) {}
+
+  S radii() const { return radius_ball + radius_box; }
+  /// Of the box and the ball, in the box's frame.
+  CorePoints<S> nearest() const { return nearest_points(box, ball); }
+  CoreDistance<S> core(const CorePoints<S>& nearest) const { return core_distance(box, ball, nearest); }
+  /// From the rounded ball to the rounded box, in the world.
+  CoreDistance<S> in_world(const CoreDistance<S>& core) const {
+    const Vec3<S> outward = rotation * core.normal;
+    return {core.distance - radii(), -outward, origin + (center - outward * radius_ball),
+            origin + (rotation * core.a + outward * radius_box)};
+  }
+};
+
+template <class A, class B, class S>
+SphereCapsulePair<A, B, S> sphere_capsule_pair(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
+                                               const Pose<S>& pose_b) {
+  return {a, pose_a, b, pose_b};
+}
+template <class S>
+BallAndBox<S> sphere_capsule_pair(const Rounded<PointCore<S>, S>& ball, const Pose<S>& pose_ball,
+                                  const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose_box) {
+  return {ball, pose_ball, box, pose_box};
+}
+
+template <class T>
+Rounded<PointCore<T>, T> rounded_core(const Sphere<T>& sphere, T margin) {
+  return {core_of(sphere), rounding_radius(sphere, margin)};
+}
+/// Of an untapered capsule.
+template <class T>
+Rounded<AxisCore<T>, T> rounded_core(const Capsule<T>& capsule, T margin) {
+  return {{capsule.half_height()}, rounding_radius(capsule, margin)};
+}
+template <class T>
+Rounded<BoxCore<T>, T> rounded_core(const Box<T>& box, T margin) {
+  return {core_of(box), margin};
+}
+template <class T>
+Rounded<BoxCore<T>, T> rounded_core(const Rectangle<T>& rectangle, T margin) {
+  return {core_of(rectangle), margin};
+}
+template <class T>
+Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T margin) {
+  return {{{triangle.point(0), triangle.point(1), triangle.point(2)}}, margin};
+}
+
+/// Spheres and untapered capsules with each other, and spheres with boxes, which `sphere_capsule_pair` answers for:
+/// calls the macro `f(A, B)` for each.
+#define GRAZE_FOR_ROUND_PAIRS(f) f(Sphere, Sphere) f(Sphere, Capsule) f(Sphere, Box) f(Capsule, Capsule)
+
+template <class A, class B>
+inline constexpr bool is_sphere_capsule_pair = false;
+#define GRAZE_ROUND_PAIR(A, B)                                                                                         \
+  template <class T>                                                                                                   \
+  inline constexpr bool is_sphere_capsule_pair<A<T>, B<T>> = true;
+GRAZE_FOR_ROUND_PAIRS(GRAZE_ROUND_PAIR)
+#undef GRAZE_ROUND_PAIR
+
+/// Spheres and untapered capsules with triangles.
+template <class A, class B>
+inline constexpr bool is_sphere_capsule_and_triangle = false;
+template <class T>
+inline constexpr bool is_sphere_capsule_and_triangle<Sphere<T>, Triangle<T>> = true;
+template <class T>
+inline constexpr bool is_sphere_capsule_and_triangle<Capsule<T>, Triangle<T>> = true;
+
+/// Adds the rounding radii and takes the answer from A's frame to the world.
+template <class T>
+Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const Pose<T>& pose_a) {
+  Distance<T> d;
+  d.distance = core.distance - (radius_a + radius_b);
+  d.normal = rotate(pose_a.rotation, core.normal);
+  d.a = transform(pose_a, core.a + core.normal * radius_a);
+  d.b = transform(pose_a, core.b - core.normal * radius_b);
+  return d;
+}
+
+template <class T>
+Distance<T> mirrored(Distance<T> d) {
+  d.normal = -d.normal;
+  std::swap(d.a, d.b);
+  return d;
+}
+
+/// How far apart two may be and yet be within the margin once the distance is rounded to T.
+template <class T, class S>
+S before_rounding(const S& margin) {
+  return margin * S(1 + 2 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+}
+
+/// An answer that was computed in double.
+template <class T>
+Distance<T> rounded(const Distance<double>& d) {
+  return {static_cast<T>(d.distance), converted<T>(d.normal), converted<T>(d.a), converted<T>(d.b)};
+}
+
+/// The same for what was computed in double: only the answer is rounded to T.
+template <class T>
+Distance<T> finished_in_double(const CoreDistance<double>& core, T radius_a, T radius_b, const Posed& frame) {
+  return rounded<T>(finished<double>(core, radius_a, radius_b, frame));
+}
+
+}  // namespace graze

@@ -1,0 +1,37 @@
+// Pairs of round shapes, and of balls with boxes, a bundle at a time.
+#include "narrow/batch/pair_bundle.hpp"
+#include "narrow/batch/point_contacts.hpp"
+#include "narrow/pairs/segment_lanes.hpp"
+
+namespace graze::GRAZE_ISA {
+
+template <class A, class B, class T>
+[[gnu::flatten]] void sphere_capsule_contacts(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts,
+                                              Meeting* meetings, [[maybe_unused]] SegmentContact<T>* sides) {
+  using S = Lanes<T>;
+  using Pairs = PairBundle<A, B, T>;
+  for (std::size_t first = 0; first < count; first += Pairs::lanes) {
+    const Pairs p(pairs + first, count - first);
+    const RoundContact<S> c = round_contact(p.a, p.pose_a, p.b, p.pose_b, p.margin);
+    S weight(T(0.5));
+    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
+      weight = ball_weight(p.a.radius, p.b.radius);
+    const S meeting = put_all<A, B>(c, p.margin, weight, contacts + first, meetings + first);
+    if constexpr (std::is_same_v<A, Capsule<T>>) {
+      const std::uint32_t lying = Chosen<T>::not_less(meeting, S(3)).bits() & filled_lanes<T>(p.count);
+      if (lying == 0) continue;
+      put_sides(side_contact(p.a, p.pose_a, p.b, p.pose_b, c.at, p.margin), lying, sides);
+      sides += count_bits(lying);
+    }
+  }
+}
+
+#define GRAZE_INSTANTIATE(A, B)                                                                                        \
+  template void sphere_capsule_contacts<A<float>, B<float>>(const PairRef<float>*, std::size_t, PointContact<float>*,  \
+                                                            Meeting*, SegmentContact<float>*);                         \
+  template void sphere_capsule_contacts<A<double>, B<double>>(                                                         \
+      const PairRef<double>*, std::size_t, PointContact<double>*, Meeting*, SegmentContact<double>*);
+GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,309 @@
+// Contacts of balls and untapered capsules with each other, and of balls with boxes, by their closed forms: one point,
+// or two where the sides of capsules lie along each other; across lanes.
+//
+// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
+#pragma once
+
+#include <iterator>
+#include <optional>
+
+#include "narrow/pairs/box_box/clip_faces.hpp"
+#include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/pairs/closed_form.hpp"
+#include "narrow/pairs/segment_contact.hpp"
+#include "narrow/pairs/sphere_box.hpp"
+#include "narrow/pairs/sphere_capsule.hpp"
+#include "narrow/pairs/sphere_sphere.hpp"
+#include "narrow/pairs/triangle_parts.hpp"
+
+namespace graze {
+
+/// The closest points of two shapes as their one point of contact.
+template <class S>
+struct RoundContact {
+  CoreDistance<S> at;
+  S part_a, part_b;  ///< of A and of B: numbers of `round_features`, of a box of `box_features`
+  S known;           ///< 1: that is all there is; 0: there may be two, which `side_contact` tells; -1: nothing is known
+};
+
+template <class T, class S>
+RoundContact<T> converted(const RoundContact<S>& c) {
+  const CoreDistance<S>& at = c.at;
+  return {{static_cast<T>(at.distance), converted<T>(at.normal), converted<T>(at.a), converted<T>(at.b)},
+          static_cast<T>(c.part_a),
+          static_cast<T>(c.part_b),
+          static_cast<T>(c.known)};
+}
+
+/// The names of the parts of a ball or a capsule.
+inline constexpr std::uint16_t round_features[] = {static_cast<std::uint16_t>(vertex_feature(0)),
+                                                   static_cast<std::uint16_t>(vertex_feature(1)),
+                                                   static_cast<std::uint16_t>(edge_feature(0, 1))};
+
+namespace round {
+
+/// A capsule's segment as a face seen along a unit vector: its side where that leans little from the normal plane of
+/// the axis, else an end.
+template <class S>
+struct SegmentFace {
+  using Mask = decltype(S() < S());
+
+  Mask side;
+  Mask top;          ///< the end, where it is no side
+  S seen;            ///< the square of a unit of its length as seen
+  S length_squared;  ///< of the side as seen
+  S beside_squared;  ///< the distance of the point in question from the nearer end, as seen
+  Mask nearer_top;
+
+  SegmentFace(const TurnedAxis<S>& segment, const Vec3<S>& outward, const Vec3<S>& point) {
+    using std::abs;
+    const S lean(face_lean<typename LaneOf<S>::type>), up = dot(segment.axis, outward), up_squared = up * up;
+    side = up_squared <= lean * lean;
+    top = up > S(0);
+    seen = S(1) - up_squared;
+    length_squared = S(4) * segment.half * segment.half * seen;
+    const S along = dot(point - segment.middle, segment.axis), beside = segment.half - abs(along);
+    nearer_top = along > S(0);
+    beside_squared = beside * beside * seen;
+  }
+
+  /// `near_squared`: how near an end counts as that.
+  S part(const S& near_squared) const {
+    const auto end = [](const Mask& upper) { return select(upper, S(1), S(0)); };
+    return select(side, select(beside_squared <= near_squared, end(nearer_top), S(round::side_part)), end(top));
+  }
+};
+
+/// How near the rim of a box's face counts as that, squared, as seen along `n`. The face's axis comes last.
+template <class S>
+S near_rim(const Vec3<S>& h, const Vec3<S>& n) {
+  const S one(1), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y;
+  return S(4) * S(near_end<S>) * least(h.x * h.x * seen_u, h.y * h.y * seen_v);
+}
+/// What of the face a point lies on, within that.
+template <class S>
+S rims_part(const Vec3<S>& h, const Vec3<S>& n, const Vec3<S>& p, const S& near) {
+  const S one(1), zero(0), seen_u = one - n.x * n.x, seen_v = one - n.y * n.y, facing = n.z * n.z;
+  const auto at = [&](const S& reach, const S& from, const S& seen_across) {
+    using std::abs;
+    const S beside = reach - abs(from);
+    const auto on_rim = (beside <= zero) | (beside * beside * facing <= near * seen_across);
+    return one_where<S>(on_rim) * (one + one_where<S>(from > zero));
+  };
+  // The rim across u runs along v.
+  return S(3) * at(h.y, p.y, seen_u) + at(h.x, p.x, seen_v);
+}
+/// What of a box's face that leans least from `outward` the point on it lies on, as both are seen along `outward`.
+/// `near_other`: how near counts as near on what it meets, squared.
+template <class S>
+S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point, const S& near_other) {
+  const auto face = AxisPermutation<S>::longest(outward);
+  const Vec3<S> n = face.turned(outward), h = face.turned(half);
+  return face_part(face, n.z >= S(0)) + rims_part(h, n, face.turned(point), least(near_rim(h, n), near_other));
+}
+template <class S>
+S box_part(const Vec3<S>& half, const Vec3<S>& outward, const Vec3<S>& point) {
+  return box_part(half, outward, point, S(std::numeric_limits<typename LaneOf<S>::type>::infinity()));
+}
+
+template <class S>
+void find_parts(const SphereCapsulePair<PointCore<S>, PointCore<S>, S>&, const CoreDistance<S>&, RoundContact<S>& c) {
+  c.part_a = c.part_b = S(0);
+}
+template <class S>
+void find_parts(const SphereCapsulePair<PointCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core,
+                RoundContact<S>& c) {
+  const SegmentFace<S> face(p.b, -core.normal, core.b);
+  c.part_a = S(0);
+  c.part_b = face.part(S(near_end<S>) * face.length_squared);
+}
+template <class S>
+void find_parts(const SphereCapsulePair<AxisCore<S>, AxisCore<S>, S>& p, const CoreDistance<S>& core,
+                RoundContact<S>& c) {
+  using T = typename LaneOf<S>::type;
+  const SegmentFace<S> a(p.a, core.normal, core.a), b(p.b, -core.normal, core.b);
+  const S across = dot(cross(p.a.axis, p.b.axis), core.normal);
+  const auto parallel = across * across <= S(face_lean<T> * face_lean<T>) * a.seen * b.seen;
+  c.known = select(a.side & b.side & parallel, S(0), S(1));
+  const S infinite(std::numeric_limits<T>::infinity());
+  const S near =
+      S(near_end<S>) * least(select(a.side, a.length_squared, infinite), select(b.side, b.length_squared, infinite));
+  c.part_a = a.part(near);
+  c.part_b = b.part(near);
+}
+template <class S>
+void find_parts(const BallAndBox<S>& p, const CoreDistance<S>& core, RoundContact<S>& c) {
+  c.part_a = S(0);
+  c.part_b = box_part(p.box.half, core.normal, core.a);
+}
+
+/// Whether the shape is one that `round_contact` takes.
+template <class T>
+bool regular(const Sphere<T>&) {
+  return true;
+}
+template <class T>
+bool regular(const Capsule<T>& capsule) {
+  return has_untapered_side(capsule);
+}
+template <class T>
+bool regular(const Box<T>& box) {
+  const Vec3<T>& half = box.half_extents();
+  return least(half.x, least(half.y, half.z)) > T(0);
+}
+
+}  // namespace round
+
+/// The place of the names of two parts in `RoundFeatureIds`, exact in any number.
+template <class S>
+S feature_place(const S& part_a, const S& part_b) {
+  return part_a * S(typename LaneOf<S>::type(box_part_count)) + part_b;
+}
+
+/// Up to where contacts are wanted, `margin`, is asked of first: further apart there is but a distance and its normal.
+/// Only for capsules with a length and boxes with one along every side.
+template <class A, class B, class S>
+RoundContact<S> round_contact(const Rounded<A, S>& a, const Pose<S>& pose_a, const Rounded<B, S>& b,
+                              const Pose<S>& pose_b, const S& margin) {
+  // Not `const`: g++ keeps a constant structure in memory, and what is written there number by number and read back as
+  // three of them waits for the writes.
+  auto pair = sphere_capsule_pair(a, pose_a, b, pose_b);
+  CorePoints<S> nearest = pair.nearest();
+  const Vec3<S> between = nearest.b - nearest.a;
+  const S gap = length(between);
+  if (!any(gap - pair.radii() <= margin))
+    return {pair.in_world({gap, direction_of(between, gap), nearest.a, nearest.b}), S(0), S(0), S(1)};
+  CoreDistance<S> core = pair.core(nearest);
+  RoundContact<S> contact{pair.in_world(core), S(0), S(0), S(1)};
+  round::find_parts(pair, core, contact);
+  return contact;
+}
+
+/// Of capsules that touch side along side: the ends of the stretch that they run along each other (`clip_faces`). The
+/// margin as above; `closest` is what serves where there is no such stretch.
+template <class S>
+SegmentContact<S> side_contact(const Rounded<AxisCore<S>, S>& of_a, const Pose<S>& pose_a,
+                               const Rounded<AxisCore<S>, S>& of_b, const Pose<S>& pose_b,
+                               const CoreDistance<S>& closest, const S& margin) {
+  using std::abs;
+  using T = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+  const auto pair = sphere_capsule_pair(of_a, pose_a, of_b, pose_b);
+  const TurnedAxis<S>&a = pair.a, &b = pair.b;
+  const Vec3<S>& n = closest.normal;
+  const round::SidesAlong<S> sides(a, pair.radius_a, b, pair.radius_b, n);
+  const S smaller = least(a.half + pair.radius_a, b.half + pair.radius_b);
+  SegmentContact<S> found;
+  found.distance = closest.distance;
+  found.normal = n;
+  Mask first, second;
+  const auto place = [](const S& part_a, const S& part_b) { return feature_place(part_a, part_b); };
+  sides.put_ends(pair.origin, S(T(on_surface)) * smaller, place, found, first, second);
+
+  const S& distance = closest.distance;
+  const S noise = S(box_rounding<T>) * (a.half + b.half + pair.radii() + abs(distance));
+  const Mask faces = round::keep_points(found, first, second, greatest(margin, distance + noise),
+                                        S(tolerance<T>) * smaller, distance + S(T(face_preference)) * smaller);
+  if (!all(faces)) {
+    const S on_a = dot(closest.a - pair.origin - n * pair.radius_a, a.axis),
+            on_b = dot(closest.b - pose_b.translation + n * pair.radius_b, b.axis);
+    round::put_closest(found, faces, closest, place(sides.part_a(on_a), sides.part_b(on_b)));
+  }
+  return found;
+}
+
+/// What touches of two balls, and where between their points the radius-weighted one lies; of other pairs it is
+/// halfway.
+inline constexpr std::uint32_t ball_feature = feature_id(vertex_feature(0), vertex_feature(0));
+template <class S>
+S ball_weight(const S& radius_a, const S& radius_b) {
+  const S sum = radius_a + radius_b;
+  return select(sum > S(0), radius_a / select(sum > S(0), sum, S(1)), S(0.5f));
+}
+
+/// The names of what touches of a round shape and of another: that of the parts i and j at the place 54 i + j. Not
+/// inline: kernels of different levels share nothing.
+struct RoundFeatureIds {
+  std::uint32_t of[std::size(round_features) * box_part_count];
+  template <class Name, std::size_t size>
+  constexpr explicit RoundFeatureIds(const Name (&parts_b)[size]) : of{} {
+    for (std::size_t i = 0; i < std::size(round_features); ++i)
+      for (std::size_t j = 0; j < box_part_count; ++j)
+        of[i * box_part_count + j] = feature_id(round_features[i], parts_b[j % size]);
+  }
+};
+static constexpr RoundFeatureIds ids_with_round(round_features), ids_with_box(box_features.of),
+    ids_with_triangle(triangle_features);
+template <class B, class T>
+constexpr const RoundFeatureIds& round_feature_ids() {
+  return std::is_same_v<B, Box<T>> ? ids_with_box : std::is_same_v<B, Triangle<T>> ? ids_with_triangle : ids_with_round;
+}
+/// The names of the parts of one shape, a table that fits registers.
+template <std::size_t room>
+struct PartNames {
+  std::uint32_t of[room];
+  template <class Name, std::size_t size>
+  constexpr explicit PartNames(const Name (&names)[size]) : of{} {
+    for (std::size_t i = 0; i < size && i < room; ++i) of[i] = names[i];
+  }
+};
+static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
+
+template <class T>
+std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds& features, Manifold<T>& manifold) {
+  if (found.filled == T(0)) return std::nullopt;
+  const SegmentPoints<T> points{found, features.of, false};
+  manifold.normal = points.normal();
+  points.append(manifold.points);
+  return found.distance;
+}
+
+/// The closest points of two shapes from the one point of a manifold, which then has none.
+template <class T>
+CoreDistance<T> take_closest(Manifold<T>& manifold) {
+  const ContactPoint<T> point = manifold.points[0];
+  manifold.points.clear();
+  return {point.distance, manifold.normal, point.a, point.b};
+}
+
+/// Of capsules that lie along each other, for which `own_contacts` leaves their closest points only.
+template <class T>
+std::optional<T> segment_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Capsule<T>& b,
+                                  T margin_b, const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const CoreDistance<T> closest = take_closest(manifold);
+  return put_sides(side_contact(rounded_core(a, margin_a), pose_a, rounded_core(b, margin_b), pose_b, closest, margin),
+                   ids_with_round, manifold);
+}
+
+/// Of concrete shapes with their margins. Nothing where more is to be asked; where there may be two points, the
+/// manifold holds the closest points then.
+template <class A, class B, class T>
+std::optional<T> sphere_capsule_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
+                                         const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  const auto of_a = rounded_core(a, margin_a);
+  const auto of_b = rounded_core(b, margin_b);
+  RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
+  if (found.known < T(0)) return std::nullopt;
+  manifold.normal = found.at.normal;
+  if (!(found.at.distance <= margin)) return found.at.distance;
+  ContactPoint<T>& point = manifold.points.emplace_back();
+  point.a = found.at.a;
+  point.b = found.at.b;
+  point.distance = found.at.distance;
+  point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
+  point.weight = T(0.5);
+  if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
+    point.weight = ball_weight(of_a.radius, of_b.radius);
+  if (found.known == T(0)) return std::nullopt;
+  return found.at.distance;
+}
+
+template <class A, class B, class T>
+requires is_sphere_capsule_pair<A, B> std::optional<T> own_contacts(const A& a, T margin_a, const Pose<T>& pose_a,
+                                                                    const B& b, T margin_b, const Pose<T>& pose_b,
+                                                                    T margin, Manifold<T>& manifold) {
+  if (!round::regular(a) || !round::regular(b)) return std::nullopt;
+  return sphere_capsule_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
+}
+
+}  // namespace graze

@@ -1,0 +1,38 @@
+// Pairs of round shapes, and of balls with boxes, in rows.
+#include "narrow/batch/sphere_capsule_rows.hpp"
+
+namespace graze::GRAZE_ISA {
+
+template <class A, class B, class T>
+[[gnu::flatten]] void sphere_capsule_row_contacts(const PairRows<T>& rows, std::size_t count, T margin, bool turned,
+                                                  const ContactRows<T>& to, RowCounts& all_found) {
+  using S = Lanes<T>;
+  constexpr std::size_t lanes = lanes_of<T>;
+  RowCounts counts{0, 0, 0};
+  for (std::size_t first = 0; first < count; first += lanes) {
+    const RowBundle<A, B, T> p(rows, first);
+    const RoundContact<S> c = round_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, S(margin));
+    S weight(T(0.5));
+    if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
+      weight = ball_weight(p.a.shapes.radius, p.b.shapes.radius);
+    put_rows(
+        p, c, weight, margin, turned, first, count, to,
+        counts, [&](std::uint32_t lying, SegmentContact<T> * sides) __attribute__((always_inline)) {
+          if constexpr (std::is_same_v<A, Capsule<T>>)
+            put_sides(side_contact(p.a.shapes, p.pose_a, p.b.shapes, p.pose_b, c.at, S(margin)), lying, sides);
+        });
+  }
+  all_found = counts;
+}
+
+#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
+  template void sphere_capsule_row_contacts<A<T>, B<T>>(const PairRows<T>&, std::size_t, T, bool,                      \
+                                                        const ContactRows<T>&, RowCounts&);
+#define GRAZE_INSTANTIATE(A, B)                                                                                        \
+  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
+  GRAZE_INSTANTIATE_FOR(A, B, double)
+GRAZE_FOR_ROUND_PAIRS(GRAZE_INSTANTIATE)
+#undef GRAZE_INSTANTIATE
+#undef GRAZE_INSTANTIATE_FOR
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,72 @@
+// A ball or an untapered capsule and a triangle that touch, across lanes: in one point, or with the capsule's side.
+//
+// Guarantee: in every lane the bits that the pair gives alone: those of `distance`, and the names that the faces give.
+// Where there is no such answer, `known` says so: the general path answers then.
+#pragma once
+
+#include "narrow/pairs/capsule_triangle_segment.hpp"
+#include "narrow/pairs/sphere_capsule_contacts.hpp"
+
+namespace graze {
+
+/// Up to `limit` apart it is asked what touches. Of a pair of which nothing is known the distance is -infinity.
+template <class S, class Pair>
+RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
+  const S nothing(-std::numeric_limits<double>::infinity());
+  const auto known = pair.known();
+  RoundContact<S> contact{pair.distance(), S(0), S(0), S(-1)};
+  contact.at.distance = select(known, contact.at.distance, nothing);
+  if (!any(known & (contact.at.distance <= limit))) return contact;
+  contact.part_a = pair.part();
+  contact.part_b = pair.triangle_part();
+  contact.known = select(known, select(pair.one_point(), S(1), S(0)), S(-1));
+  return contact;
+}
+
+/// Nothing where more is to be asked; where there may be two points, the manifold holds the closest points then.
+template <class B, class T, class Pair>
+std::optional<T> contact_of(const Pair& pair, T margin, Manifold<T>& manifold) {
+  if (!pair.known()) return std::nullopt;
+  const auto found = round_triangle_contact(pair, before_rounding<T>(static_cast<double>(margin)));
+  const CoreDistance<double>& at = found.at;
+  const T distance = static_cast<T>(at.distance);
+  manifold.normal = converted<T>(at.normal);
+  if (distance <= margin) {
+    const std::uint32_t feature =
+        round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
+    manifold.points.push_back({converted<T>(at.a), converted<T>(at.b), distance, feature, T(0.5)});
+    if (found.known == 0) return std::nullopt;
+  }
+  return distance;
+}
+
+template <class T>
+std::optional<T> own_contacts(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
+                              const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
+                              Manifold<T>& manifold) {
+  return contact_of<Triangle<T>>(with_triangle(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle),
+                                 margin, manifold);
+}
+template <class T>
+std::optional<T> own_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose,
+                              const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
+                              Manifold<T>& manifold) {
+  if (!has_untapered_side(capsule)) return std::nullopt;
+  return contact_of<Triangle<T>>(with_triangle(capsule, margin_capsule, pose, triangle, margin_triangle, pose_triangle),
+                                 margin, manifold);
+}
+
+/// Of a capsule whose side touches, for which `own_contacts` leaves the closest points only.
+template <class T>
+std::optional<T> segment_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose,
+                                  const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle,
+                                  T margin, Manifold<T>& manifold) {
+  const auto of = rounded_core(capsule, margin_capsule);
+  const auto found = side_contact(
+      Rounded<AxisCore<double>, double>{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},
+      converted<double>(pose), rounded_in_double(triangle, margin_triangle), converted<double>(pose_triangle),
+      converted<double>(take_closest(manifold)), static_cast<double>(margin), true, answer_rounding<T>());
+  return put_sides(converted<T>(found), ids_with_triangle, manifold);
+}
+
+}  // namespace graze

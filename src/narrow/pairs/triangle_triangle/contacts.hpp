@@ -1,0 +1,279 @@
+// Triangle against triangle, the points of contact: the two faces, or an edge of one, laid over each other along a
+// normal, or the two nearest points; across lanes.
+//
+// Guarantee: in every lane the bits that the pair gives alone. Where it says `known`, normal, points and features are
+// those that `contacts_of_faces` gives, up to rounding; where rounding chooses among corners of about the same place,
+// others of them. Edges that run along each other, faces that miss what is nearest, and points too near to each other
+// to be told apart are never known.
+#pragma once
+
+#include "narrow/core/answer_rounding.hpp"
+#include "narrow/pairs/box_box/clip_faces.hpp"
+#include "narrow/pairs/triangle_triangle/clip_faces.hpp"
+#include "narrow/pairs/triangle_triangle/distance.hpp"
+
+namespace graze {
+
+/// How far apart a pair is, as its points are found by.
+template <class T>
+struct FoundTriangles {
+  T distance;  ///< minus infinity where it is not proven
+  Distance<double> at;
+};
+
+/// A pair of triangles that may meet, as contacts ask about it: in the unit and the frame of `two_triangles`.
+template <class Row>
+struct MeetingTriangles {
+  using S = typename RowOf<Row>::Number;
+
+  const TwoTriangles<Row>& p;
+  const TriangleAxes<S>& axes;
+  S distance;         ///< signed
+  Vec3<S> normal, a;  ///< of what is nearest: from A to B, and the point on A
+  S margin;
+  S unit;          ///< the frame's, in that of the answer
+  Vec3<S> origin;  ///< of the frame, there
+};
+
+namespace detail {
+
+/// What of a triangle shows along the way out of it, to the other.
+template <class S>
+struct ShownPart {
+  using Mask = decltype(S() < S());
+  S facing;  ///< the cosine between that and its front
+  Mask whole, edge;
+  Vec3<S> along;  ///< the edge
+};
+/// An edge that falls off more shows only its upper end: `most_fall`, squared.
+template <class Row, class S>
+ShownPart<S> shown_part(const FlatTriangle<Row>& t, const Vec3<S>& outward, const S& most_fall) {
+  using std::abs;
+  using T = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+  ShownPart<S> shown;
+  shown.facing = dot(t.normal, outward);
+  shown.whole = abs(shown.facing) >= S(T(furthest_lean));
+  shown.edge = shown.whole & (!shown.whole);
+  shown.along = {S(0), S(0), S(0)};
+  if (all(shown.whole)) return shown;
+  const Row height = dot(to_all<Row>(outward), t.point), rise = dot(to_all<Row>(outward), t.edge),
+            fall = rise * rise * t.per();
+  const Mask top0 = (height[0] >= height[1]) & (height[0] >= height[2]), top1 = (!top0) & (height[1] >= height[2]);
+  const auto top = AxisPermutation<S>::of(top0, top1);
+  const S after = top.pick(fall[0], fall[1], fall[2]), before = top.pick(fall[2], fall[0], fall[1]);
+  const auto edge_of = [&](int i) { return corner_of(t.edge, i); };
+  shown.edge = (!shown.whole) & (least(after, before) <= most_fall);
+  shown.along = select(after < before, top.pick(edge_of(0), edge_of(1), edge_of(2)),
+                       top.pick(edge_of(2), edge_of(0), edge_of(1)));
+  return shown;
+}
+
+/// What the two show along a normal.
+template <class S>
+struct ShownParts {
+  using Mask = decltype(S() < S());
+  ShownPart<S> of[2];  ///< A's and B's
+  Mask crossing;       ///< a vertex of either, or two edges: they meet in one point
+  Mask parallel;       ///< but for edges about parallel, which run along each other
+
+  ShownParts() = default;
+  template <class Row>
+  ShownParts(const TwoTriangles<Row>& p, const Vec3<S>& normal, const S& most_fall) {
+    using T = typename LaneOf<S>::type;
+    constexpr T lean = static_cast<T>(face_lean<double> * face_lean<double>);
+    const FlatTriangle<Row>* const triangle[2] = {&p.a, &p.b};
+    const Vec3<S> outward[2] = {normal, -normal};
+    for (int i = 0; i < 2; ++i) of[i] = shown_part(*triangle[i], outward[i], most_fall);
+    const ShownPart<S>&a = of[0], &b = of[1];
+    crossing = !((a.whole & (b.whole | b.edge)) | (b.whole & a.edge));
+    const S product = dot(cross(a.along, b.along), normal), along_a = dot(a.along, normal),
+            along_b = dot(b.along, normal);
+    parallel = a.edge & b.edge &
+               (product * product <= (length_squared(a.along) - along_a * along_a) *
+                                         (length_squared(b.along) - along_b * along_b) * S(lean));
+  }
+};
+
+/// The normal that contacts stand on, and what shows along it.
+template <class S>
+struct ContactNormal {
+  using Mask = decltype(S() < S());
+  Vec3<S> normal;
+  S most_fall;    ///< as for `shown_part`
+  Mask gap;       ///< they are as far apart as along the normal of a face or of two edges, but for rounding
+  Mask in_point;  ///< they meet in what is nearest
+  Mask known;     ///< no edges run along each other
+};
+
+/// The normal of one of the two faces if it is about as good as that of what is nearest, else that one:
+/// `preferred_normal`.
+template <class Row, class S>
+Vec3<S> normal_of_nearest(const MeetingTriangles<Row>& m, const ShownParts<S>& shown, const AnswerRounding& rounded) {
+  using Mask = decltype(S() < S());
+  const TwoTriangles<Row>& p = m.p;
+  const Vec3<S> of_a = select(shown.of[0].facing > S(0), p.a.normal, -p.a.normal),
+                of_b = select(shown.of[1].facing > S(0), -p.b.normal, p.b.normal);
+  const auto same = [&](const ShownPart<S>& part, const Vec3<S>& n) -> Mask {
+    return part.whole & (max_abs(n - m.normal) <= S(rounded.normal));
+  };
+  const Mask same_a = same(shown.of[0], of_a), same_b = (!same_a) & same(shown.of[1], of_b);
+  S most = m.distance - S(face_preference) * m.axes.smaller;
+  Vec3<S> best = m.normal;
+  const auto consider = [&](const ShownPart<S>& part, const Vec3<S>& n) {
+    const S gap = p.gap_along(n);
+    const Mask better = part.whole & (gap >= most);
+    most = select(better, gap, most);
+    best = select(better, n, best);
+  };
+  const Vec3<S> normals[2] = {of_a, of_b};
+  for (int i = 0; i < 2; ++i) consider(shown.of[i], normals[i]);
+  return select(same_a, of_a, select(same_b, of_b, best));
+}
+
+/// That of the best axis where faces, or a face and an edge, meet along it as near as anything is; else by what is
+/// nearest.
+template <class Row>
+auto contact_normal(const MeetingTriangles<Row>& m, const AnswerRounding& rounded) {
+  using S = typename RowOf<Row>::Number;
+  using Mask = decltype(S() < S());
+  // How far an edge may fall off that is laid over something, along an axis and along the line of what is nearest.
+  constexpr double fall_off_axis = (1 - furthest_lean) * (1 - furthest_lean),
+                   fall_off_nearest = side_lean<double> * side_lean<double>;
+  const S& noise = m.axes.noise;
+  const TriangleAxis<S>&face = m.axes.face, &edge = m.axes.edge;
+  // A face is taken before an edge that is hardly better.
+  const Mask edge_best = edge.separation > face.separation + noise,
+             edge_chosen = edge.separation > face.separation + S(face_preference) * m.axes.smaller,
+             best = (edge_best & edge_chosen) | (!(edge_best | edge_chosen));
+  const S separation = select(edge_best, edge.separation, face.separation);
+  const Mask deep = separation <= noise, near = deep | (best & (m.distance <= separation + S(laid_slack) * noise));
+  const Vec3<S> axis = select(edge_chosen, edge.normal, face.normal);
+  const Vec3<S> normals[2] = {axis, m.normal};
+  constexpr double falls[2] = {fall_off_axis, fall_off_nearest};
+  ShownParts<S> along[2];
+  for (int i = 0; i < 2; ++i) {
+    along[i] = ShownParts<S>(m.p, normals[i], S(falls[i]));
+    if (all(near & (!along[0].crossing))) break;
+  }
+  const ShownParts<S>&shown = along[0], &of_nearest = along[1];
+  const Mask along_axis = near & (!shown.crossing), gap = along_axis & (!deep), none = near & (!near),
+             known = !(near & shown.parallel);
+  ContactNormal<S> found{axis, S(fall_off_axis), gap, none, known};
+  if (all(along_axis)) return found;
+  found.in_point = (!along_axis) & of_nearest.crossing;
+  found.known = found.known & (!(found.in_point & of_nearest.parallel));
+  found.normal =
+      select(along_axis, axis, select(of_nearest.crossing, m.normal, normal_of_nearest(m, of_nearest, rounded)));
+  found.most_fall = select(along_axis, S(fall_off_axis), S(fall_off_nearest));
+  return found;
+}
+
+/// A frame across a unit normal (Duff et al. 2017, "Building an orthonormal basis, revisited", Journal of Computer
+/// Graphics Techniques 6).
+template <class S>
+struct FrameAcross {
+  Vec3<S> u, v, n;
+  explicit FrameAcross(const Vec3<S>& normal) : n(normal) {
+    const S sign = select(n.z < S(0), S(-1), S(1)), a = S(-1) / (sign + n.z), b = n.x * n.y * a;
+    u = {S(1) + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    v = {b, sign + n.y * n.y * a, -n.y};
+  }
+  /// Seen from in front of the face, `outward` 1 of A's and -1 of B's.
+  template <class Row>
+  TriangleFace<S> face(const FlatTriangle<Row>& t, const S& outward, const S& most_fall, const S& rounding) const {
+    const Row x = dot(to_all<Row>(u), t.point), y = dot(to_all<Row>(v), t.point), up = dot(to_all<Row>(n), t.point),
+              rise = dot(to_all<Row>(n), t.edge), fall = rise * rise * t.per(), far = -up * Row(outward);
+    const auto vertex_at = [&](int i) { return FlatVertex<S>{{x[i], y[i]}, up[i], S(double(i))}; };
+    return {vertex_at,
+            {dot(t.normal, n) * outward,
+             {-outward * dot(t.normal, u), -outward * dot(t.normal, v)},
+             {far[0], far[1], far[2]},
+             {fall[0], fall[1], fall[2]},
+             most_fall},
+            rounding};
+  }
+  FlatPoint<S> flat(const Vec3<S>& p) const { return {dot(p, u), dot(p, v)}; }
+};
+
+/// Whether any two corners are no further apart than `together` in x and in y.
+template <class S>
+auto any_together(const ContactPolygon<S>& corners, const S& together) {
+  using std::abs;
+  using Mask = decltype(S() < S());
+  Mask found = together < S(0);
+  for (std::size_t i = 1; i < least(corners.size(), std::size_t{6}); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const FlatPoint<S> p = corners.at(i), q = corners.at(k);
+      const Mask near = corners.has(i) & corners.has(k) & (abs(p.x - q.x) <= together) & (abs(p.y - q.y) <= together);
+      found = found | near;
+    }
+  return found;
+}
+
+}  // namespace detail
+
+/// The points of two triangles within the margin of each other, in their unit and frame.
+template <class Row, class S>
+void lay_triangles(const MeetingTriangles<Row>& m, const AnswerRounding& rounded, ContactSlots<S>& found) {
+  using std::sqrt;
+  using T = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+  const S &noise = m.axes.noise, &smaller = m.axes.smaller;
+  const detail::ContactNormal<S> along = detail::contact_normal(m, rounded);
+  const detail::FrameAcross<S> frame(along.normal);
+  const detail::TriangleFace<S> a = frame.face(m.p.a, S(1), along.most_fall, noise),
+                                b = frame.face(m.p.b, S(-1), along.most_fall, noise);
+  const S near = S(same_place) * sqrt(least(a.shortest_squared(), b.shortest_squared())), near_squared = near * near;
+  // An edge that runs along a rim may lie beside the face by what the normal's rounding does to where it is seen.
+  const S slack = select(a.edge | b.edge, S(along_rim) * near + S(rounded.normal) * smaller, noise);
+
+  const Mask none = noise < S(0);
+  detail::Corner<S> slots[most_contact_slots];
+  for (detail::Corner<S>& slot : slots) slot = {{S(0), S(0)}, none};
+  if (!all(along.in_point)) detail::shared_corners<Row>(a, b, slack, slots);
+  const FlatPoint<S> at_nearest = frame.flat(m.a);
+  for (std::size_t i = 0; i < most_contact_slots; ++i) {
+    slots[i].at = {select(along.in_point, at_nearest.x, slots[i].at.x),
+                   select(along.in_point, at_nearest.y, slots[i].at.y)};
+    slots[i].is = i == 0 ? along.in_point | slots[i].is : (!along.in_point) & slots[i].is;
+  }
+  detail::ContactPolygon<S> corners = detail::ring_of(slots, [&](const FlatPoint<S>& at) {
+    return select(along.in_point, m.distance, b.apart_at(at) - a.apart_at(at));
+  });
+  const S nearest = corners.find_deepest();
+  detail::simplify(corners, near);
+
+  found.normal = along.normal;
+  found.filled = S(0);
+  const S height_of_nearest = dot(m.a, along.normal), limit = greatest(m.margin, m.distance + noise);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const S apart = corners.apart_at(i);
+    const Mask here = corners.has(i) & (apart <= limit);
+    if (!any(here)) continue;
+    const FlatPoint<S> at = corners.at(i);
+    const Vec3<S> on_a =
+        frame.u * at.x + frame.v * at.y + along.normal * select(along.in_point, height_of_nearest, a.apart_at(at));
+    const Vec3<S> place = m.origin + on_a * m.unit;
+    const S far = apart * m.unit;
+    found.put(i, {place, place + along.normal * far, far, a.part(at, near_squared), b.part(at, near_squared)});
+    found.filled = found.filled + select(here, S(T(1 << i)), S(0));
+  }
+  const S allowed = select(along.gap, S(laid_slack) * noise, S(face_preference) * smaller);
+  const Mask known = along.known & (found.filled > S(0)) & (nearest <= m.distance + allowed) &
+                     (near > S(laid_slack) * noise) & (!detail::any_together(corners, S(rounded.point) * smaller));
+  found.known = one_where<S>(known);
+}
+
+/// The same of those that are in a unit of their own, in the answer's unit, by their axes and where they are nearest.
+template <class Row, class S>
+void lay_triangles(const TrianglesInUnits<S>& in, const TwoTriangles<Row>& p, const TriangleAxes<S>& axes,
+                   const Distance<S>& at, const S& margin, const AnswerRounding& rounded, ContactSlots<S>& found) {
+  const S per = S(1) / in.unit;
+  const Vec3<S> origin = in.a.pose.translation * in.unit;
+  lay_triangles(MeetingTriangles<Row>{p, axes, at.distance * per, at.normal, (at.a - origin) * per, margin * per,
+                                      in.unit, origin},
+                rounded, found);
+}
+
+}  // namespace graze

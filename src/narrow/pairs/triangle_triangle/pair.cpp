@@ -1,0 +1,100 @@
+#include "narrow/pairs/triangle_triangle/pair.hpp"
+
+#include "narrow/batch/box_batch.hpp"
+#include "narrow/general_contacts.hpp"
+#include "narrow/manifold/polygon.hpp"
+#include "narrow/pairs/triangle_triangle/contacts.hpp"
+
+namespace graze {
+
+namespace {
+
+/// The face of a triangle along a direction, as `Polyhedron::support_face` has it: either side of it; seen from the
+/// side, the edge at the highest corner that falls off least, or the corner.
+PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
+  PlacedFace face;
+  const auto push = [&](std::uint32_t i) {
+    face.vertices.push_back(point[i]);
+    face.ids.push_back(i);
+  };
+  const double facing = dot(unit(cross(point[1] - point[0], point[2] - point[0])), direction);
+  if (std::abs(facing) >= furthest_lean) {
+    face.id = facing > 0 ? 0 : 1;
+    for (std::uint32_t i = 0; i < 3; ++i) push(facing > 0 ? i : 2 - i);
+    return face;
+  }
+  const auto top = static_cast<std::uint32_t>(detail::furthest(point, 3, direction));
+  double least_fall = 1 - furthest_lean;
+  std::uint32_t other = top;
+  for (std::uint32_t first = 0; first < 3; ++first) {
+    const std::uint32_t second = first == 2 ? 0 : first + 1;
+    if (first != top && second != top) continue;
+    const std::uint32_t end = first == top ? second : first;
+    const Vec3d along = point[top] - point[end];
+    const double fall = dot(along, direction) / length(along);
+    if (fall > least_fall) continue;
+    least_fall = fall;
+    other = end;
+  }
+  push(std::min(top, other));
+  if (other != top) push(std::max(top, other));
+  return face;
+}
+
+}  // namespace
+
+template <class T>
+T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                         Manifold<T>& manifold) {
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair_contact);
+  const Triangle<T>&ta = *a.template as<Triangle<T>>(), &tb = *b.template as<Triangle<T>>();
+  const PlacedTriangle<double> placed_a = placed_triangle(ta, a.rounding(), pose_a),
+                               placed_b = placed_triangle(tb, b.rounding(), pose_b);
+  TriangleDistance<double> found;
+  TriangleAxes<double> axes;
+  ContactSlots<double> points;
+  const auto up_to = static_cast<double>(margin);
+  kernel(placed_a, placed_b, before_rounding<T>(up_to), up_to, answer_rounding<T>(), found, axes, points);
+  if (!found.proven) return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
+  const Distance<T> d = rounded<T>(found.at);
+  manifold.normal = d.normal;
+  if (d.distance > margin) return d.distance;
+  if (points.known != 0) {
+    manifold.normal = converted<T>(points.normal);
+    const auto slot = [&](std::size_t i) {
+      const ContactSlot<double> of = points.slot(i);
+      return ContactSlot<T>{converted<T>(of.a), converted<T>(of.b), static_cast<T>(of.distance),
+                            static_cast<T>(of.part_a), static_cast<T>(of.part_b)};
+    };
+    take_points<T>(static_cast<unsigned>(points.filled), slot, triangle_features, triangle_features, manifold.points);
+    return d.distance;
+  }
+
+  // A face is taken before an edge that is hardly better.
+  const TriangleAxis<double>&face = axes.face, &edge = axes.edge;
+  const bool edge_best = edge.separation > face.separation + axes.noise,
+             edge_chosen = edge.separation > face.separation + face_preference * axes.smaller;
+  const double separation = edge_best ? edge.separation : face.separation,
+               apart = separation - placed_a.radius - placed_b.radius;
+  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const Mat3d turn_b = rotation_matrix(b_in_a.rotation);
+  const Vec3d normal = unit(rotate(conjugate(frame.rotation), edge_chosen ? edge.normal : face.normal));
+  Vec3d points_b[3];
+  for (std::size_t i = 0; i < 3; ++i) points_b[i] = turn_b * placed_b.core.point[i] + b_in_a.translation;
+  const MeetingFaces faces{normal,
+                           face_along(placed_a.core.point, normal),
+                           face_along(points_b, -normal),
+                           edge_chosen == edge_best,
+                           std::abs(apart) <= axes.noise ? 0 : apart,
+                           separation > axes.noise,
+                           axes.noise};
+  contacts_of_faces(a, pose_a, b, pose_b, margin, faces, d, manifold);
+  return d.distance;
+}
+
+template float triangle_pair_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&,
+                                      float, Manifold<float>&);
+template double triangle_pair_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&,
+                                       const Pose<double>&, double, Manifold<double>&);
+
+}  // namespace graze

@@ -1,0 +1,59 @@
+#include "rays/bvh_lanes.hpp"
+
+namespace graze::GRAZE_ISA {
+
+using namespace tree;
+
+template <class T>
+void walk_tree(const TreeWalk<T>& question) {
+  /// A node with those of its children that the ray has still to visit, the first of them by itself.
+  struct alignas(64) Entry {
+    float keys[width];
+    const TreeNode<T>* node;
+    std::int32_t key;
+  };
+  Entry stack[TreeNode<T>::deepest + 1];
+  std::size_t waiting = 0;
+  const Walk<T> walk(question);
+  const TreeNode<T>* node = question.nodes;
+  float limit = walk.key(question.end);
+  Keys keys = crossed(walk, *node, limit);
+  std::int32_t key = keys.least();
+  for (;;) {
+    if (key > (number_bits(limit) | Keys::place_bits)) {
+      if (waiting == 0) return;
+      const Entry& entry = stack[--waiting];
+      node = entry.node;
+      keys.load(entry.keys);
+      key = entry.key;
+      continue;
+    }
+    keys.remove(key);
+    const auto place = static_cast<std::uint32_t>(key & Keys::place_bits);
+    // What comes after this child is fetched while that is worked on.
+    key = keys.least();
+    fetch(question.nodes, question.leaves, *node, static_cast<std::uint32_t>(key & Keys::place_bits));
+    if (place < node->inner) {
+      // Written in any case and kept if there is more to come: which is hard to foresee.
+      stack[waiting].node = node;
+      stack[waiting].key = key;
+      keys.store(stack[waiting].keys);
+      waiting += key != absent;
+      node = question.nodes + node->first_child + place;
+      keys = crossed(walk, *node, limit);
+      key = keys.least();
+      continue;
+    }
+    const PackedLeaf& leaf = question.leaves[node->first_leaf + place - node->inner];
+    std::uint32_t bits = left(walk, *node, leaf) & ((1u << leaf.count) - 1);
+    for (; bits != 0; bits &= bits - 1) {
+      limit = walk.key(question.found(question.owner, leaf, first_bit(bits)));
+      if (!(limit > 0)) return;
+    }
+  }
+}
+
+template void walk_tree(const TreeWalk<float>&);
+template void walk_tree(const TreeWalk<double>&);
+
+}  // namespace graze::GRAZE_ISA

@@ -1,0 +1,119 @@
+// Rays at convex shapes, each kind with its own function, in the shape's frame.
+#pragma once
+
+#include "rays/convex_raycast.hpp"
+#include "rays/planes.hpp"
+#include "rays/point_distance.hpp"
+#include "rays/quadrics.hpp"
+
+namespace graze::rays {
+
+template <class T>
+double wide(T value) {
+  return static_cast<double>(value);
+}
+
+/// How close an advancing ray comes. A user's support function answers in the shape's scalar, and is as exact as that.
+template <class C, class T>
+double slack_of(const C& concrete, T margin) {
+  const double unit = std::is_same_v<C, UserConvex<T>> ? 8 * wide(std::numeric_limits<T>::epsilon()) : 0;
+  return greatest(rounding_error, unit) * (wide(concrete.core_extent()) + wide(margin));
+}
+
+/// By itself, so that the closed forms are short enough to stand where they are called; the ray by value, so that its
+/// numbers need no place in memory for those.
+template <class T, class C, class GapAt>
+[[gnu::noinline]] MaybeHit rounded(const C& concrete, T margin, LocalRay ray, GapAt gap) {
+  return hit_rounded(ray, gap, wide(margin), wide(concrete.core_extent()), slack_of(concrete, margin));
+}
+
+template <class T>
+MaybeHit cast_at(const Sphere<T>& s, T margin, const LocalRay& ray, BackFaces) {
+  return hit_ball(ray, converted<double>(s.center()), wide(s.radius()) + wide(margin));
+}
+
+template <class T>
+MaybeHit cast_at(const Capsule<T>& c, T margin, const LocalRay& ray, BackFaces) {
+  const double h = wide(c.half_height()), m = wide(margin);
+  return hit_balls(ray, {0, -h, 0}, wide(c.radius_bottom()) + m, {0, h, 0}, wide(c.radius_top()) + m);
+}
+
+template <class T>
+MaybeHit cast_at(const LineSegment<T>& s, T margin, const LocalRay& ray, BackFaces) {
+  return hit_balls(ray, converted<double>(s.point(0)), wide(margin), converted<double>(s.point(1)), wide(margin));
+}
+
+template <class T>
+MaybeHit cast_at(const Box<T>& box, T margin, const LocalRay& ray, BackFaces) {
+  const Vec3d half = converted<double>(box.half_extents());
+  if (margin > T(0)) return rounded(box, margin, ray, BoxGap{half});
+  return hit_box(ray, half);
+}
+
+template <class T>
+MaybeHit cast_at(const Rectangle<T>& rectangle, T margin, const LocalRay& ray, BackFaces back) {
+  return cast_at(rectangle.as_box(), margin, ray, back);
+}
+
+template <class T>
+MaybeHit cast_at(const Cylinder<T>& c, T margin, const LocalRay& ray, BackFaces) {
+  const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
+  if (margin > T(0)) return rounded(c, margin, ray, FrustumGap{h, bottom, top});
+  return Frustum(h, bottom, top).hit(ray);
+}
+
+template <class T>
+MaybeHit cast_at(const Ellipsoid<T>& e, T margin, const LocalRay& ray, BackFaces) {
+  if (margin > T(0)) return rounded(e, margin, ray, SupportGap<Ellipsoid<T>>{e});
+  return hit_ellipsoid(ray, converted<double>(e.radii()));
+}
+
+template <class T>
+MaybeHit cast_at(const Triangle<T>& t, T margin, const LocalRay& ray, BackFaces back) {
+  const Vec3d p[3] = {converted<double>(t.point(0)), converted<double>(t.point(1)), converted<double>(t.point(2))};
+  if (margin > T(0)) return rounded(t, margin, ray, TriangleGap{p[0], p[1], p[2]});
+  return hit_polygon(
+      ray, 3, [&](std::size_t i) { return p[i]; }, back == BackFaces::hit);
+}
+
+template <class T>
+MaybeHit cast_at(const ConvexHull<T>& hull, T margin, const LocalRay& ray, BackFaces) {
+  if (margin > T(0)) return rounded(hull, margin, ray, SupportGap<ConvexHull<T>>{hull});
+  return hit_hull(ray, hull.data());
+}
+
+template <class T>
+MaybeHit cast_at(const UserConvex<T>& user, T margin, const LocalRay& ray, BackFaces) {
+  return rounded(user, margin, ray, SupportGap<UserConvex<T>>{user});
+}
+
+template <class T>
+MaybeHit cast_at(const HalfSpace<T>&, T margin, const LocalRay& ray, BackFaces) {
+  return hit_half_space(ray, wide(margin));
+}
+
+/// Whether the ray comes near the ball about a shape's origin that holds it.
+inline bool near_ball(const LocalRay& ray, double radius) {
+  const double reach = radius + ray.blur;
+  return length_squared(ray.at(clamp(-dot(ray.origin, ray.direction), ray.begin, ray.end))) <= reach * reach;
+}
+
+/// Asking about the ball first would cost as much as the answer.
+template <class C>
+inline constexpr bool cast_at_once = false;
+template <class T>
+inline constexpr bool cast_at_once<Sphere<T>> = true;
+template <class T>
+inline constexpr bool cast_at_once<Box<T>> = true;
+template <class T>
+inline constexpr bool cast_at_once<HalfSpace<T>> = true;
+
+/// Where the ray enters a convex shape of one kind or crosses a triangle, in the shape's own frame.
+template <class C, class T>
+MaybeHit hit_convex(const C& concrete, T margin, const LocalRay& ray, BackFaces back) {
+  if constexpr (!cast_at_once<C>)
+    if (!near_ball(ray, ball_around(concrete, margin))) return {};
+  return cast_at(concrete, margin, ray, back);
+}
+
+}  // namespace graze::rays

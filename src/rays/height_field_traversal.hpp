@@ -1,0 +1,50 @@
+// Rays down the pyramid of a height field: one alone, and some at a time.
+//
+// Guarantee: for one ray as `tree_walk.hpp`, with cells in place of triangles: none is left out in which the exact ray
+// crosses a triangle, or in which `crossing` finds one crossed or seen edge-on. For some as `mesh_block.hpp`.
+//
+// Source: Tevs, Ihrke, Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering".
+#pragma once
+
+#include "rays/ray_block.hpp"
+#include "shape/field_pyramid.hpp"
+
+namespace graze {
+
+/// As `TreeWalk`.
+template <class T>
+struct FieldWalk {
+  const FieldPyramid<T>* field;
+  double extent;
+  double radius;
+  double origin[3], direction[3];
+  double begin, end;
+
+  /// Is told a cell, by column and row; returns how far the ray has still to be followed.
+  double (*found)(void* owner, std::uint32_t column, std::uint32_t row);
+  void* owner;
+};
+
+namespace rays {
+
+/// As `BlockMesh`.
+template <class T>
+struct BlockField {
+  const FieldPyramid<T>* field;
+  double extent;
+  double center[3], radius;
+  bool both_sides;
+  bool any;
+};
+
+}  // namespace rays
+
+// clang-format off
+GRAZE_DECLARE_KERNEL(
+    template <class T> void walk_field(const FieldWalk<T>& question);
+    /// Sets `state`, the hits and the `pieces` that are hit, of `count` rays and of what fills up their lanes.
+    template <class T> void block_at_field(rays::RayBlock& block, std::size_t count, const rays::BlockField<T>& field,
+                                           std::uint32_t* pieces);)
+// clang-format on
+
+}  // namespace graze

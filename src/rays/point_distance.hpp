@@ -1,0 +1,66 @@
+// How far a point lies outside a core, and in which direction: what rays advance by towards rounded shapes.
+//
+// Guarantee: each is a functor over points of the shape's frame; inside the core the distance is zero.
+#pragma once
+
+#include "narrow/gjk/gjk.hpp"
+#include "rays/conservative_advancement.hpp"
+
+namespace graze::rays {
+
+inline PointDistance gap_between(const Vec3d& core, const Vec3d& p) {
+  const Vec3d v = p - core;
+  return {length(v), unit(v)};
+}
+
+struct BoxGap {
+  Vec3d half;
+  PointDistance operator()(const Vec3d& p) const { return gap_between(closest_point_in_box(half, p), p); }
+};
+
+struct TriangleGap {
+  Vec3d a, b, c;
+  PointDistance operator()(const Vec3d& p) const { return gap_between(closest_point_on_triangle(a, b, c, p).point, p); }
+};
+
+/// The cylinder, cone or truncated cone, in the half-plane of the axis and the point.
+struct FrustumGap {
+  double half, bottom, top;
+
+  PointDistance operator()(const Vec3d& p) const {
+    const double rho = length(Vec3d{p.x, 0, p.z});
+    const Vec3d q{rho, p.y, 0};
+    const double share = half > 0 ? (p.y + half) / (2 * half) : 0.5;
+    if (std::abs(p.y) <= half && rho <= bottom + (top - bottom) * share) return {0, {0, 1, 0}};
+    const Vec3d foot{bottom, -half, 0}, head{top, half, 0};
+    Vec3d best = closest_point<double>({foot, head}, q);
+    for (const Vec3d& cap :
+         {closest_point<double>({{0, -half, 0}, foot}, q), closest_point<double>({{0, half, 0}, head}, q)})
+      if (length_squared(cap - q) < length_squared(best - q)) best = cap;
+    const Vec3d out = rho > 0 ? Vec3d{p.x / rho, 0, p.z / rho} : Vec3d{1, 0, 0};
+    return gap_between({out.x * best.x, best.y, out.z * best.x}, p);
+  }
+};
+
+/// A point, as the other side of a Minkowski difference.
+struct PointShape {
+  Vec3d core_support(const Vec3d&) const { return {}; }
+  double core_extent() const { return 0; }
+};
+
+/// Any core, known by its support function: the supporting plane that GJK ends with.
+template <class Core>
+struct SupportGap {
+  const Core& core;
+
+  PointDistance operator()(const Vec3d& p) const {
+    const PointShape point;
+    const MinkowskiDifference<Core, PointShape> difference(core, point, {p, {}});
+    const GjkResult found = gjk(difference, {rounding_error * difference.reach()});
+    if (found.end == GjkEnd::touching || !(found.upper > 0)) return {0, {0, 1, 0}};
+    // The plane of the last normal: whatever rounding did to that, it supports the core.
+    return {dot(found.normal, p - core.core_support(found.normal)), found.normal};
+  }
+};
+
+}  // namespace graze::rays

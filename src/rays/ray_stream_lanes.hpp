@@ -1,0 +1,319 @@
+// Some rays at a surface of triangles, all under way at once: what `mesh_block.hpp` says. Only for `*.kernel.cpp`.
+//
+// Guarantee: as there. Everything is inlined or lives in the namespace of the level.
+#pragma once
+
+#include "rays/bvh_lanes.hpp"
+#include "rays/ray_lanes.hpp"
+
+namespace graze::GRAZE_ISA::ray_streams {
+
+using namespace tree;
+using namespace ray_lanes;
+
+/// Rays under way at once: enough to hide the way to memory, few enough to stay near the processor themselves. With 32
+/// in place of 64 they take 3 to 10 % longer, and half of some 60 KB of stack, which small machines have little of.
+inline constexpr std::size_t crowd = register_bytes >= 32 ? 64 : 32;
+using Numbers = double[crowd];
+
+/// Rays, waiting for the same.
+struct List {
+  std::uint8_t ray[crowd + 1];
+  std::size_t count = 0;
+  /// Written in any case, kept if so.
+  [[gnu::always_inline]] void add(std::size_t i, bool really) {
+    ray[count] = static_cast<std::uint8_t>(i);
+    count += really;
+  }
+};
+
+/// What rounding took from a product; as `product_error` of one.
+[[gnu::always_inline]] inline S product_error(const S& a, const S& b, const S& product) {
+  const auto high_half = [](const S& v) __attribute__((always_inline)) {
+    const S c = v * S(134217729.0);
+    return c - (c - v);
+  };
+  const S a1 = high_half(a), b1 = high_half(b), a2 = a - a1, b2 = b - b1;
+  return a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2);
+}
+
+[[gnu::always_inline]] inline S edge_side(const V& p, const V& q) {
+  const S one = q.x * p.y, other = q.y * p.x;
+  const M equal = one == other;
+  S side = one - other;
+  if (any(equal)) side = select(equal, product_error(q.x, p.y, one) - product_error(q.y, p.x, other), side);
+  return side;
+}
+
+/// `Surface` is a hierarchy of triangles:
+///   Scalar, Ref (a node), Leaf, children (how many a node has at most), most (triangles of a leaf);
+///   deep: a ray with as many nodes to come back to is answered alone
+///   question: whose `extent`, `radius`, `center`, `both_sides` and `any` are those of `BlockMesh`
+///   root(), open(walk, ref, limit): the keys of a node's children
+///   go(ref, leaf, place): from a node to a child, true for another node; what will be needed there is asked for
+///   each(walk, ref, leaf, add): calls add(lane, really) for the triangles of a leaf that may be crossed
+///   triangle(leaf, lane): (corner, axis) of one; piece(leaf, lane): its number
+template <class Surface>
+class RayStream {
+  using T = typename Surface::Scalar;
+  using Ref = typename Surface::Ref;
+  using Leaf = typename Surface::Leaf;
+  using Keys = KeysOf<Surface::children>;
+
+ public:
+  [[gnu::always_inline]] RayStream(rays::RayBlock& block, std::size_t first, std::size_t count, const Surface& surface,
+                                   std::uint32_t* pieces)
+      : block_(block), first_(first), count_(count), surface_(surface), pieces_(pieces + first) {}
+
+  [[gnu::always_inline]] void cast() {
+    for (std::size_t i = 0; i < count_; i += step) enter(i);
+    begin();
+    while (inner_.count + leaf_.count + back_.count > 0) {
+      come_back();
+      open_nodes();
+      open_leaves();
+    }
+    if (surface_.question.any) return;
+    for (std::size_t i = 0; i < count_; i += step) leave(i);
+  }
+
+ private:
+  /// What a ray's walk needs at hand.
+  struct Ray {
+    Walk<T> walk;
+    float limit;
+    Ref node;  ///< where it is
+    Leaf leaf;
+    std::size_t waiting;  ///< nodes to come back to
+  };
+  /// As `TreeWalk`.
+  struct Line {
+    double extent, radius, origin[3], direction[3], begin, end;
+  };
+  struct Candidate {
+    Leaf leaf;
+    std::uint8_t ray, lane;
+  };
+
+  /// As `recentered`, `Sheared` and the beginning of `cast_at_surface`.
+  [[gnu::always_inline]] void enter(std::size_t i) {
+    const V direction = V::load(block_.direction, first_ + i), center = V::all(surface_.question.center);
+    V origin = V::load(block_.origin, first_ + i);
+    const S end = S::load(block_.end + first_ + i);
+    const S shift = greatest(dot(center - origin, direction), S(0));
+    origin = origin + direction * shift;
+    const V to = center - origin;
+    const S reach = S(surface_.question.radius) + greatest(dot(to, direction), S(0));
+    const M aimed = (end >= S(0)) & (dot(to, to) <= reach * reach);
+    origin.store(origin_, i);
+    shift.store(shift_ + i);
+    (end - shift).store(end_ + i);
+    reach.store(reach_ + i);
+    select(aimed, S(rays::ray_hit), S(rays::ray_missed)).store(block_.state + first_ + i);
+
+    const V size{abs(direction.x), abs(direction.y), abs(direction.z)};
+    const M along_x = (size.x >= size.y) & (size.x >= size.z), along_y = (!along_x) & (size.y >= size.z);
+    const auto turned = [&](const V& v) __attribute__((always_inline)) {
+      return V{select(along_x, v.y, select(along_y, v.z, v.x)), select(along_x, v.z, select(along_y, v.x, v.y)),
+               select(along_x, v.x, select(along_y, v.y, v.z))};
+    };
+    const V d = turned(direction);
+    const M back = d.z < S(0);
+    const auto exchanged = [&](const V& v) __attribute__((always_inline)) {
+      return V{select(back, v.y, v.x), select(back, v.x, v.y), v.z};
+    };
+    const V e = exchanged(d);
+    V{e.x / e.z, e.y / e.z, S(1) / e.z}.store(shear_, i);
+    exchanged(turned(origin)).store(sheared_origin_, i);
+    exchanged(turned(V{S(0), S(1), S(2)})).store(axis_, i);
+  }
+
+  [[gnu::always_inline]] void begin() {
+    for (std::size_t i = 0; i < (count_ + step - 1) / step * step; ++i) {
+      double& state = block_.state[first_ + i];
+      const bool aimed = i < count_ && state != rays::ray_missed;
+      state = rays::ray_missed;
+      if (!aimed) continue;
+      best_[i] = infinity;
+      const std::size_t at = first_ + i;
+      const Line line{surface_.question.extent,
+                      reach_[i],
+                      {origin_[0][i], origin_[1][i], origin_[2][i]},
+                      {block_.direction[0][at], block_.direction[1][at], block_.direction[2][at]},
+                      -shift_[i],
+                      end_[i]};
+      Ray& ray = rays_[i];
+      ray.walk = Walk<T>(line);
+      ray.limit = ray.walk.key(line.end);
+      ray.node = surface_.root();
+      ray.waiting = 0;
+      inner_.add(i, true);
+    }
+  }
+
+  /// The ray goes on to the nearest of those children, if there is any, and the rest waits.
+  [[gnu::always_inline]] void choose(std::size_t i, const Ref& at, Keys keys) {
+    Ray& ray = rays_[i];
+    const std::uint32_t alive = keys.up_to(number_bits(ray.limit) | Keys::place_bits);
+    const std::int32_t key = keys.least();
+    const bool some = alive != 0;
+    ray.node = at;
+    const bool is_inner = surface_.go(ray.node, ray.leaf, static_cast<std::uint32_t>(key & Keys::place_bits));
+    keys.remove(key);
+    keys.store(keys_[i][ray.waiting]);
+    waiting_[i][ray.waiting] = at;
+    const std::size_t more = (alive & (alive - 1)) != 0;
+    if (ray.waiting + more >= Surface::deep) [[unlikely]] {
+      block_.state[first_ + i] = rays::ray_again;
+      return;
+    }
+    ray.waiting += more;
+    inner_.add(i, some & is_inner);
+    leaf_.add(i, some & !is_inner);
+    back_.add(i, !some & (ray.waiting > 0));
+  }
+
+  [[gnu::always_inline]] void come_back() {
+    List list = back_;
+    back_.count = 0;
+    for (std::size_t k = 0; k < list.count; ++k) {
+      const std::size_t i = list.ray[k];
+      const std::size_t top = --rays_[i].waiting;
+      Keys keys;
+      keys.load(keys_[i][top]);
+      const Ref at = waiting_[i][top];
+      choose(i, at, keys);
+    }
+  }
+
+  [[gnu::always_inline]] void open_nodes() {
+    List list = inner_;
+    inner_.count = 0;
+    for (std::size_t k = 0; k < list.count; ++k) {
+      const std::size_t i = list.ray[k];
+      const Ray& ray = rays_[i];
+      const Ref at = ray.node;
+      choose(i, at, surface_.open(ray.walk, at, ray.limit));
+    }
+  }
+
+  [[gnu::always_inline]] void open_leaves() {
+    std::size_t candidates = 0;
+    for (std::size_t k = 0; k < leaf_.count; ++k) {
+      const std::size_t i = leaf_.ray[k];
+      const Ray& ray = rays_[i];
+      surface_.each(
+          ray.walk, ray.node, ray.leaf, [&](std::uint32_t lane, bool really) __attribute__((always_inline)) {
+            candidates_[candidates] = {ray.leaf, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(lane)};
+            candidates += really;
+          });
+    }
+    for (std::size_t k = 0; k < candidates; k += step) test(k, candidates);
+    for (std::size_t k = 0; k < leaf_.count; ++k) {
+      const std::size_t i = leaf_.ray[k];
+      back_.add(i, rays_[i].waiting > 0);
+    }
+    leaf_.count = 0;
+  }
+
+  /// As `TriangleCast` and `crossing`.
+  [[gnu::always_inline]] void test(std::size_t at, std::size_t end) {
+    double corner[3][3][step], origin[3][step], shear[3][step], from[step], to[step];
+    for (std::size_t lane = 0; lane < step; ++lane) {
+      const Candidate& c = candidates_[at + lane < end ? at + lane : end - 1];
+      const auto triangle = surface_.triangle(c.leaf, c.lane);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto place = static_cast<std::size_t>(axis_[axis][c.ray]);
+        for (std::size_t k = 0; k < 3; ++k) corner[k][axis][lane] = static_cast<double>(triangle(k, place));
+        origin[axis][lane] = sheared_origin_[axis][c.ray];
+        shear[axis][lane] = shear_[axis][c.ray];
+      }
+      from[lane] = -shift_[c.ray];
+      to[lane] = end_[c.ray];
+    }
+    const V o = V::load(origin, 0), slope = V::load(shear, 0);
+    V p[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const V q = V::load(corner[k], 0) - o;
+      p[k] = {q.x - slope.x * q.z, q.y - slope.y * q.z, slope.z * q.z};
+    }
+    const S zero(0), u = edge_side(p[1], p[2]), v = edge_side(p[2], p[0]), w = edge_side(p[0], p[1]);
+    const M passed = ((u < zero) | (v < zero) | (w < zero)) & ((u > zero) | (v > zero) | (w > zero));
+    const S whole = u + v + w, t = (u * p[0].z + v * p[1].z + w * p[2].z) / whole;
+    const M edge_on = (!passed) & (whole == zero);
+    M met = (!passed) & (!edge_on) & (t >= S::load(from)) & (t <= S::load(to));
+    if (!surface_.question.both_sides) met = met & (whole > zero);
+    double state[step], place[step];
+    select(edge_on, S(rays::ray_again), select(met, S(rays::ray_hit), S(rays::ray_missed))).store(state);
+    t.store(place);
+    for (std::size_t lane = 0; lane < step && at + lane < end; ++lane)
+      if (state[lane] != rays::ray_missed) keep(candidates_[at + lane], state[lane], place[lane]);
+  }
+
+  [[gnu::always_inline]] void keep(const Candidate& c, double state, double t) {
+    Ray& ray = rays_[c.ray];
+    double& told = block_.state[first_ + c.ray];
+    if (told == rays::ray_again) return;
+    told = state;
+    if (state == rays::ray_again || surface_.question.any) {
+      ray.waiting = 0;
+      return;
+    }
+    const double shift = shift_[c.ray], along = t + shift;
+    double& best = best_[c.ray];
+    Candidate& nearest = nearest_[c.ray];
+    if (!(along < best || (along == best && piece(c) < piece(nearest)))) return;
+    best = along;
+    nearest = c;
+    best_local_[c.ray] = t;
+    const float limit = ray.walk.key(rays::end_after(along, shift));
+    ray.limit = limit < ray.limit ? limit : ray.limit;
+  }
+
+  [[gnu::always_inline]] std::uint32_t piece(const Candidate& c) const { return surface_.piece(c.leaf, c.lane); }
+
+  /// As `TriangleCast` tells a hit.
+  [[gnu::always_inline]] void leave(std::size_t i) {
+    double corner[3][3][step] = {}, t[step] = {}, along[step] = {};
+    for (std::size_t lane = 0; lane < step; ++lane) {
+      if (block_.state[first_ + i + lane] != rays::ray_hit) continue;
+      const Candidate& c = nearest_[i + lane];
+      pieces_[i + lane] = piece(c);
+      const auto triangle = surface_.triangle(c.leaf, c.lane);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t axis = 0; axis < 3; ++axis) corner[k][axis][lane] = static_cast<double>(triangle(k, axis));
+      t[lane] = best_local_[i + lane];
+      along[lane] = best_[i + lane];
+    }
+    const V a = V::load(corner[0], 0), b = V::load(corner[1], 0), c = V::load(corner[2], 0);
+    const V direction = V::load(block_.direction, first_ + i);
+    const V normal = normalized(cross(b - a, c - a), -direction);
+    select(dot(normal, direction) > S(0), -normal, normal).store(block_.normal, first_ + i);
+    (V::load(origin_, i) + direction * S::load(t)).store(block_.point, first_ + i);
+    S::load(along).store(block_.t + first_ + i);
+  }
+
+  rays::RayBlock& block_;
+  std::size_t first_, count_;
+  const Surface& surface_;
+  std::uint32_t* pieces_;
+  // In turn: the ray from near the surface, and its frame for the triangles.
+  Numbers origin_[3], shift_, end_, reach_, sheared_origin_[3], shear_[3], axis_[3];
+  // The first hit so far: along the caller's ray, along the near one, and where.
+  Numbers best_, best_local_;
+  Candidate nearest_[crowd];
+  Ray rays_[crowd];
+  float keys_[crowd][Surface::deep][Surface::children];
+  Ref waiting_[crowd][Surface::deep];
+  List inner_, leaf_, back_;
+  Candidate candidates_[Surface::most * crowd + 1];
+};
+
+template <class Surface>
+[[gnu::always_inline]] inline void cast_block(rays::RayBlock& block, std::size_t count, const Surface& surface,
+                                              std::uint32_t* pieces) {
+  for (std::size_t first = 0; first < count; first += crowd)
+    RayStream<Surface>(block, first, count - first < crowd ? count - first : crowd, surface, pieces).cast();
+}
+
+}  // namespace graze::GRAZE_ISA::ray_streams

@@ -1,0 +1,145 @@
+// Rays at surfaces of triangles: meshes and height fields.
+//
+// Guarantee: every triangle that the ray crosses is found, however thin its bounds: they are widened by what rounding
+// can move a crossing by. Nearer subtrees first, so that a ray that shrinks prunes the rest.
+#pragma once
+
+#include "rays/bvh_traversal.hpp"
+#include "rays/height_field_traversal.hpp"
+#include "rays/ray_triangle.hpp"
+#include "shape/height_field_data.hpp"
+#include "shape/mesh_data.hpp"
+#include "simd/flatten.hpp"
+
+namespace graze::rays {
+
+/// Component by component; infinite where the ray does not move.
+inline Vec3d inverse_of(const Vec3d& direction) {
+  const auto inverse = [](double v) { return v == 0 ? infinity : 1 / v; };
+  return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
+}
+
+/// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns how far it has still to be
+/// followed. `radius` as in `TreeWalk`.
+template <class T, class F>
+void walk_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
+  TreeWalk<T> walk{
+      mesh.tree.nodes().data(),
+      mesh.leaves.data(),
+      static_cast<double>(mesh.extent),
+      radius,
+      {ray.origin.x, ray.origin.y, ray.origin.z},
+      {ray.direction.x, ray.direction.y, ray.direction.z},
+      ray.begin,
+      ray.end,
+      [](void* owner, const PackedLeaf& leaf, std::size_t i) { return (*static_cast<F*>(owner))(leaf, i); },
+      &f};
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), walk_tree<T>);
+  kernel(walk);
+}
+
+/// A ray that is cast at one triangle after the other of a surface about `center`.
+template <class Found>
+class TriangleCast {
+ public:
+  TriangleCast(const LocalRay& far, const Vec3d& center, bool both_sides, Found& found)
+      : near_(recentered(far, center)), end_(near_.ray.end), both_sides_(both_sides), found_(found) {}
+
+  /// Whose origin is near the centre.
+  const LocalRay& ray() const { return near_.ray; }
+  /// How far it has still to be followed.
+  double end() const { return end_; }
+
+  /// `number()` tells the triangle's, where it is hit.
+  template <class Corners, class Number>
+  GRAZE_FLATTEN double at(const Corners& corners, const Number& number) {
+    const LocalRay& ray = near_.ray;
+    const auto vertex = [&](std::size_t i) { return converted<double>(corners[i]); };
+    const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
+    if (!sheared_) sheared_.emplace(ray);
+    const Crossing at = crossing((*sheared_)(a), (*sheared_)(b), (*sheared_)(c));
+    MaybeHit hit;
+    switch (at.kind) {
+    case Crossing::none: return end_;
+    case Crossing::edge_on: hit = hit_edge_on(ray, a, b, c); break;
+    case Crossing::back:
+      if (!both_sides_) return end_;
+      [[fallthrough]];
+    case Crossing::front:
+      if (at.t >= ray.begin && at.t <= ray.end)
+        hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
+    }
+    if (hit) {
+      const double along = found_(*near_.restored(hit), number());
+      end_ = along > -infinity ? least(end_, end_after(along, near_.shift)) : along;
+    }
+    return end_;
+  }
+
+ private:
+  [[gnu::noinline]] static MaybeHit hit_edge_on(const LocalRay& ray, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    return hit_in_plane(ray, 3, [&](std::size_t i) { return i == 0 ? a : i == 1 ? b : c; });
+  }
+
+  Recentered near_;
+  double end_;
+  std::optional<Sheared> sheared_;  // many a ray comes near nothing
+  bool both_sides_;
+  Found& found_;
+};
+
+/// Whatever the ray, from near the ball, meets in it is within that distance of its origin; less than zero when it
+/// passes the ball.
+inline double reach_to(const Vec3d& center, double radius, const LocalRay& ray) {
+  // Of a ray from afar the nearest point is known up to the rounding of where it comes from.
+  const Vec3d to = center - ray.origin;
+  const double reach = radius + greatest(dot(to, ray.direction), 0.0);
+  return length_squared(to) <= reach * reach ? reach : -1;
+}
+
+/// Calls `found(hit, triangle)` for the triangles that the ray crosses; `found` returns the ray's new end.
+template <class T, class Found>
+void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sides, Found& found) {
+  if (mesh.tree.empty()) return;
+  const Vec3d center = converted<double>(mesh.tree.bounds().center());
+  TriangleCast<Found> triangle(far, center, both_sides, found);
+  const LocalRay& ray = triangle.ray();
+  const double reach = reach_to(center, mesh.radius, ray);
+  if (reach < 0) return;
+  auto try_lane = [&](const PackedLeaf& leaf, std::size_t i) {
+    const auto point = [&](std::size_t k) { return mesh.points[leaf.corners[i][k]]; };
+    return triangle.at(std::array<Vec3<T>, 3>{point(0), point(1), point(2)},
+                       [&] { return mesh.tree.order()[leaf.first + i]; });
+  };
+  walk_mesh(mesh, ray, reach, try_lane);
+}
+
+template <class T, class Found>
+[[gnu::noinline]] void cast_at_surface(const HeightFieldData<T>& field, const LocalRay& far, bool both_sides,
+                                       Found& found) {
+  const Vec3d center = converted<double>(field.bounds().center());
+  TriangleCast<Found> triangle(far, center, both_sides, found);
+  const LocalRay& ray = triangle.ray();
+  const double reach = reach_to(center, field.radius, ray);
+  if (reach < 0) return;
+  auto try_cell = [&](std::uint32_t column, std::uint32_t row) {
+    const std::uint32_t first = 2 * (row * (field.columns - 1) + column);
+    for (std::uint32_t i = first; i < first + 2; ++i) triangle.at(field.triangle(i), [&] { return i; });
+    return triangle.end();
+  };
+  using Cell = decltype(try_cell);
+  const FieldWalk<T> walk{
+      &field.pyramid,
+      static_cast<double>(field.extent),
+      reach,
+      {ray.origin.x, ray.origin.y, ray.origin.z},
+      {ray.direction.x, ray.direction.y, ray.direction.z},
+      ray.begin,
+      ray.end,
+      [](void* owner, std::uint32_t column, std::uint32_t row) { return (*static_cast<Cell*>(owner))(column, row); },
+      &try_cell};
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), walk_field<T>);
+  kernel(walk);
+}
+
+}  // namespace graze::rays

@@ -1,0 +1,28 @@
+// The choice of the instruction set.
+#include "simd/dispatch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace graze {
+namespace {
+
+TEST(Dispatch, TakesTheNamedLevelOrElseTheBest) {
+  EXPECT_TRUE(isa_available(Isa::baseline));
+  EXPECT_EQ(isa_by_name("baseline"), Isa::baseline);
+  const Isa best = isa_by_name(nullptr);
+  EXPECT_TRUE(isa_available(best));
+  EXPECT_EQ(isa_by_name(""), best);
+  EXPECT_EQ(isa_by_name("sse9"), best);
+  EXPECT_EQ(isa_by_name("avx2"), isa_available(Isa::avx2) ? Isa::avx2 : best);
+  EXPECT_EQ(isa_by_name("avx512"), isa_available(Isa::avx512) ? Isa::avx512 : best);
+}
+
+TEST(Dispatch, HasNoBetterLevelThanTheBest) {
+  for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512})
+    if (isa_available(level)) {
+      EXPECT_LE(level, isa_by_name(nullptr));
+    }
+}
+
+}  // namespace
+}  // namespace graze
