@@ -17,21 +17,6 @@
 
 namespace graze {
 
-namespace detail {
-
-/// The place of a kind in `ShapeList`.
-template <class C, class T>
-constexpr std::size_t kind_of() {
-  return []<std::size_t... I>(std::index_sequence<I...>) {
-    std::size_t place = 0;
-    static_cast<void>(((place = I, std::is_same_v<std::variant_alternative_t<I, ShapeList<T>>, C>) || ...));
-    return place;
-  }
-  (std::make_index_sequence<Shape<T>::count>());
-}
-
-}  // namespace detail
-
 /// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
 /// shape for all poses, or one pose for all shapes.
 template <class T>

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -92,6 +93,21 @@ class Shape {
   ShapeList<T> list_;
   T rounding_;
 };
+
+namespace detail {
+
+/// The place of a kind in `ShapeList`.
+template <class C, class T>
+constexpr std::size_t kind_of() {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    std::size_t place = 0;
+    static_cast<void>(((place = I, std::is_same_v<std::variant_alternative_t<I, ShapeList<T>>, C>) || ...));
+    return place;
+  }
+  (std::make_index_sequence<Shape<T>::count>());
+}
+
+}  // namespace detail
 
 using Shapef = Shape<float>;
 using Shaped = Shape<double>;

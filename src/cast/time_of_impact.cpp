@@ -2,11 +2,11 @@
 
 #include "cast/linear_cast.hpp"
 #include "cast/sliding.hpp"
-#include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
 #include "narrow/gjk/gjk.hpp"
+#include "narrow/pair_table.hpp"
 #include "narrow/pairs/box_box/linear_cast.hpp"
-#include "narrow/pairs/half_space.hpp"
+#include "narrow/pairs/half_space_distance.hpp"
 #include "narrow/sat/polyhedral_pair.hpp"
 
 namespace graze {

@@ -1,8 +1,8 @@
 #include "composite/closest.hpp"
 
 #include "composite/surface_point.hpp"
-#include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze {
 

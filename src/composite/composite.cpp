@@ -6,7 +6,7 @@
 #include "composite/solid.hpp"
 #include "composite/spanning_points.hpp"
 #include "composite/triangle_run.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {

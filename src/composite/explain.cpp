@@ -5,8 +5,8 @@
 #include <string>
 
 #include "composite/leaf_pairs.hpp"
-#include "narrow/convex_pair.hpp"
 #include "narrow/explain.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze {
 

@@ -82,7 +82,7 @@ template <class T>
     return is_a ? f(piece, other) : f(other, piece);
   };
   const auto near = [&](const Aabb<T>& box) { return question(box) <= question.key(limit()); };
-  if (f.takes_runs() && meets_runs(other.shape)) {
+  if (f.takes_runs() && concrete_for_runs(other.shape)) {
     TriangleRun<T> run(opened, other, is_a, has_patch ? &patch : nullptr, question);
     return visit_runs(run, limit, f);
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "composite/surface_point.hpp"
-#include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
+#include "narrow/pair_table.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {

@@ -6,7 +6,7 @@
 
 #include "composite/leaf_pairs.hpp"
 #include "composite/near_convex.hpp"
-#include "narrow/batch/sphere_capsule_batch.hpp"
+#include "narrow/batch/lane_pairs.hpp"
 #include "narrow/general_contacts.hpp"
 
 namespace graze {
@@ -47,61 +47,72 @@ struct TriangleRun {
   }
 };
 
-/// Whether there are kernels for the contacts of a shape with triangles.
+/// The concrete shape, if there are kernels for its contacts with triangles, else null. Only of kinds that stand before
+/// triangles in the list of shapes: the body is the first of each pair then, whichever of the two the surface is.
 template <class T>
-bool meets_runs(const Shape<T>& shape) {
-  if (shape.rounding() != T(0)) return false;
-  const auto* capsule = shape.template as<Capsule<T>>();
-  return shape.template as<Sphere<T>>() || (capsule && has_untapered_side(*capsule)) || plain_box(shape);
+const void* concrete_for_runs(const Shape<T>& shape) {
+  constexpr std::size_t triangle = detail::kind_of<Triangle<T>, T>();
+  if (shape.index() >= triangle || !with_contact_lanes(lane_table<T>(shape.index(), triangle).pair)) return nullptr;
+  return concrete_for_lanes(shape);
 }
 
-/// Asks about the contacts of a run with such a shape up to `margin`, which is not negative: `touching(i, distance,
-/// manifold)`, the manifold without its pieces' names, or `alone(i)` where no kernel tells. Those that are further
-/// apart are passed over.
+/// The sink (`narrow/batch/contact_sink.hpp`) of a run: makes manifolds, without the names of their pieces.
 template <class T, class Touching, class Alone>
-void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& touching, const Alone& alone) {
-  static_assert(sizeof run.corner[0] == sizeof(Triangle<T>));  // as kernels load them
-  PairRef<T> pairs[TriangleRun<T>::most];
-  const auto put_pairs = [&](const void* body) {
-    for (std::size_t i = 0; i < run.count; ++i)
-      pairs[i] = {body, run.corner[i], &run.body.pose, &run.surface.pose, margin};
-  };
-  const auto apart = [](std::size_t) {};
-  const auto touch = [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& add_points) {
+class RunSink {
+ public:
+  using Scalar = T;
+  static constexpr std::size_t most = TriangleRun<T>::most;
+
+  RunSink(const TriangleRun<T>& run, const Touching& touching, const Alone& alone)
+      : run_(run), touching_(touching), alone_(alone) {}
+
+  void apart(std::size_t) {}
+  void unknown(std::size_t i) { alone_(i); }
+  void one(std::size_t i, const PointContact<T>& c) {
+    touch(i, c.point.distance, c.normal, [&](auto& points) { points.push_back(c.point); });
+  }
+  template <class Points>
+  void several(std::size_t i, T distance, const Vec3<T>& normal, const Points& found, std::size_t) {
+    touch(i, distance, normal, [&](auto& points) { found.append(points); });
+  }
+  void met(const MetPairs<T>& met, bool) {
+    const ContactPoint<T>* from = met.points;
+    for (std::size_t k = 0; k < met.count; ++k) {
+      const std::span points(from, met.points_of(k));
+      from += points.size();
+      touch(met.place(k), met.distance(k), met.normal(k), [&](auto& to) {
+        for (const ContactPoint<T>& point : points) to.push_back(point);
+      });
+    }
+  }
+
+ private:
+  template <class AddPoints>
+  void touch(std::size_t i, T distance, const Vec3<T>& normal, const AddPoints& add_points) {
     Manifold<T> manifold;
     manifold.normal = normal;
     add_points(manifold.points);
-    if (run.surface_is_a) mirror(manifold);
-    touching(i, distance, manifold);
-  };
-  const auto round = [&]<class C>(const C* body) {
-    put_pairs(body);
-    visit_sphere_capsule_contacts<C, Triangle<T>, TriangleRun<T>::most>(
-        pairs, run.count, false, apart,
-        [&](std::size_t i, const PointContact<T>& c) {
-          touch(i, c.point.distance, c.normal, [&](auto& points) { points.push_back(c.point); });
-        },
-        [&](std::size_t i, T distance, const Vec3<T>& normal, const SegmentPoints<T>& found) {
-          touch(i, distance, normal, [&](auto& points) { found.append(points); });
-        },
-        alone);
-  };
-  if (const auto* ball = run.body.shape.template as<Sphere<T>>()) return round(ball);
-  if (const auto* capsule = run.body.shape.template as<Capsule<T>>()) return round(capsule);
-  put_pairs(run.body.shape.template as<Box<T>>());
-  visit_triangle_contacts(
-      pairs, run.count, apart,
-      [&](const MetPairs<T>& met) {
-        const ContactPoint<T>* from = met.points;
-        for (std::size_t k = 0; k < met.count; ++k) {
-          const std::span points(from, met.points_of(k));
-          from += points.size();
-          touch(met.place(k), met.distance(k), met.normal(k), [&](auto& to) {
-            for (const ContactPoint<T>& point : points) to.push_back(point);
-          });
-        }
-      },
-      alone);
+    if (run_.surface_is_a) mirror(manifold);
+    touching_(i, distance, manifold);
+  }
+
+  const TriangleRun<T>& run_;
+  const Touching& touching_;
+  const Alone& alone_;
+};
+
+/// Finds the contacts of a run with a body that has kernels for them (`concrete_for_runs`) up to `margin`, which is not
+/// negative: `touching(i, distance, manifold)`, the manifold without its pieces' names, or `alone(i)` where no kernel
+/// tells. Those that are further apart are passed over.
+template <class T, class Touching, class Alone>
+void visit_run_contacts(const TriangleRun<T>& run, T margin, const Touching& touching, const Alone& alone) {
+  static_assert(sizeof run.corner[0] == sizeof(Triangle<T>));  // as kernels load them
+  const void* const body = concrete_for_runs(run.body.shape);
+  PairRef<T> pairs[TriangleRun<T>::most];
+  for (std::size_t i = 0; i < run.count; ++i)
+    pairs[i] = {body, run.corner[i], &run.body.pose, &run.surface.pose, margin};
+  RunSink sink(run, touching, alone);
+  visit_lane_contacts(lane_table<T>(run.body.shape.index(), detail::kind_of<Triangle<T>, T>()), pairs, run.count, sink);
 }
 
 }  // namespace graze

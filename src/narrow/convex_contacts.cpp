@@ -2,7 +2,6 @@
 // points. Which pairs have a path of their own, contact_table.cpp tells.
 #include <algorithm>
 
-#include "narrow/convex_pair.hpp"
 #include "narrow/core/core.hpp"
 #include "narrow/core/minkowski.hpp"
 #include "narrow/general.hpp"
@@ -12,6 +11,7 @@
 #include "narrow/manifold/contact_side.hpp"
 #include "narrow/manifold/polygon.hpp"
 #include "narrow/manifold/rounded_face.hpp"
+#include "narrow/pair_table.hpp"
 #include "narrow/sat/polyhedral_pair.hpp"
 #include "narrow/sat/reference_axis.hpp"
 #include "shape/rounding.hpp"

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "narrow/convex_pair.hpp"
+#include "narrow/core/segment_box.hpp"
 #include "narrow/explain_search.hpp"
 #include "narrow/general.hpp"
-#include "narrow/pairs/capsule_box.hpp"
+#include "narrow/pair_table.hpp"
 #include "narrow/sat/polyhedral_pair.hpp"
 #include "narrow/sat/reference_axis.hpp"
 #include "shape/rounding.hpp"

@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 
-#include "narrow/pairs/closed_form.hpp"
 #include "query/batch_portals.hpp"
 #include "query/batch_rows.hpp"
 
@@ -58,43 +57,19 @@ Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
 
 namespace {
 
-/// The kernel that tells whether pairs of A and B touch.
-template <class A, class B, class T>
-auto overlap_kernel() {
-  if constexpr (std::is_same_v<A, Capsule<T>> && std::is_same_v<B, Box<T>>)
-    return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
-  else if constexpr (is_sphere_capsule_and_triangle<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_overlaps<A, T>);
-  else
-    return GRAZE_KERNEL(chosen_isa(), row_overlaps<A, B, T>);
-}
-/// And the one for their distances.
-template <class A, class B, class T>
-auto distance_kernel() {
-  if constexpr (std::is_same_v<A, Triangle<T>> && std::is_same_v<B, Triangle<T>>)
-    return GRAZE_KERNEL(chosen_isa(), triangle_row_distances<T>);
-  else if constexpr (std::is_same_v<B, Box<T>> && !is_sphere_capsule_pair<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), box_row_distances<A, B, T>);
-  else if constexpr (is_sphere_capsule_and_triangle<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_distances<A, T>);
-  else
-    return GRAZE_KERNEL(chosen_isa(), row_distances<A, B, T>);
-}
-
-/// A query that has one answer for each pair.
+/// A query that has one answer for each pair, by the kernels of the pairs in `kernels`.
 template <class T>
 struct Overlaps {
   using Answer = std::uint8_t;
   const Batch<T>& batch;
 
-  template <class A, class B>
-  static constexpr bool has_kernel = !std::is_same_v<A, Triangle<T>> || !std::is_same_v<B, Triangle<T>>;
+  static constexpr const LanePairSet& kernels = with_overlap_rows;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
   }
-  template <class A, class B>
-  std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool, Answer* to, std::uint8_t* unknown) const {
-    return overlap_kernel<A, B, T>()(rows, count, to, unknown);
+  template <HasOverlapRows P>
+  static std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool, Answer* to, std::uint8_t* unknown) {
+    return P::template overlap_rows<T>()(rows, count, to, unknown);
   }
 };
 template <class T>
@@ -102,45 +77,34 @@ struct Distances {
   using Answer = Distance<T>;
   const Batch<T>& batch;
 
-  template <class A, class B>
-  static constexpr bool has_kernel =
-      !std::is_same_v<B, Triangle<T>> || is_sphere_capsule_and_triangle<A, B> || std::is_same_v<A, Triangle<T>>;
+  static constexpr const LanePairSet& kernels = with_distance_rows;
   Answer single(std::size_t i) const {
     return ask(batch, i, [](const auto&... pair) { return distance(pair...); });
   }
-  template <class A, class B>
-  std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool turned, Answer* to, std::uint8_t* unknown) const {
-    return distance_kernel<A, B, T>()(rows, count, turned, to, unknown);
+  template <HasDistanceRows P>
+  static std::uint32_t many(const PairRows<T>& rows, std::size_t count, bool turned, Answer* to,
+                            std::uint8_t* unknown) {
+    return P::template distance_rows<T>()(rows, count, turned, to, unknown);
   }
 };
 
-/// Calls `f` with the kinds of a route where the query has a kernel for them.
+/// Calls `f` with the pair where the query has a kernel for it.
 template <class Query, class T, class F>
-constexpr void with_kernel_kinds(Route route, const F& f) {
-  with_kinds<T>(route, [&]<class A, class B>() {
-    if constexpr (Query::template has_kernel<A, B>) f.template operator()<A, B>();
+void with_kernel(LanePair pair, const F& f) {
+  with_lane_pair(pair, [&]<class P>() {
+    if constexpr (requires { &Query::template many<P>; }) f.template operator()<P>();
   });
 }
 
-/// For which routes it has.
-template <class Query, class T>
-struct KernelRoutes {
-  bool has[route_count + 1]{};
-  constexpr KernelRoutes() {
-    for (std::size_t i = 0; i < route_count; ++i)
-      with_kernel_kinds<Query, T>(static_cast<Route>(i), [this, i]<class A, class B>() { has[i] = true; });
-  }
-  constexpr bool operator()(Route route) const { return has[static_cast<std::size_t>(route)]; }
-};
-
 /// The answers of a batch whose sides are of one kind each: kernels write them where they are to stand.
 template <class Query, class T>
-void answer_rows(const Query& query, std::uint8_t queue, typename Query::Answer* answers) {
-  const bool turned = is_turned(queue);
-  with_kernel_kinds<Query, T>(route_of(queue), [&]<class A, class B>() {
-    visit_rows<A, B>(query.batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+void answer_rows(const Query& query, const LanesFor& lanes, typename Query::Answer* answers) {
+  with_kernel<Query, T>(lanes.pair, [&]<class P>() {
+    using A = typename P::template A<T>;
+    using B = typename P::template B<T>;
+    visit_rows<A, B>(query.batch, lanes.turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
       std::uint8_t unknown[row_chunk];
-      const std::uint32_t left = query.template many<A, B>(rows, count, turned, answers + first, unknown);
+      const std::uint32_t left = query.template many<P>(rows, count, lanes.turned, answers + first, unknown);
       for (std::uint32_t k = 0; k < left; ++k) answers[first + unknown[k]] = query.single(first + unknown[k]);
     });
   });
@@ -148,13 +112,12 @@ void answer_rows(const Query& query, std::uint8_t queue, typename Query::Answer*
 
 /// Those of the pairs of a queue.
 template <class Query, class T>
-void answer_queue(const Query& query, Route route, bool turned, const Queue<T>& queue,
-                  typename Query::Answer* answers) {
-  with_kernel_kinds<Query, T>(route, [&]<class A, class B>() {
-    const QueueRows<A, B, T> copies(queue);
+void answer_queue(const Query& query, const LanesFor& lanes, const Queue<T>& queue, typename Query::Answer* answers) {
+  with_kernel<Query, T>(lanes.pair, [&]<class P>() {
+    const QueueRows<typename P::template A<T>, typename P::template B<T>, T> copies(queue);
     std::array<typename Query::Answer, row_chunk> found;
     std::uint8_t unknown[row_chunk];
-    const std::uint32_t left = query.template many<A, B>(copies.rows(), queue.count, turned, found.data(), unknown);
+    const std::uint32_t left = query.template many<P>(copies.rows(), queue.count, lanes.turned, found.data(), unknown);
     for (std::size_t k = 0; k < queue.count; ++k) answers[queue.places[k]] = found[k];
     for (std::uint32_t k = 0; k < left; ++k) answers[queue.places[unknown[k]]] = query.single(queue.places[unknown[k]]);
   });
@@ -165,13 +128,12 @@ void answer_queue(const Query& query, Route route, bool turned, const Queue<T>& 
 template <class Query, class T, class Other>
 void answer(const Query& query, const Batch<T>& batch, std::vector<typename Query::Answer>& answers,
             const Other& other) {
-  static constexpr KernelRoutes<Query, T> has_kernel;
-  const std::uint8_t queue = even_queue(batch);
-  if (has_kernel(route_of(queue))) return answer_rows<Query, T>(query, queue, answers.data());
+  const LanesFor lanes = lanes_of_batch(batch);
+  if (Query::kernels(lanes.pair)) return answer_rows<Query, T>(query, lanes, answers.data());
   visit_batch(
-      batch, T(0), has_kernel, [](Route) { return true; },
-      [&](Route route, bool turned, const Queue<T>& waiting) {
-        answer_queue<Query, T>(query, route, turned, waiting, answers.data());
+      batch, T(0), Query::kernels, Query::kernels,
+      [&](const LanesFor& waiting, const Queue<T>& queue) {
+        answer_queue<Query, T>(query, waiting, queue, answers.data());
       },
       other);
 }

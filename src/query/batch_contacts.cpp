@@ -1,9 +1,6 @@
 #include <algorithm>
 
 #include "graze/batch.hpp"
-#include "narrow/batch/half_space_batch.hpp"
-#include "narrow/batch/sphere_capsule_batch.hpp"
-#include "narrow/batch/triangle_batch.hpp"
 #include "query/batch_rows.hpp"
 
 namespace graze {
@@ -37,8 +34,8 @@ class Writer {
     make_room(found_.points, points_ + points);
   }
   /// Pairs and, of each that touches in one, the point; how many lie or are unknown, which count as apart.
-  std::size_t write(const std::size_t* places, const PointContact<T>* contacts, const Meeting* meetings,
-                    std::size_t count) {
+  template <class Place>
+  std::size_t write(const Place& place, const PointContact<T>* contacts, const Meeting* meetings, std::size_t count) {
     reserve(count, count);
     typename BatchContacts<T>::Pair* const pairs = found_.pairs.data();
     typename BatchContacts<T>::Group* const manifolds = found_.manifolds.data() + manifolds_;
@@ -51,7 +48,7 @@ class Writer {
       const PointContact<T>& contact = contacts[k];
       const bool touches = meetings[k] == Meeting::touching, overlap = contact.point.distance <= T(0);
       others += meetings[k] >= Meeting::unknown;
-      pairs[places[k]] = {static_cast<bool>(touches & overlap), first_manifold + touching, touches};
+      pairs[place(k)] = {static_cast<bool>(touches & overlap), first_manifold + touching, touches};
       manifolds[touching] = {contact.normal, 0, 0, first_point + touching, 1};
       points[touching] = contact.point;
       touching += touches;
@@ -215,134 +212,75 @@ class OneByOne {
   Manifolds<T> manifolds_;
 };
 
-/// Writes the pairs of a capsule that lies.
-template <class T>
-auto side_writer(Writer<T>& writer) {
-  return [&writer](std::size_t pair, T distance, const Vec3<T>& normal, const SegmentPoints<T>& points) {
-    writer.touching(pair, distance, normal, 2, points);
-  };
-}
-
-/// Asks the kernels about pairs put together for them.
-template <class T>
-class Together {
+/// The sink (`narrow/batch/contact_sink.hpp`) that writes a batch's contacts; `place(i)` is the place in the batch of the
+/// i-th pair that kernels are asked about.
+template <class T, class Place>
+class BatchSink {
  public:
-  Together(Writer<T>& writer, OneByOne<T>& single) : writer_(writer), single_(single) {}
+  using Scalar = T;
+  static constexpr std::size_t most = batch_chunk;
 
-  void operator()(Route route, bool turned, const Queue<T>& queue) {
-    if (route == Route::box_box)
-      boxes(queue);
-    else if (is_rest(route))
-      with_resting_kind<T>(route, [&]<class A>() { half_space_slots<A>(turned, queue); });
-    else if (route == Route::box_triangle)
-      triangles(turned, queue);
-    else if (route == Route::triangle_triangle)
-      triangle_pairs(queue);
-    else
-      round(route, turned, queue);
-  }
+  BatchSink(Writer<T>& writer, OneByOne<T>& single, const Place& place)
+      : writer_(writer), single_(single), place_(place) {}
 
- private:
-  void boxes(const Queue<T>& queue) {
-    visit_box_contacts(
-        queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](const MetPairs<T>& met) { write(met, false, queue); }, [&](std::size_t k) { single_(queue.places[k]); },
-        writer_);
-  }
-  template <class A>
-  void half_space_slots(bool turned, const Queue<T>& queue) {
-    visit_half_space_contacts<A>(
-        queue.pairs.data(), queue.count, turned, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](std::size_t k, T distance, const HalfSpacePoints<T>& points) {
-          touching(queue.places[k], distance, points.normal(), points);
-        });
-  }
-  void triangles(bool turned, const Queue<T>& queue) {
-    visit_triangle_contacts(
-        queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](const MetPairs<T>& met) { write(met, turned, queue); }, [&](std::size_t k) { single_(queue.places[k]); });
-  }
-  void triangle_pairs(const Queue<T>& queue) {
-    visit_triangle_pair_contacts(
-        queue.pairs.data(), queue.count, [&](std::size_t k) { writer_.begin(queue.places[k], false); },
-        [&](const MetPairs<T>& met) { write(met, false, queue); }, [&](std::size_t k) { single_(queue.places[k]); });
-  }
-  void write(const MetPairs<T>& met, bool turned, const Queue<T>& queue) {
-    writer_.write(met, turned, [&](std::size_t k) { return queue.places[met.place(k)]; });
+  void apart(std::size_t i) { writer_.begin(place_(i), false); }
+  void unknown(std::size_t i) { single_(place_(i)); }
+  std::size_t one_each(const PointContact<T>* contacts, const Meeting* meetings, std::size_t count) {
+    return writer_.write(place_, contacts, meetings, count);
   }
   template <class Points>
-  void touching(std::size_t pair, T distance, const Vec3<T>& normal, const Points& points) {
-    writer_.touching(pair, distance, normal, most_contact_slots, points);
+  void several(std::size_t i, T distance, const Vec3<T>& normal, const Points& points, std::size_t most_points) {
+    writer_.touching(place_(i), distance, normal, most_points, points);
   }
-  void round(Route route, bool turned, const Queue<T>& queue) {
-    with_sphere_capsule_kinds<T>(route, [&]<class A, class B>() {
-      ask_sphere_capsule_kernel<A, B>(queue.pairs.data(), queue.count, contacts_, meetings_, sides_.records);
-      if (turned)
-        for (std::size_t k = 0; k < queue.count; ++k) contacts_[k] = mirrored(contacts_[k]);
-      std::size_t others = writer_.write(queue.places.data(), contacts_, meetings_, queue.count);
-      const SegmentContact<T>* side = sides_.records;
-      for (std::size_t k = 0; others > 0; ++k) {
-        if (meetings_[k] < Meeting::unknown) continue;
-        --others;
-        if (meetings_[k] == Meeting::unknown)
-          single_(queue.places[k]);
-        else
-          visit_side<A, B>(*side++, turned, queue.places[k], side_writer(writer_), single_);
-      }
-    });
+  void met(const MetPairs<T>& some, bool turned) {
+    writer_.write(some, turned, [&](std::size_t k) { return place_(some.place(k)); });
   }
+  Writer<T>& room() { return writer_; }
 
+ private:
   Writer<T>& writer_;
   OneByOne<T>& single_;
-  PointContact<T> contacts_[bundled(batch_chunk)];
-  Meeting meetings_[bundled(batch_chunk)];
-  RoomFor<SegmentContact<T>, batch_chunk> sides_;
+  Place place_;
 };
 
-/// Whether there is a kernel for the contacts of pairs in rows.
-constexpr bool has_rows(Route route) { return route < Route::box_box && route != Route::capsule_box; }
-
-template <class A, class B, class T>
-auto row_kernel() {
-  if constexpr (is_sphere_capsule_pair<A, B>)
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_row_contacts<A, B, T>);
-  else
-    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_contacts<A, T>);
-}
-
-template <class T>
-void contacts_of_rows(const Batch<T>& batch, std::uint8_t queue, T margin, Writer<T>& writer, OneByOne<T>& single) {
-  with_sphere_capsule_kinds<T>(route_of(queue), [&]<class A, class B>() {
-    if constexpr (is_sphere_capsule_pair<A, B> || is_sphere_capsule_and_triangle<A, B>) {
-      const auto kernel = row_kernel<A, B, T>();
-      const bool turned = is_turned(queue);
-      visit_rows<A, B>(batch, turned, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-        OtherRows<T> others;
-        const RowCounts found = writer.write_rows(first, others, [&](const ContactRows<T>& to) {
-          RowCounts all{};
-          kernel(rows, count, margin, turned, to, all);
-          return all;
-        });
-        for (std::size_t k = 0; k < found.sides; ++k)
-          visit_side<A, B>(others.sides.records[k], turned, first + others.side_places[k], side_writer(writer), single);
-        for (std::size_t k = 0; k < found.unknown; ++k) single(first + others.unknown[k]);
-      });
-    }
-  });
-}
-
-template <class T>
-void contacts_of_box_rows(const Batch<T>& batch, T margin, Writer<T>& writer, OneByOne<T>& single) {
-  const auto apart = [&](std::size_t i) { writer.begin(i, false); };
-  const auto met = [&](const MetPairs<T>& some) {
-    writer.write(some, false, [&](std::size_t k) { return some.place(k); });
+/// Pairs in rows that touch in one point each, or in two where capsules lie.
+template <class P, class T, class Sink>
+void visit_contact_rows(const Batch<T>& batch, bool turned, T margin, Writer<T>& writer, Sink& sink) {
+  const auto kernel = P::template contact_rows<T>();
+  const auto ask = [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+    OtherRows<T> others;
+    const RowCounts found = writer.write_rows(first, others, [&](const ContactRows<T>& to) {
+      RowCounts all{};
+      kernel(rows, count, margin, turned, to, all);
+      return all;
+    });
+    for (std::size_t k = 0; k < found.sides; ++k)
+      visit_segment(others.sides.records[k], P::template features<T>(), turned, first + others.side_places[k], sink);
+    for (std::size_t k = 0; k < found.unknown; ++k) sink.unknown(first + others.unknown[k]);
   };
-  const auto unknown = [&](std::size_t i) { single(i); };
-  MetBoxes<T> boxes;
-  visit_rows<Box<T>, Box<T>>(batch, false, [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-    visit_box_contacts(rows, count, margin, static_cast<std::uint32_t>(first), boxes, apart, met, unknown, writer);
+  visit_rows<typename P::template A<T>, typename P::template B<T>>(batch, turned, ask);
+}
+
+/// The contacts of a batch whose sides are of one kind each, read and written where they stand: whether the kernels of
+/// the two kinds can.
+template <class T>
+bool contacts_of_rows(const Batch<T>& batch, const LanesFor& lanes, T margin, Writer<T>& writer, OneByOne<T>& single) {
+  const auto in_order = [](std::size_t i) { return i; };
+  BatchSink sink(writer, single, in_order);
+  bool done = false;
+  with_lane_pair(lanes.pair, [&]<class P>() {
+    using A = typename P::template A<T>;
+    using B = typename P::template B<T>;
+    const auto each_rows = [&](const auto& ask) { visit_rows<A, B>(batch, lanes.turned, ask); };
+    if constexpr (HasContactRows<P>)
+      visit_contact_rows<P>(batch, lanes.turned, margin, writer, sink);
+    else if constexpr (requires { P::visit_row_contacts(each_rows, margin, sink); })
+      P::visit_row_contacts(each_rows, margin, sink);
+    else
+      return;
+    done = true;
   });
-  visit_met_boxes(boxes, true, writer, met, unknown);
+  return done;
 }
 
 }  // namespace
@@ -351,12 +289,15 @@ template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   Writer<T> writer(found, batch.size());
   OneByOne<T> single(batch, margin, writer);
-  const std::uint8_t queue = even_queue(batch);
-  if (has_rows(route_of(queue))) return contacts_of_rows(batch, queue, margin, writer, single);
-  if (route_of(queue) == Route::box_box) return contacts_of_box_rows(batch, margin, writer, single);
-  Together<T> together(writer, single);
+  if (contacts_of_rows(batch, lanes_of_batch(batch), margin, writer, single)) return;
   visit_batch(
-      batch, margin, [](Route) { return true; }, [](Route route) { return route == Route::box_box; }, together, single);
+      batch, margin, with_contact_lanes, with_all_shapes,
+      [&](const LanesFor& lanes, const Queue<T>& queue) {
+        const auto place = [&](std::size_t k) { return queue.places[k]; };
+        BatchSink sink(writer, single, place);
+        visit_lane_contacts(lanes, queue.pairs.data(), queue.count, sink);
+      },
+      single);
 }
 
 template void contacts(const Batch<float>&, float, BatchContacts<float>&);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "narrow/batch/box_batch.hpp"
 #include "query/batch_routes.hpp"
 
 namespace graze {
@@ -115,12 +114,11 @@ class QueueRows {
   alignas(Pose<T>) std::byte poses_a_[row_chunk * sizeof(Pose<T>)], poses_b_[row_chunk * sizeof(Pose<T>)];
 };
 
-/// The queue of a batch whose sides are of one kind each, as `Routes` has it; that of no route for any other.
+/// The lanes for a batch whose sides are of one kind each; none for any other.
 template <class T>
-std::uint8_t even_queue(const Batch<T>& batch) {
-  static constexpr Routes<T> routes;
-  if (batch.size() == 0 || !batch.a().one_kind() || !batch.b().one_kind()) return queue_of(Route::none, false);
-  return routes(batch.a().kind(0), batch.b().kind(0));
+LanesFor lanes_of_batch(const Batch<T>& batch) {
+  if (batch.size() == 0 || !batch.a().one_kind() || !batch.b().one_kind()) return {};
+  return lane_table<T>(batch.a().kind(0), batch.b().kind(0));
 }
 
 }  // namespace graze

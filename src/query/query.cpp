@@ -3,7 +3,7 @@
 #include "composite/closest.hpp"
 #include "composite/composite.hpp"
 #include "composite/explain.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {

@@ -6,12 +6,9 @@
 
 #include "composite/composite.hpp"
 #include "composite/internal_edges/face_contact.hpp"
-#include "narrow/batch/half_space_batch.hpp"
-#include "narrow/batch/sphere_capsule_batch.hpp"
-#include "narrow/batch/triangle_batch.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/batch/lane_pairs.hpp"
+#include "narrow/pair_table.hpp"
 #include "narrow/sat/cached_axis.hpp"
-#include "query/batch_routes.hpp"
 #include "world/shares.hpp"
 
 namespace graze {
@@ -29,8 +26,7 @@ constexpr std::size_t few_pairs = 4096;
 /// Pairs that wait for a kernel, all for the same.
 template <class T>
 struct Waiting {
-  Route route = Route::none;
-  bool turned = false;  ///< for the route, all of them
+  LanesFor lanes;
   std::size_t count = 0;
   PairRef<T> pairs[most_chunk];
   std::uint32_t places[most_chunk];
@@ -44,7 +40,7 @@ void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
   const bool another = std::exchange(generations_[i], generation) != generation;
   ground_ += stands;
   ground_ -= (seen_[i].traits & fixed) != 0;
-  seen_[i] = {regular_concrete(shape), bodies.margins()[i],
+  seen_[i] = {concrete_for_lanes(shape), bodies.margins()[i],
               static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
                                         (stands ? fixed : 0) | (another ? fresh : 0))};
   ground_changed_ |= stands && moved;
@@ -127,9 +123,9 @@ void ManifoldFinder<T>::find_on_threads(const BodyArrays<T>& bodies, Executor& e
 template <class T>
 void ManifoldFinder<T>::keep_axes_where_of_use() {
   if (keeps_axes_) return;
-  static constexpr Routes<T> routes;
-  keeps_axes_ = std::any_of(bins_.bins.begin(), bins_.bins.end(),
-                            [](const Bin& bin) { return route_of(routes(bin.type_a, bin.type_b)) == Route::none; });
+  keeps_axes_ = std::any_of(bins_.bins.begin(), bins_.bins.end(), [](const Bin& bin) {
+    return !with_contact_lanes(lane_table<T>(bin.type_a, bin.type_b).pair);
+  });
   if (keeps_axes_) axes_.assign(pairs_.size(), {});
 }
 
@@ -159,15 +155,12 @@ void ManifoldFinder<T>::run_task(const BodyArrays<T>& bodies, std::size_t number
 /// The pairs of a task, which follow each other in the bins' order, kind by kind.
 template <class T>
 void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, Task& task) {
-  static constexpr Routes<T> routes;
   const std::size_t begin = task.number * pairs_per_task, end = std::min(pairs_.size(), begin + pairs_per_task);
   Waiting<T> waiting;
   const auto ends_before = [](std::size_t place, const Bin& bin) { return place < bin.end; };
   auto bin = std::upper_bound(bins_.bins.begin(), bins_.bins.end(), begin, ends_before);
   for (; bin != bins_.bins.end() && bin->begin < end; ++bin) {
-    const std::uint8_t queue = routes(bin->type_a, bin->type_b);
-    waiting.route = route_of(queue);
-    waiting.turned = is_turned(queue);
+    waiting.lanes = lane_table<T>(bin->type_a, bin->type_b);
     const std::size_t first = std::max<std::size_t>(begin, bin->begin), last = std::min<std::size_t>(end, bin->end);
     find_of_a_kind(bodies, std::span(bins_.order).subspan(first, last - first), waiting, task);
   }
@@ -179,7 +172,7 @@ template <class T>
 void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
                                        Waiting<T>& waiting, Task& task) {
   Run kept;
-  const bool together = waiting.route != Route::none;
+  const bool together = with_contact_lanes(waiting.lanes.pair);
   const Pose<T>* const poses = bodies.poses().data();
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (k + ahead < places.size()) fetch(bodies, pairs_[places[k + ahead]].b);
@@ -199,12 +192,12 @@ void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<co
     }
     const T margin = least(a.margin, b.margin);
     waiting.places[waiting.count] = place;
-    waiting.pairs[waiting.count++] = waiting.turned
+    waiting.pairs[waiting.count++] = waiting.lanes.turned
                                          ? PairRef<T>{b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}
                                          : PairRef<T>{a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin};
   }
   copy_last(kept, task);
-  find_together(bodies, waiting, task);
+  find_waiting(bodies, waiting, task);
 }
 
 /// Fetches what a pair asks of a body. Pairs are sorted by the first of their two, so the second is the one that may
@@ -264,55 +257,62 @@ void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, T
   found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points)});
 }
 
-/// Asks the kernel about the pairs that wait for it; then none do.
+/// The sink (`narrow/batch/contact_sink.hpp`) of a task: carries on what is kept of a pair from the last call.
 template <class T>
-void ManifoldFinder<T>::find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task) {
-  const PairRef<T>* const pairs = waiting.pairs;
-  const std::uint32_t* const places = waiting.places;
-  const std::size_t count = std::exchange(waiting.count, 0);
-  if (count == 0) return;
-  const auto none = [&](std::size_t i) { keep_apart(places[i]); };
-  const auto singly = [&](std::size_t i) { find_one(bodies, places[i], task); };
-  Refilled<SolverPoint<T>>& to = found_[task.found].points;
-  const auto many = [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& points) {
-    const std::size_t found = points.append(to);
-    keep(bodies, places[i], task, distance <= T(0), normal, found);
-  };
-  const auto met = [&](const MetPairs<T>& some) {
+class ManifoldFinder<T>::TaskSink {
+ public:
+  using Scalar = T;
+  static constexpr std::size_t most = most_chunk;
+
+  TaskSink(ManifoldFinder& finder, const BodyArrays<T>& bodies, const Waiting<T>& waiting, Task& task)
+      : finder_(finder),
+        bodies_(bodies),
+        places_(waiting.places),
+        task_(task),
+        points_(finder.found_[task.found].points) {}
+
+  void apart(std::size_t i) { finder_.keep_apart(places_[i]); }
+  void unknown(std::size_t i) { finder_.find_one(bodies_, places_[i], task_); }
+  void one(std::size_t i, const PointContact<T>& contact) {
+    points_.push_back({contact.point, {}});
+    keep(i, contact.point.distance, contact.normal, 1);
+  }
+  template <class Points>
+  void several(std::size_t i, T distance, const Vec3<T>& normal, const Points& points, std::size_t) {
+    keep(i, distance, normal, points.append(points_));
+  }
+  void met(const MetPairs<T>& some, bool turned) {
     const ContactPoint<T>* from = some.points;
     for (std::size_t k = 0; k < some.count; ++k) {
       const std::uint32_t size = some.points_of(k);
-      SolverPoint<T>* p = to.extend(size);
+      SolverPoint<T>* p = points_.extend(size);
       for (const ContactPoint<T>* const end = from + size; from < end; ++from, ++p)
-        *p = {waiting.turned ? mirrored(*from) : *from, {}};
+        *p = {turned ? mirrored(*from) : *from, {}};
       const Vec3<T> normal = some.normal(k);
-      keep(bodies, places[some.place(k)], task, some.distance(k) <= T(0), waiting.turned ? -normal : normal, size);
+      keep(some.place(k), some.distance(k), turned ? -normal : normal, size);
     }
-    fetch_for_writing(to.data() + to.size(), some.point_count);
-  };
-  if (waiting.route == Route::box_box) {
-    visit_box_contacts(pairs, count, none, met, singly);
-  } else if (waiting.route == Route::box_triangle) {
-    visit_triangle_contacts(pairs, count, none, met, singly);
-  } else if (waiting.route == Route::triangle_triangle) {
-    visit_triangle_pair_contacts(pairs, count, none, met, singly);
-  } else if (is_rest(waiting.route)) {
-    with_resting_kind<T>(waiting.route, [&]<class A>() {
-      visit_half_space_contacts<A>(pairs, count, waiting.turned, none,
-                                   [&](std::size_t i, T distance, const HalfSpacePoints<T>& points) {
-                                     many(i, distance, points.normal(), points);
-                                   });
-    });
-  } else {
-    const auto one = [&](std::size_t i, const PointContact<T>& found) {
-      const PointContact<T> contact = waiting.turned ? mirrored(found) : found;
-      to.push_back({contact.point, {}});
-      keep(bodies, places[i], task, contact.point.distance <= T(0), contact.normal, 1);
-    };
-    with_sphere_capsule_kinds<T>(waiting.route, [&]<class A, class B>() {
-      visit_sphere_capsule_contacts<A, B>(pairs, count, waiting.turned, none, one, many, singly);
-    });
+    fetch_for_writing(points_.data() + points_.size(), some.point_count);
   }
+
+ private:
+  void keep(std::size_t i, T distance, const Vec3<T>& normal, std::size_t points) {
+    finder_.keep(bodies_, places_[i], task_, distance <= T(0), normal, points);
+  }
+
+  ManifoldFinder& finder_;
+  const BodyArrays<T>& bodies_;
+  const std::uint32_t* places_;
+  Task& task_;
+  Refilled<SolverPoint<T>>& points_;
+};
+
+/// Asks the kernel about the pairs that wait for it; then none do.
+template <class T>
+void ManifoldFinder<T>::find_waiting(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task) {
+  const std::size_t count = std::exchange(waiting.count, 0);
+  if (count == 0) return;
+  TaskSink sink(*this, bodies, waiting, task);
+  visit_lane_contacts(waiting.lanes, waiting.pairs, count, sink);
 }
 
 /// Of two bodies the smaller margin; none of two that have no size.

@@ -8,7 +8,7 @@
 #include "composite/leaves.hpp"
 #include "composite/mesh_patch.hpp"
 #include "composite/near_convex.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "common/specimen.hpp"
 #include "composite/internal_edges/ghost_contacts.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze {
 namespace {

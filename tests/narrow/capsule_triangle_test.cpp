@@ -11,8 +11,8 @@
 #include "graze/query.hpp"
 #include "in_general.hpp"
 #include "narrow/batch/sphere_capsule_batch.hpp"
-#include "narrow/convex_pair.hpp"
 #include "narrow/general.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze::testing {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "common/specimen.hpp"
 #include "manifold_of.hpp"
+#include "narrow/core/point_point.hpp"
 #include "narrow/general.hpp"
-#include "narrow/pairs/half_space.hpp"
-#include "narrow/pairs/sphere_sphere.hpp"
+#include "narrow/pairs/half_space_distance.hpp"
 
 namespace graze::testing {
 namespace {

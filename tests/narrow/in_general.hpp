@@ -1,8 +1,8 @@
 // Contacts by the general path, whatever routine of their own a pair has: what such routines are held against.
 #pragma once
 
-#include "narrow/convex_pair.hpp"
 #include "narrow/general_contacts.hpp"
+#include "narrow/pair_table.hpp"
 #include "narrow/sat/polyhedral_pair.hpp"
 
 namespace graze::testing {

@@ -4,7 +4,7 @@
 
 #include "common/specimen.hpp"
 #include "manifold_of.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 
 namespace graze::testing {
 namespace {

@@ -131,7 +131,8 @@ class ManifoldFinder {
   void find_some(const BodyArrays<T>& bodies, Task& task);
   void find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, Waiting<T>& waiting,
                       Task& task);
-  void find_together(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task);
+  class TaskSink;
+  void find_waiting(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task);
   void find_one(const BodyArrays<T>& bodies, std::uint32_t place, Task& task);
   void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, Task& task);
   bool stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,

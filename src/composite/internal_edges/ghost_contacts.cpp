@@ -6,7 +6,7 @@
 #include "composite/internal_edges/occluders.hpp"
 #include "composite/internal_edges/voronoi_neighbours.hpp"
 #include "graze/geometry.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 #include "shape/mesh_data.hpp"
 
 namespace graze {

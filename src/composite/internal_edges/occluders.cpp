@@ -3,7 +3,7 @@
 #include "composite/internal_edges/voronoi_neighbours.hpp"
 #include "composite/leaves.hpp"
 #include "graze/geometry.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 #include "rays/convex_raycast.hpp"
 
 namespace graze {

@@ -3,7 +3,7 @@
 #include "composite/leaves.hpp"
 #include "composite/mesh_patch.hpp"
 #include "graze/geometry.hpp"
-#include "narrow/convex_pair.hpp"
+#include "narrow/pair_table.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {

@@ -1,112 +1,181 @@
-// Segment against box: capsule against box.
+// A capsule and a box that touch: an end of the capsule, its side across an edge of the box, or its side on a face.
+//
+// Guarantee: in every lane the bits that the pair gives alone: the distance is that of `distance`, and the points and
+// names are those that the faces give.
 #pragma once
 
-#include "graze/geometry.hpp"
-#include "narrow/core/core.hpp"
+#include "narrow/batch/one_contacts.hpp"
+#include "narrow/pairs/box_box/box_like_pair.hpp"
+#include "narrow/pairs/sphere_capsule_contacts.hpp"
 
 namespace graze {
 
-/// A segment and a box that are apart: nearest are an end of the segment and any point of the box, or a point of the
-/// segment and one of an edge of the box.
+/// What of the box its closest point lies on; `near_other` as for `box_part`.
 template <class S>
-CoreDistance<S> apart(const Vec3<S>& half, const Segment<S>& segment) {
-  Vec3<S> best_a = closest_point_in_box(half, segment.a), best_b = segment.a;
-  S least_squared = length_squared(best_b - best_a);
-  const auto consider = [&](const Vec3<S>& a, const Vec3<S>& b) {
-    const S squared = length_squared(b - a);
-    const auto nearer = squared < least_squared;
-    least_squared = select(nearer, squared, least_squared);
-    best_a = select(nearer, a, best_a);
-    best_b = select(nearer, b, best_b);
-  };
-  consider(closest_point_in_box(half, segment.b), segment.b);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int corner = 0; corner < 4; ++corner) {
-      Vec3<S> from = half;
-      from[(axis + 1) % 3] = corner & 1 ? half[(axis + 1) % 3] : -half[(axis + 1) % 3];
-      from[(axis + 2) % 3] = corner & 2 ? half[(axis + 2) % 3] : -half[(axis + 2) % 3];
-      Vec3<S> to = from;
-      from[axis] = -half[axis];
-      const Segment<S> edge{from, to};
-      const auto [s, t] = closest_parameters(edge, segment);
-      consider(point_at(edge, s), point_at(segment, t));
-    }
-  return {select(least_squared > S(0), length(best_b - best_a), S(0)), normalized(best_b - best_a), best_a, best_b};
+S box_part_at(const PlacedBox<S>& box, const CoreDistance<S>& at, const S& near_other) {
+  const Mat3<S> turn = rotation_of(box.pose.rotation);
+  return round::box_part(box.half, transposed_times(turn, -at.normal),
+                         transposed_times(turn, at.b + at.normal * box.radius - box.pose.translation), near_other);
 }
 
-/// The axis along which a segment and a box are furthest apart or least deep.
+/// What `at` is where: only for capsules with a length, and boxes with one along every side. Up to `limit` apart it is
+/// asked whether the side lies on the box.
 template <class S>
-struct SegmentBoxAxis {
-  S separation;
-  Vec3<S> normal;  ///< from the box to the segment
+RoundContact<S> capsule_box_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const BoxDistance<S>& found,
+                                    const S& limit) {
+  using T = typename LaneOf<S>::type;
+  const CoreDistance<S> at{found.at.distance, found.at.normal, found.at.a, found.at.b};
+  const S up = dot(rotation_of(capsule.pose.rotation).column(1), at.normal), lean(face_lean<T>);
+  const auto lies = (up * up <= lean * lean) & (at.distance <= limit);
+  return {at, select(up > S(0), S(1), S(0)), box_part_at(box, at, S(std::numeric_limits<T>::infinity())),
+          select(found.proven, select(lies, S(0), S(1)), S(-1))};
+}
+
+namespace round {
+
+/// A capsule before the face of a box that leans least from the normal, seen from that face: its axis comes last and
+/// points out of the box.
+template <class S>
+struct CapsuleOnFace {
+  using Mask = decltype(S() < S());
+
+  Vec3<S> half;          ///< of the box
+  Vec3<S> middle, axis;  ///< of the capsule
+  Vec3<S> toward;        ///< against the normal
+  Vec3<S> outward;       ///< of the face, in the world
+  S part;                ///< of the face
+
+  CapsuleOnFace(const PlacedBox<S>& capsule, const Vec3<S>& axis_in_world, const PlacedBox<S>& box,
+                const Vec3<S>& normal) {
+    const Mat3<S> turn = rotation_of(box.pose.rotation);
+    const Vec3<S> against = transposed_times(turn, -normal);
+    const auto face = AxisPermutation<S>::longest(against);
+    const Mask positive = face.pick(against) >= S(0);
+    const S side = select(positive, S(1), S(-1));
+    const auto seen = [&](const Vec3<S>& v) {
+      const Vec3<S> t = face.turned(v);
+      return Vec3<S>{t.x, t.y, t.z * side};
+    };
+    half = face.turned(box.half);
+    middle = seen(transposed_times(turn, capsule.pose.translation - box.pose.translation));
+    axis = seen(transposed_times(turn, axis_in_world));
+    toward = seen(against);
+    outward = face.pick(turn) * side;
+    part = face_part(face, positive);
+  }
 };
 
-/// Calls `f(unit axis, whether it is one, axis number of the box, whether a product with the segment)` for the box's
-/// three axes and their products with the segment.
-template <class S, class F>
-void visit_axes(const Vec3<S>& half, const Segment<S>& segment, F&& f) {
-  const S one(1), zero(0);
-  const Vec3<S> axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-  for (std::size_t i = 0; i < 3; ++i) f(axes[i], half.x >= zero, i, false);
-  const Vec3<S> u = normalized((segment.b - segment.a) * S(0.5), Vec3<S>{});
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<S> n = cross(axes[i], u);
-    // Nearly parallel: the product's direction is rounding, and the face axes answer within it.
-    const S sine = length(n);
-    const auto distinct = sine > S(16) * epsilon<S>;
-    f(n / select(distinct, sine, one), distinct, i, true);
+}  // namespace round
+
+/// Of a capsule whose side lies: its axis cut by the face that it lies on. `at`: the closest points, as rounded to T,
+/// the scalar of the shapes. `margin`: up to where contacts are wanted. Only for those within the margin of each other.
+template <class T, class S>
+SegmentContact<S> side_contact(const PlacedBox<S>& capsule, const PlacedBox<S>& box, const CoreDistance<S>& at,
+                               const S& margin) {
+  using std::abs, std::sqrt;
+  using Lane = typename LaneOf<S>::type;
+  using Mask = decltype(S() < S());
+  const S zero(0), one(1), half = capsule.half.y, radii = capsule.radius + box.radius;
+  const Vec3<S> axis = rotation_of(capsule.pose.rotation).column(1);
+  const round::CapsuleOnFace<S> on(capsule, axis, box, at.normal);
+  const Vec3<S>&h = on.half, &m = on.middle, &c = on.axis;
+
+  // As the general path does, along the face's normal where that shows about the whole distance.
+  const S size_a = half + capsule.radius, size_b = length(box.half) + box.radius, smaller = least(size_a, size_b);
+  const S nearest = at.distance - S(Lane(face_preference)) * smaller;
+  const Vec3<S> lean = on.toward - Vec3<S>{zero, zero, one};
+  const Mask by_face =
+      (m.z - abs(c.z) * half - h.z - radii >= nearest) | (max_abs(lean) <= S(Lane(normal_rounding<T>)));
+  const Vec3<S> v{select(by_face, zero, on.toward.x), select(by_face, zero, on.toward.y),
+                  select(by_face, one, on.toward.z)};
+  const S up = dot(c, v), steep = one / v.z;
+  const round::Side<S> side{half, capsule.radius, -up, one - up * up};
+  const S near = least(side.near_end(), round::near_rim(h, v)),
+          slack = S(Lane(along_rim)) * sqrt(near) + S(Lane(normal_rounding<T>)) * (radii + smaller);
+
+  const Vec3<S> down = v * steep;
+  const Vec3<S> foot = m - down * (m.z - h.z), pace = c - down * c.z;
+  round::Stretch<S> stretch(half);
+  stretch.cut(foot.x, pace.x, h.x, slack);
+  stretch.cut(foot.y, pace.y, h.y, slack);
+
+  SegmentContact<S> found;
+  found.distance = at.distance;
+  found.normal = select(by_face, -on.outward, at.normal);
+  const auto put = [&](typename SegmentContact<S>::Slot& slot, const S& along) -> Mask {
+    const S rise = side.rise(along);
+    slot.distance = (m.z + c.z * along - h.z) * steep - (rise + box.radius);
+    slot.a = capsule.pose.translation + (axis * along + found.normal * rise);
+    slot.b = slot.a + found.normal * slot.distance;
+    slot.place = feature_place(round::part_at(along, half, side.seen, near),
+                               on.part + round::rims_part(h, v, foot + pace * along, near));
+    return rise >= zero;
+  };
+  const S lean_most(static_cast<Lane>(face_lean<T>));
+  const Mask meet = stretch.any & (stretch.low <= stretch.high) & (abs(up) <= lean_most);
+  const Mask first = meet & put(found.slots[0], stretch.low), second = meet & put(found.slots[1], stretch.high);
+  const S noise = S(box_rounding<Lane>) * (size_a + size_b + abs(at.distance));
+  const Mask faces =
+      round::keep_points(found, first, second, greatest(margin, at.distance + noise), S(Lane(tolerance<T>)) * smaller,
+                         at.distance + S(Lane(face_preference)) * smaller);
+  if (!all(faces)) {
+    const S up_there = dot(axis, at.normal);
+    const round::Side<S> there{half, capsule.radius, up_there, one - up_there * up_there};
+    const Vec3<S> from_middle = at.a - at.normal * capsule.radius - capsule.pose.translation;
+    const S part_a = round::part_at(dot(from_middle, axis), half, there.seen,
+                                    least(there.near_end(), round::near_rim(h, on.toward)));
+    const S part_b = box_part_at(box, at, there.near_end());
+    round::put_closest(found, faces, at, feature_place(part_a, part_b));
   }
+  // A rounded box is known over its face only.
+  found.filled = select(by_face | (box.radius == zero), found.filled, zero);
+  return found;
 }
 
-template <class S>
-SegmentBoxAxis<S> best_axis(const Vec3<S>& half, const Segment<S>& segment) {
-  const Vec3<S> middle = (segment.a + segment.b) * S(0.5), reach = (segment.b - segment.a) * S(0.5);
-  SegmentBoxAxis<S> best{S(-std::numeric_limits<float>::infinity()), {}};
-  visit_axes(half, segment, [&](const Vec3<S>& n, const auto& valid, std::size_t, bool) {
-    const S along = dot(n, middle);
-    const Vec3<S> toward = select(along < S(0), -n, n);
-    using std::abs;
-    const S separation = abs(along) - abs(dot(n, reach)) - dot(graze::abs(n), half);
-    const auto better = valid & (separation > best.separation);
-    best.separation = select(better, separation, best.separation);
-    best.normal = select(better, toward, best.normal);
-  });
-  return best;
+/// In double, as the distance.
+template <class T>
+RoundContact<T> round_contact(const Rounded<AxisCore<T>, T>& a, const Pose<T>& pose_a, const Rounded<BoxCore<T>, T>& b,
+                              const Pose<T>& pose_b, const T& margin) {
+  const auto capsule = converted<double>(placed_box(a, pose_a)), box = converted<double>(placed_box(b, pose_b));
+  return converted<T>(
+      capsule_box_contact(capsule, box, box_distance(capsule, box), before_rounding<T>(static_cast<double>(margin))));
 }
 
-/// The normal at a point of a box without what rounding left of it along the sides between whose ends the point is, or
-/// inward from one.
-template <class S>
-Vec3<S> leaving(const Vec3<S>& normal, const BoxCore<S>& box, const Vec3<S>& at) {
-  Vec3<S> left;
-  for (std::size_t i = 0; i < 3; ++i)
-    left[i] = select(at[i] >= box.half[i], greatest(normal[i], S(0)), S(0)) +
-              select(at[i] <= -box.half[i], least(normal[i], S(0)), S(0));
-  return left;
-}
+struct CapsuleBox : BoxLikePair<Capsule, Box> {
+  static constexpr bool overlaps_by_distance = true;
 
-/// The box is A. Separating axes decide whether they overlap (van den Bergen 2003, section 3.2). Of an overlapping pair
-/// the segment is first moved out along the axis, just to touch: the nearest of all pairs of features then are where
-/// the two are deepest, and otherwise what they are.
-template <class S>
-CoreDistance<S> core_distance(const BoxCore<S>& a, const SegmentCore<S>& b) {
-  const SegmentBoxAxis<S> axis = best_axis(a.half, b.segment);
-  const Vec3<S> out = axis.normal * -least(axis.separation, S(0));
-  const CoreDistance<S> near = apart(a.half, Segment<S>{b.segment.a + out, b.segment.b + out});
-  // The axis keeps its digits where the difference of two near points has few, so it is the normal wherever both are
-  // the same line up to rounding.
-  const S size = max_abs(a.half) + max_abs(b.segment.a) + max_abs(b.segment.b);
-  const S noise = S(16) * epsilon<S> * size + b.error;
-  const auto along_axis = (axis.separation <= S(0)) | (length(near.b - near.a - axis.normal * near.distance) <= noise);
-  const S distance = select(axis.separation <= S(0), axis.separation, near.distance);
-  // Of two edges that cross the axis is the normal; of all else one of the two settles what the other does not turn.
-  const Vec3<S> settled = -leaving(-leaving(near.normal, a, near.a), b.segment, near.b);
-  const Vec3<S> normal = select(near.distance < size * S(near_part), renormalized(settled, near.normal), near.normal);
-  return {distance, select(along_axis, axis.normal, normal), near.a, near.b - out};
-}
+  template <class T>
+  static std::optional<Distance<T>> distance(const InPlace<Capsule<T>, T>& a, const InPlace<Box<T>, T>& b) {
+    if (const auto found = BoxLikePair::distance(a, b)) return found;
+    return closed_form_distance(a, b);
+  }
+  template <class T>
+  static std::optional<T> contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Box<T>, T>& b, T margin,
+                                   Manifold<T>& manifold) {
+    return regular_contact(a, b, margin, manifold);
+  }
+  template <class T>
+  static std::optional<T> more_contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Box<T>, T>& b, T margin,
+                                        Manifold<T>& manifold) {
+    const auto found = side_contact<T>(converted<double>(placed_box(rounded_core(a.shape, a.rounding()), a.pose)),
+                                       converted<double>(placed_box(rounded_core(b.shape, b.rounding()), b.pose)),
+                                       converted<double>(take_closest(manifold)), static_cast<double>(margin));
+    return put_sides(converted<T>(found), ids_with_box, manifold);
+  }
 
-/// Products of near-parallel edges have too few digits in float for the tolerance, and the nearest points too.
-template <>
-inline constexpr bool evaluated_in_double<BoxCore<float>, SegmentCore<float>> = true;
+  template <class T>
+  static auto overlap_rows() {
+    return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
+  }
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), box_row_distances<Capsule<T>, Box<T>, T>);
+  }
+  template <class T, class Sink>
+  static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, Sink& sink) {
+    visit_one_contacts<T>(GRAZE_KERNEL(chosen_isa(), capsule_box_contacts<T>), ids_with_box.of, pairs, count, turned,
+                          sink);
+  }
+};
 
 }  // namespace graze

@@ -1,95 +1,65 @@
-// Untapered capsule against triangle: an end of the capsule, or its side across an edge of the triangle, across lanes,
+// Capsule against triangle: an end of an untapered capsule, or its side across an edge or on the face of the triangle,
 // in double.
-//
-// Guarantee: an answer is known only with its proof, a plane between the cores as far from both as it says. `distance`,
-// `overlap` and `contacts` take theirs from here, so that they agree on what touches, of one pair or of many. Where the
-// cores meet or about do, and of slivers, the general path answers.
 #pragma once
 
-#include "narrow/pairs/sphere_triangle.hpp"
+#include "narrow/batch/one_contacts.hpp"
+#include "narrow/pairs/pair.hpp"
+#include "narrow/pairs/sphere_capsule_triangle_contact.hpp"
+#include "simd/flatten.hpp"
 
 namespace graze {
 
-/// All but what is known has a meaning only where that is.
-template <class S>
-class CapsuleAndTriangle {
-  using Mask = decltype(S() < S());
+struct CapsuleTriangle {
+  template <class T>
+  using A = Capsule<T>;
+  template <class T>
+  using B = Triangle<T>;
 
- public:
-  CapsuleAndTriangle(const Rounded<AxisCore<S>, S>& capsule, const Pose<S>& pose,
-                     const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose_triangle)
-      : pair_(capsule.radius, capsule.core.half_height, pose, triangle, pose_triangle),
-        half_(capsule.core.half_height) {
-    const Mask regular = pair_.triangle.regular();
-    if (!any(regular)) return;
-    axis_ = rotation_of(pose.rotation).column(1);
-    take(at_end(S(-1)));
-    if (!all(near_.known)) take(at_end(S(1)));
-    if (!all(near_.known)) take(at_side());
-    near_.known = near_.known & regular;
+  template <class T>
+  GRAZE_FLATTEN static std::optional<Distance<T>> distance(const InPlace<Capsule<T>, T>& a,
+                                                           const InPlace<Triangle<T>, T>& b) {
+    if (!has_untapered_side(a.shape)) return std::nullopt;
+    return distance_of<T>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose));
+  }
+  template <class T>
+  static std::optional<T> contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                                   Manifold<T>& manifold) {
+    if (!has_untapered_side(a.shape)) return std::nullopt;
+    return contact_of<Triangle<T>>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin,
+                                   manifold);
+  }
+  template <class T>
+  static std::optional<T> more_contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                                        Manifold<T>& manifold) {
+    const auto of = rounded_core(a.shape, a.rounding());
+    const auto found = side_contact(
+        Rounded<AxisCore<double>, double>{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},
+        converted<double>(a.pose), rounded_in_double(b.shape, b.rounding()), converted<double>(b.pose),
+        converted<double>(take_closest(manifold)), static_cast<double>(margin), true, answer_rounding<T>());
+    return put_sides(converted<T>(found), ids_with_triangle, manifold);
   }
 
-  Mask known() const { return near_.known; }
-  CoreDistance<S> distance() const { return pair_.in_world(axis_ * along_, near_); }
-  /// Whether they touch in one point at most: that of an end which the general path sees alone.
-  Mask one_point() const {
-    using std::abs;
-    return abs(rise_of(near_)) > S(face_lean<double>);
+  template <class T>
+  static auto overlap_rows() {
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_overlaps<Capsule<T>, T>);
   }
-  /// What touches, of the capsule and of the triangle.
-  S part() const { return select(rise_of(near_) < S(0), S(1), S(0)); }
-  S triangle_part() const { return pair_.triangle.part(near_.place, near_.outward); }
-
- private:
-  /// A place of the axis that may be the nearest one.
-  struct Place {
-    S along;
-    NearTriangle<S> near;
-  };
-
-  /// How the axis rises from the triangle.
-  S rise_of(const NearTriangle<S>& near) const { return dot(axis_, pair_.turn * near.outward); }
-  /// An end from whose place on the triangle the rest of the capsule leads further away is what is nearest.
-  Place at_end(const S& sign) const {
-    const S along = half_ * sign;
-    NearTriangle<S> near = pair_.nearest_to(axis_ * along);
-    near.known = near.known & (rise_of(near) * sign <= S(0));
-    return {along, near};
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_distances<Capsule<T>, T>);
   }
-  Place at_side() const {
-    const SegmentNearTriangle<S> found = pair_.triangle.nearest_across(
-        pair_.seen_by_triangle(axis_ * -half_), transposed_times(pair_.turn, axis_ * (S(2) * half_)), pair_.noise);
-    return {half_ * (S(2) * found.along - S(1)), found.at};
+  template <class T>
+  static auto contact_rows() {
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_row_contacts<Capsule<T>, T>);
   }
-  /// For the pairs of which nothing is known yet.
-  void take(const Place& place) {
-    const Mask before = near_.known;
-    near_ = select(before, near_, place.near);
-    along_ = select(before, along_, place.along);
+  template <class T>
+  static const std::uint32_t* features() {
+    return ids_with_triangle.of;
   }
-
-  RoundAndTriangle<S> pair_;
-  S half_, along_{};  ///< along: where on the axis it is nearest
-  Vec3<S> axis_{};
-  NearTriangle<S> near_{};
+  template <class T, class Sink>
+  static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, Sink& sink) {
+    visit_one_contacts<T>(GRAZE_KERNEL(chosen_isa(), sphere_capsule_triangle_contacts<Capsule<T>, T>), features<T>(),
+                          pairs, count, turned, sink);
+  }
 };
-
-template <class T>
-CapsuleAndTriangle<double> with_triangle(const Capsule<T>& capsule, T margin, const Pose<T>& pose,
-                                         const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle) {
-  const auto of = rounded_core(capsule, margin);
-  return {{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},
-          converted<double>(pose),
-          rounded_in_double(triangle, margin_triangle),
-          converted<double>(pose_triangle)};
-}
-
-template <class T>
-GRAZE_FLATTEN std::optional<Distance<T>> own_distance(const Capsule<T>& capsule, T margin, const Pose<T>& pose,
-                                                      const Triangle<T>& triangle, T margin_triangle,
-                                                      const Pose<T>& pose_triangle) {
-  if (!has_untapered_side(capsule)) return std::nullopt;
-  return distance_of<T>(with_triangle(capsule, margin, pose, triangle, margin_triangle, pose_triangle));
-}
 
 }  // namespace graze

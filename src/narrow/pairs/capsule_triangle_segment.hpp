@@ -5,7 +5,7 @@
 #pragma once
 
 #include "narrow/core/answer_rounding.hpp"
-#include "narrow/pairs/capsule_triangle.hpp"
+#include "narrow/pairs/capsule_triangle_distance.hpp"
 #include "narrow/pairs/sphere_capsule_contacts.hpp"
 
 namespace graze {

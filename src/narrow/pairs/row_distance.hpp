@@ -5,12 +5,12 @@
 #pragma once
 
 #include "narrow/batch/row_bundle.hpp"
-#include "narrow/pairs/capsule_capsule.hpp"
+#include "narrow/core/point_box.hpp"
+#include "narrow/core/point_point.hpp"
+#include "narrow/core/point_segment.hpp"
+#include "narrow/core/segment_segment.hpp"
 #include "narrow/pairs/closed_form.hpp"
-#include "narrow/pairs/half_space.hpp"
-#include "narrow/pairs/sphere_box.hpp"
-#include "narrow/pairs/sphere_capsule.hpp"
-#include "narrow/pairs/sphere_sphere.hpp"
+#include "narrow/pairs/half_space_distance.hpp"
 
 namespace graze::GRAZE_ISA {
 

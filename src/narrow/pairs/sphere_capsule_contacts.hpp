@@ -8,12 +8,8 @@
 #include <optional>
 
 #include "narrow/pairs/box_box/clip_faces.hpp"
-#include "narrow/pairs/capsule_capsule.hpp"
-#include "narrow/pairs/closed_form.hpp"
+#include "narrow/pairs/closed_form_pair.hpp"
 #include "narrow/pairs/segment_contact.hpp"
-#include "narrow/pairs/sphere_box.hpp"
-#include "narrow/pairs/sphere_capsule.hpp"
-#include "narrow/pairs/sphere_sphere.hpp"
 #include "narrow/pairs/triangle_parts.hpp"
 
 namespace graze {
@@ -266,23 +262,13 @@ CoreDistance<T> take_closest(Manifold<T>& manifold) {
   return {point.distance, manifold.normal, point.a, point.b};
 }
 
-/// Of capsules that lie along each other, for which `own_contacts` leaves their closest points only.
-template <class T>
-std::optional<T> segment_contacts(const Capsule<T>& a, T margin_a, const Pose<T>& pose_a, const Capsule<T>& b,
-                                  T margin_b, const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  const CoreDistance<T> closest = take_closest(manifold);
-  return put_sides(side_contact(rounded_core(a, margin_a), pose_a, rounded_core(b, margin_b), pose_b, closest, margin),
-                   ids_with_round, manifold);
-}
-
-/// Of concrete shapes with their margins. Nothing where more is to be asked; where there may be two points, the
-/// manifold holds the closest points then.
+/// The one point of contact of shapes in place, without regard to whether these are such as `round_contact` takes.
+/// Nothing where more is to be asked; where there may be two points, the manifold holds the closest points then.
 template <class A, class B, class T>
-std::optional<T> sphere_capsule_contacts(const A& a, T margin_a, const Pose<T>& pose_a, const B& b, T margin_b,
-                                         const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  const auto of_a = rounded_core(a, margin_a);
-  const auto of_b = rounded_core(b, margin_b);
-  RoundContact<T> found = round_contact(of_a, pose_a, of_b, pose_b, margin);
+std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, Manifold<T>& manifold) {
+  const auto of_a = rounded_core(a.shape, a.rounding());
+  const auto of_b = rounded_core(b.shape, b.rounding());
+  RoundContact<T> found = round_contact(of_a, a.pose, of_b, b.pose, margin);
   if (found.known < T(0)) return std::nullopt;
   manifold.normal = found.at.normal;
   if (!(found.at.distance <= margin)) return found.at.distance;
@@ -298,12 +284,11 @@ std::optional<T> sphere_capsule_contacts(const A& a, T margin_a, const Pose<T>& 
   return found.at.distance;
 }
 
+/// `one_contact` of shapes that have one.
 template <class A, class B, class T>
-requires is_sphere_capsule_pair<A, B> std::optional<T> own_contacts(const A& a, T margin_a, const Pose<T>& pose_a,
-                                                                    const B& b, T margin_b, const Pose<T>& pose_b,
-                                                                    T margin, Manifold<T>& manifold) {
-  if (!round::regular(a) || !round::regular(b)) return std::nullopt;
-  return sphere_capsule_contacts(a, margin_a, pose_a, b, margin_b, pose_b, margin, manifold);
+std::optional<T> regular_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, Manifold<T>& manifold) {
+  if (!round::regular(a.shape) || !round::regular(b.shape)) return std::nullopt;
+  return one_contact(a, b, margin, manifold);
 }
 
 }  // namespace graze

@@ -40,33 +40,4 @@ std::optional<T> contact_of(const Pair& pair, T margin, Manifold<T>& manifold) {
   return distance;
 }
 
-template <class T>
-std::optional<T> own_contacts(const Sphere<T>& ball, T margin_ball, const Pose<T>& pose_ball,
-                              const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
-                              Manifold<T>& manifold) {
-  return contact_of<Triangle<T>>(with_triangle(ball, margin_ball, pose_ball, triangle, margin_triangle, pose_triangle),
-                                 margin, manifold);
-}
-template <class T>
-std::optional<T> own_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose,
-                              const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle, T margin,
-                              Manifold<T>& manifold) {
-  if (!has_untapered_side(capsule)) return std::nullopt;
-  return contact_of<Triangle<T>>(with_triangle(capsule, margin_capsule, pose, triangle, margin_triangle, pose_triangle),
-                                 margin, manifold);
-}
-
-/// Of a capsule whose side touches, for which `own_contacts` leaves the closest points only.
-template <class T>
-std::optional<T> segment_contacts(const Capsule<T>& capsule, T margin_capsule, const Pose<T>& pose,
-                                  const Triangle<T>& triangle, T margin_triangle, const Pose<T>& pose_triangle,
-                                  T margin, Manifold<T>& manifold) {
-  const auto of = rounded_core(capsule, margin_capsule);
-  const auto found = side_contact(
-      Rounded<AxisCore<double>, double>{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},
-      converted<double>(pose), rounded_in_double(triangle, margin_triangle), converted<double>(pose_triangle),
-      converted<double>(take_closest(manifold)), static_cast<double>(margin), true, answer_rounding<T>());
-  return put_sides(converted<T>(found), ids_with_triangle, manifold);
-}
-
 }  // namespace graze

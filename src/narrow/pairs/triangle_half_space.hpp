@@ -6,7 +6,7 @@
 #pragma once
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
-#include "narrow/pairs/half_space.hpp"
+#include "narrow/pairs/half_space_distance.hpp"
 #include "narrow/pairs/half_space_slots.hpp"
 
 namespace graze {

@@ -2,7 +2,7 @@
 #include "narrow/batch/pair_bundle.hpp"
 #include "narrow/batch/row_answers.hpp"
 #include "narrow/core/in_double.hpp"
-#include "narrow/pairs/capsule_box_contact.hpp"
+#include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/segment_lanes.hpp"
 
 namespace graze::GRAZE_ISA {

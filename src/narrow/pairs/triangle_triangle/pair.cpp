@@ -44,18 +44,16 @@ PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
 }  // namespace
 
 template <class T>
-T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                         Manifold<T>& manifold) {
+std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                                        Manifold<T>& manifold) {
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair_contact);
-  const Triangle<T>&ta = *a.template as<Triangle<T>>(), &tb = *b.template as<Triangle<T>>();
-  const PlacedTriangle<double> placed_a = placed_triangle(ta, a.rounding(), pose_a),
-                               placed_b = placed_triangle(tb, b.rounding(), pose_b);
+  const PlacedTriangle<double> placed_a = placed_triangle(a), placed_b = placed_triangle(b);
   TriangleDistance<double> found;
   TriangleAxes<double> axes;
   ContactSlots<double> points;
   const auto up_to = static_cast<double>(margin);
   kernel(placed_a, placed_b, before_rounding<T>(up_to), up_to, answer_rounding<T>(), found, axes, points);
-  if (!found.proven) return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
+  if (!found.proven) return std::nullopt;
   const Distance<T> d = rounded<T>(found.at);
   manifold.normal = d.normal;
   if (d.distance > margin) return d.distance;
@@ -76,7 +74,7 @@ T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
              edge_chosen = edge.separation > face.separation + face_preference * axes.smaller;
   const double separation = edge_best ? edge.separation : face.separation,
                apart = separation - placed_a.radius - placed_b.radius;
-  const Posed frame = in_double(pose_a), b_in_a = relative(frame, in_double(pose_b));
+  const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const Mat3d turn_b = rotation_matrix(b_in_a.rotation);
   const Vec3d normal = unit(rotate(conjugate(frame.rotation), edge_chosen ? edge.normal : face.normal));
   Vec3d points_b[3];
@@ -88,13 +86,15 @@ T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
                            std::abs(apart) <= axes.noise ? 0 : apart,
                            separation > axes.noise,
                            axes.noise};
-  contacts_of_faces(a, pose_a, b, pose_b, margin, faces, d, manifold);
+  contacts_of_faces(a.whole, a.pose, b.whole, b.pose, margin, faces, d, manifold);
   return d.distance;
 }
 
-template float triangle_pair_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&,
-                                      float, Manifold<float>&);
-template double triangle_pair_contacts(const Shape<double>&, const Pose<double>&, const Shape<double>&,
-                                       const Pose<double>&, double, Manifold<double>&);
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>&, const InPlace<Triangle<T>, T>&, T,  \
+                                                   Manifold<T>&);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Triangle against triangle by a form of its own.
+// Triangle against triangle.
 //
 // Guarantee: `distance`, `overlap` and `contacts` take their answer from here, so that they agree on what touches. An
 // answer is given only with its proof, see `triangle_distance`; of slivers, and where rounding hides the proof, the
@@ -8,54 +8,71 @@
 #include <limits>
 #include <optional>
 
-#include "graze/contact.hpp"
-#include "graze/result.hpp"
-#include "graze/shape.hpp"
-#include "narrow/batch/pair_kernels.hpp"
+#include "narrow/batch/triangle_batch.hpp"
 #include "narrow/pairs/closed_form.hpp"
+#include "narrow/pairs/pair.hpp"
 #include "narrow/pairs/triangle_triangle/distance.hpp"
 
 namespace graze {
 
 template <class T>
-PlacedTriangle<double> placed_triangle(const Triangle<T>& triangle, T margin, const Pose<T>& pose) {
-  return {{{converted<double>(triangle.point(0)), converted<double>(triangle.point(1)),
-            converted<double>(triangle.point(2))}},
-          static_cast<double>(margin),
-          converted<double>(pose)};
+PlacedTriangle<double> placed_triangle(const InPlace<Triangle<T>, T>& triangle) {
+  const auto corner = [&](std::size_t i) { return converted<double>(triangle.shape.point(i)); };
+  return {
+      {{corner(0), corner(1), corner(2)}}, static_cast<double>(triangle.rounding()), converted<double>(triangle.pose)};
 }
 
-/// See `triangle_distance`.
+/// `TriangleTriangle::contacts`.
 template <class T>
-TriangleDistance<double> distance_of_triangles(const Triangle<T>& a, T margin_a, const Pose<T>& pose_a,
-                                               const Triangle<T>& b, T margin_b, const Pose<T>& pose_b, double enough) {
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair);
-  TriangleDistance<double> found;
-  kernel(placed_triangle(a, margin_a, pose_a), placed_triangle(b, margin_b, pose_b), enough, found);
-  return found;
-}
+std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                                        Manifold<T>& manifold);
 
-template <class T>
-std::optional<Distance<T>> own_distance(const Triangle<T>& a, T margin_a, const Pose<T>& pose_a, const Triangle<T>& b,
-                                        T margin_b, const Pose<T>& pose_b) {
-  const auto found =
-      distance_of_triangles(a, margin_a, pose_a, b, margin_b, pose_b, std::numeric_limits<double>::infinity());
-  if (!found.proven) return std::nullopt;
-  return rounded<T>(found.at);
-}
+struct TriangleTriangle {
+  template <class T>
+  using A = Triangle<T>;
+  template <class T>
+  using B = Triangle<T>;
 
-template <class T>
-std::optional<bool> own_overlap(const Triangle<T>& a, T margin_a, const Pose<T>& pose_a, const Triangle<T>& b,
-                                T margin_b, const Pose<T>& pose_b) {
-  const auto found = distance_of_triangles(a, margin_a, pose_a, b, margin_b, pose_b, 0);
-  if (!found.proven) return std::nullopt;
-  return static_cast<T>(found.at.distance) <= T(0);
-}
+  template <class T>
+  static std::optional<Distance<T>> distance(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b) {
+    const auto found = up_to(a, b, std::numeric_limits<double>::infinity());
+    if (!found.proven) return std::nullopt;
+    return rounded<T>(found.at);
+  }
+  template <class T>
+  static std::optional<bool> overlap(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b) {
+    const auto found = up_to(a, b, 0);
+    if (!found.proven) return std::nullopt;
+    return static_cast<T>(found.at.distance) <= T(0);
+  }
+  /// The signed distance, or where nothing is within the margin a lower bound that exceeds it.
+  template <class T>
+  static std::optional<T> contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                                   Manifold<T>& manifold) {
+    return triangle_pair_contacts(a, b, margin, manifold);
+  }
 
-/// The contacts of two shapes that are triangles; returns their signed distance, or where nothing is within the margin
-/// a lower bound that exceeds it.
-template <class T>
-T triangle_pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                         Manifold<T>& manifold);
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), triangle_row_distances<T>);
+  }
+  template <class T, class Sink>
+  static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool, Sink& sink) {
+    visit_triangle_pair_contacts(
+        pairs, count, [&](std::size_t i) { sink.apart(i); }, [&](const MetPairs<T>& met) { sink.met(met, false); },
+        [&](std::size_t i) { sink.unknown(i); });
+  }
+
+ private:
+  /// See `triangle_distance`.
+  template <class T>
+  static TriangleDistance<double> up_to(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b,
+                                        double enough) {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair);
+    TriangleDistance<double> found;
+    kernel(placed_triangle(a), placed_triangle(b), enough, found);
+    return found;
+  }
+};
 
 }  // namespace graze

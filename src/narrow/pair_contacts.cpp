@@ -1,59 +1,55 @@
 // The table of contacts: which routine finds those of two convex shapes.
 #include <array>
 
-#include "narrow/convex_pair.hpp"
 #include "narrow/core/relative_frame.hpp"
 #include "narrow/general_contacts.hpp"
+#include "narrow/pair_list.hpp"
+#include "narrow/pair_table.hpp"
 #include "simd/flatten.hpp"
-
-// The pairs with a form of their own. A pair without one takes the general path.
-#include "narrow/pairs/box_box/contacts.hpp"
-#include "narrow/pairs/box_triangle/contacts.hpp"
-#include "narrow/pairs/capsule_box_contact.hpp"
-#include "narrow/pairs/half_space_contacts.hpp"
-#include "narrow/pairs/sphere_capsule_contacts.hpp"
-#include "narrow/pairs/sphere_capsule_triangle_contact.hpp"
-#include "narrow/pairs/triangle_triangle/pair.hpp"
 
 namespace graze {
 
 namespace {
 
-template <class A, class B, class T>
-concept HasOwnContacts = requires(const A& a, const B& b, T margin, const Pose<T>& pose, Manifold<T>& manifold) {
-  own_contacts(a, margin, pose, b, margin, pose, margin, manifold);
+template <class P, class T>
+using InPlaceA = InPlace<typename P::template A<T>, T>;
+template <class P, class T>
+using InPlaceB = InPlace<typename P::template B<T>, T>;
+
+template <class P, class T>
+concept HasContacts = requires(const InPlaceA<P, T>& a, const InPlaceB<P, T>& b, T margin, Manifold<T>& manifold) {
+  P::contacts(a, b, margin, manifold);
+};
+template <class P, class T>
+concept HasMoreContacts = requires(const InPlaceA<P, T>& a, const InPlaceB<P, T>& b, T margin, Manifold<T>& manifold) {
+  P::more_contacts(a, b, margin, manifold);
 };
 
 template <class T>
 using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifold<T>&);
 
-template <class A, class B, class T>
-concept MayLie = requires(const A& a, const B& b, T margin, const Pose<T>& pose, Manifold<T>& manifold) {
-  segment_contacts(a, margin, pose, b, margin, pose, margin, manifold);
-};
-
-/// Where `own_contacts` has no answer; of two that lie it has left the closest points. Its own function: its numbers
-/// would push those of the other pairs out of registers, a sixth of their time.
-template <class A, class B, class T>
+/// Where the pair's own routine has no answer; of two that may touch in more points it has left the closest. Its own
+/// function: its numbers would push those of the other pairs out of registers, a sixth of their time.
+template <class P, class T>
 [[gnu::noinline]] GRAZE_FLATTEN T remaining_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                                      const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  if constexpr (MayLie<A, B, T>)
+  if constexpr (HasMoreContacts<P, T>)
     if (!manifold.points.empty())
-      if (const auto distance = segment_contacts(*a.template as<A>(), a.rounding(), pose_a, *b.template as<B>(),
-                                                 b.rounding(), pose_b, margin, manifold))
+      if (const auto distance = P::more_contacts(InPlaceA<P, T>{*a.template as<typename P::template A<T>>(), a, pose_a},
+                                                 InPlaceB<P, T>{*b.template as<typename P::template B<T>>(), b, pose_b},
+                                                 margin, manifold))
         return *distance;
   return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
 
-/// Of the concrete shapes A and B, which stand in order. One function, so that numbers stay in registers on their way
-/// to the manifold.
-template <class A, class B, class T>
+/// One function, so that numbers stay in registers on their way to the manifold.
+template <class P, class T>
 GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                               T margin, Manifold<T>& manifold) {
-  const A& ca = *a.template as<A>();
-  const B& cb = *b.template as<B>();
-  const auto own = own_contacts(ca, a.rounding(), pose_a, cb, b.rounding(), pose_b, margin, manifold);
-  return own ? *own : remaining_contacts<A, B>(a, pose_a, b, pose_b, margin, manifold);
+  const auto own =
+      P::contacts(InPlaceA<P, T>{*a.template as<typename P::template A<T>>(), a, pose_a},
+                  InPlaceB<P, T>{*b.template as<typename P::template B<T>>(), b, pose_b}, margin, manifold);
+  return own ? *own : remaining_contacts<P>(a, pose_a, b, pose_b, margin, manifold);
 }
 
 template <class T>
@@ -107,36 +103,36 @@ T alike_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   return distance;
 }
 
-template <class T, std::size_t A, std::size_t B>
-constexpr Routine<T> routine_of() {
-  using CA = std::variant_alternative_t<A, ShapeList<T>>;
-  using CB = std::variant_alternative_t<B, ShapeList<T>>;
-  if constexpr (A > B)
-    return &mirrored_contacts<T>;
-  else if constexpr (std::is_same_v<CA, Triangle<T>> && std::is_same_v<CB, Triangle<T>>)
-    return &triangle_pair_contacts<T>;
-  else if constexpr (HasOwnContacts<CA, CB, T>)
-    return &pair_contacts<CA, CB, T>;
-  else if constexpr (A == B)
-    return &alike_contacts<T>;
-  else
-    return &other_contacts<T>;
-}
-
-template <class T, std::size_t... I>
-constexpr auto make_table(std::index_sequence<I...>) {
-  constexpr std::size_t n = Shape<T>::count;
-  return std::array<Routine<T>, n * n>{routine_of<T, I / n, I % n>()...};
-}
+/// The general path, the other way round, or the pair's own routine.
 template <class T>
-constexpr auto table = make_table<T>(std::make_index_sequence<Shape<T>::count * Shape<T>::count>());
+class Table {
+ public:
+  constexpr Table() {
+    for (std::size_t a = 0; a < Shape<T>::count; ++a)
+      for (std::size_t b = 0; b < Shape<T>::count; ++b)
+        at(a, b) = a > b ? &mirrored_contacts<T> : a == b ? &alike_contacts<T> : &other_contacts<T>;
+    PairList::each([this]<class P>() {
+      if constexpr (HasContacts<P, T>)
+        at(detail::kind_of<typename P::template A<T>, T>(), detail::kind_of<typename P::template B<T>, T>()) =
+            &pair_contacts<P, T>;
+    });
+  }
+  constexpr Routine<T> operator()(std::size_t a, std::size_t b) const { return routines_[a * Shape<T>::count + b]; }
+
+ private:
+  constexpr Routine<T>& at(std::size_t a, std::size_t b) { return routines_[a * Shape<T>::count + b]; }
+
+  std::array<Routine<T>, Shape<T>::count * Shape<T>::count> routines_{};
+};
+template <class T>
+inline constexpr Table<T> table;
 
 }  // namespace
 
 template <class T>
 T convex_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                   Manifold<T>& manifold) {
-  return table<T>[a.index() * Shape<T>::count + b.index()](a, pose_a, b, pose_b, margin, manifold);
+  return table<T>(a.index(), b.index())(a, pose_a, b, pose_b, margin, manifold);
 }
 
 template float convex_contacts(const Shape<float>&, const Pose<float>&, const Shape<float>&, const Pose<float>&, float,

@@ -1,0 +1,35 @@
+// Boxes and what the same routines take for boxes: rectangles, which are boxes of no thickness, and untapered capsules,
+// which are rounded boxes that are only long.
+#pragma once
+
+#include <optional>
+
+#include "narrow/pairs/box_box/distance.hpp"
+#include "narrow/pairs/closed_form_pair.hpp"
+
+namespace graze {
+
+template <template <class> class KindA, template <class> class KindB>
+struct BoxLikePair {
+  template <class T>
+  using A = KindA<T>;
+  template <class T>
+  using B = KindB<T>;
+
+  /// Nothing where no axis proves it.
+  template <class T>
+  static std::optional<Distance<T>> distance(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b) {
+    if (!has_core(a.shape) || !has_core(b.shape)) return std::nullopt;
+    const auto found = box_distance(placed(a), placed(b));
+    if (!found.proven) return std::nullopt;
+    return rounded<T>(found.at);
+  }
+
+ private:
+  template <class C, class T>
+  static PlacedBox<double> placed(const InPlace<C, T>& box) {
+    return converted<double>(placed_box(rounded_core(box.shape, box.rounding()), box.pose));
+  }
+};
+
+}  // namespace graze

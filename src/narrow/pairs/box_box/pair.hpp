@@ -1,0 +1,111 @@
+// Box against box, and the same with rectangles, which are boxes of no thickness.
+#pragma once
+
+#include "narrow/batch/contact_sink.hpp"
+#include "narrow/core/relative_frame.hpp"
+#include "narrow/general.hpp"
+#include "narrow/pairs/box_box/box_like_pair.hpp"
+#include "narrow/pairs/box_box/overlap.hpp"
+#include "simd/flatten.hpp"
+
+namespace graze {
+
+namespace detail {
+
+/// Whether boxes of any size and rounding touch, from their axes, of the faces only if asked; nothing where their
+/// rounding may bridge a gap that no axis measures.
+template <class A, class B, class T>
+[[gnu::noinline]] GRAZE_FLATTEN std::optional<bool> any_boxes_overlap(const InPlace<A, T>& a, const InPlace<B, T>& b,
+                                                                      bool faces_only) {
+  using Row = Packed<double, 3>;
+  const ScaledBoxes<double> boxes(Row(converted<double>(core_of(a.shape).half)), PoseRows<double>(in_double(a.pose)),
+                                  Row(converted<double>(core_of(b.shape).half)), PoseRows<double>(in_double(b.pose)));
+  const Row& between = boxes.rows.translation;
+  const double reach = static_cast<double>(a.rounding()) + static_cast<double>(b.rounding());
+  const double noise = noise_of(a.whole, b.whole, Vec3d{between[0], between[1], between[2]} / boxes.scale);
+  if (boxes_apart(boxes, (reach + noise) * boxes.scale, faces_only)) return false;
+  if (faces_only || reach == 0 || !boxes_apart(boxes, noise * boxes.scale)) return true;
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+/// A box or a rectangle against a rectangle.
+template <template <class> class Kind>
+struct BoxRectangle : BoxLikePair<Kind, Rectangle> {
+  template <class T>
+  static std::optional<bool> overlap(const InPlace<Kind<T>, T>& a, const InPlace<Rectangle<T>, T>& b) {
+    return detail::any_boxes_overlap(a, b, false);
+  }
+};
+
+struct BoxBox : BoxLikePair<Box, Box> {
+  template <class T>
+  static std::optional<bool> overlap(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b) {
+    return overlap(a, b, false);
+  }
+  /// By the axes of the faces alone.
+  template <class T>
+  static bool may_overlap(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b) {
+    return *overlap(a, b, true);
+  }
+  /// The points of two boxes, as the kernels find them for many pairs; nothing where one is rounded or not regular, or
+  /// their faces do not tell. As the separating axes of polyhedra give them, in T, but also where hardly more than the
+  /// distance is between the faces.
+  template <class T>
+  static std::optional<T> contacts(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b, T margin,
+                                   Manifold<T>& manifold) {
+    if (a.rounding() != T(0) || b.rounding() != T(0)) return std::nullopt;
+    BoxReferenceAxis<T> choice;
+    ContactSlots<T> found;
+    if (!GRAZE_KERNEL(chosen_isa(), box_contact<T>)({&a.shape, &b.shape, &a.pose, &b.pose, margin}, choice, found))
+      return choice.distance;
+    if (found.known == T(0)) return std::nullopt;
+    take_points<T>(
+        static_cast<unsigned>(found.filled), [&](std::size_t i) { return found.slot(i); }, box_features.of,
+        box_features.of, manifold.points);
+    manifold.normal = found.normal;
+    return choice.distance;
+  }
+
+  static constexpr bool takes_all_shapes = true;
+  template <class T>
+  static auto overlap_rows() {
+    return GRAZE_KERNEL(chosen_isa(), row_overlaps<Box<T>, Box<T>, T>);
+  }
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), box_row_distances<Box<T>, Box<T>, T>);
+  }
+  template <class T, class Sink>
+  static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool, Sink& sink) {
+    visit_box_contacts(
+        pairs, count, [&](std::size_t i) { sink.apart(i); }, [&](const MetPairs<T>& met) { sink.met(met, false); },
+        [&](std::size_t i) { sink.unknown(i); }, room_of(sink));
+  }
+  /// Pairs in rows, which `each_rows(ask)` gives as `ask(rows, first, count)`; the sink is told of them by their places
+  /// among all.
+  template <class T, class EachRows, class Sink>
+  static void visit_row_contacts(const EachRows& each_rows, T margin, Sink& sink) {
+    const auto apart = [&](std::size_t i) { sink.apart(i); };
+    const auto met = [&](const MetPairs<T>& some) { sink.met(some, false); };
+    const auto unknown = [&](std::size_t i) { sink.unknown(i); };
+    MetBoxes<T> boxes;
+    each_rows([&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
+      visit_box_contacts(rows, count, margin, static_cast<std::uint32_t>(first), boxes, apart, met, unknown,
+                         room_of(sink));
+    });
+    visit_met_boxes(boxes, true, room_of(sink), met, unknown);
+  }
+
+ private:
+  template <class T>
+  static std::optional<bool> overlap(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b, bool faces_only) {
+    static const auto kernel = GRAZE_KERNEL(chosen_isa(), boxes_touch<T>);
+    if (a.rounding() == T(0) && b.rounding() == T(0))
+      if (const auto touch = kernel(a.shape, a.pose, b.shape, b.pose, faces_only)) return touch;
+    return detail::any_boxes_overlap(a, b, faces_only);
+  }
+};
+
+}  // namespace graze

@@ -1,0 +1,41 @@
+// Spheres and untapered capsules with each other, and spheres with boxes: pairs that touch in one point, or in two where
+// capsules lie along each other, with what they have in common.
+#pragma once
+
+#include "narrow/batch/one_contacts.hpp"
+#include "narrow/pairs/sphere_capsule_contacts.hpp"
+
+namespace graze {
+
+template <template <class> class KindA, template <class> class KindB>
+struct OneContactPair : ClosedFormPair<KindA, KindB> {
+  template <class T>
+  static std::optional<T> contacts(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b, T margin,
+                                   Manifold<T>& manifold) {
+    return regular_contact(a, b, margin, manifold);
+  }
+
+  template <class T>
+  static auto overlap_rows() {
+    return GRAZE_KERNEL(chosen_isa(), row_overlaps<KindA<T>, KindB<T>, T>);
+  }
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), row_distances<KindA<T>, KindB<T>, T>);
+  }
+  template <class T>
+  static auto contact_rows() {
+    return GRAZE_KERNEL(chosen_isa(), sphere_capsule_row_contacts<KindA<T>, KindB<T>, T>);
+  }
+  template <class T>
+  static const std::uint32_t* features() {
+    return round_feature_ids<KindB<T>, T>().of;
+  }
+  template <class T, class Sink>
+  static void visit_contacts(const PairRef<T>* pairs, std::size_t count, bool turned, Sink& sink) {
+    visit_one_contacts<T>(GRAZE_KERNEL(chosen_isa(), sphere_capsule_contacts<KindA<T>, KindB<T>, T>), features<T>(),
+                          pairs, count, turned, sink);
+  }
+};
+
+}  // namespace graze
