@@ -29,6 +29,10 @@ struct WorldSettings {
   /// A last word on a pair that its filters allow. Called from the thread that calls `update`, but for fast bodies from
   /// the executor's.
   std::function<bool(BodyId, BodyId)> allow;
+  /// Points of contact that a pair of bodies has at most, so that a solver has a bounded number to push at: those that
+  /// `reduce` of its manifolds leaves. Impulses are carried on to the points that are left again in the next update. By
+  /// default a pair has all of its points. Costs so many times the points of a pair that has more.
+  std::optional<std::size_t> points_per_pair;
 };
 
 template <class T>
@@ -36,7 +40,10 @@ class World {
  public:
   /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
   explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)
-      : settings_(std::move(settings)), executor_(executor ? executor : &serial_), bodies_(settings_.margin) {}
+      : settings_(std::move(settings)),
+        executor_(executor ? executor : &serial_),
+        bodies_(settings_.margin),
+        manifolds_(settings_.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 

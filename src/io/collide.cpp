@@ -41,7 +41,7 @@ Manifold<double> in_double(const ContactArrays<T>& contacts, const ContactManifo
 template <class T>
 std::vector<TouchingPair> collide_in(const Scene& scene, const CollideOptions& options) {
   ProgressExecutor executor(options.progress);
-  World<T> world({checked_margin<T>(options.margin), {}}, &executor);
+  World<T> world({checked_margin<T>(options.margin), {}, options.points_per_pair}, &executor);
   const bool moves = moves_by_itself(scene);
   for (const Collider& c : scene.colliders)
     world.add(in_world<T>(scene, c, moves && scene.bodies[c.body].type == MotionType::fixed));

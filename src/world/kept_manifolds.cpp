@@ -178,7 +178,7 @@ std::size_t ManifoldFinder<T>::memory() const {
                     bytes(tasks_) + bytes(touches_) + bytes(first_contacts_);
   for (const Found& found : found_)
     sum += found.manifolds.capacity() * sizeof(ContactManifold<T>) + found.points.capacity() * sizeof(SolverPoint<T>) +
-           bytes(found.composite) + bytes(found.sorted);
+           bytes(found.composite) + bytes(found.sorted) + found.choice.memory();
   for (const ContactArrays<T>* arrays : {&now_, &last_})
     sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
   return sum;

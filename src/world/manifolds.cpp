@@ -252,7 +252,9 @@ void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, T
     found.points.shorten(first);
     return find_composite(bodies, place, task);
   }
-  carry_one(place, of_pair);
+  if (points > points_per_pair_) points = reduce_one(found, normal, first);
+  if (points == 0) return touch(place, task, found.manifolds.size(), 0, overlap);
+  carry_one(place, of_pair.first(points));
   touch(place, task, found.manifolds.size(), 1, overlap);
   found.manifolds.push_back({normal, 0, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(points)});
 }
@@ -364,8 +366,9 @@ void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_
                                static_cast<std::uint32_t>(m.points.size())});
     for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
   }
+  if (found.points.size() - first_point > points_per_pair_) reduce_many(found, first_manifold, first_point);
   carry_many(place, found.points.filled().subspan(first_point), found.sorted);
-  touch(place, task, first_manifold, found.composite.size(), overlap);
+  touch(place, task, first_manifold, found.manifolds.size() - first_manifold, overlap);
 }
 
 template class ManifoldFinder<float>;

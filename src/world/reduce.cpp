@@ -1,4 +1,4 @@
-// Fewer points of a pair: which, and how the arrays close up behind them.
+// How the arrays close up behind the points that are left out.
 
 #include "graze/world/reduce.hpp"
 
@@ -6,77 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "graze/world/point_choice.hpp"
+
 namespace graze {
 
 namespace {
-
-/// A point of a pair among all of its manifolds.
-template <class T>
-struct Candidate {
-  Vec3<T> place, normal;
-  T distance;
-  T apart_squared;  ///< from the nearest that is kept
-  std::size_t manifold;
-  bool kept;
-};
-
-/// Tries the points of a pair; its memory serves pair after pair.
-template <class T>
-class Choice {
- public:
-  void clear() { points_.clear(); }
-  void add(const ContactPoint<T>& p, const Vec3<T>& normal, std::size_t manifold) {
-    points_.push_back({p.position(), normal, p.distance, T(0), manifold, false});
-  }
-  std::size_t size() const { return points_.size(); }
-  bool kept(std::size_t i) const { return points_[i].kept; }
-
-  /// Marks `count` of the points, which are more.
-  void choose(std::size_t count) {
-    if (count == 0) return;
-    if (points_.front().manifold == points_.back().manifold) return choose_of_one(count);
-    Candidate<T>& deepest = *std::min_element(points_.begin(), points_.end(),
-                                              [](const auto& p, const auto& q) { return p.distance < q.distance; });
-    T reach_squared(0);
-    for (Candidate<T>& p : points_) reach_squared = greatest(reach_squared, length_squared(p.place - deepest.place));
-    const auto apart_squared = [&](const Candidate<T>& p, const Candidate<T>& q) {
-      return length_squared(p.place - q.place) + length_squared(p.normal - q.normal) * reach_squared;
-    };
-    for (Candidate<T>& p : points_) p.apart_squared = apart_squared(p, deepest);
-    deepest.kept = true;
-    for (std::size_t k = 1; k < count; ++k) {
-      Candidate<T>* best = nullptr;
-      for (Candidate<T>& p : points_)
-        if (!p.kept && (!best || before(p, *best))) best = &p;
-      best->kept = true;
-      for (Candidate<T>& p : points_) p.apart_squared = least(p.apart_squared, apart_squared(p, *best));
-    }
-  }
-
- private:
-  /// Further from what is kept, or as far and deeper.
-  static bool before(const Candidate<T>& p, const Candidate<T>& q) {
-    return p.apart_squared > q.apart_squared || (p.apart_squared == q.apart_squared && p.distance < q.distance);
-  }
-  /// As the manifold alone; `feature` takes a point's number through.
-  void choose_of_one(std::size_t count) {
-    one_.normal = points_[0].normal;
-    one_.points.truncate(0);
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      one_.points.push_back({points_[i].place, points_[i].place, points_[i].distance, static_cast<std::uint32_t>(i)});
-    reduce(one_, count);
-    for (const ContactPoint<T>& p : one_.points) points_[p.feature].kept = true;
-  }
-
-  std::vector<Candidate<T>> points_;
-  Manifold<T> one_;
-};
 
 /// Contacts in three arrays: pairs, manifolds and points, the latter two in one order.
 template <class T, class Arrays>
 void reduce_arrays(Arrays& arrays, std::size_t count) {
   std::vector<unsigned char> left_out;  // of the points; made when the first is
-  Choice<T> choice;
+  PointChoice<T> choice;
   for (const auto& pair : arrays.pairs) {
     const auto manifolds = std::span(arrays.manifolds).subspan(pair.first_manifold, pair.manifold_count);
     std::size_t points = 0;
@@ -118,7 +58,7 @@ void reduce_arrays(Arrays& arrays, std::size_t count) {
 
 template <class T>
 void reduce(Manifolds<T>& manifolds, std::size_t count) {
-  Choice<T> choice;
+  PointChoice<T> choice;
   for (std::size_t i = 0; i < manifolds.size(); ++i)
     for (const ContactPoint<T>& p : manifolds[i].points) choice.add(p, manifolds[i].normal, i);
   if (choice.size() <= count) return;

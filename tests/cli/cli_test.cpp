@@ -37,6 +37,27 @@ TEST(Cli, CollideAsJsonIsTheSameInBothPrecisions) {
   for (std::size_t i = 0; i < d.size(); ++i) EXPECT_EQ(d[i]["a"], f[i]["a"]);
 }
 
+TEST(Cli, CollideLeavesSoManyPointsOfAPair) {
+  const auto points = [](const nlohmann::json& pair) {
+    std::size_t count = 0;
+    for (const auto& m : pair["manifolds"]) count += m["points"].size();
+    return count;
+  };
+  const auto pairs = [](const std::string& more) {
+    return nlohmann::json::parse(run("collide " + demo + " --json" + more).output)["pairs"];
+  };
+  const auto all = pairs(""), two = pairs(" --points 2");
+  ASSERT_EQ(two.size(), all.size());
+  std::size_t more = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(points(two[i]), std::min<std::size_t>(2, points(all[i])));
+    more += points(all[i]) > 2;
+  }
+  EXPECT_GE(more, 3u);
+  EXPECT_EQ(run("collide " + demo + " --points 0").code, 2);
+  EXPECT_EQ(run("collide " + demo + " --points some").code, 2);
+}
+
 TEST(Cli, CastTellsWhatIsHitFirstAndDrawsTheWay) {
   const auto file = std::filesystem::temp_directory_path() / "graze_cli_cast_test.glb";
   const std::string move = "cast " + demo + " --from 'crate 1' --motion 8,0,0 --slide";

@@ -8,6 +8,7 @@
 
 #include "graze/batch.hpp"
 #include "graze/world.hpp"
+#include "world/executors.hpp"
 
 namespace graze::testing {
 namespace {
@@ -40,15 +41,15 @@ auto seen(const Arrays& arrays, const Pair& pair) {
   return all;
 }
 
-/// A hilly ground of triangles.
+/// A hilly ground of triangles, two in each cell.
 template <class T>
-Mesh<T> hills(int cells) {
+Mesh<T> hills(int cells, double cell = 0.25) {
   std::vector<Vec3<T>> points;
   std::vector<typename Mesh<T>::Index> triangles;
   const auto at = [&](int i, int k) { return static_cast<std::uint32_t>(i * (cells + 1) + k); };
   for (int i = 0; i <= cells; ++i)
     for (int k = 0; k <= cells; ++k) {
-      const double x = 0.25 * (i - cells / 2.0), z = 0.25 * (k - cells / 2.0);
+      const double x = cell * (i - cells / 2.0), z = cell * (k - cells / 2.0);
       points.push_back({T(x), T(0.3 * std::sin(1.7 * x) * std::cos(1.3 * z)), T(z)});
     }
   for (int i = 0; i < cells; ++i)
@@ -264,6 +265,126 @@ TYPED_TEST(ReducePairs, AWorldGoesOnFromReducedContacts) {
     EXPECT_GE(pushed, std::min<std::size_t>(4, seen(reduced, reduced.pairs[i]).size()));
   }
   EXPECT_EQ(again, 1);
+}
+
+/// A thousand crates half sunk in hilly ground, each turned otherwise; neighbours touch here and there.
+template <class T>
+struct Crates {
+  Shape<T> ground = hills<T>(72, 0.5), crate = Box<T>({T(1), T(1), T(1)});
+  std::vector<Pose<T>> poses;
+
+  Crates() {
+    for (int i = 0; i < 40; ++i)
+      for (int k = 0; k < 25; ++k) {
+        const double x = 0.85 * (i - 19.5), z = 1.35 * (k - 12);
+        poses.push_back({{T(x), T(0.3 * std::sin(1.7 * x) * std::cos(1.3 * z)), T(z)},
+                         Quat<T>::from_axis_angle({T(0.1 * (i % 7)), T(1), T(0.1 * (k % 5))}, T(0.37 * (25 * i + k)))});
+      }
+  }
+  std::vector<BodyId> fill(World<T>& world) const {
+    Body<T> fixed{ground, {}};
+    fixed.fixed = true;
+    world.add(fixed);
+    std::vector<BodyId> ids;
+    for (const Pose<T>& pose : poses) ids.push_back(world.add({crate, pose}));
+    return ids;
+  }
+  /// Two of three move a little, otherwise in every step; the others' contacts with the ground stay.
+  void move(World<T>& world, const std::vector<BodyId>& ids, std::size_t step) const {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (i % 3 == step % 3) continue;
+      Pose<T> moved = poses[i];
+      moved.translation.y += T(0.001) * T(step + 1);
+      world.move(ids[i], moved);
+    }
+  }
+};
+
+/// A solver that notes at each point which it was.
+template <class T>
+void push(ContactArrays<T>& contacts, T step) {
+  for (const auto& pair : contacts.pairs) {
+    T number(0);
+    for (const auto& m : contacts.manifolds_of(pair))
+      for (std::uint32_t k = 0; k < m.point_count; ++k)
+        contacts.points[m.first_point + k].impulse = {T(pair.a) + step, T(pair.b), ++number};
+  }
+}
+
+/// What an update found, pair by pair.
+template <class T>
+struct Answer {
+  std::vector<std::vector<Seen<T>>> points;
+  std::vector<std::vector<Vec3<T>>> impulses;
+  std::vector<std::uint32_t> manifolds;
+  bool operator==(const Answer&) const = default;
+
+  explicit Answer(const ContactArrays<T>& contacts) {
+    for (const auto& pair : contacts.pairs) {
+      points.push_back(seen(contacts, pair));
+      manifolds.push_back(pair.manifold_count);
+      impulses.emplace_back();
+      for (const auto& m : contacts.manifolds_of(pair)) {
+        EXPECT_GT(m.point_count, 0u);
+        for (const auto& p : contacts.points_of(m)) impulses.back().push_back(p.impulse);
+      }
+    }
+  }
+};
+
+// A world that leaves so many points of a pair finds what `reduce` leaves of all that another finds, impulses carried
+// on and pairs of which nothing changed included, and whatever its threads.
+TYPED_TEST(ReducePairs, AWorldLeavesSoManyPointsOfAPair) {
+  using T = TypeParam;
+  const Crates<T> crates;
+  WorldSettings<T> settings;
+  settings.points_per_pair = 4;
+  ThreadExecutor threads(3);
+  World<T> whole, alone(settings), on_threads(settings, &threads);
+  const std::vector<BodyId> ids = crates.fill(whole);
+  for (World<T>* world : {&alone, &on_threads}) crates.fill(*world);
+  std::size_t carried = 0, points = 0;
+  for (std::size_t step = 0; step < 3; ++step) {
+    whole.update();
+    const std::size_t all_points = whole.contacts().points.size();
+    reduce(whole.contacts(), 4);
+    const Answer<T> expected(whole.contacts());
+    ASSERT_GE(expected.points.size(), crates.poses.size());
+    push(whole.contacts(), T(step));
+    crates.move(whole, ids, step);
+    for (World<T>* world : {&alone, &on_threads}) {
+      world->update();
+      EXPECT_TRUE(Answer<T>(world->contacts()) == expected) << "in step " << step;
+      push(world->contacts(), T(step));
+      crates.move(*world, ids, step);
+    }
+    for (const auto& of_pair : expected.points) ASSERT_LE(of_pair.size(), 4u);
+    EXPECT_LT(alone.contacts().points.size() * 2, all_points);
+    if (step == 0) continue;
+    points += alone.contacts().points.size();
+    for (const auto& of_pair : expected.impulses)
+      for (const Vec3<T>& impulse : of_pair) carried += impulse != Vec3<T>{};
+  }
+  // Mostly the same ones are left from step to step, so that a solver goes on from what it found.
+  EXPECT_GT(carried * 10, points * 9);
+}
+
+TYPED_TEST(ReducePairs, AWorldWithoutPointsStillKnowsWhatTouches) {
+  using T = TypeParam;
+  WorldSettings<T> settings;
+  settings.points_per_pair = 0;
+  World<T> world(settings), whole;
+  for (World<T>* w : {&world, &whole}) {
+    w->add({this->ground, {}});
+    for (const Pose<T>& pose : this->poses()) w->add({this->crate, pose});
+    w->update();
+  }
+  EXPECT_TRUE(world.contacts().points.empty());
+  EXPECT_TRUE(world.contacts().manifolds.empty());
+  ASSERT_EQ(world.contacts().pairs.size(), whole.contacts().pairs.size());
+  for (std::size_t i = 0; i < whole.contacts().pairs.size(); ++i)
+    EXPECT_EQ(world.contacts().pairs[i].overlap, whole.contacts().pairs[i].overlap);
+  EXPECT_EQ(world.events().size(), whole.events().size());
 }
 
 }  // namespace

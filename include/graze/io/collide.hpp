@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "graze/contact.hpp"
@@ -17,6 +18,8 @@ namespace graze::io {
 struct CollideOptions {
   double margin = 0;  ///< >= 0, up to `largest_magnitude` of the precision
   Precision precision = Precision::double_precision;
+  /// Points that a pair has at most, as `WorldSettings::points_per_pair`; all by default.
+  std::optional<std::size_t> points_per_pair;
   /// Called from time to time with how much of a part of the work is done, of how much.
   std::function<void(std::size_t, std::size_t)> progress;
 };

@@ -2,13 +2,15 @@
 //
 // Guarantee: for each pair what `contacts` answers, bit for bit, whatever was remembered from the last call and on
 // however many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if
-// they were one. Pairs are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair,
+// they were one, and for a pair that has more points than it may, of which those are left that `reduce` chooses. Pairs
+// are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair,
 // and those of one pair one behind the other. What is remembered only saves work: a pair of which neither body changed
 // keeps its manifolds, and one that was apart is tried first along the direction in which it was, but for pairs of
 // balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at a time.
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "graze/executor.hpp"
 #include "graze/world/bins.hpp"
 #include "graze/world/bodies.hpp"
+#include "graze/world/point_choice.hpp"
 #include "graze/world/refilled.hpp"
 
 namespace graze {
@@ -65,6 +68,11 @@ struct ContactArrays {
 template <class T>
 class ManifoldFinder {
  public:
+  static constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
+
+  /// A finder that leaves at most so many points of a pair, chosen as by `reduce` of its manifolds.
+  explicit ManifoldFinder(std::size_t points_per_pair = all_points) : points_per_pair_(points_per_pair) {}
+
   /// The contacts of `pairs` (sorted), each up to the smaller margin of its two bodies. A pair with a trigger is only
   /// asked whether it overlaps, and has no manifolds. Where no body changed and the pairs are the same, nothing is
   /// done. Calls `paired` once, from any thread, when those in contact stand in `contacts().pairs`; their manifolds and
@@ -90,6 +98,7 @@ class ManifoldFinder {
     // Kept for their storage.
     Manifolds<T> composite;
     std::vector<SolverPoint<T>> sorted;
+    PointChoice<T> choice;
   };
   /// A task's pairs and where what is found of them stands: among what its thread found, and in the end.
   struct Task {
@@ -145,6 +154,8 @@ class ManifoldFinder {
   T margin_of(const IdPair& pair) const;
   void keep(const BodyArrays<T>& bodies, std::uint32_t place, Task& task, bool overlap, const Vec3<T>& normal,
             std::size_t points);
+  std::size_t reduce_one(Found& found, const Vec3<T>& normal, std::size_t first_point) const;
+  void reduce_many(Found& found, std::size_t first_manifold, std::size_t first_point) const;
   void find_on_threads(const BodyArrays<T>& bodies, Executor& executor);
   void run_task(const BodyArrays<T>& bodies, std::size_t number, std::size_t found);
   void join_pairs(Executor& executor);
@@ -155,6 +166,7 @@ class ManifoldFinder {
   void carry_many(std::uint32_t place, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
   std::span<const SolverPoint<T>> last_points(std::uint32_t place) const;
 
+  std::size_t points_per_pair_;
   std::vector<Seen> seen_;  ///< of each body
   Bins bins_;
   const Shape<T>* shapes_ = nullptr;         ///< where those stood

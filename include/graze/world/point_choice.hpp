@@ -1,0 +1,46 @@
+// The choice of points that a pair of bodies keeps, among all of its manifolds; see `reduce.hpp` for which these are.
+//
+// Guarantee: the choice follows from the points, their order and their normals alone. Memory serves pair after pair.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "graze/contact.hpp"
+
+namespace graze {
+
+template <class T>
+class PointChoice {
+ public:
+  /// Forgets the points of the last pair.
+  void clear() { points_.clear(); }
+  /// Adds a point of the manifold with that number and normal (unit, from A to B).
+  void add(const ContactPoint<T>& p, const Vec3<T>& normal, std::size_t manifold) {
+    points_.push_back({p.position(), normal, p.distance, T(0), manifold, false});
+  }
+  std::size_t size() const { return points_.size(); }
+  /// Marks `count` of the points, which must be more. Costs `count` times their number.
+  void choose(std::size_t count);
+  /// Whether the point that was added as the i-th is marked.
+  bool kept(std::size_t i) const { return points_[i].kept; }
+  /// Bytes that are held.
+  std::size_t memory() const { return points_.capacity() * sizeof(Candidate); }
+
+ private:
+  struct Candidate {
+    Vec3<T> place, normal;
+    T distance;
+    T apart_squared;  ///< from the nearest that is kept
+    std::size_t manifold;
+    bool kept;
+  };
+
+  static bool before(const Candidate& p, const Candidate& q);
+  void choose_of_one(std::size_t count);
+
+  std::vector<Candidate> points_;
+  Manifold<T> one_;
+};
+
+}  // namespace graze
