@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "graze/result.hpp"
 #include "graze/small_vector.hpp"
 #include "graze/vec3.hpp"
 
@@ -34,6 +35,9 @@ struct Manifold {
   Vec3<T> normal{};  ///< unit, from A to B
   SmallVector<ContactPoint<T>, 8> points;
   std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
+  /// `bounded` where the distance of two convex pieces that touch here is not proven.
+  Status status = Status::converged;
+  T error{};  ///< by how much distances of points may then be off; of several such pairs of pieces the largest
 
   /// Its own: all the memory kept for points would be set to zero before an implicit one.
   Manifold() {}  // NOLINT(modernize-use-equals-default)

@@ -189,6 +189,8 @@ void add_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, c
   manifold.piece_a = inside->piece_a;
   manifold.piece_b = inside->piece_b;
   manifold.points.push_back({d.a, d.b, d.distance});
+  manifold.status = d.status;
+  manifold.error = d.error;
   least_distance = least(least_distance, d.distance);
 }
 

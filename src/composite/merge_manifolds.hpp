@@ -78,6 +78,14 @@ std::vector<std::size_t> leaders(std::span<const Manifold<T>> manifolds) {
 
 }  // namespace detail
 
+/// What is not proven of a member is not proven of the manifold that it joins.
+template <class T>
+void join_status(Manifold<T>& joined, const Manifold<T>& member) {
+  if (member.status != Status::bounded) return;
+  joined.status = member.status;
+  joined.error = greatest(joined.error, member.error);
+}
+
 /// Joins the manifolds from `first` on that share a normal.
 template <class T>
 void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
@@ -101,8 +109,11 @@ void group_by_normal(Manifolds<T>& manifolds, std::size_t first) {
     Manifold<T> joined = manifolds[first + front];
     if (end - i > 1) {
       points.clear();
-      for (std::size_t k = i; k < end; ++k)
-        for (const ContactPoint<T>& p : manifolds[first + order[k]].points) points.push_back(p);
+      for (std::size_t k = i; k < end; ++k) {
+        const Manifold<T>& member = manifolds[first + order[k]];
+        join_status(joined, member);
+        for (const ContactPoint<T>& p : member.points) points.push_back(p);
+      }
       detail::keep_different(points);
       joined.points.clear();
       for (const ContactPoint<T>& p : points) joined.points.push_back(p);

@@ -6,17 +6,12 @@
 #include "graze/cast.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
+#include "io/bounded_answer.hpp"
 #include "io/trace_writer.hpp"
 
 namespace graze::io {
 
 namespace {
-
-/// An answer that is not proven within the tolerance says how far off it may be.
-template <class T>
-void write_bounded(bool proven, T error, JsonWriter& out) {
-  if (!proven) out.key("bounded").number(error);
-}
 
 template <class T>
 void write_distance(const Question<T>& q, Trace* trace, JsonWriter& out) {
@@ -49,10 +44,7 @@ void write_contacts(const Question<T>& q, Trace* trace, JsonWriter& out) {
     out.close(']').close('}');
   }
   out.close(']');
-  // The points of two convex shapes lie along the normal of their distance, and are as deep as that is known.
-  if (manifolds.empty() || !q.a->shape.convex() || !q.b->shape.convex()) return;
-  const Distance<T> d = distance(q.a->shape, q.a->pose, q.b->shape, q.b->pose);
-  write_bounded(d.status != Status::bounded, d.error, out);
+  write_bounded_of(manifolds, out);
 }
 
 template <class T>

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "io/bounded_answer.hpp"
 #include "io/trace_writer.hpp"
 
 namespace graze::io {
@@ -32,7 +33,7 @@ void write_plane_distance(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& o
   write_flat(out, "normal", d.normal);
   write_flat(out, "a", d.a);
   write_flat(out, "b", d.b);
-  if (d.status == Status::bounded) out.key("bounded").number(d.error);
+  write_bounded(d.status == Status::converged, d.error, out);
 }
 
 template <class T>
@@ -51,6 +52,7 @@ void write_plane_contacts(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& o
     out.close(']').close('}');
   }
   out.close(']');
+  write_bounded_of(manifolds, out);
 }
 
 template <class T>
@@ -59,7 +61,7 @@ void write_plane_closest(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& ou
   out.key("distance").number(c.distance);
   write_flat(out, "point", c.point);
   write_flat(out, "normal", c.normal);
-  if (c.status == Status::bounded) out.key("bounded").number(c.error);
+  write_bounded(c.status == Status::converged, c.error, out);
 }
 
 template <class T>
@@ -86,7 +88,7 @@ void write_plane_cast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) 
   write_flat(out, "normal", hit->normal);
   write_flat(out, "point", hit->point);
   // Not before that time; whether then or later is not known.
-  if (hit->status != Status::converged) out.key("bounded").number(q.duration - hit->t);
+  write_bounded(hit->status == Status::converged, q.duration - hit->t, out);
 }
 
 template <class T>

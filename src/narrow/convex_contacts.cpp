@@ -254,6 +254,10 @@ T general_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   const Distance<T> d = ordered_distance(a, pose_a, b, pose_b, margin);
   manifold.normal = d.normal;
   if (d.status == Status::unbounded || !(d.distance <= margin)) return d.distance;
+  if (d.status == Status::bounded) {
+    manifold.status = d.status;
+    manifold.error = d.error;
+  }
   const bool half_a = a.template as<HalfSpace<T>>() != nullptr, half_b = b.template as<HalfSpace<T>>() != nullptr;
   if (half_a && half_b) {
     manifold.normal = d.normal;

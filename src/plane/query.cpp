@@ -10,6 +10,15 @@ namespace graze::plane {
 
 namespace {
 
+/// Takes over how sure of its distance a pair of convex shapes is.
+template <class T, class Answer>
+void take_status(const Nearest& found, const LeafPair<T>& pair, Answer& out) {
+  // Within the tolerance of T after all.
+  if (found.status == Status::bounded && found.error <= double(tolerance<T>) / 2 * pair.size()) return;
+  out.status = found.status;
+  out.error = static_cast<decltype(out.error)>(found.error);
+}
+
 /// The answer of a pair of convex shapes in world space, in double.
 template <class T>
 Distance<double> pair_distance(const LeafPair<T>& pair) {
@@ -19,13 +28,7 @@ Distance<double> pair_distance(const LeafPair<T>& pair) {
   out.normal = rotate(pair.pose_a.rotation, found.normal);
   out.a = transform(pair.pose_a, found.a.point + found.normal * pair.a.radius);
   out.b = transform(pair.pose_a, found.b.point - found.normal * pair.b.radius);
-  out.status = found.status;
-  out.error = found.error;
-  // Within the tolerance of T after all.
-  if (out.status == Status::bounded && out.error <= double(tolerance<T>) / 2 * pair.size()) {
-    out.status = Status::converged;
-    out.error = 0;
-  }
+  take_status(found, pair, out);
   return out;
 }
 
@@ -91,7 +94,9 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
     const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
     overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
     const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, double(margin));
-    if (!m.points.empty()) manifolds.push_back(in_world(m, pair));
+    if (m.points.empty()) return;
+    manifolds.push_back(in_world(m, pair));
+    take_status(found, pair, manifolds.back());
   });
   if (trace) smallest(a, pose_a, b, pose_b, trace);
   return overlaps;

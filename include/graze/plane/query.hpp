@@ -49,6 +49,8 @@ struct Manifold {
   Vec2<T> normal{};                        ///< unit, from A to B
   SmallVector<ContactPoint<T>, 2> points;  ///< at most two
   std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound (of the outermost one) touches, else 0
+  Status status = Status::converged;       ///< `bounded` where the distance of the two is not proven
+  T error{};                               ///< by how much distances of points may then be off
 };
 
 template <class T>

@@ -63,12 +63,14 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
   return seen ? std::optional(seen->normal) : std::nullopt;
 }
 
-/// A manifold without points between the pieces that another is between.
+/// A manifold without points between the pieces that another is between, and as sure as that is.
 template <class T>
 Manifold<T> between_same_pieces(const Manifold<T>& like) {
   Manifold<T> manifold;
   manifold.piece_a = like.piece_a;
   manifold.piece_b = like.piece_b;
+  manifold.status = like.status;
+  manifold.error = like.error;
   return manifold;
 }
 
