@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "composite/internal_edges/leaf_in_context.hpp"
 #include "composite/leaf_pairs.hpp"
+#include "composite/solid.hpp"
 #include "narrow/explain.hpp"
 #include "narrow/pair_table.hpp"
 
@@ -34,6 +36,37 @@ std::optional<DecidingPair<T>> deciding_pair(const Shape<T>& a, const Pose<T>& p
   };
   visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {reach}, PairVisitor<T>(offer));
   return pair;
+}
+
+/// How far a shape goes along a direction of the world.
+template <class T>
+double reach_along(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& direction) {
+  double reach = -std::numeric_limits<double>::infinity();
+  visit_pieces(
+      shape, pose, Aabb<T>::everything(), [] { return T(0); },
+      [&](const Shape<T>& piece, const Pose<T>& pose_of_piece, std::uint32_t) {
+        double along = std::numeric_limits<double>::infinity();
+        if (!piece.convex())
+          along = reach_along(piece, pose_of_piece, direction);
+        else if (!piece.template as<HalfSpace<T>>())
+          along = static_cast<double>(dot(furthest(piece, pose_of_piece, direction), direction));
+        reach = greatest(reach, along);
+      });
+  return reach;
+}
+
+/// What lies inside a solid mesh, if that is what an answer with this distance and normal is of: the axis is the way
+/// out, on which the mesh ends where the body's last point has to go. Returns whether it is.
+template <class T>
+bool explain_enclosed(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T distance,
+                      const Vec3<T>& normal, Trace& trace) {
+  const std::optional<Enclosed<T>> inside = deepest_enclosed(a, pose_a, b, pose_b);
+  if (!inside || inside->distance.distance != distance || inside->distance.normal != normal) return false;
+  trace.method = "inside a solid mesh: the way out";
+  trace.axes.push_back({"way out", converted<double>(normal), -reach_along(a, pose_a, -normal),
+                        static_cast<double>(dot(inside->distance.a, normal)),
+                        static_cast<double>(dot(inside->distance.b, normal)), reach_along(b, pose_b, normal)});
+  return true;
 }
 
 template <class T>
@@ -85,16 +118,16 @@ void explain_any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<
                           const Distance<T>& answer, Trace& trace) {
   if (a.convex() && b.convex())
     explain_distance(a, pose_a, b, pose_b, answer, trace);
-  else
+  else if (!explain_enclosed(a, pose_a, b, pose_b, answer.distance, answer.normal, trace))
     explain_nearest_pieces(a, pose_a, b, pose_b, trace);
 }
 
 template <class T>
 void explain_any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                          Trace& trace) {
-  if (a.convex() && b.convex())
-    explain_overlap(a, pose_a, b, pose_b, trace);
-  else
+  if (a.convex() && b.convex()) return explain_overlap(a, pose_a, b, pose_b, trace);
+  const std::optional<Enclosed<T>> inside = deepest_enclosed(a, pose_a, b, pose_b);
+  if (!inside || !explain_enclosed(a, pose_a, b, pose_b, inside->distance.distance, inside->distance.normal, trace))
     explain_nearest_pieces(a, pose_a, b, pose_b, trace);
 }
 
@@ -107,6 +140,8 @@ void explain_any_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<
   }
   const Manifold<T>* const stood_on = deepest(answer);
   if (!stood_on) return explain_nearest_pieces(a, pose_a, b, pose_b, trace);
+  for (const ContactPoint<T>& p : stood_on->points)
+    if (explain_enclosed(a, pose_a, b, pose_b, p.distance, stood_on->normal, trace)) return;
   const auto its_own = [&](const Part<T>& pa, const Part<T>& pb) {
     return pa.number == stood_on->piece_a && pb.number == stood_on->piece_b;
   };

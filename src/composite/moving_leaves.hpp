@@ -17,9 +17,11 @@ struct NumberedPiece {
   Piece<T> piece;
   std::uint32_t number = 0;
   bool outermost = true;
+  bool of_solid = false;  ///< a triangle of a solid mesh
 
   NumberedPiece child(const Shape<T>& shape, const Pose<T>& local, std::uint32_t its_number) const {
-    return {Piece<T>(shape, in_double(local)), outermost ? its_number : number, false};
+    const auto* mesh = piece.shape.template as<Mesh<T>>();
+    return {Piece<T>(shape, in_double(local)), outermost ? its_number : number, false, mesh && mesh->solid()};
   }
 };
 

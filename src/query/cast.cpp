@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "composite/composite.hpp"
+#include "composite/merge_manifolds.hpp"
 #include "composite/moving_leaves.hpp"
 #include "composite/solid.hpp"
 #include "query/explain_cast.hpp"
@@ -92,8 +93,21 @@ std::size_t stretches(const Asked<T>& asked) {
   return static_cast<std::size_t>(std::ceil(least(most_stretches, path / step)));
 }
 
+/// Whether a piece is a triangle of a solid mesh that is met from within, as by what leaves it, along a unit vector of
+/// the world that leads from it. A sliver, whose normal is rounding, is met from without.
+template <class T>
+bool met_from_within(const NumberedPiece<T>& numbered, const Quatd& rotation, const Vec3d& outward) {
+  const auto* triangle = numbered.of_solid ? numbered.piece.shape.template as<Triangle<T>>() : nullptr;
+  if (!triangle) return false;
+  const Vec3d u = converted<double>(triangle->point(1) - triangle->point(0)),
+              v = converted<double>(triangle->point(2) - triangle->point(0));
+  const Vec3d normal = rotate(rotation, rotate(numbered.piece.local.rotation, cross(u, v)));
+  return dot(normal, outward) < -static_cast<double>(same_normal<T>) * max_abs(u) * max_abs(v);
+}
+
 /// Calls `found` for the first contact of every pair of pieces, but not for those later than `until()` in stretches
-/// behind it; in each stretch anew.
+/// behind it; in each stretch anew. Where separating bodies are ignored, solid meshes are not met from within: what
+/// starts inside, and has not got deeper, gets out.
 template <class T, class Until, class Found>
 void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found) {
   const std::size_t count = stretches(asked);
@@ -109,7 +123,12 @@ void visit_impacts(const Asked<T>& asked, const Until& until, const Found& found
     };
     auto meet = [&](const NumberedPiece<T>& a, const NumberedPiece<T>& b) {
       const auto impact = asked.of(a.piece, b.piece, {stretch.begin, least(until(), stretch.end)});
-      if (impact) found({*impact, a.number, b.number});
+      if (!impact) return;
+      if (asked.separating == Separating::ignored &&
+          (met_from_within(a, asked.motion.a.at(impact->t), impact->normal) ||
+           met_from_within(b, asked.motion.b.at(impact->t), -impact->normal)))
+        return;
+      found({*impact, a.number, b.number});
     };
     visit_moving_pairs<T>(asked.motion, {asked.a}, {asked.b}, stretch, tolerance, limit, meet);
   }

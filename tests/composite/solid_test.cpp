@@ -1,6 +1,7 @@
 // Solid meshes: what lies wholly inside touches; and the questions with a limit.
 #include <gtest/gtest.h>
 
+#include "common/cube_mesh.hpp"
 #include "composite/brute_force.hpp"
 #include "graze/cast.hpp"
 #include "graze/raycast.hpp"
@@ -13,27 +14,7 @@ class Solid : public ::testing::Test {
  public:
   static constexpr T noise = T(1e-5);
 
-  static Mesh<T> cube(T half, bool solid) {
-    std::vector<Vec3<T>> points;
-    for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
-    return {points,
-            {{0, 2, 1},
-             {1, 2, 3},
-             {4, 5, 6},
-             {5, 7, 6},
-             {0, 1, 4},
-             {1, 5, 4},
-             {2, 6, 3},
-             {3, 6, 7},
-             {0, 4, 2},
-             {2, 4, 6},
-             {1, 3, 5},
-             {3, 7, 5}},
-            Sides::both,
-            solid};
-  }
-
-  const Shape<T> solid = cube(T(2), true), hollow = cube(T(2), false), ball = Sphere<T>(T(0.5));
+  const Shape<T> solid = cube_mesh(T(2), true), hollow = cube_mesh(T(2), false), ball = Sphere<T>(T(0.5));
   const Pose<T> origin{}, inside{{T(1), T(0.1), T(0.2)}, {}}, outside{{T(5), T(0), T(0)}, {}};
 };
 using Scalars = ::testing::Types<float, double>;
@@ -60,7 +41,7 @@ TYPED_TEST(Solid, WhatLiesInsideTouchesAndLeavesAlongTheNormal) {
 TYPED_TEST(Solid, MeshesInsideMeshes) {
   using T = TypeParam;
   for (const bool filled : {false, true}) {
-    const Shape<T> small = this->cube(T(0.25), filled);
+    const Shape<T> small = cube_mesh(T(0.25), filled);
     EXPECT_TRUE(overlap(small, this->inside, this->solid, this->origin));
     EXPECT_FALSE(overlap(small, this->inside, this->hollow, this->origin));
     EXPECT_NEAR(distance(small, this->inside, this->solid, this->origin).distance, T(-1.25), this->noise);
@@ -111,6 +92,68 @@ TYPED_TEST(Solid, LimitsAgreeWithTheDistance) {
   std::vector<PieceDistance<T>> near;
   near_pieces(this->ball, this->outside, this->solid, this->origin, T(2.6), near);
   EXPECT_EQ(near.size(), 2u);
+}
+
+// A body that starts inside gets out where separating bodies are ignored, but not deeper in, and not in from outside.
+TYPED_TEST(Solid, WhatLeavesIsNotMetFromWithin) {
+  using T = TypeParam;
+  const Shape<T> compound = Compound<T>({Placed<T>{this->solid, this->origin}}), box = Box<T>({T(1), T(0.6), T(0.4)});
+  const auto met = [&](const Shape<T>& mesh, const Shape<T>& body, const Pose<T>& pose, const Velocity<T>& velocity,
+                       bool swapped, Separating separating) {
+    return swapped ? cast<T>(mesh, this->origin, {}, body, pose, velocity, T(1), {separating})
+                   : cast<T>(body, pose, velocity, mesh, this->origin, {}, T(1), {separating});
+  };
+  const Velocity<T> out{{T(9), T(0.5), T(0)}, {}}, turning{{T(9), T(0), T(0)}, {T(1), T(2), T(3)}},
+      in{{T(-9), T(0), T(0)}, {}};
+  for (const bool swapped : {false, true})
+    for (const Shape<T>& body : {this->ball, box}) {
+      for (const Velocity<T>& velocity : {out, turning}) {
+        for (const Shape<T>& mesh : {this->solid, compound}) {
+          EXPECT_FALSE(met(mesh, body, this->inside, velocity, swapped, Separating::ignored)) << body.name();
+          const auto hit = met(mesh, body, this->inside, velocity, swapped, Separating::hit);
+          ASSERT_TRUE(hit);
+          EXPECT_EQ(hit->t, T(0));
+        }
+        // Both sides of a surface count.
+        const auto wall = met(this->hollow, body, this->inside, velocity, swapped, Separating::ignored);
+        ASSERT_TRUE(wall) << body.name();
+        EXPECT_GT(wall->t, T(0));
+        EXPECT_LT(wall->t, T(0.1));
+      }
+      const auto deeper = met(this->solid, body, this->inside, in, swapped, Separating::ignored);
+      ASSERT_TRUE(deeper);
+      EXPECT_EQ(deeper->t, T(0));
+      const auto entering = met(this->solid, body, this->outside, in, swapped, Separating::ignored);
+      ASSERT_TRUE(entering);
+      EXPECT_GT(entering->t, T(0.2));
+      EXPECT_LT(entering->t, T(0.3));
+    }
+}
+
+// What is inside is explained by the way out, and not by the nearest piece of the surface.
+TYPED_TEST(Solid, ExplainedByTheWayOut) {
+  using T = TypeParam;
+  const Shape<T> compound = Compound<T>({Placed<T>{this->solid, this->origin}});
+  for (const Shape<T>& mesh : {this->solid, compound})
+    for (const bool swapped : {false, true}) {
+      const Shape<T>&a = swapped ? mesh : this->ball, &b = swapped ? this->ball : mesh;
+      const Pose<T>&at_a = swapped ? this->origin : this->inside, &at_b = swapped ? this->inside : this->origin;
+      Trace of_overlap, of_distance, of_contacts;
+      Manifolds<T> manifolds;
+      EXPECT_TRUE(overlap(a, at_a, b, at_b, &of_overlap));
+      EXPECT_NEAR(distance(a, at_a, b, at_b, &of_distance).distance, T(-1.5), this->noise);
+      EXPECT_TRUE(contacts(a, at_a, b, at_b, T(0.1), manifolds, &of_contacts));
+      for (const Trace& trace : {of_overlap, of_distance, of_contacts}) {
+        ASSERT_EQ(trace.axes.size(), 1u);
+        const TraceAxis& axis = trace.axes[0];
+        EXPECT_EQ(axis.name, "way out");
+        EXPECT_NEAR(axis.direction.x, swapped ? 1 : -1, 1e-5);
+        EXPECT_NEAR(axis.overlap(), 1.5, 1e-5);
+        // The ball from 0.5 to 1.5, the cube from -2 to 2, along x or against it.
+        EXPECT_NEAR(axis.a_lower, swapped ? -2 : -1.5, 1e-5);
+        EXPECT_NEAR(axis.b_upper, swapped ? 1.5 : 2, 1e-5);
+      }
+    }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "common/cube_mesh.hpp"
 #include "graze/batch.hpp"
 #include "scenario.hpp"
 
@@ -10,32 +11,11 @@ namespace graze::testing {
 namespace {
 
 template <class T>
-Mesh<T> cube(T half, bool solid) {
-  std::vector<Vec3<T>> points;
-  for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
-  return {points,
-          {{0, 2, 1},
-           {1, 2, 3},
-           {4, 5, 6},
-           {5, 7, 6},
-           {0, 1, 4},
-           {1, 5, 4},
-           {2, 6, 3},
-           {3, 6, 7},
-           {0, 4, 2},
-           {2, 4, 6},
-           {1, 3, 5},
-           {3, 7, 5}},
-          Sides::both,
-          solid};
-}
-
-template <class T>
 class SolidBodies : public ::testing::Test {
  public:
   /// Fills a world with a cube and what may lie inside it.
   static void fill(World<T>& world, bool solid, const Shape<T>& inside, const Pose<T>& pose) {
-    Body<T> body{cube<T>(T(2), solid)};
+    Body<T> body{cube_mesh<T>(T(2), solid)};
     body.fixed = true;
     world.add(body);
     world.add({inside, pose});
@@ -48,7 +28,7 @@ TYPED_TEST_SUITE(SolidBodies, Scalars);
 TYPED_TEST(SolidBodies, WhatLiesInsideIsInContact) {
   using T = TypeParam;
   const Pose<T> pose{{T(1), T(0.1), T(0.2)}, {}};
-  const Shape<T> shapes[] = {Sphere<T>(T(0.25)), Box<T>({T(0.5), T(0.5), T(0.5)}), cube<T>(T(0.25), false),
+  const Shape<T> shapes[] = {Sphere<T>(T(0.25)), Box<T>({T(0.5), T(0.5), T(0.5)}), cube_mesh<T>(T(0.25), false),
                              Compound<T>({Placed<T>{Sphere<T>(T(0.25)), {}}})};
   for (const Shape<T>& shape : shapes) {
     World<T> hollow, world;
@@ -93,7 +73,7 @@ TYPED_TEST(SolidBodies, ABatchAnswersAsOneByOne) {
   std::vector<Shape<T>> solids, shapes;
   std::vector<Pose<T>> at_a, at_b;
   for (int i = 0; i < 300; ++i) {
-    const Shape<T> mesh = cube<T>(T(2), i % 5 != 0);
+    const Shape<T> mesh = cube_mesh<T>(T(2), i % 5 != 0);
     solids.push_back(i % 7 == 0 ? Shape<T>(Compound<T>({Placed<T>{mesh, random_pose<T>(random, 1.0f)}})) : mesh);
     at_a.push_back(random_pose<T>(random, 1.0f));
     shapes.push_back(build<T>(random_specimen(static_cast<Kind>(random() % bounded_kinds), 0.5f, random)));
