@@ -1,5 +1,5 @@
-// The points of a pair that are left where it may have no more than so many. They are left out before anything is carried
-// over: each point is carried to by itself.
+// The points of a pair that are left where it may have no more than so many. Others go before anything is carried over:
+// each point is carried to by itself.
 #include "composite/composite.hpp"
 #include "graze/world/manifolds.hpp"
 
