@@ -31,7 +31,7 @@ template <class S, class V>
     return static_cast<unsigned>(__builtin_ia32_movmskps256(reinterpret_cast<Floats32>(lanes)));
   else if constexpr (sizeof(V) == 32)
     return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Doubles32>(lanes)));
-  else
+  else  // NOLINT(readability-misleading-indentation): its statement depends on the processor
 #endif
 #if defined(__SSE2__)
       if constexpr (sizeof(S) == 4)

@@ -138,7 +138,8 @@ template <bool to_write, class Record>
 [[gnu::always_inline]] inline void fetch_lines(const Record* first, std::size_t count) {
   constexpr std::size_t line = 64;
   const auto begin = reinterpret_cast<std::uintptr_t>(first), end = begin + count * sizeof(Record);
-  for (std::uintptr_t at = begin; at < end; at += line) __builtin_prefetch(reinterpret_cast<const void*>(at), to_write);
+  for (std::uintptr_t at = begin; at < end; at += line)
+    __builtin_prefetch(reinterpret_cast<const void*>(at), to_write);  // NOLINT(performance-no-int-to-ptr): never read
 }
 
 /// `count` rounded up to what the widest registers hold.

@@ -41,7 +41,8 @@ Rest<S> rest(const Rounded<BoxCore<S>, S>& box, const Pose<S>& pose, const S& pl
   const Mask flat_u = flat(d.x, half.x), flat_v = flat(d.y, half.y), both = flat_u & flat_v;
   const Mask at_u = d.x >= zero, at_v = d.y >= zero, forward = d.z >= zero;
   // Around the face as its axes are right-handed; along an edge as it points.
-  const Mask all = zero == zero, any_flat = flat_u | flat_v, behind = !forward;
+  const Mask all = zero == zero,  // NOLINT(misc-redundant-expression): true in every lane
+      any_flat = flat_u | flat_v, behind = !forward;
   const Mask first_u = at_u & (!flat_u), first_v = at_v & (!flat_v);
   const Mask second_u = (both & forward) | ((!both) & (flat_u | at_u)),
              second_v = (both & behind) | ((!both) & (flat_v | at_v));

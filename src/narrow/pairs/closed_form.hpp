@@ -136,6 +136,7 @@ Rounded<TriangleCore<T>, T> rounded_core(const Triangle<T>& triangle, T margin) 
 
 template <class A, class B>
 inline constexpr bool is_sphere_capsule_pair = false;
+// NOLINTNEXTLINE(bugprone-macro-parentheses): A and B are templates
 #define GRAZE_ROUND_PAIR(A, B)                                                                                         \
   template <class T>                                                                                                   \
   inline constexpr bool is_sphere_capsule_pair<A<T>, B<T>> = true;

@@ -220,9 +220,9 @@ S ball_weight(const S& radius_a, const S& radius_b) {
 /// The names of what touches of a round shape and of another: that of the parts i and j at the place 54 i + j. Not
 /// inline: kernels of different levels share nothing.
 struct RoundFeatureIds {
-  std::uint32_t of[std::size(round_features) * box_part_count];
+  std::uint32_t of[std::size(round_features) * box_part_count]{};
   template <class Name, std::size_t size>
-  constexpr explicit RoundFeatureIds(const Name (&parts_b)[size]) : of{} {
+  constexpr explicit RoundFeatureIds(const Name (&parts_b)[size]) {
     for (std::size_t i = 0; i < std::size(round_features); ++i)
       for (std::size_t j = 0; j < box_part_count; ++j)
         of[i * box_part_count + j] = feature_id(round_features[i], parts_b[j % size]);
@@ -237,10 +237,11 @@ constexpr const RoundFeatureIds& round_feature_ids() {
 /// The names of the parts of one shape, a table that fits registers.
 template <std::size_t room>
 struct PartNames {
-  std::uint32_t of[room];
+  std::uint32_t of[room]{};
   template <class Name, std::size_t size>
-  constexpr explicit PartNames(const Name (&names)[size]) : of{} {
-    for (std::size_t i = 0; i < size && i < room; ++i) of[i] = names[i];
+  constexpr explicit PartNames(const Name (&names)[size]) {
+    constexpr std::size_t count = size < room ? size : room;
+    for (std::size_t i = 0; i < count; ++i) of[i] = names[i];
   }
 };
 static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);

@@ -75,6 +75,7 @@ Rest<S> rest(const Rounded<TriangleCore<S>, S>& triangle, const Pose<S>& pose, c
           noise = S(T(2) * box_rounding<T>) * (size + max_abs(seen.translation)),
           limit = greatest(margin, found.distance + noise), lowest_along = dot(down, lowest);
   const auto near = found.distance <= margin;
+  // NOLINTNEXTLINE(misc-redundant-expression): true in every lane
   const decltype(S() < S()) is[] = {zero == zero, face.edge, face.whole};
   found.filled = zero;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -20,7 +20,7 @@ bool still_apart(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
   const auto reach = [&](const Shape<T>& shape, const Vec3d& direction) {
     return shape.visit([&](const auto& c) -> double {
       if constexpr (BoundedConvex<std::decay_t<decltype(c)>>) {
-        const double radius = static_cast<double>(rounding_radius(c, shape.rounding()));
+        const auto radius = static_cast<double>(rounding_radius(c, shape.rounding()));
         radii += radius;
         size = greatest(size, static_cast<double>(c.core_extent()) + radius);
         return dot(c.core_support(direction), direction);

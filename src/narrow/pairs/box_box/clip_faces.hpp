@@ -44,8 +44,8 @@ struct ContactSlots {
 /// axes that follow the face's and where along the first: 0 within, 1 at the negative side, 2 at the positive.
 inline constexpr std::size_t box_part_count = 54;
 struct BoxFeatures {
-  std::uint32_t of[most_parts];
-  constexpr BoxFeatures() : of{} {
+  std::uint32_t of[most_parts]{};
+  constexpr BoxFeatures() {
     for (std::uint32_t part = 0; part < box_part_count; ++part) {
       const std::uint32_t face = part / 9, at_u = part % 3, at_v = part % 9 / 3;
       const std::uint32_t axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -13,9 +13,7 @@
 
 #include "narrow/pairs/box_box/single_contact_polygon.hpp"
 
-namespace graze {
-
-namespace detail {
+namespace graze::detail {
 
 /// Two faces seen along a normal, in coordinates along the sides of the one that is a rectangle then. Both sides of a
 /// parallelogram are four numbers, the one's x and y and the other's.
@@ -93,6 +91,4 @@ struct ClippedFaces {
   }
 };
 
-}  // namespace detail
-
-}  // namespace graze
+}  // namespace graze::detail

@@ -6,9 +6,7 @@
 
 #include "narrow/pairs/box_box/reference_axis.hpp"
 
-namespace graze {
-
-namespace detail {
+namespace graze::detail {
 
 /// Puts one of three axes last, and before it those that follow it.
 template <class S>
@@ -111,6 +109,4 @@ struct ReferenceFrame {
   }
 };
 
-}  // namespace detail
-
-}  // namespace graze
+}  // namespace graze::detail

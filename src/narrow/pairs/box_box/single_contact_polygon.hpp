@@ -11,9 +11,7 @@
 #include <immintrin.h>
 #endif
 
-namespace graze {
-
-namespace detail {
+namespace graze::detail {
 
 /// Which of eight come in what order, a byte each; the bytes behind the last one are 0.
 using Places = std::uint64_t;
@@ -24,9 +22,9 @@ constexpr std::uint64_t place(Places places, std::size_t i) { return places >> (
 /// inline: kernels of different levels share nothing.
 struct CornerOrders {
   static constexpr std::size_t low_first = 3;
-  Places of[4][256];
-  std::uint8_t count[256];
-  constexpr CornerOrders() : of{}, count{} {
+  Places of[4][256]{};
+  std::uint8_t count[256]{};
+  constexpr CornerOrders() {
     constexpr unsigned all[4][8] = {
         {0, 1, 4, 5, 2, 3, 6, 7}, {0, 4, 1, 5, 2, 6, 3, 7}, {0, 4, 5, 1, 2, 6, 7, 3}, {0, 1, 2, 3, 4, 5, 6, 7}};
     for (unsigned bits = 0; bits < 256; ++bits)
@@ -219,6 +217,4 @@ class Around<S> {
   std::size_t size_;
 };
 
-}  // namespace detail
-
-}  // namespace graze
+}  // namespace graze::detail

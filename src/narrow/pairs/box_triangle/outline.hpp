@@ -12,9 +12,7 @@
 
 #include "narrow/pairs/box_box/single_contact_polygon.hpp"
 
-namespace graze {
-
-namespace detail {
+namespace graze::detail {
 
 using graze::select;  // beside those for corners
 
@@ -171,6 +169,4 @@ struct RectangleAndTriangle {
   }
 };
 
-}  // namespace detail
-
-}  // namespace graze
+}  // namespace graze::detail
