@@ -5,6 +5,7 @@
 #include "plane/explain.hpp"
 #include "plane/leaves.hpp"
 #include "plane/manifold.hpp"
+#include "plane/pairs/pair_table.hpp"
 
 namespace graze::plane {
 
@@ -54,6 +55,13 @@ Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
   return best;
 }
 
+/// The distance by the special pair of the shapes' kinds, else the smallest over all pairs of convex pieces.
+template <class T>
+Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
+  if (const auto known = special_distance(a, pose_a, b, pose_b)) return *known;
+  return narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+}
+
 template <class T>
 Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
   Manifold<T> out;
@@ -70,7 +78,8 @@ Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
 
 template <class T>
 bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, Trace* trace) {
-  if (trace) return smallest(a, pose_a, b, pose_b, trace).distance <= 0;
+  if (trace) smallest(a, pose_a, b, pose_b, trace);
+  if (const auto known = special_overlap(a, pose_a, b, pose_b)) return *known;
   bool found = false;
   for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
     found = found || (pair.apart() <= 0 && pair_distance(pair).distance <= 0);
@@ -81,12 +90,15 @@ bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const
 template <class T>
 Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
                      Trace* trace) {
-  return narrowed<T>(smallest(a, pose_a, b, pose_b, trace));
+  if (trace) smallest(a, pose_a, b, pose_b, trace);
+  return any_distance(a, pose_a, b, pose_b);
 }
 
 template <class T>
 bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace) {
+  if (trace) smallest(a, pose_a, b, pose_b, trace);
+  if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
   bool overlaps = false;
   for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
     if (pair.apart() > double(margin)) return;
@@ -98,14 +110,15 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
     manifolds.push_back(in_world(m, pair));
     take_status(found, pair, manifolds.back());
   });
-  if (trace) smallest(a, pose_a, b, pose_b, trace);
   return overlaps;
 }
 
 template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace) {
-  const Distance<double> d = smallest<T>(shape, pose, Circle<T>(T(0)), {point, {}}, trace);
-  return {static_cast<T>(d.distance), converted<T>(d.a), converted<T>(d.normal), d.status, static_cast<T>(d.error)};
+  const Shape<T> spot = Circle<T>(T(0));
+  if (trace) smallest<T>(shape, pose, spot, {point, {}}, trace);
+  const Distance<T> d = any_distance<T>(shape, pose, spot, {point, {}});
+  return {d.distance, d.a, d.normal, d.status, d.error};
 }
 
 #define GRAZE_PLANE_QUERIES(T)                                                                                         \

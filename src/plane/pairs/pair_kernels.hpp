@@ -1,0 +1,56 @@
+// The special pairs of the plane as kernels: a block of pairs of one entry at a time, or one pair.
+//
+// Guarantee: in both the bits of a pair are the same, at every level of the instruction set.
+#pragma once
+
+#include "plane/pairs/pair_list.hpp"
+#include "simd/dispatch.hpp"
+
+namespace graze {
+
+namespace plane {
+
+/// Pairs in a block.
+inline constexpr std::size_t block_pairs = 64;
+
+/// Two shapes in place as columns of numbers, for N pairs.
+template <std::size_t N>
+struct PairColumns {
+  alignas(64) double a[shape_columns][N], b[shape_columns][N];
+};
+
+/// What is found of N pairs, in the world. Numbers that tell yes or no are 1 or 0.
+template <std::size_t N>
+struct DistanceColumns {
+  alignas(64) double known[N];
+  double distance[N], normal[2][N], a[2][N], b[2][N];
+};
+template <std::size_t N>
+struct ContactColumns {
+  alignas(64) double known[N];
+  double overlap[N], filled[N];  ///< the latter 1 for the first point, 2 for the second
+  double normal[2][N];
+  double points[2][7][N];  ///< a, b, distance, feature, weight
+};
+template <std::size_t N>
+struct OverlapColumns {
+  alignas(64) double known[N];
+  double overlap[N];
+};
+
+/// The kernels of one entry of the list.
+struct PairKernels {
+  void (*overlap_one)(const PairColumns<1>&, OverlapColumns<1>&);
+  void (*distance_one)(const PairColumns<1>&, DistanceColumns<1>&);
+  void (*contacts_one)(const PairColumns<1>&, double margin, ContactColumns<1>&);
+  void (*overlaps)(const PairColumns<block_pairs>&, std::size_t count, OverlapColumns<block_pairs>&);
+  void (*distances)(const PairColumns<block_pairs>&, std::size_t count, DistanceColumns<block_pairs>&);
+  void (*contacts)(const PairColumns<block_pairs>&, std::size_t count, double margin, ContactColumns<block_pairs>&);
+};
+
+}  // namespace plane
+
+/// The kernels of the list's entries, in its order.
+GRAZE_DECLARE_KERNEL(const plane::PairKernels* plane_pair_kernels();)
+
+}  // namespace graze

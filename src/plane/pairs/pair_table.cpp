@@ -1,0 +1,97 @@
+#include "plane/pairs/pair_table.hpp"
+
+#include "plane/pairs/lane_shape.hpp"
+#include "plane/pairs/pair_answers.hpp"
+
+namespace graze::plane {
+
+namespace {
+
+/// The kernels of the level that the machine runs at.
+const PairKernels* kernels() {
+  static const PairKernels* const chosen = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
+  return chosen;
+}
+
+template <class T>
+bool take_shape(const Shape<T>& shape, const Pose2<T>& pose, double (&to)[shape_columns][1]) {
+  double numbers[shape_columns] = {double(pose.translation.x), double(pose.translation.y), double(pose.rotation.cosine),
+                                   double(pose.rotation.sine)};
+  const bool taken = shape.visit([&](const auto& c) {
+    using C = std::decay_t<decltype(c)>;
+    if constexpr (lane_core<C>.has_value()) {
+      numbers[shape_columns - 1] = size_numbers(c, numbers + pose_columns) + double(shape.rounding());
+      return accepted(c);
+    } else {
+      return false;
+    }
+  });
+  for (std::size_t k = 0; k < shape_columns; ++k) to[k][0] = numbers[k];
+  return taken;
+}
+
+/// Fills `columns` with the pair and returns its entry, if there is one.
+template <class T>
+std::optional<PairEntry> take_pair(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                                   PairColumns<1>& columns) {
+  const std::optional<PairEntry> entry = KindTable<T>::at(a.index(), b.index());
+  if (!entry) return {};
+  auto &to_a = entry->turned ? columns.b : columns.a, &to_b = entry->turned ? columns.a : columns.b;
+  if (!take_shape(a, pose_a, to_a) || !take_shape(b, pose_b, to_b)) return {};
+  return entry;
+}
+
+}  // namespace
+
+template <class T>
+std::optional<bool> special_overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                    const Pose2<T>& pose_b) {
+  PairColumns<1> columns;
+  const std::optional<PairEntry> entry = take_pair(a, pose_a, b, pose_b, columns);
+  if (!entry) return {};
+  OverlapColumns<1> found;
+  kernels()[entry->place].overlap_one(columns, found);
+  if (found.known[0] == 0) return {};
+  return found.overlap[0] != 0;
+}
+
+template <class T>
+std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                            const Pose2<T>& pose_b) {
+  PairColumns<1> columns;
+  const std::optional<PairEntry> entry = take_pair(a, pose_a, b, pose_b, columns);
+  if (!entry) return {};
+  DistanceColumns<1> found;
+  kernels()[entry->place].distance_one(columns, found);
+  if (found.known[0] == 0) return {};
+  return distance_at<T>(found, 0, entry->turned);
+}
+
+template <class T>
+std::optional<bool> special_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                     const Pose2<T>& pose_b, T margin, Manifolds<T>& manifolds) {
+  PairColumns<1> columns;
+  const std::optional<PairEntry> entry = take_pair(a, pose_a, b, pose_b, columns);
+  if (!entry) return {};
+  ContactColumns<1> found;
+  kernels()[entry->place].contacts_one(columns, double(margin), found);
+  if (found.known[0] == 0) return {};
+  if (found.filled[0] != 0) {
+    Manifold<T>& m = manifolds.emplace_back();
+    m.normal = normal_at<T>(found, 0, entry->turned);
+    for_each_point<T>(found, 0, entry->turned, [&](const ContactPoint<T>& p) { m.points.push_back(p); });
+  }
+  return found.overlap[0] != 0;
+}
+
+#define GRAZE_PLANE_SPECIAL(T)                                                                                         \
+  template std::optional<bool> special_overlap(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&);    \
+  template std::optional<Distance<T>> special_distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&,              \
+                                                       const Pose2<T>&);                                               \
+  template std::optional<bool> special_contacts(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T, \
+                                                Manifolds<T>&);
+GRAZE_PLANE_SPECIAL(float)
+GRAZE_PLANE_SPECIAL(double)
+#undef GRAZE_PLANE_SPECIAL
+
+}  // namespace graze::plane

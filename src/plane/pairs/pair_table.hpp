@@ -1,0 +1,26 @@
+// One pair of shapes answered by the special pair for its kinds, where there is one.
+//
+// Guarantee: nothing for a pair that no entry of the list takes, or that declines: compounds, curved shapes, rotations
+// that are not of unit length. The bits are those of the same pair in a batch.
+#pragma once
+
+#include <optional>
+
+#include "graze/plane/query.hpp"
+
+namespace graze::plane {
+
+template <class T>
+std::optional<bool> special_overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                    const Pose2<T>& pose_b);
+
+template <class T>
+std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                            const Pose2<T>& pose_b);
+
+/// Appends the manifold, if the shapes are within `margin`, and tells whether they overlap.
+template <class T>
+std::optional<bool> special_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                     const Pose2<T>& pose_b, T margin, Manifolds<T>& manifolds);
+
+}  // namespace graze::plane

@@ -1,0 +1,138 @@
+#include <array>
+
+#include "plane/pairs/lane_sides.hpp"
+#include "plane/pairs/pair_kernels.hpp"
+#include "simd/lanes.hpp"
+
+namespace graze::GRAZE_ISA {
+
+namespace {
+
+using namespace plane;
+
+/// Two lanes of which the second repeats the first: a pair alone goes through the same selections, where jumps that
+/// cannot be foreseen would take several times as long.
+using Alone = Wide<double, 2>;
+/// Packed pairs, one a lane.
+using Beside = Lanes<double>;
+
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline S column(const double (&numbers)[N], std::size_t first) {
+  if constexpr (N == 1)
+    return S(numbers[0]);
+  else
+    return S::load(numbers + first);
+}
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline void put(double (&numbers)[N], std::size_t first, const S& value) {
+  if constexpr (N == 1)
+    numbers[0] = value[0];
+  else
+    value.store(numbers + first);
+}
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline void put(double (&numbers)[2][N], std::size_t first, const Vec2<S>& v) {
+  put(numbers[0], first, v.x);
+  put(numbers[1], first, v.y);
+}
+template <class S, std::size_t N, class M>
+[[gnu::always_inline]] inline void put_truth(double (&numbers)[N], std::size_t first, const M& mask) {
+  put(numbers, first, select(mask, S(1), S(0)));
+}
+
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline LaneShape<S> shape(const double (&columns)[shape_columns][N], std::size_t first) {
+  const auto at = [&](std::size_t k) __attribute__((always_inline)) { return column<S>(columns[k], first); };
+  return {{{at(0), at(1)}, {at(2), at(3)}}, {at(4), at(5), at(6), at(7)}, at(8)};
+}
+template <class S, std::size_t N>
+[[gnu::always_inline]] inline LanePair<S> pair_at(const PairColumns<N>& columns, std::size_t first) {
+  return LanePair<S>(shape<S>(columns.a, first), shape<S>(columns.b, first));
+}
+
+template <class Pair, class S, std::size_t N>
+[[gnu::always_inline]] inline void overlap_at(const PairColumns<N>& columns, std::size_t first,
+                                              OverlapColumns<N>& out) {
+  const LanePair<S> pair = pair_at<S>(columns, first);
+  const S radius = pair.radius();
+  const LaneNearest<S> found = Pair::nearest(pair, radius);
+  put_truth<S>(out.known, first, pair.known());
+  put_truth<S>(out.overlap, first, found.distance - radius <= S(0));
+}
+
+template <class Pair, class S, std::size_t N>
+[[gnu::always_inline]] inline void distance_at(const PairColumns<N>& columns, std::size_t first,
+                                               DistanceColumns<N>& out) {
+  const LanePair<S> pair = pair_at<S>(columns, first);
+  const LaneNearest<S> found = Pair::nearest(pair, S(std::numeric_limits<double>::infinity()));
+  const auto in_world = [&](const Vec2<S>& p) __attribute__((always_inline)) {
+    return pair.a.pose.translation + rotate(pair.rotation_a, p);
+  };
+  put_truth<S>(out.known, first, pair.known());
+  put(out.distance, first, found.distance - pair.radius());
+  put(out.normal, first, rotate(pair.rotation_a, found.normal));
+  put(out.a, first, in_world(found.a + found.normal * pair.a.radius));
+  put(out.b, first, in_world(found.b - found.normal * pair.b.radius));
+}
+
+template <class Pair, class S, std::size_t N>
+[[gnu::always_inline]] inline void contacts_at(const PairColumns<N>& columns, std::size_t first, double margin,
+                                               ContactColumns<N>& out) {
+  const LanePair<S> pair = pair_at<S>(columns, first);
+  const S radius = pair.radius();
+  const LaneNearest<S> found = Pair::nearest(pair, S(margin) + radius);
+  const LaneManifold<S> m = manifold<Pair::a, Pair::b>(pair, found, S(margin));
+  const auto in_world = [&](const Vec2<S>& p) __attribute__((always_inline)) {
+    return pair.a.pose.translation + rotate(pair.rotation_a, p);
+  };
+  put_truth<S>(out.known, first, pair.known());
+  put_truth<S>(out.overlap, first, found.distance - radius <= S(0));
+  put(out.filled, first, select(m.filled[0], S(1), S(0)) + select(m.filled[1], S(2), S(0)));
+  put(out.normal, first, rotate(pair.rotation_a, m.normal));
+  for (int i = 0; i < 2; ++i) {
+    const LanePoint<S>& p = m.points[i];
+    const Vec2<S> a = in_world(p.a), b = in_world(p.b);
+    const S numbers[7] = {a.x, a.y, b.x, b.y, p.distance, p.feature, p.weight};
+    for (std::size_t k = 0; k < 7; ++k) put(out.points[i][k], first, numbers[k]);
+  }
+}
+
+template <class Pair>
+[[gnu::flatten]] void overlap_one(const PairColumns<1>& columns, OverlapColumns<1>& out) {
+  overlap_at<Pair, Alone>(columns, 0, out);
+}
+template <class Pair>
+[[gnu::flatten]] void distance_one(const PairColumns<1>& columns, DistanceColumns<1>& out) {
+  distance_at<Pair, Alone>(columns, 0, out);
+}
+template <class Pair>
+[[gnu::flatten]] void contacts_one(const PairColumns<1>& columns, double margin, ContactColumns<1>& out) {
+  contacts_at<Pair, Alone>(columns, 0, margin, out);
+}
+template <class Pair>
+[[gnu::flatten]] void overlaps(const PairColumns<block_pairs>& columns, std::size_t count,
+                               OverlapColumns<block_pairs>& out) {
+  for (std::size_t i = 0; i < count; i += Beside::lanes) overlap_at<Pair, Beside>(columns, i, out);
+}
+template <class Pair>
+[[gnu::flatten]] void distances(const PairColumns<block_pairs>& columns, std::size_t count,
+                                DistanceColumns<block_pairs>& out) {
+  for (std::size_t i = 0; i < count; i += Beside::lanes) distance_at<Pair, Beside>(columns, i, out);
+}
+template <class Pair>
+[[gnu::flatten]] void contacts(const PairColumns<block_pairs>& columns, std::size_t count, double margin,
+                               ContactColumns<block_pairs>& out) {
+  for (std::size_t i = 0; i < count; i += Beside::lanes) contacts_at<Pair, Beside>(columns, i, margin, out);
+}
+
+template <class... P>
+constexpr std::array<PairKernels, sizeof...(P)> kernels_of(Pairs<P...>) {
+  return {PairKernels{overlap_one<P>, distance_one<P>, contacts_one<P>, overlaps<P>, distances<P>, contacts<P>}...};
+}
+constexpr auto kernels = kernels_of(PairList());
+
+}  // namespace
+
+const PairKernels* plane_pair_kernels() { return kernels.data(); }
+
+}  // namespace graze::GRAZE_ISA
