@@ -1,0 +1,158 @@
+// The questions of plane/query.hpp about many pairs at once.
+//
+// Guarantee: for every pair the bits that the question about it alone gives, in whatever order the pairs come, whatever
+// pairs stand beside it, at every level of the instruction set and on any number of threads; so that a batch is a
+// matter of speed only. Circles, capsules of one radius, segments, boxes and half-planes are answered many at a time,
+// all other pairs one by one. Nothing is allocated for kernels; the arrays of the answer grow where they must.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "graze/broad_phase.hpp"
+#include "graze/executor.hpp"
+#include "graze/plane/query.hpp"
+
+namespace graze::plane {
+
+namespace detail {
+
+/// The place of a kind in `ShapeList`.
+template <class C, class T>
+constexpr std::size_t kind_of() {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    std::size_t place = 0;
+    static_cast<void>(((place = I, std::is_same_v<std::variant_alternative_t<I, ShapeList<T>>, C>) || ...));
+    return place;
+  }
+  (std::make_index_sequence<Shape<T>::count>());
+}
+
+}  // namespace detail
+
+/// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
+/// shape for all poses, or one pose for all shapes.
+template <class T>
+class Bodies {
+ public:
+  /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take
+  /// less memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
+  template <class C>
+  Bodies(std::span<const C> shapes, std::span<const Pose2<T>> poses);
+  /// Bodies in vectors, which are borrowed like any array.
+  template <class C>
+  Bodies(const std::vector<C>& shapes, const std::vector<Pose2<T>>& poses)
+      : Bodies(std::span<const C>(shapes), std::span<const Pose2<T>>(poses)) {}
+
+  std::size_t size() const { return size_; }
+  const Pose2<T>& pose(std::size_t i) const { return poses_.size() == 1 ? poses_[0] : poses_[i]; }
+  /// The place of a shape in `ShapeList`.
+  std::size_t kind(std::size_t i) const { return one_kind() ? kind_ : any(i).index(); }
+  /// Whether all are of one kind, known to the compiler.
+  bool one_kind() const { return kind_ < Shape<T>::count; }
+  /// The concrete shape, which is of that kind.
+  const void* concrete(std::size_t i) const {
+    if (one_kind()) return static_cast<const char*>(shapes_) + place(i) * stride_;
+    return any(i).visit([](const auto& c) { return static_cast<const void*>(&c); });
+  }
+  /// The rounding radius, which only a `Shape<T>` has.
+  T rounding(std::size_t i) const { return one_kind() ? T(0) : any(i).rounding(); }
+  /// Calls `f` with the shape as a value; it is only copied where all are of one kind.
+  template <class F>
+  decltype(auto) visit(std::size_t i, F&& f) const {
+    return one_kind() ? f(made_(concrete(i))) : f(any(i));
+  }
+
+ private:
+  std::size_t place(std::size_t i) const { return shape_count_ == 1 ? 0 : i; }
+  const Shape<T>& any(std::size_t i) const { return static_cast<const Shape<T>*>(shapes_)[place(i)]; }
+
+  const void* shapes_;
+  std::size_t shape_count_, stride_, size_;
+  std::size_t kind_ = Shape<T>::count;  ///< that of all, or none
+  std::span<const Pose2<T>> poses_;
+  Shape<T> (*made_)(const void* concrete);
+};
+
+/// The pairs that a question is about.
+template <class T>
+class Batch {
+ public:
+  /// Places in `a` and in `b`; these may be the same. Throws `InvalidValue` for a place that they do not have.
+  Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs);
+  /// The first of A with the first of B, and so on; where one of them has a single body, that with all of the other.
+  /// Throws `InvalidValue` for numbers that do not go together.
+  Batch(const Bodies<T>& a, const Bodies<T>& b);
+
+  std::size_t size() const { return size_; }
+  const Bodies<T>& a() const { return a_; }
+  const Bodies<T>& b() const { return b_; }
+  /// The places of the i-th pair.
+  IdPair operator[](std::size_t i) const {
+    if (!pairs_.empty()) return pairs_[i];
+    const auto place = static_cast<std::uint32_t>(i);
+    return {a_.size() == 1 ? 0 : place, b_.size() == 1 ? 0 : place};
+  }
+
+ private:
+  Bodies<T> a_, b_;
+  std::span<const IdPair> pairs_;
+  std::size_t size_;
+};
+
+/// Where the pairs of a batch touch: the contacts of all of them in three arrays.
+template <class T>
+struct BatchContacts {
+  struct Pair {
+    bool overlap;  ///< distance <= 0, whatever the margin
+    std::uint32_t first_manifold, manifold_count;
+  };
+  struct Group {
+    Vec2<T> normal{};                        ///< unit, from A to B
+    std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound touches, else 0
+    std::uint32_t first_point = 0, point_count = 0;
+  };
+  std::vector<Pair> pairs;              ///< one for each pair of the batch, in its order
+  std::vector<Group> manifolds;         ///< those of a pair one behind the other
+  std::vector<ContactPoint<T>> points;  ///< those of a manifold one behind the other
+
+  std::span<const Group> manifolds_of(std::size_t pair) const {
+    return std::span(manifolds).subspan(pairs[pair].first_manifold, pairs[pair].manifold_count);
+  }
+  std::span<const ContactPoint<T>> points_of(const Group& m) const {
+    return std::span(points).subspan(m.first_point, m.point_count);
+  }
+};
+
+/// `overlap` of each pair: 1 or 0. With an executor, on its threads.
+template <class T>
+void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor = nullptr);
+
+/// `distance` of each pair. With an executor, on its threads.
+template <class T>
+void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor = nullptr);
+
+/// `contacts` of each pair up to `margin` >= 0 apart. With an executor, on its threads; the arrays are the same.
+template <class T>
+void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
+
+template <class T>
+template <class C>
+Bodies<T>::Bodies(std::span<const C> shapes, std::span<const Pose2<T>> poses)
+    : shapes_(shapes.data()),
+      shape_count_(shapes.size()),
+      stride_(sizeof(C)),
+      size_(shapes.size() == 1 ? poses.size() : shapes.size()),
+      poses_(poses),
+      made_([](const void* concrete) { return Shape<T>(*static_cast<const C*>(concrete)); }) {
+  if constexpr (!std::is_same_v<C, Shape<T>>) kind_ = detail::kind_of<C, T>();
+  if (poses.size() != size_ && poses.size() != 1)
+    validate::fail("poses", "as many as shapes, or one", static_cast<double>(poses.size()));
+  if (shapes.empty() && !poses.empty()) validate::fail("shapes", "one for the poses", 0);
+}
+
+}  // namespace graze::plane

@@ -1,0 +1,203 @@
+#include "graze/plane/batch.hpp"
+
+#include <string>
+
+#include "plane/pairs/pair_answers.hpp"
+#include "plane/pairs/pair_queues.hpp"
+
+namespace graze::plane {
+
+namespace {
+
+/// Pairs that a thread takes at a time. The cuts do not depend on the executor, and so neither do the arrays.
+constexpr std::size_t chunk_pairs = 4096;
+
+template <class T>
+void check_places(const Bodies<T>& bodies, const char* name, std::size_t pair, std::size_t i) {
+  if (i < bodies.size()) return;
+  validate::fail("pairs[" + std::to_string(pair) + "]." + name, "a place below " + std::to_string(bodies.size()),
+                 static_cast<double>(i));
+}
+
+/// Asks `question(a, pose_a, b, pose_b)` about one pair.
+template <class T, class Question>
+auto ask(const Batch<T>& batch, std::size_t i, const Question& question) {
+  const IdPair p = batch[i];
+  return batch.a().visit(p.a, [&](const Shape<T>& a) {
+    return batch.b().visit(p.b,
+                           [&](const Shape<T>& b) { return question(a, batch.a().pose(p.a), b, batch.b().pose(p.b)); });
+  });
+}
+
+/// Calls `f(begin, end, chunk)` for the chunks of a batch.
+template <class F>
+void for_chunks(Executor* executor, std::size_t count, const F& f) {
+  SerialExecutor serial;
+  for_each_chunk(executor ? *executor : serial, count, chunk_pairs, f);
+}
+
+/// Appends what one pair alone has.
+template <class T>
+void append_alone(const Batch<T>& batch, std::size_t i, T margin, BatchContacts<T>& found,
+                  typename BatchContacts<T>::Pair& pair) {
+  Manifolds<T> manifolds;
+  pair.overlap = ask(batch, i, [&](const auto&... shapes) { return contacts(shapes..., margin, manifolds); });
+  pair.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
+  pair.manifold_count = static_cast<std::uint32_t>(manifolds.size());
+  for (const Manifold<T>& m : manifolds) {
+    found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
+                               static_cast<std::uint32_t>(m.points.size())});
+    found.points.insert(found.points.end(), m.points.begin(), m.points.end());
+  }
+}
+
+/// Appends the contacts of a block's pairs, `pairs` being those of the batch.
+template <class T>
+void append_block(const PairBlock<T>& block, const ContactColumns<block_pairs>& found, BatchContacts<T>& to,
+                  typename BatchContacts<T>::Pair* pairs) {
+  std::size_t manifolds = to.manifolds.size(), points = to.points.size();
+  // Room for all, of which the rest is given back.
+  to.manifolds.resize(manifolds + block.count);
+  to.points.resize(points + 2 * block.count);
+  for (std::size_t k = 0; k < block.count; ++k) {
+    typename BatchContacts<T>::Pair& pair = pairs[block.place[k]];
+    pair = {found.overlap[k] != 0, static_cast<std::uint32_t>(manifolds), 0};
+    if (found.known[k] == 0 || found.filled[k] == 0) continue;
+    const std::size_t first = points;
+    for_each_point<T>(found, k, block.turned[k], [&](const ContactPoint<T>& p) { to.points[points++] = p; });
+    to.manifolds[manifolds++] = {normal_at<T>(found, k, block.turned[k]), 0, 0, static_cast<std::uint32_t>(first),
+                                 static_cast<std::uint32_t>(points - first)};
+    pair.manifold_count = 1;
+  }
+  to.manifolds.resize(manifolds);
+  to.points.resize(points);
+}
+
+/// The contacts of the pairs of a chunk, appended to `to`.
+template <class T>
+void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T margin, BatchContacts<T>& to,
+                  typename BatchContacts<T>::Pair* pairs) {
+  const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
+  PairQueues<T> queues;
+  ContactColumns<block_pairs> found;
+  const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, to, pairs[i]); };
+  queues.visit(
+      batch, begin, end,
+      [&](const PairBlock<T>& block) {
+        kernels[block.entry].contacts(block.columns, block.count, double(margin), found);
+        append_block(block, found, to, pairs);
+        for (std::size_t k = 0; k < block.count; ++k)
+          if (found.known[k] == 0) alone(block.place[k]);
+      },
+      alone);
+}
+
+}  // namespace
+
+template <class T>
+Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs)
+    : a_(a), b_(b), pairs_(pairs), size_(pairs.size()) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    check_places(a, "a", i, pairs[i].a);
+    check_places(b, "b", i, pairs[i].b);
+  }
+}
+
+template <class T>
+Batch<T>::Batch(const Bodies<T>& a, const Bodies<T>& b)
+    : a_(a),
+      b_(b),
+      size_(a.size() == 1   ? b.size()
+            : b.size() == 1 ? a.size()
+                            : std::max(a.size(), b.size())) {
+  if (a.size() != b.size() && a.size() != 1 && b.size() != 1)
+    validate::fail("b", "as many bodies as a, or one", static_cast<double>(b.size()));
+}
+
+template <class T>
+void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor) {
+  touch.resize(batch.size());
+  const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
+  const auto alone = [&](std::size_t i) {
+    touch[i] = ask(batch, i, [](const auto&... pair) { return overlap(pair...); }) ? 1 : 0;
+  };
+  for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    PairQueues<T> queues;
+    OverlapColumns<block_pairs> found;
+    queues.visit(
+        batch, begin, end,
+        [&](const PairBlock<T>& block) {
+          kernels[block.entry].overlaps(block.columns, block.count, found);
+          for (std::size_t k = 0; k < block.count; ++k)
+            if (found.known[k] != 0)
+              touch[block.place[k]] = found.overlap[k] != 0 ? 1 : 0;
+            else
+              alone(block.place[k]);
+        },
+        alone);
+  });
+}
+
+template <class T>
+void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor) {
+  distances.resize(batch.size());
+  const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
+  const auto alone = [&](std::size_t i) {
+    distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
+  };
+  for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    PairQueues<T> queues;
+    DistanceColumns<block_pairs> found;
+    queues.visit(
+        batch, begin, end,
+        [&](const PairBlock<T>& block) {
+          kernels[block.entry].distances(block.columns, block.count, found);
+          for (std::size_t k = 0; k < block.count; ++k)
+            if (found.known[k] != 0)
+              distances[block.place[k]] = distance_at<T>(found, k, block.turned[k]);
+            else
+              alone(block.place[k]);
+        },
+        alone);
+  });
+}
+
+template <class T>
+void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor) {
+  found.pairs.resize(batch.size());
+  found.manifolds.clear();
+  found.points.clear();
+  if (!executor) {
+    for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+      append_chunk(batch, begin, end, margin, found, found.pairs.data());
+    });
+    return;
+  }
+  // Each chunk into arrays of its own, which are then put one behind the other.
+  std::vector<BatchContacts<T>> parts((batch.size() + chunk_pairs - 1) / chunk_pairs);
+  for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    append_chunk(batch, begin, end, margin, parts[chunk], found.pairs.data());
+  });
+  for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
+    const auto manifolds = static_cast<std::uint32_t>(found.manifolds.size()),
+               points = static_cast<std::uint32_t>(found.points.size());
+    for (std::size_t i = chunk * chunk_pairs; i < std::min(batch.size(), (chunk + 1) * chunk_pairs); ++i)
+      found.pairs[i].first_manifold += manifolds;
+    for (typename BatchContacts<T>::Group group : parts[chunk].manifolds) {
+      group.first_point += points;
+      found.manifolds.push_back(group);
+    }
+    found.points.insert(found.points.end(), parts[chunk].points.begin(), parts[chunk].points.end());
+  }
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template class Batch<T>;                                                                                             \
+  template void overlap(const Batch<T>&, std::vector<std::uint8_t>&, Executor*);                                       \
+  template void distance(const Batch<T>&, std::vector<Distance<T>>&, Executor*);                                       \
+  template void contacts(const Batch<T>&, T, BatchContacts<T>&, Executor*);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::plane

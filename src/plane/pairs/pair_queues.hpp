@@ -1,0 +1,134 @@
+// The pairs of a batch, gathered by the entry of the list that answers for them.
+//
+// Guarantee: visits every pair once, in blocks of one entry and two kinds of shapes, loaded as columns; those that no
+// entry takes one by one.
+#pragma once
+
+#include <algorithm>
+
+#include "graze/plane/batch.hpp"
+#include "plane/pairs/load_kernels.hpp"
+
+namespace graze::plane {
+
+/// Pairs of two kinds that wait for a block to fill, A and B in the order of their entry.
+template <class T>
+struct PairQueue {
+  std::size_t count = 0;
+  const void *a[block_pairs], *b[block_pairs];
+  const Pose2<T>*pose_a[block_pairs], *pose_b[block_pairs];
+  T rounding_a[block_pairs], rounding_b[block_pairs];
+  std::uint32_t place[block_pairs];
+  bool turned[block_pairs];
+  bool rounded = false;  ///< whether any of them is
+};
+
+/// A block of pairs of one entry.
+template <class T>
+struct PairBlock {
+  std::size_t entry, count;
+  const PairColumns<block_pairs>& columns;
+  const std::uint32_t* place;  ///< of each in the batch
+  const bool* turned;          ///< whether its shapes are taken the other way round
+};
+
+template <class T>
+class PairQueues {
+ public:
+  PairQueues() : load_(GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>()) {}
+
+  /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`.
+  template <class Block, class Alone>
+  void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, const Block& block, const Alone& alone) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const IdPair p = batch[i];
+      const std::size_t kind_a = batch.a().kind(p.a), kind_b = batch.b().kind(p.b);
+      const std::optional<PairEntry>& entry = KindTable<T>::at(kind_a, kind_b);
+      if (!entry || !accepts(batch.a(), p.a, kind_a) || !accepts(batch.b(), p.b, kind_b)) {
+        alone(i);
+        continue;
+      }
+      const bool turned = entry->turned;
+      PairQueue<T>& queue = queues_[turned ? queue_of(kind_b, kind_a) : queue_of(kind_a, kind_b)];
+      const Bodies<T>&a = turned ? batch.b() : batch.a(), &b = turned ? batch.a() : batch.b();
+      const std::size_t at_a = turned ? p.b : p.a, at_b = turned ? p.a : p.b, k = queue.count++;
+      queue.a[k] = a.concrete(at_a);
+      queue.b[k] = b.concrete(at_b);
+      queue.pose_a[k] = &a.pose(at_a);
+      queue.pose_b[k] = &b.pose(at_b);
+      queue.rounding_a[k] = a.rounding(at_a);
+      queue.rounding_b[k] = b.rounding(at_b);
+      queue.rounded = queue.rounded || queue.rounding_a[k] != T(0) || queue.rounding_b[k] != T(0);
+      queue.place[k] = static_cast<std::uint32_t>(i);
+      queue.turned[k] = turned;
+      if (queue.count == block_pairs) run(turned ? kind_b : kind_a, turned ? kind_a : kind_b, queue, block);
+    }
+    for (std::size_t a = 0; a < kinds; ++a)
+      for (std::size_t b = 0; b < kinds; ++b)
+        if (slot_of[a] < slots && slot_of[b] < slots)
+          if (PairQueue<T>& queue = queues_[queue_of(a, b)]; queue.count > 0) run(a, b, queue, block);
+  }
+
+ private:
+  static constexpr std::size_t kinds = Shape<T>::count;
+  template <std::size_t... I>
+  static constexpr std::array<std::size_t, kinds> slots_of(std::index_sequence<I...>) {
+    std::array<std::size_t, kinds> slot{};
+    std::size_t next = 0;
+    static_cast<void>(
+        ((slot[I] = lane_core<std::variant_alternative_t<I, ShapeList<T>>>.has_value() ? next++ : kinds), ...));
+    return slot;
+  }
+  /// The kinds that have a core, counted.
+  static constexpr std::array<std::size_t, kinds> slot_of = slots_of(std::make_index_sequence<kinds>());
+  static constexpr std::size_t slots =
+      static_cast<std::size_t>(std::count_if(slot_of.begin(), slot_of.end(), [](std::size_t s) { return s < kinds; }));
+  static constexpr std::size_t queue_of(std::size_t a, std::size_t b) { return slot_of[a] * slots + slot_of[b]; }
+
+  /// Of the kinds that have a core only capsules may be such that no entry takes them.
+  static bool accepts(const Bodies<T>& bodies, std::size_t i, std::size_t kind) {
+    return kind != detail::kind_of<Capsule<T>, T>() || accepted(*static_cast<const Capsule<T>*>(bodies.concrete(i)));
+  }
+
+  template <class Rows>
+  static void fill_register(Rows& rows, std::size_t count) {
+    for (std::size_t k = count; k < std::min(block_pairs, (count + most_lanes - 1) / most_lanes * most_lanes); ++k)
+      rows[k] = rows[count - 1];
+  }
+  static void add_rounding(const T* rounding, std::size_t count, BlockColumns& to) {
+    for (std::size_t k = 0; k < count; ++k) to[shape_columns - 1][k] += double(rounding[k]);
+  }
+
+  template <class Block>
+  void run(std::size_t kind_a, std::size_t kind_b, PairQueue<T>& queue, const Block& block) {
+    const std::size_t count = queue.count;
+    if (count < block_pairs) {
+      fill_register(queue.a, count);
+      fill_register(queue.b, count);
+      fill_register(queue.pose_a, count);
+      fill_register(queue.pose_b, count);
+      fill_register(queue.rounding_a, count);
+      fill_register(queue.rounding_b, count);
+    }
+    load_.poses(queue.pose_a, count, columns_.a);
+    load_.poses(queue.pose_b, count, columns_.b);
+    load_.shapes[kind_a](queue.a, count, columns_.a);
+    load_.shapes[kind_b](queue.b, count, columns_.b);
+    if (queue.rounded) {
+      add_rounding(queue.rounding_a, count, columns_.a);
+      add_rounding(queue.rounding_b, count, columns_.b);
+    }
+    block(PairBlock<T>{KindTable<T>::at(kind_a, kind_b)->place, count, columns_, queue.place, queue.turned});
+    queue.count = 0;
+    queue.rounded = false;
+  }
+
+  /// As many lanes as a register of any machine has.
+  static constexpr std::size_t most_lanes = 16;
+
+  const LoadKernels<T>& load_;
+  PairQueue<T> queues_[slots * slots];
+  PairColumns<block_pairs> columns_{};
+};
+
+}  // namespace graze::plane

@@ -1,0 +1,188 @@
+// Many pairs of the plane at once have the bits that each has alone. CMake runs these at every level of the
+// instruction set (lanes.plane_*).
+#include "graze/plane/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <thread>
+
+#include "plane/figures.hpp"
+
+namespace graze::plane {
+namespace {
+
+template <class T>
+class PlaneBatch : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(PlaneBatch, Scalars);
+
+/// Runs tasks on four threads, in no order of their own.
+class FourThreads final : public Executor {
+ public:
+  std::size_t concurrency() const override { return 4; }
+  void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
+    std::vector<std::thread> threads;
+    for (std::size_t k = 0; k < 4; ++k)
+      threads.emplace_back([&, k] {
+        for (std::size_t i = k; i < count; i += 4) task(i);
+      });
+    for (std::thread& thread : threads) thread.join();
+  }
+};
+
+template <class T>
+::testing::AssertionResult same_bits(const T& a, const T& b) {
+  if (std::memcmp(&a, &b, sizeof a) == 0) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << double(a) << " is not " << double(b);
+}
+template <class T>
+void expect_same(const Vec2<T>& a, const Vec2<T>& b) {
+  EXPECT_TRUE(same_bits(a.x, b.x));
+  EXPECT_TRUE(same_bits(a.y, b.y));
+}
+
+/// Bodies of all kinds, some with a rotation that is not of unit length, which no kernel takes.
+template <class T>
+void make_bodies(std::size_t count, std::vector<Shape<T>>& shapes, std::vector<Pose2<T>>& poses) {
+  std::mt19937 random(5);
+  for (std::size_t i = 0; i < count; ++i) {
+    shapes.push_back(random() % 16 == 0 ? Shape<T>(HalfPlane<T>())
+                                        : random_figure<T>(static_cast<int>(random() % figure_kinds), 1, random).shape);
+    poses.push_back(random_pose<T>(0.6, random));
+    if (random() % 32 == 0) poses.back().rotation.cosine *= T(1.5), poses.back().rotation.sine *= T(1.5);
+  }
+}
+
+template <class T>
+std::vector<IdPair> make_pairs(std::size_t bodies, std::size_t count) {
+  std::mt19937 random(6);
+  std::vector<IdPair> pairs;
+  for (std::size_t i = 0; i < count; ++i)
+    pairs.push_back({static_cast<std::uint32_t>(random() % bodies), static_cast<std::uint32_t>(random() % bodies)});
+  return pairs;
+}
+
+template <class T>
+void expect_as_alone(const Batch<T>& batch, const std::vector<Shape<T>>& a, const std::vector<Pose2<T>>& pose_a,
+                     const std::vector<Shape<T>>& b, const std::vector<Pose2<T>>& pose_b, Executor* executor) {
+  std::vector<std::uint8_t> touch;
+  std::vector<Distance<T>> distances;
+  BatchContacts<T> found;
+  const T margin = T(0.1);
+  overlap(batch, touch, executor);
+  distance(batch, distances, executor);
+  contacts(batch, margin, found, executor);
+  ASSERT_EQ(touch.size(), batch.size());
+  ASSERT_EQ(distances.size(), batch.size());
+  ASSERT_EQ(found.pairs.size(), batch.size());
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const IdPair p = batch[i];
+    const Distance<T> alone = distance(a[p.a], pose_a[p.a], b[p.b], pose_b[p.b]);
+    ASSERT_EQ(touch[i] != 0, overlap(a[p.a], pose_a[p.a], b[p.b], pose_b[p.b])) << i;
+    EXPECT_TRUE(same_bits(distances[i].distance, alone.distance));
+    expect_same(distances[i].normal, alone.normal);
+    expect_same(distances[i].a, alone.a);
+    expect_same(distances[i].b, alone.b);
+    EXPECT_EQ(distances[i].status, alone.status);
+    Manifolds<T> manifolds;
+    ASSERT_EQ(contacts(a[p.a], pose_a[p.a], b[p.b], pose_b[p.b], margin, manifolds), found.pairs[i].overlap) << i;
+    ASSERT_EQ(found.manifolds_of(i).size(), manifolds.size()) << i;
+    for (std::size_t m = 0; m < manifolds.size(); ++m) {
+      const auto& group = found.manifolds_of(i)[m];
+      expect_same(group.normal, manifolds[m].normal);
+      const auto there = found.points_of(group);
+      ASSERT_EQ(there.size(), manifolds[m].points.size()) << i;
+      for (std::size_t k = 0; k < there.size(); ++k, ++points) {
+        expect_same(there[k].a, manifolds[m].points[k].a);
+        expect_same(there[k].b, manifolds[m].points[k].b);
+        EXPECT_TRUE(same_bits(there[k].distance, manifolds[m].points[k].distance));
+        EXPECT_TRUE(same_bits(there[k].weight, manifolds[m].points[k].weight));
+        EXPECT_EQ(there[k].feature, manifolds[m].points[k].feature);
+      }
+    }
+    if (testing::Test::HasFailure()) FAIL() << a[p.a].name() << " and " << b[p.b].name() << ", pair " << i;
+  }
+  EXPECT_GE(points, batch.size() / 8);
+}
+
+TYPED_TEST(PlaneBatch, HasTheBitsOfEachPairAlone) {
+  using T = TypeParam;
+  std::vector<Shape<T>> shapes;
+  std::vector<Pose2<T>> poses;
+  make_bodies<T>(500, shapes, poses);
+  const std::vector<IdPair> pairs = make_pairs<T>(shapes.size(), 9000);
+  const Bodies<T> bodies(shapes, poses);
+  expect_as_alone<T>(Batch<T>(bodies, bodies, pairs), shapes, poses, shapes, poses, nullptr);
+}
+
+// The arrays are the same too, with their order.
+TYPED_TEST(PlaneBatch, ThreadsChangeNothing) {
+  using T = TypeParam;
+  std::vector<Shape<T>> shapes;
+  std::vector<Pose2<T>> poses;
+  make_bodies<T>(300, shapes, poses);
+  const std::vector<IdPair> pairs = make_pairs<T>(shapes.size(), 20000);
+  const Bodies<T> bodies(shapes, poses);
+  const Batch<T> batch(bodies, bodies, pairs);
+  FourThreads threads;
+  BatchContacts<T> one, four;
+  std::vector<Distance<T>> distances_one, distances_four;
+  contacts(batch, T(0.1), one);
+  contacts(batch, T(0.1), four, &threads);
+  distance(batch, distances_one);
+  distance(batch, distances_four, &threads);
+  ASSERT_EQ(one.manifolds.size(), four.manifolds.size());
+  ASSERT_EQ(one.points.size(), four.points.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    EXPECT_EQ(one.pairs[i].overlap, four.pairs[i].overlap);
+    EXPECT_EQ(one.pairs[i].first_manifold, four.pairs[i].first_manifold);
+    EXPECT_EQ(one.pairs[i].manifold_count, four.pairs[i].manifold_count);
+    EXPECT_TRUE(same_bits(distances_one[i].distance, distances_four[i].distance));
+  }
+  for (std::size_t i = 0; i < one.points.size(); ++i) {
+    expect_same(one.points[i].a, four.points[i].a);
+    EXPECT_EQ(one.points[i].feature, four.points[i].feature);
+  }
+}
+
+// Shapes of one kind a side, held tightly; few pairs and many, so that registers are filled and not.
+TYPED_TEST(PlaneBatch, OneKindASide) {
+  using T = TypeParam;
+  std::mt19937 random(8);
+  for (const std::size_t count : {1u, 3u, 16u, 17u, 64u, 65u, 1000u}) {
+    std::vector<Box<T>> boxes;
+    std::vector<Capsule<T>> capsules;
+    std::vector<Shape<T>> any_boxes, any_capsules;
+    std::vector<Pose2<T>> poses_a, poses_b;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto size = [&] { return static_cast<T>(std::uniform_real_distribution<double>(0.2, 2)(random)); };
+      const T width = size(), height = size(), length = size(), radius = size() / 4;
+      boxes.push_back(Box<T>({width, height}));
+      capsules.push_back(random() % 8 ? Capsule<T>(length, radius) : Capsule<T>(length, radius, radius / 2));
+      any_boxes.push_back(boxes.back());
+      any_capsules.push_back(capsules.back());
+      poses_a.push_back(random_pose<T>(0.4, random));
+      poses_b.push_back(random_pose<T>(0.4, random));
+    }
+    const Bodies<T> a(boxes, poses_a), b(capsules, poses_b);
+    expect_as_alone<T>(Batch<T>(a, b), any_boxes, poses_a, any_capsules, poses_b, nullptr);
+    expect_as_alone<T>(Batch<T>(b, a), any_capsules, poses_b, any_boxes, poses_a, nullptr);
+  }
+}
+
+TEST(PlaneBatches, PlacesThatAreNotThereAreRefused) {
+  const std::vector<Circle<float>> shapes(3, Circle<float>(1));
+  const std::vector<Pose2f> poses(3), two(2);
+  const Bodies<float> bodies(shapes, poses);
+  const std::vector<IdPair> pairs{{0, 1}, {2, 3}};
+  EXPECT_THROW(Batch<float>(bodies, bodies, pairs), InvalidValue);
+  EXPECT_THROW(Bodies<float>(shapes, two), InvalidValue);
+  const std::vector<Circle<float>> four(4, Circle<float>(1));
+  const std::vector<Pose2f> four_poses(4);
+  EXPECT_THROW(Batch<float>(bodies, Bodies<float>(four, four_poses)), InvalidValue);
+}
+
+}  // namespace
+}  // namespace graze::plane
