@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "plane/pairs/pair_answers.hpp"
 #include "plane/pairs/pair_queues.hpp"
+#include "plane/pairs/store_kernels.hpp"
 
 namespace graze::plane {
 
@@ -51,23 +51,26 @@ void append_alone(const Batch<T>& batch, std::size_t i, T margin, BatchContacts<
   }
 }
 
-/// Appends the contacts of a block's pairs, `pairs` being those of the batch.
+/// Appends the contacts of a block's pairs, given as rows; `pairs` are those of the batch. Which points there are
+/// cannot be foreseen, so all are written, the next one over those that there are not.
 template <class T>
-void append_block(const PairBlock<T>& block, const ContactColumns<block_pairs>& found, BatchContacts<T>& to,
-                  typename BatchContacts<T>::Pair* pairs) {
+void append_block(const PairBlock<T>& block, const ContactColumns<block_pairs>& found, const ContactRow<T>* rows,
+                  BatchContacts<T>& to, typename BatchContacts<T>::Pair* pairs) {
   std::size_t manifolds = to.manifolds.size(), points = to.points.size();
   // Room for all, of which the rest is given back.
-  to.manifolds.resize(manifolds + block.count);
-  to.points.resize(points + 2 * block.count);
+  to.manifolds.resize(manifolds + block.count + 1);
+  to.points.resize(points + 2 * block.count + 1);
   for (std::size_t k = 0; k < block.count; ++k) {
-    typename BatchContacts<T>::Pair& pair = pairs[block.place[k]];
-    pair = {found.overlap[k] != 0, static_cast<std::uint32_t>(manifolds), 0};
-    if (found.known[k] == 0 || found.filled[k] == 0) continue;
-    const std::size_t first = points;
-    for_each_point<T>(found, k, block.turned[k], [&](const ContactPoint<T>& p) { to.points[points++] = p; });
-    to.manifolds[manifolds++] = {normal_at<T>(found, k, block.turned[k]), 0, 0, static_cast<std::uint32_t>(first),
-                                 static_cast<std::uint32_t>(points - first)};
-    pair.manifold_count = 1;
+    const auto filled = static_cast<unsigned>(found.known[k] * found.filled[k]);
+    const auto first = static_cast<std::uint32_t>(points);
+    const std::uint32_t any = filled != 0 ? 1 : 0;
+    to.points[points] = rows[k].points[0];
+    points += filled & 1;
+    to.points[points] = rows[k].points[1];
+    points += filled >> 1;
+    to.manifolds[manifolds] = {rows[k].normal, 0, 0, first, static_cast<std::uint32_t>(points) - first};
+    pairs[block.place[k]] = {found.overlap[k] != 0, static_cast<std::uint32_t>(manifolds), any};
+    manifolds += any;
   }
   to.manifolds.resize(manifolds);
   to.points.resize(points);
@@ -79,13 +82,16 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
                   typename BatchContacts<T>::Pair* pairs) {
   const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
   PairQueues<T> queues;
-  ContactColumns<block_pairs> found;
+  const StoreKernels<T>& store = GRAZE_KERNEL(chosen_isa(), plane_store_kernels)().template of<T>();
+  ContactColumns<block_pairs> found{};
+  ContactRow<T> rows[block_pairs];
   const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, to, pairs[i]); };
   queues.visit(
       batch, begin, end,
       [&](const PairBlock<T>& block) {
         kernels[block.entry].contacts(block.columns, block.count, double(margin), found);
-        append_block(block, found, to, pairs);
+        store.contacts(found, block.count, block.turned, rows);
+        append_block(block, found, rows, to, pairs);
         for (std::size_t k = 0; k < block.count; ++k)
           if (found.known[k] == 0) alone(block.place[k]);
       },
@@ -142,19 +148,22 @@ template <class T>
 void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor) {
   distances.resize(batch.size());
   const PairKernels* const kernels = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
+  const StoreKernels<T>& store = GRAZE_KERNEL(chosen_isa(), plane_store_kernels)().template of<T>();
   const auto alone = [&](std::size_t i) {
     distances[i] = ask(batch, i, [](const auto&... pair) { return distance(pair...); });
   };
   for_chunks(executor, batch.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     PairQueues<T> queues;
     DistanceColumns<block_pairs> found;
+    Distance<T> rows[block_pairs];
     queues.visit(
         batch, begin, end,
         [&](const PairBlock<T>& block) {
           kernels[block.entry].distances(block.columns, block.count, found);
+          store.distances(found, block.count, block.turned, rows);
           for (std::size_t k = 0; k < block.count; ++k)
             if (found.known[k] != 0)
-              distances[block.place[k]] = distance_at<T>(found, k, block.turned[k]);
+              distances[block.place[k]] = rows[k];
             else
               alone(block.place[k]);
         },

@@ -49,21 +49,23 @@ auto near_unit_length(const Rot2<S>& q) {
   return abs(q.cosine * q.cosine + q.sine * q.sine - S(1)) <= S(longest_rotation);
 }
 
-/// A pair seen from A, and the way back to the world.
+/// A pair seen from A. Where both cores are points, from an upright frame about A: their rotations do not matter.
 template <class S>
 struct LanePair {
   LaneShape<S> a, b;
   Rot2<S> rotation_a;  ///< of unit length
   Pose2<S> b_in_a;
 
-  LanePair(const LaneShape<S>& of_a, const LaneShape<S>& of_b)
-      : a(of_a), b(of_b), rotation_a(at_unit_length(of_a.pose.rotation)) {
-    b_in_a = {inverse_rotate(rotation_a, b.pose.translation - a.pose.translation),
-              inverse(rotation_a) * at_unit_length(b.pose.rotation)};
+  LanePair(const LaneShape<S>& of_a, const LaneShape<S>& of_b, bool upright) : a(of_a), b(of_b) {
+    const Vec2<S> between = b.pose.translation - a.pose.translation;
+    if (upright) {
+      b_in_a.translation = between;
+      return;
+    }
+    rotation_a = at_unit_length(a.pose.rotation);
+    b_in_a = {inverse_rotate(rotation_a, between), inverse(rotation_a) * at_unit_length(b.pose.rotation)};
   }
   S radius() const { return a.radius + b.radius; }
-  /// Whether special pairs answer for the lane.
-  auto known() const { return near_unit_length(a.pose.rotation) & near_unit_length(b.pose.rotation); }
 };
 
 /// The signed distance of two cores, rounding aside, and the points that realise it, in A's frame.

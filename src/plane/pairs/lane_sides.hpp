@@ -125,9 +125,13 @@ template <class S>
 struct LaneManifold {
   using Mask = decltype(S(0) < S(0));
   Vec2<S> normal;
-  LanePoint<S> points[2];
-  Mask filled[2];
+  LanePoint<S> first, second;
+  Mask has_first, has_second;
 };
+
+/// How many points two cores can have.
+template <LaneCore a, LaneCore b>
+inline constexpr int most_points = a == LaneCore::point || b == LaneCore::point ? 1 : 2;
 
 template <class S>
 S joined_features(const S& of_a, const S& of_b) {
@@ -150,45 +154,50 @@ LanePoint<S> nearest_point(const LanePair<S>& pair, const LaneNearest<S>& found)
   return point;
 }
 
-/// The points of two shapes, `found` their nearest ones, that are up to `margin` apart.
+template <class M, class S>
+LanePoint<S> select(const M& condition, const LanePoint<S>& yes, const LanePoint<S>& no) {
+  return {select(condition, yes.a, no.a), select(condition, yes.b, no.b), select(condition, yes.distance, no.distance),
+          select(condition, yes.feature, no.feature), select(condition, yes.weight, no.weight)};
+}
+
+/// The point of two sides that face each other at a place across.
+template <class S>
+LanePoint<S> point_between(const LaneSide<S>& a, const LaneSide<S>& b, const Vec2<S>& n, const S& across,
+                           const S& feature) {
+  const S height_a = a.height_at(across), height_b = -b.height_at(across);
+  const Vec2<S> foot = left(n) * across;
+  return {foot + n * height_a, foot + n * height_b, height_b - height_a, feature, S(0.5)};
+}
+
+/// The points of two shapes, `found` their nearest ones, that are up to `margin` apart. There is no second one where a
+/// core is a point.
 template <LaneCore core_a, LaneCore core_b, class S>
 LaneManifold<S> manifold(const LanePair<S>& pair, const LaneNearest<S>& found, const S& margin) {
   LaneManifold<S> out;
   out.normal = found.normal;
-  const auto near = found.distance - pair.radius() <= margin;
-  out.filled[0] = near;
-  out.filled[1] = S(1) < S(0);
-  out.points[0] = nearest_point < core_a == LaneCore::point && core_b == LaneCore::point > (pair, found);
-  out.points[1] = out.points[0];
-  if constexpr (core_a != LaneCore::point && core_b != LaneCore::point) {
+  out.has_first = found.distance - pair.radius() <= margin;
+  out.has_second = S(1) < S(0);
+  out.first = nearest_point < core_a == LaneCore::point && core_b == LaneCore::point > (pair, found);
+  if constexpr (most_points<core_a, core_b> == 2) {
+    const auto near = out.has_first;
+    out.second = out.first;
     if (!any(near)) return out;
-    const Vec2<S> n = found.normal, along = left(n);
+    const Vec2<S> n = found.normal;
     const LaneSide<S> a = side_towards<core_a>(pair.a, n);
     const LaneSide<S> b =
         seen_from_a(side_towards<core_b>(pair.b, inverse_rotate(pair.b_in_a.rotation, -n)), pair.b_in_a.translation, n);
-    const S ends[2] = {greatest(a.low_across, b.low_across), least(a.high_across, b.high_across)};
-    const auto facing = near & a.straight & b.straight & (ends[0] < ends[1]);
+    const S low = greatest(a.low_across, b.low_across), high = least(a.high_across, b.high_across);
+    const auto facing = near & a.straight & b.straight & (low < high);
     if (!any(facing)) return out;
-    const S features[2] = {joined_features(a.low_vertex, b.low_vertex), joined_features(a.high_vertex, b.high_vertex)};
-    LanePoint<S> points[2];
-    typename LaneManifold<S>::Mask within[2];
-    for (int i = 0; i < 2; ++i) {
-      const S height_a = a.height_at(ends[i]), height_b = -b.height_at(ends[i]);
-      const Vec2<S> foot = along * ends[i];
-      points[i] = {foot + n * height_a, foot + n * height_b, height_b - height_a, features[i], S(0.5)};
-      within[i] = facing & (points[i].distance <= margin);
-    }
-    // Of sides that face each other further away than the nearest points, these are left.
-    const auto some = within[0] | within[1];
-    out.filled[0] = (near & !some) | within[0];
-    out.filled[1] = within[1];
-    const auto keep = !some;
-    out.points[0].a = select(keep, out.points[0].a, points[0].a);
-    out.points[0].b = select(keep, out.points[0].b, points[0].b);
-    out.points[0].distance = select(keep, out.points[0].distance, points[0].distance);
-    out.points[0].feature = select(keep, out.points[0].feature, points[0].feature);
-    out.points[0].weight = select(keep, out.points[0].weight, points[0].weight);
-    out.points[1] = points[1];
+    const LanePoint<S> at_low = point_between(a, b, n, low, joined_features(a.low_vertex, b.low_vertex)),
+                       at_high = point_between(a, b, n, high, joined_features(a.high_vertex, b.high_vertex));
+    const auto has_low = facing & (at_low.distance <= margin);
+    out.has_second = facing & (at_high.distance <= margin);
+    // Where both ends of the shared stretch are further away, the nearest points are left.
+    const auto alone = near & !(has_low | out.has_second);
+    out.has_first = alone | has_low;
+    out.first = select(alone, out.first, at_low);
+    out.second = at_high;
   }
   return out;
 }

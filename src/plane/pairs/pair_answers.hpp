@@ -30,20 +30,14 @@ Vec2<T> normal_at(const ContactColumns<N>& found, std::size_t i, bool turned) {
   return turned ? -n : n;
 }
 
-/// Calls `f` with each point of the i-th pair.
-template <class T, std::size_t N, class F>
-void for_each_point(const ContactColumns<N>& found, std::size_t i, bool turned, const F& f) {
-  const auto filled = static_cast<unsigned>(found.filled[i]);
-  for (unsigned k = 0; k < 2; ++k) {
-    if ((filled >> k & 1) == 0) continue;
-    const auto number = [&](std::size_t column) { return static_cast<T>(found.points[k][column][i]); };
-    const auto feature = static_cast<std::uint32_t>(found.points[k][5][i]);
-    const Vec2<T> a{number(0), number(1)}, b{number(2), number(3)};
-    if (turned)
-      f(ContactPoint<T>{b, a, number(4), swapped_feature_id(feature), T(1) - number(6)});
-    else
-      f(ContactPoint<T>{a, b, number(4), feature, number(6)});
-  }
+/// The first or the second point of the i-th pair, whether it is filled or not.
+template <class T, std::size_t N>
+ContactPoint<T> point_at(const ContactColumns<N>& found, std::size_t i, std::size_t point, bool turned) {
+  const auto number = [&](std::size_t column) { return static_cast<T>(found.points[point][column][i]); };
+  const auto feature = static_cast<std::uint32_t>(found.points[point][5][i]);
+  const Vec2<T> a{number(0), number(1)}, b{number(2), number(3)};
+  if (turned) return {b, a, number(4), swapped_feature_id(feature), T(1) - number(6)};
+  return {a, b, number(4), feature, number(6)};
 }
 
 }  // namespace graze::plane

@@ -25,12 +25,14 @@ struct DistanceColumns {
   alignas(64) double known[N];
   double distance[N], normal[2][N], a[2][N], b[2][N];
 };
+/// The numbers of a point: a, b, distance, feature, weight.
+inline constexpr std::size_t point_columns = 7;
 template <std::size_t N>
 struct ContactColumns {
   alignas(64) double known[N];
   double overlap[N], filled[N];  ///< the latter 1 for the first point, 2 for the second
   double normal[2][N];
-  double points[2][7][N];  ///< a, b, distance, feature, weight
+  double points[2][point_columns][N];
 };
 template <std::size_t N>
 struct OverlapColumns {

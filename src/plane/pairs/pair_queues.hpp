@@ -11,7 +11,7 @@
 
 namespace graze::plane {
 
-/// Pairs of two kinds that wait for a block to fill, A and B in the order of their entry.
+/// Pairs of two kinds that wait for a block to fill.
 template <class T>
 struct PairQueue {
   std::size_t count = 0;
@@ -19,7 +19,6 @@ struct PairQueue {
   const Pose2<T>*pose_a[block_pairs], *pose_b[block_pairs];
   T rounding_a[block_pairs], rounding_b[block_pairs];
   std::uint32_t place[block_pairs];
-  bool turned[block_pairs];
   bool rounded = false;  ///< whether any of them is
 };
 
@@ -29,7 +28,7 @@ struct PairBlock {
   std::size_t entry, count;
   const PairColumns<block_pairs>& columns;
   const std::uint32_t* place;  ///< of each in the batch
-  const bool* turned;          ///< whether its shapes are taken the other way round
+  bool turned;                 ///< whether their shapes are taken the other way round
 };
 
 template <class T>
@@ -40,33 +39,31 @@ class PairQueues {
   /// Calls `block(PairBlock)` and `alone(i)` for the pairs from `begin` to `end`.
   template <class Block, class Alone>
   void visit(const Batch<T>& batch, std::size_t begin, std::size_t end, const Block& block, const Alone& alone) {
+    const Bodies<T>&a = batch.a(), &b = batch.b();
     for (std::size_t i = begin; i < end; ++i) {
       const IdPair p = batch[i];
-      const std::size_t kind_a = batch.a().kind(p.a), kind_b = batch.b().kind(p.b);
+      const std::size_t kind_a = a.kind(p.a), kind_b = b.kind(p.b);
       const std::optional<PairEntry>& entry = KindTable<T>::at(kind_a, kind_b);
-      if (!entry || !accepts(batch.a(), p.a, kind_a) || !accepts(batch.b(), p.b, kind_b)) {
+      if (!entry || !accepts(a, p.a, kind_a) || !accepts(b, p.b, kind_b)) {
         alone(i);
         continue;
       }
-      const bool turned = entry->turned;
-      PairQueue<T>& queue = queues_[turned ? queue_of(kind_b, kind_a) : queue_of(kind_a, kind_b)];
-      const Bodies<T>&a = turned ? batch.b() : batch.a(), &b = turned ? batch.a() : batch.b();
-      const std::size_t at_a = turned ? p.b : p.a, at_b = turned ? p.a : p.b, k = queue.count++;
-      queue.a[k] = a.concrete(at_a);
-      queue.b[k] = b.concrete(at_b);
-      queue.pose_a[k] = &a.pose(at_a);
-      queue.pose_b[k] = &b.pose(at_b);
-      queue.rounding_a[k] = a.rounding(at_a);
-      queue.rounding_b[k] = b.rounding(at_b);
+      PairQueue<T>& queue = queues_[queue_of(kind_a, kind_b)];
+      const std::size_t k = queue.count++;
+      queue.a[k] = a.concrete(p.a);
+      queue.b[k] = b.concrete(p.b);
+      queue.pose_a[k] = &a.pose(p.a);
+      queue.pose_b[k] = &b.pose(p.b);
+      queue.rounding_a[k] = a.rounding(p.a);
+      queue.rounding_b[k] = b.rounding(p.b);
       queue.rounded = queue.rounded || queue.rounding_a[k] != T(0) || queue.rounding_b[k] != T(0);
       queue.place[k] = static_cast<std::uint32_t>(i);
-      queue.turned[k] = turned;
-      if (queue.count == block_pairs) run(turned ? kind_b : kind_a, turned ? kind_a : kind_b, queue, block);
+      if (queue.count == block_pairs) run(kind_a, kind_b, queue, block);
     }
-    for (std::size_t a = 0; a < kinds; ++a)
-      for (std::size_t b = 0; b < kinds; ++b)
-        if (slot_of[a] < slots && slot_of[b] < slots)
-          if (PairQueue<T>& queue = queues_[queue_of(a, b)]; queue.count > 0) run(a, b, queue, block);
+    for (std::size_t ka = 0; ka < kinds; ++ka)
+      for (std::size_t kb = 0; kb < kinds; ++kb)
+        if (slot_of[ka] < slots && slot_of[kb] < slots)
+          if (PairQueue<T>& queue = queues_[queue_of(ka, kb)]; queue.count > 0) run(ka, kb, queue, block);
   }
 
  private:
@@ -110,15 +107,17 @@ class PairQueues {
       fill_register(queue.rounding_a, count);
       fill_register(queue.rounding_b, count);
     }
-    load_.poses(queue.pose_a, count, columns_.a);
-    load_.poses(queue.pose_b, count, columns_.b);
-    load_.shapes[kind_a](queue.a, count, columns_.a);
-    load_.shapes[kind_b](queue.b, count, columns_.b);
+    const PairEntry entry = *KindTable<T>::at(kind_a, kind_b);
+    BlockColumns &a = entry.turned ? columns_.b : columns_.a, &b = entry.turned ? columns_.a : columns_.b;
+    load_.poses(queue.pose_a, count, a);
+    load_.poses(queue.pose_b, count, b);
+    load_.shapes[kind_a](queue.a, count, a);
+    load_.shapes[kind_b](queue.b, count, b);
     if (queue.rounded) {
-      add_rounding(queue.rounding_a, count, columns_.a);
-      add_rounding(queue.rounding_b, count, columns_.b);
+      add_rounding(queue.rounding_a, count, a);
+      add_rounding(queue.rounding_b, count, b);
     }
-    block(PairBlock<T>{KindTable<T>::at(kind_a, kind_b)->place, count, columns_, queue.place, queue.turned});
+    block(PairBlock<T>{entry.place, count, columns_, queue.place, entry.turned});
     queue.count = 0;
     queue.rounded = false;
   }

@@ -79,7 +79,9 @@ std::optional<bool> special_contacts(const Shape<T>& a, const Pose2<T>& pose_a, 
   if (found.filled[0] != 0) {
     Manifold<T>& m = manifolds.emplace_back();
     m.normal = normal_at<T>(found, 0, entry->turned);
-    for_each_point<T>(found, 0, entry->turned, [&](const ContactPoint<T>& p) { m.points.push_back(p); });
+    const auto filled = static_cast<unsigned>(found.filled[0]);
+    for (unsigned k = 0; k < 2; ++k)
+      if ((filled >> k & 1) != 0) m.points.push_back(point_at<T>(found, 0, k, entry->turned));
   }
   return found.overlap[0] != 0;
 }
