@@ -58,8 +58,9 @@ Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
 /// The distance by the special pair of the shapes' kinds, else the smallest over all pairs of convex pieces.
 template <class T>
 Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
-  if (const auto known = special_distance(a, pose_a, b, pose_b)) return *known;
-  return narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+  Distance<T> out;
+  if (!special_distance(a, pose_a, b, pose_b, out)) out = narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+  return out;
 }
 
 template <class T>

@@ -145,5 +145,61 @@ TYPED_TEST(PlanePairs, ContactsAreThoseOfTheWalk) {
   EXPECT_LT(other_axes, points / 20);
 }
 
+// Boxes and rounded boxes that rest on each other or on a half-plane: the names of their points stay.
+TYPED_TEST(PlanePairs, NamesOfRestingBoxesStayUnderJitter) {
+  using T = TypeParam;
+  std::mt19937 random(3);
+  for (const double scale : {1e-4, 1.0, 1e5})
+    for (const double rounding : {0.0, 0.1})
+      for (const double offset : {0.0, 0.3, -0.7}) {
+        const Shape<T> box{Box<T>({static_cast<T>(scale), static_cast<T>(scale)}), static_cast<T>(rounding * scale)};
+        const Shape<T> ground = HalfPlane<T>();
+        std::uniform_real_distribution<double> jitter(-1e-4, 1e-4);
+        const auto pose = [&](double x, double y) {
+          return Pose2<T>{{static_cast<T>(scale * (x + jitter(random))), static_cast<T>(scale * (y + jitter(random)))},
+                          Rot2<T>::from_angle(static_cast<T>(jitter(random)))};
+        };
+        const auto names = [&](const Shape<T>& a, const Pose2<T>& pose_a, const Pose2<T>& pose_b) {
+          Manifolds<T> m;
+          contacts(a, pose_a, box, pose_b, static_cast<T>(0.01 * scale), m);
+          std::vector<std::uint32_t> found;
+          if (m.size() == 1)
+            for (const auto& p : m[0].points) found.push_back(p.feature);
+          return found;
+        };
+        std::vector<std::uint32_t> on_box, on_ground;
+        for (int frame = 0; frame < 500; ++frame) {
+          const auto stacked = names(box, pose(0, 0), pose(offset, 0.999 + 2 * rounding));
+          const auto grounded = names(ground, {}, pose(offset, 0.499 + rounding));
+          if (frame == 0) on_box = stacked, on_ground = grounded;
+          ASSERT_EQ(stacked.size(), 2u) << scale << " " << rounding << " " << offset << ", frame " << frame;
+          ASSERT_EQ(stacked, on_box) << scale << " " << rounding << " " << offset << ", frame " << frame;
+          ASSERT_EQ(grounded.size(), 2u) << scale << " " << rounding << " " << offset << ", frame " << frame;
+          ASSERT_EQ(grounded, on_ground) << scale << " " << rounding << " " << offset << ", frame " << frame;
+        }
+      }
+}
+
+// Boxes exactly edge on edge and shapes upon each other: rounding has no say in the normal.
+TYPED_TEST(PlanePairs, TouchingEdgesHaveTheirNormal) {
+  using T = TypeParam;
+  const Shape<T> box = Box<T>({2, 1}), segment = Segment<T>({-1, 0}, {1, 0});
+  for (const T x : {T(0), T(2), T(-2), T(0.7)}) {
+    const Distance<T> d = distance(box, {}, box, {{x, 1}, {}});
+    EXPECT_EQ(d.distance, T(0));
+    if (std::abs(x) < T(2)) {
+      EXPECT_EQ(d.normal, (Vec2<T>{0, 1})) << x;
+    }
+    EXPECT_NEAR(length(d.normal), T(1), 4 * std::numeric_limits<T>::epsilon());
+  }
+  EXPECT_EQ(distance(box, {}, segment, {{0.25, T(0.5)}, {}}).normal, (Vec2<T>{0, 1}));
+  const Distance<T> same = distance(segment, {}, segment, {});
+  EXPECT_EQ(same.distance, T(0));
+  EXPECT_EQ(std::abs(same.normal.y), T(1));
+  const Distance<T> in_line = distance(segment, {}, segment, {{5, 0}, {}});
+  EXPECT_EQ(in_line.distance, T(3));
+  EXPECT_EQ(in_line.normal, (Vec2<T>{1, 0}));
+}
+
 }  // namespace
 }  // namespace graze::plane

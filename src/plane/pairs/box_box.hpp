@@ -20,7 +20,7 @@ struct BoxAxes {
   S gap;             ///< the largest
   Mask of_b, along_x;
 
-  BoxAxes(const Vec2<S>& half_a, const Vec2<S>& half_b, const Pose2<S>& b_in_a)
+  [[gnu::always_inline]] BoxAxes(const Vec2<S>& half_a, const Vec2<S>& half_b, const Pose2<S>& b_in_a)
       : offset_b(inverse_rotate(b_in_a.rotation, b_in_a.translation)) {
     const S cosine = abs(b_in_a.rotation.cosine), sine = abs(b_in_a.rotation.sine);
     const Vec2<S> reach_a{cosine * half_a.x + sine * half_a.y, sine * half_a.x + cosine * half_a.y};
@@ -36,8 +36,8 @@ struct BoxAxes {
 /// The points that realise the gap along an axis: the corner of the incident box that lies deepest, and its foot on the
 /// reference edge. In A's frame.
 template <SecondBox second, class S>
-LaneNearest<S> nearest_along_axis(const BoxAxes<S>& axes, const Vec2<S>& half_a, const Vec2<S>& half_b,
-                                  const Pose2<S>& b_in_a) {
+[[gnu::always_inline]] inline LaneNearest<S> nearest_along_axis(const BoxAxes<S>& axes, const Vec2<S>& half_a,
+                                                                const Vec2<S>& half_b, const Pose2<S>& b_in_a) {
   const S zero(0), one(1);
   const auto of_b = axes.of_b, along_x = axes.along_x;
   const Rot2<S> r = b_in_a.rotation;
@@ -83,8 +83,8 @@ struct NearestCorner {
   Vec2<S> vertex{}, corner{};  ///< in the other box's frame, and by its signs in its own
   Mask of_a{};
 
-  void offer(const Vec2<S>& half, const Vec2<S>& center, const Vec2<S>& x, const Vec2<S>& y, const Vec2<S>& signs,
-             const Mask& from_a) {
+  [[gnu::always_inline]] void offer(const Vec2<S>& half, const Vec2<S>& center, const Vec2<S>& x, const Vec2<S>& y,
+                                    const Vec2<S>& signs, const Mask& from_a) {
     const Vec2<S> at = center + x * signs.x + y * signs.y, over = abs(at) - half;
     const Vec2<S> out_by{greatest(over.x, S(0)), greatest(over.y, S(0))};
     const S square = length_squared(out_by);
@@ -97,8 +97,8 @@ struct NearestCorner {
 };
 
 template <SecondBox second, class S>
-LaneNearest<S> nearest_by_corner(const Vec2<S>& offset_b, const Vec2<S>& half_a, const Vec2<S>& half_b,
-                                 const Pose2<S>& b_in_a) {
+[[gnu::always_inline]] inline LaneNearest<S> nearest_by_corner(const Vec2<S>& offset_b, const Vec2<S>& half_a,
+                                                               const Vec2<S>& half_b, const Pose2<S>& b_in_a) {
   const S zero(0), one(1), minus(-1);
   const Rot2<S> r = b_in_a.rotation;
   const auto yes = zero < one, no = one < zero;
@@ -141,7 +141,8 @@ LaneNearest<S> nearest_by_corner(const Vec2<S>& offset_b, const Vec2<S>& half_a,
 /// The nearest points of two boxes about their origins; those of boxes further apart than `limit` need not be right
 /// beyond that.
 template <SecondBox second, class S>
-LaneNearest<S> nearest_boxes(const Vec2<S>& half_a, const Vec2<S>& half_b, const Pose2<S>& b_in_a, const S& limit) {
+[[gnu::always_inline]] inline LaneNearest<S> nearest_boxes(const Vec2<S>& half_a, const Vec2<S>& half_b,
+                                                           const Pose2<S>& b_in_a, const S& limit) {
   const BoxAxes<S> axes(half_a, half_b, b_in_a);
   LaneNearest<S> out = nearest_along_axis<second>(axes, half_a, half_b, b_in_a);
   const auto apart = (axes.gap > S(0)) & (axes.gap <= limit);
@@ -163,7 +164,7 @@ struct BoxBox {
   static constexpr LaneCore a = LaneCore::box, b = LaneCore::box;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S& limit) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S& limit) {
     const Vec2<S> half_a{pair.a.size[0], pair.a.size[1]}, half_b{pair.b.size[0], pair.b.size[1]};
     return nearest_boxes<SecondBox::box>(half_a, half_b, pair.b_in_a, limit);
   }
@@ -173,7 +174,7 @@ struct BoxSegment {
   static constexpr LaneCore a = LaneCore::box, b = LaneCore::segment;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S& limit) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S& limit) {
     const S zero(0), one(1);
     const LaneSegment<S> segment(pair.b);
     const auto extended = segment.squared > zero;

@@ -7,13 +7,13 @@ namespace graze::plane {
 
 /// The corner of a box in the quadrant of `signs` (1 or -1 each): counter-clockwise from the lower left.
 template <class S>
-S corner_number(const Vec2<S>& signs) {
+[[gnu::always_inline]] inline S corner_number(const Vec2<S>& signs) {
   const auto right = signs.x > S(0), up = signs.y > S(0);
   return select(up, select(right, S(2), S(3)), select(right, S(1), S(0)));
 }
 /// The edge of a box across which a direction along an axis points: below, right, above, left.
 template <class S>
-S edge_number(const S& along_x, const Vec2<S>& signs) {
+[[gnu::always_inline]] inline S edge_number(const S& along_x, const Vec2<S>& signs) {
   return select(along_x != S(0), select(signs.x > S(0), S(1), S(3)), select(signs.y > S(0), S(2), S(0)));
 }
 
@@ -21,7 +21,7 @@ struct BoxPoint {
   static constexpr LaneCore a = LaneCore::box, b = LaneCore::point;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
     const S zero(0), one(1);
     const Vec2<S> half{pair.a.size[0], pair.a.size[1]}, point = pair.b_in_a.translation;
     const Vec2<S> signs{sign_of(point.x), sign_of(point.y)}, over = abs(point) - half;

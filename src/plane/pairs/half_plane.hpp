@@ -10,7 +10,7 @@ struct HalfPlaneAnd {
   static constexpr LaneCore a = LaneCore::half_plane, b = core;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
     const S zero(0), one(1);
     const Vec2<S> down = -inverse_rotate(pair.b_in_a.rotation, Vec2<S>{zero, one});
     LaneNearest<S> out;

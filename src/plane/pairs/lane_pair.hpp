@@ -40,12 +40,12 @@ inline constexpr double longest_rotation = 1e-4;
 
 /// The rotation at unit length up to the third power of `longest_rotation`: the series of the inverse square root.
 template <class S>
-Rot2<S> at_unit_length(const Rot2<S>& q) {
+[[gnu::always_inline]] inline Rot2<S> at_unit_length(const Rot2<S>& q) {
   const S excess = q.cosine * q.cosine + q.sine * q.sine - S(1), scale = S(1) - excess * (S(0.5) - S(0.375) * excess);
   return {q.cosine * scale, q.sine * scale};
 }
 template <class S>
-auto near_unit_length(const Rot2<S>& q) {
+[[gnu::always_inline]] inline auto near_unit_length(const Rot2<S>& q) {
   return abs(q.cosine * q.cosine + q.sine * q.sine - S(1)) <= S(longest_rotation);
 }
 
@@ -56,7 +56,7 @@ struct LanePair {
   Rot2<S> rotation_a;  ///< of unit length
   Pose2<S> b_in_a;
 
-  LanePair(const LaneShape<S>& of_a, const LaneShape<S>& of_b, bool upright) : a(of_a), b(of_b) {
+  [[gnu::always_inline]] LanePair(const LaneShape<S>& of_a, const LaneShape<S>& of_b, bool upright) : a(of_a), b(of_b) {
     const Vec2<S> between = b.pose.translation - a.pose.translation;
     if (upright) {
       b_in_a.translation = between;
@@ -79,24 +79,24 @@ struct LaneNearest {
 
 /// 1 or -1.
 template <class S>
-S sign_of(const S& x) {
+[[gnu::always_inline]] inline S sign_of(const S& x) {
   return select(x < S(0), S(-1), S(1));
 }
 template <class M, class S>
-Vec2<S> select(const M& condition, const Vec2<S>& yes, const Vec2<S>& no) {
+[[gnu::always_inline]] inline Vec2<S> select(const M& condition, const Vec2<S>& yes, const Vec2<S>& no) {
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
 }
 template <class S>
-S clamped(const S& x, const S& half) {
+[[gnu::always_inline]] inline S clamped(const S& x, const S& half) {
   return greatest(-half, least(x, half));
 }
 
 template <class S>
-S vertex_number(const S& number) {
+[[gnu::always_inline]] inline S vertex_number(const S& number) {
   return number + S(double(vertex_feature(0)));
 }
 template <class S>
-S side_number(const S& number) {
+[[gnu::always_inline]] inline S side_number(const S& number) {
   return number + S(double(graze::detail::feature_of_kind(2, 0)));
 }
 

@@ -24,7 +24,7 @@ struct LaneSide {
   bool endless = false;       ///< of a half-plane
 
   /// Height of the surface at a place across that lies between the ends.
-  S height_at(const S& across) const {
+  [[gnu::always_inline]] S height_at(const S& across) const {
     if (endless) return radius;
     const S slope = -leaning / facing;
     const S straight_height = low_height + radius * facing + (across - (low_across + radius * leaning)) * slope;
@@ -39,9 +39,9 @@ struct LaneSide {
 
 /// A side between two vertices in its core's frame, the second one to the left of its own normal.
 template <class S>
-LaneSide<S> side_between(const Vec2<S>& right_end, const Vec2<S>& left_end, const S& right_feature,
-                         const S& left_feature, const Vec2<S>& own, const Vec2<S>& n,
-                         const typename LaneSide<S>::Mask& usable, const S& radius) {
+[[gnu::always_inline]] inline LaneSide<S>
+side_between(const Vec2<S>& right_end, const Vec2<S>& left_end, const S& right_feature, const S& left_feature,
+             const Vec2<S>& own, const Vec2<S>& n, const typename LaneSide<S>::Mask& usable, const S& radius) {
   LaneSide<S> side;
   const Vec2<S> along = left(n);
   side.facing = dot(own, n);
@@ -59,7 +59,7 @@ LaneSide<S> side_between(const Vec2<S>& right_end, const Vec2<S>& left_end, cons
 
 /// The side of a shape's core towards `n`, unit and in the shape's frame.
 template <LaneCore core, class S>
-LaneSide<S> side_towards(const LaneShape<S>& shape, const Vec2<S>& n) {
+[[gnu::always_inline]] inline LaneSide<S> side_towards(const LaneShape<S>& shape, const Vec2<S>& n) {
   const S zero(0), one(1);
   if constexpr (core == LaneCore::box) {
     const S hx = shape.size[0], hy = shape.size[1];
@@ -100,7 +100,8 @@ LaneSide<S> side_towards(const LaneShape<S>& shape, const Vec2<S>& n) {
 
 /// B's side seen from A: across the other way round, its heights growing against the normal.
 template <class S>
-LaneSide<S> seen_from_a(const LaneSide<S>& of_b, const Vec2<S>& translation, const Vec2<S>& n) {
+[[gnu::always_inline]] inline LaneSide<S> seen_from_a(const LaneSide<S>& of_b, const Vec2<S>& translation,
+                                                      const Vec2<S>& n) {
   const S across = dot(translation, left(n)), height = -dot(translation, n);
   LaneSide<S> side = of_b;
   side.low_across = across - of_b.high_across;
@@ -134,13 +135,13 @@ template <LaneCore a, LaneCore b>
 inline constexpr int most_points = a == LaneCore::point || b == LaneCore::point ? 1 : 2;
 
 template <class S>
-S joined_features(const S& of_a, const S& of_b) {
+[[gnu::always_inline]] inline S joined_features(const S& of_a, const S& of_b) {
   return of_a * S(65536) + of_b;
 }
 
 /// The point where the shapes are nearest. Of two discs its weight goes by their radii.
 template <bool discs, class S>
-LanePoint<S> nearest_point(const LanePair<S>& pair, const LaneNearest<S>& found) {
+[[gnu::always_inline]] inline LanePoint<S> nearest_point(const LanePair<S>& pair, const LaneNearest<S>& found) {
   LanePoint<S> point;
   point.distance = found.distance - pair.radius();
   point.a = found.a + found.normal * pair.a.radius;
@@ -155,15 +156,15 @@ LanePoint<S> nearest_point(const LanePair<S>& pair, const LaneNearest<S>& found)
 }
 
 template <class M, class S>
-LanePoint<S> select(const M& condition, const LanePoint<S>& yes, const LanePoint<S>& no) {
+[[gnu::always_inline]] inline LanePoint<S> select(const M& condition, const LanePoint<S>& yes, const LanePoint<S>& no) {
   return {select(condition, yes.a, no.a), select(condition, yes.b, no.b), select(condition, yes.distance, no.distance),
           select(condition, yes.feature, no.feature), select(condition, yes.weight, no.weight)};
 }
 
 /// The point of two sides that face each other at a place across.
 template <class S>
-LanePoint<S> point_between(const LaneSide<S>& a, const LaneSide<S>& b, const Vec2<S>& n, const S& across,
-                           const S& feature) {
+[[gnu::always_inline]] inline LanePoint<S> point_between(const LaneSide<S>& a, const LaneSide<S>& b, const Vec2<S>& n,
+                                                         const S& across, const S& feature) {
   const S height_a = a.height_at(across), height_b = -b.height_at(across);
   const Vec2<S> foot = left(n) * across;
   return {foot + n * height_a, foot + n * height_b, height_b - height_a, feature, S(0.5)};
@@ -172,7 +173,8 @@ LanePoint<S> point_between(const LaneSide<S>& a, const LaneSide<S>& b, const Vec
 /// The points of two shapes, `found` their nearest ones, that are up to `margin` apart. There is no second one where a
 /// core is a point.
 template <LaneCore core_a, LaneCore core_b, class S>
-LaneManifold<S> manifold(const LanePair<S>& pair, const LaneNearest<S>& found, const S& margin) {
+[[gnu::always_inline]] inline LaneManifold<S> manifold(const LanePair<S>& pair, const LaneNearest<S>& found,
+                                                       const S& margin) {
   LaneManifold<S> out;
   out.normal = found.normal;
   out.has_first = found.distance - pair.radius() <= margin;

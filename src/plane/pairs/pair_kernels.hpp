@@ -40,11 +40,15 @@ struct OverlapColumns {
   double overlap[N];
 };
 
-/// The kernels of one entry of the list.
+/// The kernels of one entry of the list, for a pair alone.
+struct AloneKernels {
+  void (*overlap)(const PairColumns<1>&, OverlapColumns<1>&);
+  void (*distance)(const PairColumns<1>&, DistanceColumns<1>&);
+  void (*contacts)(const PairColumns<1>&, double margin, ContactColumns<1>&);
+};
+
+/// And for a block of pairs.
 struct PairKernels {
-  void (*overlap_one)(const PairColumns<1>&, OverlapColumns<1>&);
-  void (*distance_one)(const PairColumns<1>&, DistanceColumns<1>&);
-  void (*contacts_one)(const PairColumns<1>&, double margin, ContactColumns<1>&);
   void (*overlaps)(const PairColumns<block_pairs>&, std::size_t count, OverlapColumns<block_pairs>&);
   void (*distances)(const PairColumns<block_pairs>&, std::size_t count, DistanceColumns<block_pairs>&);
   void (*contacts)(const PairColumns<block_pairs>&, std::size_t count, double margin, ContactColumns<block_pairs>&);
@@ -53,6 +57,6 @@ struct PairKernels {
 }  // namespace plane
 
 /// The kernels of the list's entries, in its order.
-GRAZE_DECLARE_KERNEL(const plane::PairKernels* plane_pair_kernels();)
+GRAZE_DECLARE_KERNEL(const plane::AloneKernels* plane_alone_kernels(); const plane::PairKernels* plane_pair_kernels();)
 
 }  // namespace graze

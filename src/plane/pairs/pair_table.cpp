@@ -8,26 +8,29 @@ namespace graze::plane {
 namespace {
 
 /// The kernels of the level that the machine runs at.
-const PairKernels* kernels() {
-  static const PairKernels* const chosen = GRAZE_KERNEL(chosen_isa(), plane_pair_kernels)();
+const AloneKernels* kernels() {
+  static const AloneKernels* const chosen = GRAZE_KERNEL(chosen_isa(), plane_alone_kernels)();
   return chosen;
 }
 
+/// Writes the numbers of a shape in place where the kernels read them: copied from elsewhere they would be read in
+/// pieces of another size than they were written in, for which processors wait.
 template <class T>
-bool take_shape(const Shape<T>& shape, const Pose2<T>& pose, double (&to)[shape_columns][1]) {
-  double numbers[shape_columns] = {double(pose.translation.x), double(pose.translation.y), double(pose.rotation.cosine),
-                                   double(pose.rotation.sine)};
-  const bool taken = shape.visit([&](const auto& c) {
+bool take_shape(const Shape<T>& shape, const Pose2<T>& pose, double (&columns)[shape_columns][1]) {
+  double* const to = &columns[0][0];
+  to[0] = double(pose.translation.x);
+  to[1] = double(pose.translation.y);
+  to[2] = double(pose.rotation.cosine);
+  to[3] = double(pose.rotation.sine);
+  return shape.visit([&](const auto& c) {
     using C = std::decay_t<decltype(c)>;
     if constexpr (lane_core<C>.has_value()) {
-      numbers[shape_columns - 1] = size_numbers(c, numbers + pose_columns) + double(shape.rounding());
+      to[shape_columns - 1] = size_numbers(c, to + pose_columns) + double(shape.rounding());
       return accepted(c);
     } else {
       return false;
     }
   });
-  for (std::size_t k = 0; k < shape_columns; ++k) to[k][0] = numbers[k];
-  return taken;
 }
 
 /// Fills `columns` with the pair and returns its entry, if there is one.
@@ -50,21 +53,22 @@ std::optional<bool> special_overlap(const Shape<T>& a, const Pose2<T>& pose_a, c
   const std::optional<PairEntry> entry = take_pair(a, pose_a, b, pose_b, columns);
   if (!entry) return {};
   OverlapColumns<1> found;
-  kernels()[entry->place].overlap_one(columns, found);
+  kernels()[entry->place].overlap(columns, found);
   if (found.known[0] == 0) return {};
   return found.overlap[0] != 0;
 }
 
 template <class T>
-std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
-                                            const Pose2<T>& pose_b) {
+bool special_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                      Distance<T>& out) {
   PairColumns<1> columns;
   const std::optional<PairEntry> entry = take_pair(a, pose_a, b, pose_b, columns);
-  if (!entry) return {};
+  if (!entry) return false;
   DistanceColumns<1> found;
-  kernels()[entry->place].distance_one(columns, found);
-  if (found.known[0] == 0) return {};
-  return distance_at<T>(found, 0, entry->turned);
+  kernels()[entry->place].distance(columns, found);
+  if (found.known[0] == 0) return false;
+  out = distance_at<T>(found, 0, entry->turned);
+  return true;
 }
 
 template <class T>
@@ -74,7 +78,7 @@ std::optional<bool> special_contacts(const Shape<T>& a, const Pose2<T>& pose_a, 
   const std::optional<PairEntry> entry = take_pair(a, pose_a, b, pose_b, columns);
   if (!entry) return {};
   ContactColumns<1> found;
-  kernels()[entry->place].contacts_one(columns, double(margin), found);
+  kernels()[entry->place].contacts(columns, double(margin), found);
   if (found.known[0] == 0) return {};
   if (found.filled[0] != 0) {
     Manifold<T>& m = manifolds.emplace_back();
@@ -88,8 +92,7 @@ std::optional<bool> special_contacts(const Shape<T>& a, const Pose2<T>& pose_a, 
 
 #define GRAZE_PLANE_SPECIAL(T)                                                                                         \
   template std::optional<bool> special_overlap(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&);    \
-  template std::optional<Distance<T>> special_distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&,              \
-                                                       const Pose2<T>&);                                               \
+  template bool special_distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Distance<T>&);    \
   template std::optional<bool> special_contacts(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T, \
                                                 Manifolds<T>&);
 GRAZE_PLANE_SPECIAL(float)

@@ -14,9 +14,10 @@ template <class T>
 std::optional<bool> special_overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
                                     const Pose2<T>& pose_b);
 
+/// Writes the distance and returns whether there is a special pair that knows it.
 template <class T>
-std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
-                                            const Pose2<T>& pose_b);
+bool special_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                      Distance<T>& out);
 
 /// Appends the manifold, if the shapes are within `margin`, and tells whether they overlap.
 template <class T>

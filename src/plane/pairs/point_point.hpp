@@ -9,7 +9,7 @@ struct PointPoint {
   static constexpr LaneCore a = LaneCore::point, b = LaneCore::point;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
     const S zero(0), one(1);
     const Vec2<S> between = pair.b_in_a.translation;
     const S squared = length_squared(between), distance = sqrt(squared);

@@ -11,21 +11,21 @@ struct LaneSegment {
   Vec2<S> center, half;
   S squared;  ///< length of the half
 
-  LaneSegment(const LaneShape<S>& shape)
+  [[gnu::always_inline]] LaneSegment(const LaneShape<S>& shape)
       : center{(shape.size[0] + shape.size[2]) * S(0.5), (shape.size[1] + shape.size[3]) * S(0.5)},
         half{(shape.size[2] - shape.size[0]) * S(0.5), (shape.size[3] - shape.size[1]) * S(0.5)},
         squared(length_squared(half)) {}
-  LaneSegment(const LaneSegment& own, const Pose2<S>& pose)
+  [[gnu::always_inline]] LaneSegment(const LaneSegment& own, const Pose2<S>& pose)
       : center(transform(pose, own.center)), half(rotate(pose.rotation, own.half)), squared(own.squared) {}
 
   /// From -1 to 1; 0 of a segment that is a point.
-  S parameter(const Vec2<S>& point) const {
+  [[gnu::always_inline]] S parameter(const Vec2<S>& point) const {
     const auto extended = squared > S(0);
     return select(extended, clamped(dot(point - center, half) / select(extended, squared, S(1)), S(1)), S(0));
   }
   Vec2<S> at(const S& t) const { return center + half * t; }
   /// The vertex at an end, else the side on which a point lies that is `across` the half to the left.
-  S feature(const S& t, const S& across) const {
+  [[gnu::always_inline]] S feature(const S& t, const S& across) const {
     const auto end = abs(t) >= S(1);
     return select(end, vertex_number(select(t > S(0), S(1), S(0))), side_number(select(across > S(0), S(1), S(0))));
   }
@@ -35,7 +35,7 @@ struct SegmentPoint {
   static constexpr LaneCore a = LaneCore::segment, b = LaneCore::point;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
     const S zero(0), one(1);
     const LaneSegment<S> segment(pair.a);
     const Vec2<S> point = pair.b_in_a.translation;

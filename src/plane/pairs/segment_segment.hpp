@@ -12,7 +12,7 @@ struct SegmentSegment {
   static constexpr LaneCore a = LaneCore::segment, b = LaneCore::segment;
 
   template <class S>
-  static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
+  [[gnu::always_inline]] static LaneNearest<S> nearest(const LanePair<S>& pair, const S&) {
     const S zero(0), one(1), minus(-1);
     const LaneSegment<S> of_a(pair.a), of_b(LaneSegment<S>(pair.b), pair.b_in_a);
     // Each end and the point of the other segment nearest to it; their places as multiples of the halves.
@@ -48,13 +48,15 @@ struct SegmentSegment {
 
  private:
   template <class S>
-  static S square_at(const LaneSegment<S>& of_a, const LaneSegment<S>& of_b, const S& t, const S& u) {
+  [[gnu::always_inline]] static S square_at(const LaneSegment<S>& of_a, const LaneSegment<S>& of_b, const S& t,
+                                            const S& u) {
     return length_squared(of_b.at(u) - of_a.at(t));
   }
   /// Where segments cross or touch: along the normal of the one that gives the larger gap.
   template <class M, class S>
-  static void take_axis(const LaneSegment<S>& of_a, const LaneSegment<S>& of_b, const M& on_axis, const M& crossing,
-                        const S& turn, const S& off_a, const S& off_b, LaneNearest<S>& out) {
+  [[gnu::always_inline]] static void take_axis(const LaneSegment<S>& of_a, const LaneSegment<S>& of_b, const M& on_axis,
+                                               const M& crossing, const S& turn, const S& off_a, const S& off_b,
+                                               LaneNearest<S>& out) {
     const S zero(0), one(1), none(-std::numeric_limits<double>::infinity());
     const auto long_a = of_a.squared > zero, long_b = of_b.squared > zero;
     const S length_a = sqrt(select(long_a, of_a.squared, one)), length_b = sqrt(select(long_b, of_b.squared, one));
