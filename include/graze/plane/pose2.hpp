@@ -24,7 +24,7 @@ struct Rot2 {
   friend constexpr Rot2 operator*(const Rot2& a, const Rot2& b) {
     return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
   }
-  friend constexpr bool operator==(const Rot2&, const Rot2&) = default;
+  friend constexpr bool operator==(const Rot2& a, const Rot2& b) { return a.cosine == b.cosine && a.sine == b.sine; }
 };
 
 template <class T>

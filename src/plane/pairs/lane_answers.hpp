@@ -1,7 +1,7 @@
 // What the query of a special pair writes for the lanes of S, from columns of numbers to columns of numbers. Only for
 // `*.kernel.cpp`.
 //
-// Guarantee: everything is inlined or lives in the namespace of the level. N pairs stand beside each other; of one alone
+// Guarantee: everything is inlined or lives in the namespace of the level. N pairs stand side by side; of one alone
 // all lanes repeat the same numbers.
 #pragma once
 

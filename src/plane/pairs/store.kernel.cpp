@@ -32,7 +32,7 @@ template <class V, std::size_t... I>
   return Floats::of(reinterpret_cast<Floats::Vector>(
       __builtin_shufflevector(reinterpret_cast<Words>(first), reinterpret_cast<Words>(second), (2 * I)...)));
 }
-/// Whole numbers below 2^32 as integers, in the place of floats; with their halves exchanged where they are to be. Added
+/// Whole numbers below 2^32 as integers, in the place of floats; their halves exchanged where that is wanted. Added
 /// to 2^52 a whole number is what the last bits of the sum are.
 [[gnu::always_inline]] inline Floats whole(const double* column, bool turned) {
   const auto bits = [&](const double* from) __attribute__((always_inline)) {
