@@ -4,7 +4,7 @@
 //
 // Pairs: numbers of PCG32 (seed 42, the first two thrown away). Of each shape h and w in [0.25, 1): circles of radius
 // h, capsules of half length h and radius w / 2, boxes of half sizes h and w (rounded ones by 0.1), polygons on
-// circles of radius h, each vertex up to a fifth of a step off; the centres so far apart that half of the pairs overlap.
+// circles of radius h, each vertex up to a fifth of a step off; the centres so far apart that half the pairs overlap.
 // Stacked boxes stand edge on edge, up to 5 mm apart or deep and 0.01 rad tilted. "One" is the smaller number of pairs,
 // which fit the cache, over and over; "batch" is all of them, streamed from memory. Relative poses are computed inside
 // the timed call; Box2D's manifold includes its points in the world (`b2WorldManifold`), as all others do. Box2D 2.4
