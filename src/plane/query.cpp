@@ -115,6 +115,19 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
 }
 
 template <class T>
+T contact_margin(const Shape<T>& a, const Shape<T>& b) {
+  constexpr T unbounded = std::numeric_limits<T>::infinity();
+  const auto size = [](const Shape<T>& shape) {
+    if (shape.template as<HalfPlane<T>>()) return unbounded;
+    if (!shape.template as<Compound<T>>()) return extent(shape);
+    const Aabb2<T> box = bounds(shape, Pose2<T>{});
+    return length(box.upper - box.lower) / T(2);
+  };
+  const T smaller = least(size(a), size(b));
+  return smaller < unbounded ? smaller / T(100) : T(0);
+}
+
+template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace) {
   const Shape<T> spot = Circle<T>(T(0));
   if (trace) smallest<T>(shape, pose, spot, {point, {}}, trace);
@@ -127,6 +140,7 @@ Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& p
   template Distance<T> distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Trace*);           \
   template bool contacts(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T, Manifolds<T>&,         \
                          Trace*);                                                                                      \
+  template T contact_margin(const Shape<T>&, const Shape<T>&);                                                         \
   template Closest<T> closest(const Shape<T>&, const Pose2<T>&, const Vec2<T>&, Trace*);
 GRAZE_PLANE_QUERIES(float)
 GRAZE_PLANE_QUERIES(double)

@@ -78,6 +78,12 @@ template <class T>
 bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
               Manifolds<T>& manifolds, Trace* trace = nullptr);
 
+/// A margin for `contacts` with which a body at rest keeps its points from frame to frame: a hundredth of the smaller
+/// shape (the radius about its own origin; of a compound half the diagonal of its bounds). A half-plane has no size:
+/// the other shape decides, and of two half-planes the margin is 0.
+template <class T>
+T contact_margin(const Shape<T>& a, const Shape<T>& b);
+
 /// The point of a shape's surface nearest to a point of the world.
 template <class T>
 struct Closest {
