@@ -52,13 +52,41 @@ plane::Shape<T> read_plane_compound(const JsonValue& json) {
 }
 
 template <class T>
-plane::Shape<T> read_points_shape(const JsonValue& json, bool segment, T margin) {
-  json.keys({"points"});
+std::vector<plane::Vec2<T>> read_plane_points(const JsonValue& json, std::optional<std::size_t> count = {}) {
   const JsonValue list = json.at("points");
   std::vector<plane::Vec2<T>> points;
-  const std::optional<std::size_t> count = segment ? std::optional<std::size_t>(2) : std::nullopt;
   for (const JsonValue& p : list.elements(count)) points.push_back(read_vector2<T>(p));
   if (points.empty()) list.fail("at least one point");
+  return points;
+}
+
+template <class T>
+plane::Chain<T> read_chain(const JsonValue& json) {
+  json.keys({"points", "closed", "sides"});
+  const std::vector<plane::Vec2<T>> points = read_plane_points<T>(json);
+  bool closed = false;
+  if (const auto c = json.find("closed")) closed = c->boolean();
+  plane::ChainSides sides = plane::ChainSides::both;
+  if (const auto s = json.find("sides")) {
+    const std::string name = s->json().is_string() ? s->string() : "";
+    if (name != "one" && name != "both") s->fail("one or both");
+    if (name == "one") sides = plane::ChainSides::one;
+  }
+  return built_below(json, [&] { return plane::Chain<T>(points, closed, sides); });
+}
+
+template <class T>
+plane::Polygon<T> read_polygon(const JsonValue& json) {
+  json.keys({"points"});
+  const std::vector<plane::Vec2<T>> points = read_plane_points<T>(json);
+  return built_below(json, [&] { return plane::Polygon<T>(points); });
+}
+
+template <class T>
+plane::Shape<T> read_segment_or_hull(const JsonValue& json, bool segment, T margin) {
+  json.keys({"points"});
+  const std::optional<std::size_t> count = segment ? std::optional<std::size_t>(2) : std::nullopt;
+  const std::vector<plane::Vec2<T>> points = read_plane_points<T>(json, count);
   if (segment) return {plane::Segment<T>(points[0], points[1]), margin};
   return {plane::ConvexPolygon<T>(points), margin};
 }
@@ -68,11 +96,12 @@ plane::Shape<T> read_plane_shape(const JsonValue& json) {
   if (!json.json().is_object()) json.fail("an object");
   const JsonValue type = json.at("type");
   const std::string name = type.json().is_string() ? type.string() : "";
-  static constexpr const char* names[] = {"circle", "box", "capsule", "plane", "convex", "segment", "compound"};
+  static constexpr const char* names[] = {"circle",  "box",     "capsule", "plane",   "convex",
+                                          "segment", "polygon", "chain",   "compound"};
   const char* known = nullptr;
   for (const char* n : names)
     if (name == n) known = n;
-  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, compound");
+  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, polygon, chain, compound");
   name == "compound" ? json.keys({"type", known}) : json.keys({"type", known, "margin"});
   T margin(0);
   if (const auto m = json.find("margin")) margin = m->length<T>();
@@ -96,7 +125,9 @@ plane::Shape<T> read_plane_shape(const JsonValue& json) {
     return {plane::Capsule<T>(length("height"), length("radiusBottom"), length("radiusTop")), margin};
   }
   if (name == "compound") return read_plane_compound<T>(own);
-  return read_points_shape<T>(own, name == "segment", margin);
+  if (name == "polygon") return {read_polygon<T>(own), margin};
+  if (name == "chain") return {read_chain<T>(own), margin};
+  return read_segment_or_hull<T>(own, name == "segment", margin);
 }
 
 template <class T>

@@ -32,6 +32,10 @@ struct Core {
   Vec2d radii{};                     ///< of an ellipse; of a tapered core those of the lower and the upper disc
   double half_height = 0;            ///< of a tapered core
   const SupportFunction<T>* user = nullptr;
+  /// Of a piece of a polygon or a chain: the outline about each vertex, else null.
+  const OutlineVertex* outline = nullptr;
+  const Pieces<T>* pieces = nullptr;  ///< and all of them
+  const Chain<T>* chain = nullptr;    ///< of a chain's segment: the chain
 
   Vec2d vertex(std::uint32_t i) const { return plane::converted<double>(outside ? outside[i] : inside[i]); }
   std::uint32_t next(std::uint32_t i) const { return i + 1 == count ? 0 : i + 1; }
@@ -110,11 +114,36 @@ Core<T> core_of(const HalfPlane<T>&) {
   return core;
 }
 
-/// The core of a shape that is not a compound.
+/// The core of one piece of a polygon or a chain.
+template <class T>
+Core<T> piece_core(const Pieces<T>& pieces, std::uint32_t piece) {
+  Core<T> core;
+  const std::span<const Vec2<T>> vertices = pieces.vertices(piece);
+  core.count = static_cast<std::uint32_t>(vertices.size());
+  if (core.count > core.inside.size())
+    core.outside = vertices.data();
+  else
+    for (std::uint32_t i = 0; i < core.count; ++i) core.inside[i] = vertices[i];
+  core.outline = pieces.outline(piece);
+  core.pieces = &pieces;
+  return core;
+}
+
+/// Whether shapes of the kind C are made of pieces.
+template <class C>
+inline constexpr bool has_pieces = false;
+template <class T>
+inline constexpr bool has_pieces<Compound<T>> = true;
+template <class T>
+inline constexpr bool has_pieces<Polygon<T>> = true;
+template <class T>
+inline constexpr bool has_pieces<Chain<T>> = true;
+
+/// The core of a shape that is not made of pieces.
 template <class T>
 Core<T> convex_core(const Shape<T>& shape) {
   return shape.visit([&](const auto& c) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(c)>, Compound<T>>) {
+    if constexpr (has_pieces<std::decay_t<decltype(c)>>) {
       return Core<T>();
     } else {
       Core<T> core = core_of(c);

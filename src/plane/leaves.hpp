@@ -1,32 +1,66 @@
-// Compounds taken apart into convex shapes in place.
+// Compounds, polygons and chains taken apart into convex shapes in place.
 //
-// Guarantee: visits every convex shape of a shape once, in order; `piece` is the number of the outermost compound's
-// child.
+// Guarantee: visits every convex shape of a shape once, in order; `piece` is the number of the child or piece of the
+// outermost shape.
 #pragma once
 
 #include "plane/core.hpp"
 
 namespace graze::plane {
 
+/// Nothing is too far away.
+struct Everywhere {
+  bool operator()(const Pose2d&, const Aabb2<double>&, double) const { return true; }
+};
+
 /// Calls `f(core, pose, extent, piece)`. The pose is in double and of unit length there, so that a float's rounding of
-/// it does not lengthen what it turns.
-template <class T, class F>
-void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piece, bool outermost, F&& f) {
+/// it does not lengthen what it turns. Pieces of polygons and chains are left out where `wanted(pose, box, rounding)`
+/// refuses a box around them, in the frame of that pose.
+template <class T, class Wanted, class F>
+void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piece, bool outermost, const Wanted& wanted,
+                   F&& f) {
   if (const auto* compound = shape.template as<Compound<T>>()) {
     std::uint32_t number = 0;
     for (const Placed<T>& child : compound->children()) {
       const Pose2d own{converted<double>(child.pose.translation), normalized(converted<double>(child.pose.rotation))};
-      for_each_leaf(child.shape, compose(pose, own), outermost ? number : piece, false, f);
+      for_each_leaf(child.shape, compose(pose, own), outermost ? number : piece, false, wanted, f);
       ++number;
     }
     return;
   }
+  const auto* polygon = shape.template as<Polygon<T>>();
+  const auto* chain = shape.template as<Chain<T>>();
+  if (polygon || chain) {
+    const Pieces<T>& pieces = polygon ? polygon->pieces() : chain->pieces();
+    const auto near = [&](const Aabb2<double>& box) { return wanted(pose, box, double(shape.rounding())); };
+    pieces.for_each(near, [&](std::uint32_t i) {
+      Core<T> core = piece_core(pieces, i);
+      core.radius = double(shape.rounding());
+      core.chain = chain;
+      f(core, pose, double(extent(shape)), outermost ? i : piece);
+    });
+    return;
+  }
   f(convex_core(shape), pose, double(extent(shape)), piece);
+}
+/// A pose in double, its rotation of unit length.
+template <class T>
+Pose2d widened(const Pose2<T>& pose) {
+  return {converted<double>(pose.translation), normalized(converted<double>(pose.rotation))};
 }
 template <class T, class F>
 void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {
-  const Pose2d wide{converted<double>(pose.translation), normalized(converted<double>(pose.rotation))};
-  for_each_leaf(shape, wide, 0, true, f);
+  for_each_leaf(shape, widened(pose), 0, true, Everywhere{}, f);
+}
+
+/// Whether a shape has no half-plane in it.
+template <class T>
+bool is_bounded(const Shape<T>& shape) {
+  if (shape.template as<HalfPlane<T>>()) return false;
+  if (const auto* compound = shape.template as<Compound<T>>())
+    for (const Placed<T>& child : compound->children())
+      if (!is_bounded(child.shape)) return false;
+  return true;
 }
 
 /// Two convex shapes in place, one of each body.
@@ -47,14 +81,43 @@ struct LeafPair {
   double size() const { return greatest(extent_a, extent_b); }
 };
 
-/// Calls `f` with every pair of convex shapes of two bodies.
+/// Whether a disc reaches into a box of pieces, each rounded, or comes as near as `reach()` to it. With room for the
+/// rounding of a few numbers as large as the way between them.
+template <class Reach>
+auto near_disc(const Vec2d& center, double radius, const Reach& reach) {
+  return [center, radius, &reach](const Pose2d& pose, const Aabb2<double>& box, double rounding) {
+    const Vec2d own = inverse_transform(pose, center);
+    const Vec2d off = own - least(greatest(own, box.lower), box.upper);
+    // Of a centre inside the box the depth has no such bound.
+    if (off == Vec2d{}) return true;
+    return !(length(off) * (1 - 1e-14) - 1e-14 * length(own) > (radius + rounding) * (1 + 1e-14) + reach());
+  };
+}
+
+/// Calls `f` with every pair of convex shapes of two bodies but those that are surely further apart than `reach()`,
+/// which may become less on the way.
+template <class T, class Reach, class F>
+void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                          const Reach& reach, F&& f) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const Pose2d at_a = widened(pose_a), at_b = widened(pose_b);
+  bool bounded = true;
+  for (const Shape<T>* s : {&a, &b}) bounded = bounded && is_bounded(*s);
+  const auto near_b = near_disc(at_b.translation, bounded ? double(extent(b)) : inf, reach);
+  for_each_leaf(a, at_a, 0, true, near_b,
+                [&](const Core<T>& core_a, const Pose2d& in_a, double extent_a, std::uint32_t piece_a) {
+                  const auto near_a = near_disc(in_a.translation, bounded ? extent_a : inf, reach);
+                  for_each_leaf(b, at_b, 0, true, near_a,
+                                [&](const Core<T>& core_b, const Pose2d& in_b, double extent_b, std::uint32_t piece_b) {
+                                  f(LeafPair<T>{core_a, core_b, in_a, in_b, extent_a, extent_b, piece_a, piece_b});
+                                });
+                });
+}
+/// All pairs.
 template <class T, class F>
 void for_each_pair(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, F&& f) {
-  for_each_leaf(a, pose_a, [&](const Core<T>& core_a, const Pose2d& at_a, double extent_a, std::uint32_t piece_a) {
-    for_each_leaf(b, pose_b, [&](const Core<T>& core_b, const Pose2d& at_b, double extent_b, std::uint32_t piece_b) {
-      f(LeafPair<T>{core_a, core_b, at_a, at_b, extent_a, extent_b, piece_a, piece_b});
-    });
-  });
+  for_each_pair_within(
+      a, pose_a, b, pose_b, [] { return std::numeric_limits<double>::infinity(); }, f);
 }
 
 }  // namespace graze::plane

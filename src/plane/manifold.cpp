@@ -58,7 +58,9 @@ Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along) {
     double best = -1;
     const auto offer = [&](std::uint32_t from) {
       const Vec2d e = core.edge(from);
-      const double l = length(e), facing = l > 0 ? dot(right(e), n) / l : -1;
+      // Cuts of polygons and the far sides of chains touch nothing.
+      const bool outer = !core.outline || core.outline[from].outer;
+      const double l = length(e), facing = l > 0 && outer ? dot(right(e), n) / l : -1;
       if (facing > best) {
         best = facing, own = right(e) / l;
         vertex_p = from, vertex_q = core.next(from);

@@ -3,8 +3,10 @@
 #include <limits>
 
 #include "plane/explain.hpp"
+#include "plane/joined.hpp"
 #include "plane/leaves.hpp"
 #include "plane/manifold.hpp"
+#include "plane/on_outline.hpp"
 #include "plane/pairs/pair_table.hpp"
 
 namespace graze::plane {
@@ -23,7 +25,12 @@ void take_status(const Nearest& found, const LeafPair<T>& pair, Answer& out) {
 /// The answer of a pair of convex shapes in world space, in double.
 template <class T>
 Distance<double> pair_distance(const LeafPair<T>& pair) {
-  const Nearest found = nearest(pair.a, pair.b, relative(pair.pose_a, pair.pose_b), pair.size());
+  const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+  Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+  // A way out of a polygon leads through its outline and not through a cut.
+  const bool polygon = (pair.a.outline && !pair.a.chain) || (pair.b.outline && !pair.b.chain);
+  if (polygon && found.distance < 0 && !on_outlines(pair.a, pair.b, b_in_a, found, pair.size()))
+    if (const auto outward = least_overlap_on_outlines(pair.a, pair.b, b_in_a)) found = *outward;
   Distance<double> out;
   out.distance = found.distance - pair.a.radius - pair.b.radius;
   out.normal = rotate(pair.pose_a.rotation, found.normal);
@@ -45,7 +52,8 @@ Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
                           Trace* trace) {
   Distance<double> best;
   best.distance = std::numeric_limits<double>::infinity();
-  for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
+  const auto within = [&] { return best.distance; };
+  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
     if (pair.apart() >= best.distance) return;
     if (const Distance<double> d = pair_distance(pair); d.distance < best.distance) {
       best = d;
@@ -63,16 +71,25 @@ Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<
   return out;
 }
 
+/// Of a point inside: the deepest of its ways out, of a polygon through all of its outline and not that of one piece.
 template <class T>
-Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
-  Manifold<T> out;
-  out.normal = converted<T>(rotate(pair.pose_a.rotation, of_a.normal));
-  out.piece_a = pair.piece_a;
-  out.piece_b = pair.piece_b;
-  for (const ContactPoint<double>& p : of_a.points)
-    out.points.push_back({converted<T>(transform(pair.pose_a, p.a)), converted<T>(transform(pair.pose_a, p.b)),
-                          static_cast<T>(p.distance), p.feature, static_cast<T>(p.weight)});
-  return out;
+Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point) {
+  Distance<double> best;
+  best.distance = std::numeric_limits<double>::infinity();
+  for_each_pair(shape, pose, Shape<T>(Circle<T>(T(0))), {point, {}}, [&](const LeafPair<T>& pair) {
+    const Vec2d own = inverse_transform(pair.pose_a, pair.pose_b.translation);
+    Distance<double> d;
+    if (pair.a.outline && !pair.a.chain && nearest(pair.a, pair.b, Pose2d{own, {}}, pair.size()).distance <= 0) {
+      const Nearest out = way_out(pair.a, own);
+      d.distance = out.distance - pair.a.radius;
+      d.normal = rotate(pair.pose_a.rotation, out.normal);
+      d.a = transform(pair.pose_a, out.a.point + out.normal * pair.a.radius);
+    } else {
+      d = pair_distance(pair);
+    }
+    if (d.distance < best.distance) best = d;
+  });
+  return best;
 }
 
 }  // namespace
@@ -82,7 +99,8 @@ bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const
   if (trace) smallest(a, pose_a, b, pose_b, trace);
   if (const auto known = special_overlap(a, pose_a, b, pose_b)) return *known;
   bool found = false;
-  for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
+  const auto touching = [] { return 0.0; };
+  for_each_pair_within(a, pose_a, b, pose_b, touching, [&](const LeafPair<T>& pair) {
     found = found || (pair.apart() <= 0 && pair_distance(pair).distance <= 0);
   });
   return found;
@@ -101,16 +119,20 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
   if (trace) smallest(a, pose_a, b, pose_b, trace);
   if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
   bool overlaps = false;
-  for_each_pair(a, pose_a, b, pose_b, [&](const LeafPair<T>& pair) {
+  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
+  const auto within = [&] { return double(margin); };
+  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
     if (pair.apart() > double(margin)) return;
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
     const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
     overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
+    if (pair.a.outline || pair.b.outline) return joined.add(pair, b_in_a, found, double(margin));
     const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, double(margin));
     if (m.points.empty()) return;
-    manifolds.push_back(in_world(m, pair));
+    manifolds.push_back(in_world<T>(m, pair));
     take_status(found, pair, manifolds.back());
   });
+  joined.finish();
   return overlaps;
 }
 
@@ -131,7 +153,12 @@ template <class T>
 Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace) {
   const Shape<T> spot = Circle<T>(T(0));
   if (trace) smallest<T>(shape, pose, spot, {point, {}}, trace);
-  const Distance<T> d = any_distance<T>(shape, pose, spot, {point, {}});
+  Distance<T> d;
+  if (!special_distance<T>(shape, pose, spot, {point, {}}, d)) {
+    Distance<double> found = smallest<T>(shape, pose, spot, {point, {}}, nullptr);
+    if (found.distance < 0) found = deepest_way_out(shape, pose, point);
+    d = narrowed<T>(found);
+  }
   return {d.distance, d.a, d.normal, d.status, d.error};
 }
 

@@ -83,16 +83,12 @@ std::span<const Placed<T>> Compound<T>::children() const {
   return *children_;
 }
 
+namespace {
+
+/// The bounds of a convex core; `extent` is that of the shape that it belongs to.
 template <class T>
-Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose) {
+Aabb2<T> core_bounds(const Core<T>& core, T extent, const Pose2<T>& pose) {
   constexpr T inf = std::numeric_limits<T>::infinity();
-  if (const auto* compound = shape.template as<Compound<T>>()) {
-    Aabb2<T> all{{inf, inf}, {-inf, -inf}};
-    for (const Placed<T>& child : compound->children())
-      all = merged(all, bounds(child.shape, compose(pose, child.pose)));
-    return all;
-  }
-  const Core<T> core = convex_core(shape);
   if (core.kind == CoreKind::half_plane) {
     const Vec2<T> n = rotate(pose.rotation, Vec2<T>{T(0), T(1)});
     Aabb2<T> half{{-inf, -inf}, {inf, inf}};
@@ -107,9 +103,32 @@ Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose) {
   };
   const Vec2d upper{reach({1, 0}), reach({0, 1})}, lower{-reach({-1, 0}), -reach({0, -1})};
   // Four roundings of numbers as large as the extent or the translation: rotation, sum and conversion.
-  const T slack = T(4) * std::numeric_limits<T>::epsilon() * (extent(shape) + max_abs(pose.translation));
+  const T slack = T(4) * std::numeric_limits<T>::epsilon() * (extent + max_abs(pose.translation));
   return {pose.translation + converted<T>(lower) - Vec2<T>{slack, slack},
           pose.translation + converted<T>(upper) + Vec2<T>{slack, slack}};
+}
+
+}  // namespace
+
+template <class T>
+Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose) {
+  constexpr T inf = std::numeric_limits<T>::infinity();
+  Aabb2<T> all{{inf, inf}, {-inf, -inf}};
+  if (const auto* compound = shape.template as<Compound<T>>()) {
+    for (const Placed<T>& child : compound->children())
+      all = merged(all, bounds(child.shape, compose(pose, child.pose)));
+    return all;
+  }
+  const auto* polygon = shape.template as<Polygon<T>>();
+  const auto* chain = shape.template as<Chain<T>>();
+  if (!polygon && !chain) return core_bounds(convex_core(shape), extent(shape), pose);
+  const Pieces<T>& pieces = polygon ? polygon->pieces() : chain->pieces();
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    Core<T> core = piece_core(pieces, i);
+    core.radius = double(shape.rounding());
+    all = merged(all, core_bounds(core, extent(shape), pose));
+  }
+  return all;
 }
 
 template class ConvexPolygon<float>;

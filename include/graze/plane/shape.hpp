@@ -13,6 +13,7 @@
 #include "graze/plane/pose2.hpp"
 #include "graze/plane/shape/compound.hpp"
 #include "graze/plane/shape/flat.hpp"
+#include "graze/plane/shape/outlined.hpp"
 #include "graze/plane/shape/round.hpp"
 #include "graze/plane/shape/user_convex.hpp"
 
@@ -21,7 +22,7 @@ namespace graze::plane {
 /// All shapes of the plane.
 template <class T>
 using ShapeList = std::variant<Circle<T>, Capsule<T>, Box<T>, Segment<T>, ConvexPolygon<T>, Ellipse<T>, UserConvex<T>,
-                               HalfPlane<T>, Compound<T>>;
+                               HalfPlane<T>, Polygon<T>, Chain<T>, Compound<T>>;
 
 template <class T>
 class Shape {

@@ -1,0 +1,176 @@
+#include "plane/joined.hpp"
+
+#include <algorithm>
+
+#include "plane/manifold.hpp"
+#include "plane/on_outline.hpp"
+
+namespace graze::plane {
+
+namespace {
+
+template <class T>
+Vec2d polygon_center(const Core<T>& core) {
+  const Vec2d origin = core.vertex(0);
+  Vec2d mean{}, weighted{};
+  double area = 0;
+  for (std::uint32_t i = 0; i < core.count; ++i) {
+    const Vec2d p = core.vertex(i) - origin, q = core.vertex(core.next(i)) - origin;
+    const double twice = cross(p, q);
+    mean += p;
+    area += twice;
+    weighted += (p + q) * twice;
+  }
+  // Of a sliver whose area is lost to rounding the mean, which lies in it too.
+  const double width = length_squared(mean) / (core.count * core.count);
+  if (!(area > 1e-12 * width)) return origin + mean / core.count;
+  return origin + weighted / (3 * area);
+}
+
+/// A point in the middle of a convex core: of a polygon its centroid. A half-plane has it far below its surface.
+template <class T>
+Vec2d center_of(const Core<T>& core, double far) {
+  switch (core.kind) {
+  case CoreKind::polygon: return polygon_center(core);
+  case CoreKind::tapered: return {0, (core.radii.y - core.radii.x) / 2};
+  case CoreKind::ellipse: return {};
+  case CoreKind::user: {
+    const auto middle = [&](const Vec2d& d) {
+      return (dot(support(core, d).point, d) - dot(support(core, -d).point, -d)) / 2;
+    };
+    return {middle({1, 0}), middle({0, 1})};
+  }
+  case CoreKind::half_plane: break;
+  }
+  return {0, -far};
+}
+
+/// The centre of a body in the world: the mean over its convex pieces.
+template <class T>
+Vec2d body_center(const Shape<T>& shape, const Pose2d& pose, double far) {
+  Vec2d sum{};
+  double count = 0;
+  for_each_leaf(shape, pose, 0, true, Everywhere{}, [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
+    sum += transform(at, center_of(core, far));
+    count += 1;
+  });
+  return sum / count;
+}
+
+/// Whether a point lies on the left of a chain: the side of its nearest segment or, where a corner is nearest, the
+/// side on which that corner stands out.
+template <class T>
+bool left_of(const Pieces<T>& segments, const Vec2d& point) {
+  double squared = std::numeric_limits<double>::infinity();
+  bool left = false;
+  const auto nearer = [&](const Aabb2<double>& box) {
+    return length_squared(point - least(greatest(point, box.lower), box.upper)) < squared;
+  };
+  segments.for_each(nearer, [&](std::uint32_t i) {
+    const std::span<const Vec2<T>> ends = segments.vertices(i);
+    const Vec2d start = converted<double>(ends[0]), edge = converted<double>(ends[1]) - start;
+    const double t = clamp(dot(point - start, edge) / length_squared(edge), 0.0, 1.0);
+    const double far = length_squared(start + edge * t - point);
+    if (!(far < squared)) return;
+    squared = far;
+    left = cross(edge, point - start) > 0;
+    if (t > 0 && t < 1) return;
+    const OutlineVertex* outline = segments.outline(i);
+    const bool end = t > 0;
+    if (outline[end].kind == OutlineVertex::Kind::reflex) left = true;
+    if (outline[end + 2].kind == OutlineVertex::Kind::reflex) left = false;
+  });
+  return left;
+}
+
+/// A feature with the number of its vertex on the outline in place of that in the piece.
+template <class T>
+std::uint32_t on_whole(const Core<T>& core, std::uint32_t feature) {
+  const std::uint32_t kind = feature >> graze::detail::feature_number_bits,
+                      vertex = feature & ((1u << graze::detail::feature_number_bits) - 1);
+  return core.outline ? graze::detail::feature_of_kind(kind, core.outline[vertex].number) : feature;
+}
+
+/// Whether a point on the line of one of the core's edges lies beside that edge.
+template <class T>
+bool beside_edge(const Core<T>& core, std::uint32_t feature, const Vec2d& point) {
+  if (core.kind != CoreKind::polygon || (feature >> graze::detail::feature_number_bits) != 2) return false;
+  const std::uint32_t i = feature & ((1u << graze::detail::feature_number_bits) - 1);
+  const double at = dot(point - core.vertex(i), core.edge(i));
+  return at < 0 || at > length_squared(core.edge(i));
+}
+
+}  // namespace
+
+/// Turns a chain's segment to the side that the other body is on. False where that side gives no contacts.
+template <class T>
+bool Joined<T>::face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_center, ChainSide& known) const {
+  const Vec2d own = inverse_transform(pose, other_center);
+  if (known.chain != segment.chain || !(known.pose == pose)) {
+    known = {segment.chain, pose, segment.chain->sides() == ChainSides::both && left_of(*segment.pieces, own)};
+  }
+  if (known.left) segment.outline += 2;
+  const double side = cross(segment.edge(0), own - segment.vertex(0));
+  return known.left ? side >= 0 : side <= 0;
+}
+
+template <class T>
+void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin) {
+  if (found.distance - pair.a.radius - pair.b.radius > margin) return;
+  size_ = greatest(size_, pair.size());
+  Core<T> a = pair.a, b = pair.b;
+  const double far = 4 * (pair.extent_a + pair.extent_b + length(b_in_a.translation));
+  if (a.chain && !face(a, pair.pose_a, body_center(b_, pose_b_, far), side_a_)) return;
+  if (b.chain && !face(b, pair.pose_b, body_center(a_, pose_a_, far), side_b_)) return;
+  const std::optional<Nearest> settled = nearest_on_outlines(a, b, b_in_a, found, pair.size());
+  if (!settled) return;
+  Manifold<double> m = manifold(a, b, b_in_a, *settled, margin);
+  if (m.points.empty()) return;
+  const bool own = settled->a.point == found.a.point && settled->b.point == found.b.point;
+  const bool beside = !own && m.points.size() == 1 &&
+                      (beside_edge(a, settled->a.feature, settled->a.point) ||
+                       beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)));
+  for (ContactPoint<double>& p : m.points)
+    p.feature = feature_id(on_whole(a, p.feature >> 16), on_whole(b, p.feature & 0xffff));
+  const Manifold<T> placed = in_world<T>(m, pair);
+  if (!beside) return join(placed, static_cast<T>(double(tolerance<T>) * size_));
+  if (!given_way_ || placed.points[0].distance > least_.points[0].distance) least_ = placed;
+  given_way_ = true;
+}
+
+/// Adds a manifold to the one that it goes on from, or as one of its own.
+template <class T>
+void Joined<T>::join(const Manifold<T>& manifold, T tolerated) {
+  for (std::size_t i = first_; i < out_.size(); ++i) {
+    Manifold<T>& there = out_[i];
+    if (!(dot(there.normal, manifold.normal) > T(0)) || std::abs(cross(there.normal, manifold.normal)) > tolerance<T>)
+      continue;
+    const Vec2<T> along = left(there.normal);
+    const auto at = [&](const ContactPoint<T>& p) { return dot(p.a - there.points[0].a, along); };
+    const auto by_place = [&](const ContactPoint<T>& p, const ContactPoint<T>& q) { return at(p) < at(q); };
+    std::array<ContactPoint<T>, 4> all;
+    auto last = std::copy(there.points.begin(), there.points.end(), all.begin());
+    const auto bounds_there = std::minmax_element(all.begin(), last, by_place);
+    const T low = at(*bounds_there.first), high = at(*bounds_there.second);
+    const auto own = std::minmax_element(manifold.points.begin(), manifold.points.end(), by_place);
+    if (at(*own.first) > high + tolerated || at(*own.second) < low - tolerated) continue;
+    last = std::copy(manifold.points.begin(), manifold.points.end(), last);
+    const auto ends = std::minmax_element(all.begin(), last, by_place);
+    const ContactPoint<T> first = *ends.first, second = *ends.second;
+    there.points.clear();
+    there.points.push_back(first);
+    if (at(second) - at(first) > tolerated) there.points.push_back(second);
+    return;
+  }
+  out_.push_back(manifold);
+}
+
+template <class T>
+void Joined<T>::finish() {
+  if (given_way_ && out_.size() == first_) out_.push_back(least_);
+}
+
+template class Joined<float>;
+template class Joined<double>;
+
+}  // namespace graze::plane

@@ -1,0 +1,62 @@
+// Contacts of polygons and chains, joined over the seams of their pieces.
+//
+// Guarantee: pieces give contacts only along normals of their outlines; points of pieces side by side that share a
+// normal are one manifold of at most two points, so that seams leave no trace. Its features name vertices of outlines.
+#pragma once
+
+#include <vector>
+
+#include "graze/plane/query.hpp"
+#include "plane/leaves.hpp"
+#include "plane/nearest.hpp"
+
+namespace graze::plane {
+
+template <class T>
+Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
+  Manifold<T> out;
+  out.normal = converted<T>(rotate(pair.pose_a.rotation, of_a.normal));
+  out.piece_a = pair.piece_a;
+  out.piece_b = pair.piece_b;
+  for (const ContactPoint<double>& p : of_a.points)
+    out.points.push_back({converted<T>(transform(pair.pose_a, p.a)), converted<T>(transform(pair.pose_a, p.b)),
+                          static_cast<T>(p.distance), p.feature, static_cast<T>(p.weight)});
+  return out;
+}
+
+/// Gathers the contacts of two bodies of which at least one has an outline.
+template <class T>
+class Joined {
+ public:
+  Joined(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, Manifolds<T>& out)
+      : a_(a), b_(b), pose_a_(widened(pose_a)), pose_b_(widened(pose_b)), out_(out), first_(out.size()) {}
+
+  /// Contacts of one pair of pieces, whose nearest points are `found`.
+  void add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin);
+  /// Once after the last pair.
+  void finish();
+
+ private:
+  /// Which side of a chain faces the other body's centre.
+  struct ChainSide {
+    const Chain<T>* chain = nullptr;
+    Pose2d pose{};
+    bool left = false;
+  };
+  bool face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_center, ChainSide& known) const;
+  void join(const Manifold<T>& manifold, T tolerated);
+
+  const Shape<T>&a_, &b_;
+  Pose2d pose_a_, pose_b_;
+  Manifolds<T>& out_;
+  std::size_t first_;
+  ChainSide side_a_, side_b_;
+  double size_ = 0;
+  bool given_way_ = false;
+  Manifold<T> least_{};  ///< the least deep of the contacts whose points lie beside their edges
+};
+
+extern template class Joined<float>;
+extern template class Joined<double>;
+
+}  // namespace graze::plane

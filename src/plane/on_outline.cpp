@@ -1,0 +1,164 @@
+#include "plane/on_outline.hpp"
+
+#include <limits>
+
+namespace graze::plane {
+
+namespace {
+
+using Kind = OutlineVertex::Kind;
+
+/// The rounding of a unit vector that came from a few others.
+constexpr double unit_rounding = 16 * std::numeric_limits<double>::epsilon();
+
+bool is_edge(std::uint32_t feature) { return (feature >> graze::detail::feature_number_bits) == 2; }
+
+/// The vertex of a feature or the one where its edge begins. Numbers wrap in pieces of more than 16,384 vertices, so
+/// it is the one of that name that lies furthest along `n`.
+template <class T>
+std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature, const Vec2d& n) {
+  constexpr std::uint32_t period = 1u << graze::detail::feature_number_bits;
+  std::uint32_t best = feature & (period - 1);
+  for (std::uint32_t i = best + period; i < core.count; i += period)
+    if (dot(core.vertex(i), n) > dot(core.vertex(best), n)) best = i;
+  return best;
+}
+
+/// Whether the unit vector `n`, known to within `off`, is a normal of the outline at vertex i.
+bool has_normal(const OutlineVertex& v, const Vec2d& n, double off) {
+  const bool before = dot(n, v.arriving) >= -off, after = dot(n, v.leaving) <= off;
+  switch (v.kind) {
+  case Kind::convex: return before && after;
+  case Kind::reflex: return false;
+  case Kind::first: return after;
+  case Kind::last: return before;
+  }
+  return false;
+}
+
+/// Whether a core's feature has `n` (unit, outward, in its frame) on the outline. Of a segment both edges are one
+/// feature, and the normal says which.
+template <class T>
+bool feature_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d& n, double off) {
+  if (!core.outline) return true;
+  const std::uint32_t i = vertex_of(core, feature, n);
+  if (!is_edge(feature)) return has_normal(core.outline[i], n, off);
+  if (core.count > 2) return core.outline[i].outer;
+  return core.outline[dot(right(core.edge(0)), n) > 0 ? 0 : 1].outer;
+}
+
+/// Calls `f(n, i)` with the outward normals of a core's outline at its edges and beside them, and a vertex on each.
+template <class T, class F>
+void for_each_normal(const Core<T>& core, F&& f) {
+  if (core.kind != CoreKind::polygon || core.count < 2) return;
+  for (std::uint32_t i = 0; i < core.count; ++i) {
+    if (!core.outline) {
+      if (const Vec2d e = core.edge(i); e.x != 0 || e.y != 0) f(normalized(right(e)), i, true);
+      continue;
+    }
+    const OutlineVertex& v = core.outline[i];
+    if (v.outer) f(right(v.leaving), i, true);
+    if (v.kind != Kind::convex) continue;
+    if (!v.outer) f(right(v.leaving), i, false);
+    if (!core.outline[core.previous(i)].outer) f(right(v.arriving), i, false);
+  }
+}
+
+/// The distance along an axis, of `b` beyond the line through `on_a`.
+struct Axis {
+  double gap = -std::numeric_limits<double>::infinity();
+  Nearest points{};
+};
+
+}  // namespace
+
+template <class T>
+bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
+  if (!a.outline && !b.outline) return true;
+  // The points are right within the rounding of the sizes and of what lies between the bodies.
+  const double rounding = unit_rounding * (size + length(b_in_a.translation));
+  const double apart = std::abs(found.distance), off = apart > 0 ? greatest(unit_rounding, rounding / apart) : 1;
+  return feature_has_normal(a, found.a.feature, found.normal, off) &&
+         feature_has_normal(b, found.b.feature, inverse_rotate(b_in_a.rotation, -found.normal), off);
+}
+
+template <class T>
+std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
+  Axis best;
+  for_each_normal(a, [&](const Vec2d& n, std::uint32_t i, bool edge) {
+    const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
+    const CorePoint deepest = support(b, toward_a);
+    if (!feature_has_normal(b, deepest.feature, toward_a, unit_rounding)) return;
+    const Vec2d point = transform(b_in_a, deepest.point);
+    const double gap = dot(point - a.vertex(i), n);
+    if (!(gap > best.gap)) return;
+    best.gap = gap;
+    best.points.normal = n;
+    best.points.a = {point - n * gap, edge ? side_feature(i) : vertex_feature(i)};
+    best.points.b = {point, deepest.feature};
+  });
+  for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, bool edge) {
+    const Vec2d n = -rotate(b_in_a.rotation, own);
+    const CorePoint deepest = support(a, n);
+    if (!feature_has_normal(a, deepest.feature, n, unit_rounding)) return;
+    const double gap = dot(transform(b_in_a, b.vertex(j)) - deepest.point, n);
+    if (!(gap > best.gap)) return;
+    best.gap = gap;
+    best.points.normal = n;
+    best.points.a = deepest;
+    best.points.b = {deepest.point + n * gap, edge ? side_feature(j) : vertex_feature(j)};
+  });
+  if (best.gap == -std::numeric_limits<double>::infinity()) return {};
+  best.points.distance = best.gap;
+  return best.points;
+}
+
+template <class T>
+std::optional<Nearest> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
+                                           const Nearest& found, double size) {
+  if (!a.outline && !b.outline) return found;
+  // Of cores so near to each other that rounding takes more than a few digits of the normal, the axes decide.
+  constexpr double few_digits = 65536 * unit_rounding;
+  const bool apart = found.distance > few_digits * (size + length(b_in_a.translation));
+  const bool settled = apart || a.kind != CoreKind::polygon || b.kind != CoreKind::polygon;
+  if (settled && on_outlines(a, b, b_in_a, found, size)) return found;
+  if (apart) return {};
+  return least_overlap_on_outlines(a, b, b_in_a);
+}
+
+template <class T>
+Nearest way_out(const Core<T>& piece, const Vec2d& inside) {
+  double squared = std::numeric_limits<double>::infinity();
+  Nearest out;
+  for (std::uint32_t k = 0; k < piece.pieces->size(); ++k) {
+    const std::span<const Vec2<T>> vertices = piece.pieces->vertices(k);
+    const OutlineVertex* outline = piece.pieces->outline(k);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (!outline[i].outer) continue;
+      const Vec2d start = plane::converted<double>(vertices[i]),
+                  edge = plane::converted<double>(vertices[i + 1 == vertices.size() ? 0 : i + 1]) - start;
+      const double t = clamp(dot(inside - start, edge) / length_squared(edge), 0.0, 1.0);
+      const Vec2d point = start + edge * t, way = point - inside;
+      if (!(length_squared(way) < squared)) continue;
+      squared = length_squared(way);
+      const Vec2d outward = right(outline[i].leaving);
+      const bool inner = t > 0 && t < 1;
+      out.normal = inner ? outward : normalized(way, outward);
+      out.distance = inner ? -greatest(dot(way, outward), 0.0) : -length(way);
+      out.a = {point, side_feature(outline[i].number)};
+    }
+  }
+  return out;
+}
+
+#define GRAZE_PLANE_OUTLINES(T)                                                                                        \
+  template bool on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&, double);                    \
+  template std::optional<Nearest> least_overlap_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&);            \
+  template std::optional<Nearest> nearest_on_outlines(const Core<T>&, const Core<T>&, const Pose2d&, const Nearest&,   \
+                                                      double);                                                         \
+  template Nearest way_out(const Core<T>&, const Vec2d&);
+GRAZE_PLANE_OUTLINES(float)
+GRAZE_PLANE_OUTLINES(double)
+#undef GRAZE_PLANE_OUTLINES
+
+}  // namespace graze::plane

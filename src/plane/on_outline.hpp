@@ -1,0 +1,36 @@
+// Contacts of pieces along normals that belong to the outline.
+//
+// Guarantee: which normals a piece of a polygon or a chain may have follows from the edges on both sides of its
+// vertices: an edge of the outline has its own normal, a convex vertex those between the normals of its edges (its
+// Voronoi region), a reflex one none, a cut none. No measure of closeness takes part but the rounding of the numbers
+// at hand.
+#pragma once
+
+#include <optional>
+
+#include "plane/nearest.hpp"
+
+namespace graze::plane {
+
+/// Whether the normal of nearest points, and the features that they lie on, belong to the outlines of both cores.
+template <class T>
+bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size);
+
+/// Of two cores that overlap: the axis of least overlap among the normals that belong to the outlines. The normals of
+/// edges beside the pieces take part, so that a piece gives way where its neighbour is less deep. Nothing where the
+/// pieces have no such axis.
+template <class T>
+std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
+
+/// The nearest points along normals that belong to the outlines: `found` where it is such, the axis of least overlap
+/// where cores overlap, and nothing where the contact is a neighbour's.
+template <class T>
+std::optional<Nearest> nearest_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
+                                           const Nearest& found, double size);
+
+/// The nearest point to `inside`, which lies in a polygon, on the outline of that polygon, of which `piece` is one
+/// piece. All in its frame; the normal leads out. Cost: linear in the vertices.
+template <class T>
+Nearest way_out(const Core<T>& piece, const Vec2d& inside);
+
+}  // namespace graze::plane
