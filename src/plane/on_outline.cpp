@@ -47,20 +47,21 @@ bool feature_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d&
   return core.outline[dot(right(core.edge(0)), n) > 0 ? 0 : 1].outer;
 }
 
-/// Calls `f(n, i)` with the outward normals of a core's outline at its edges and beside them, and a vertex on each.
+/// Calls `f(n, i, edge)` with the outward normals of a core's outline at its edges and beside them: a vertex on the line
+/// with that normal, and the core's own edge there.
 template <class T, class F>
 void for_each_normal(const Core<T>& core, F&& f) {
   if (core.kind != CoreKind::polygon || core.count < 2) return;
   for (std::uint32_t i = 0; i < core.count; ++i) {
     if (!core.outline) {
-      if (const Vec2d e = core.edge(i); e.x != 0 || e.y != 0) f(normalized(right(e)), i, true);
+      if (const Vec2d e = core.edge(i); e.x != 0 || e.y != 0) f(normalized(right(e)), i, i);
       continue;
     }
     const OutlineVertex& v = core.outline[i];
-    if (v.outer) f(right(v.leaving), i, true);
+    if (v.outer) f(right(v.leaving), i, i);
     if (v.kind != Kind::convex) continue;
-    if (!v.outer) f(right(v.leaving), i, false);
-    if (!core.outline[core.previous(i)].outer) f(right(v.arriving), i, false);
+    if (!v.outer) f(right(v.leaving), i, core.previous(i));
+    if (!core.outline[core.previous(i)].outer) f(right(v.arriving), i, i);
   }
 }
 
@@ -85,7 +86,7 @@ bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const
 template <class T>
 std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
   Axis best;
-  for_each_normal(a, [&](const Vec2d& n, std::uint32_t i, bool edge) {
+  for_each_normal(a, [&](const Vec2d& n, std::uint32_t i, std::uint32_t edge) {
     const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
     const CorePoint deepest = support(b, toward_a);
     if (!feature_has_normal(b, deepest.feature, toward_a, unit_rounding)) return;
@@ -94,10 +95,10 @@ std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>
     if (!(gap > best.gap)) return;
     best.gap = gap;
     best.points.normal = n;
-    best.points.a = {point - n * gap, edge ? side_feature(i) : vertex_feature(i)};
+    best.points.a = {point - n * gap, side_feature(edge)};
     best.points.b = {point, deepest.feature};
   });
-  for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, bool edge) {
+  for_each_normal(b, [&](const Vec2d& own, std::uint32_t j, std::uint32_t edge) {
     const Vec2d n = -rotate(b_in_a.rotation, own);
     const CorePoint deepest = support(a, n);
     if (!feature_has_normal(a, deepest.feature, n, unit_rounding)) return;
@@ -106,7 +107,7 @@ std::optional<Nearest> least_overlap_on_outlines(const Core<T>& a, const Core<T>
     best.gap = gap;
     best.points.normal = n;
     best.points.a = deepest;
-    best.points.b = {deepest.point + n * gap, edge ? side_feature(j) : vertex_feature(j)};
+    best.points.b = {deepest.point + n * gap, side_feature(edge)};
   });
   if (best.gap == -std::numeric_limits<double>::infinity()) return {};
   best.points.distance = best.gap;

@@ -48,7 +48,7 @@ template <class T>
 struct Manifold {
   Vec2<T> normal{};                        ///< unit, from A to B
   SmallVector<ContactPoint<T>, 2> points;  ///< at most two
-  std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound (of the outermost one) touches, else 0
+  std::uint32_t piece_a = 0, piece_b = 0;  ///< which child or piece of the outermost shape touches, else 0
   Status status = Status::converged;       ///< `bounded` where the distance of the two is not proven
   T error{};                               ///< by how much distances of points may then be off
 };
@@ -67,7 +67,8 @@ Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
                      Trace* trace = nullptr);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart, one for each pair of convex
-/// pieces. Returns whether the shapes overlap (distance <= 0, whatever the margin).
+/// pieces; of polygons and chains one for pieces side by side that share a normal, along normals of their outlines.
+/// Returns whether the shapes overlap (distance <= 0, whatever the margin, and whichever side of a chain it is).
 ///
 /// Where two edges face each other, a manifold has a point at both ends of the stretch that they share; its feature
 /// names the vertices of both edges at that end, so that it is the same whichever edge ends first, and mirrored when
