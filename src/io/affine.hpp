@@ -23,6 +23,15 @@ struct ScaledPose {
   bool mirrored = false;
 };
 
+/// Axes that turn with a map and have nothing of its scale: the first is the map's, the second next to it.
+inline Mat3d turned_axes(const Mat3d& linear) {
+  const Vec3d x = normalized(linear.column(0)), z = normalized(cross(x, normalized(linear.column(1))));
+  return Mat3d::from_columns(x, cross(z, x), z);
+}
+
+/// The pose of a regular map: where it takes the origin, and how its axes are turned.
+inline Posed rigid_part(const Affine& map) { return {map.translation, rotation_quaternion(turned_axes(map.linear))}; }
+
 /// What files hold of a right angle is good to single precision.
 inline constexpr double file_precision = 1e-5;
 

@@ -8,12 +8,6 @@ namespace graze::io {
 
 namespace {
 
-/// Axes that turn with a map and have nothing of its scale.
-Mat3d frame_of(const Mat3d& linear) {
-  const Vec3d x = normalized(linear.column(0)), z = normalized(cross(x, normalized(linear.column(1))));
-  return Mat3d::from_columns(x, cross(z, x), z);
-}
-
 bool in_range(const Vec3d& v) {
   return !validate::fault_of_coordinate(v.x) && !validate::fault_of_coordinate(v.y) &&
          !validate::fault_of_coordinate(v.z);
@@ -109,7 +103,7 @@ void ColliderMotion::place(std::size_t i, double t) {
   if (!moved.shown) return;
   moved.pose.translation = map.translation;
   if (same_but_turned(map.linear, made.map.linear)) {
-    const Mat3d turn = frame_of(map.linear) * transposed(frame_of(made.map.linear));
+    const Mat3d turn = turned_axes(map.linear) * transposed(turned_axes(made.map.linear));
     moved.pose.rotation = normalized(rotation_quaternion(turn) * made.rotation);
     return;
   }

@@ -6,6 +6,7 @@
 #include "io/gltf_animation.hpp"
 #include "io/gltf_document.hpp"
 #include "io/gltf_node.hpp"
+#include "io/gltf_physics.hpp"
 #include "io/mesh_collider.hpp"
 #include "io/question.hpp"
 #include "io/scaled_shape.hpp"
@@ -45,13 +46,14 @@ class SceneReader {
   Scene run() {
     if (const auto shared = extension(root_, shapes_extension)) shapes_ = list(*shared, "shapes");
     if (const auto physics = extension(root_, physics_extension)) {
-      read_materials(list(*physics, "physicsMaterials"));
+      for (const JsonValue& m : list(*physics, "physicsMaterials")) materials_.push_back(read_physics_material(m));
       filters_ = list(*physics, "collisionFilters");
       for (const JsonValue& filter : filters_) read_filter(filter);
-      if (!list(*physics, "physicsJoints").empty()) notice("physicsJoints are skipped: joints are for a solver");
+      for (const JsonValue& j : list(*physics, "physicsJoints")) descriptions_.push_back(read_joint_description(j));
     }
     walk();
-    if (scene_.colliders.empty())
+    for (const JointNode& joint : joint_nodes_) read_joint(joint);
+    if (scene_.colliders.empty() && !(options_.physics_only && moves_))
       meshes_collide();
     else if (options_.chosen)
       notice("the file has colliders of its own, which stay: none are made of its meshes");
@@ -70,25 +72,20 @@ class SceneReader {
     std::size_t node;
     Affine parent;
     int body;                   ///< of the nearest ancestor with a motion, or -1
+    int fixed = -1;             ///< without one, of the nearest ancestor with a collider, or -1
     std::ptrdiff_t above = -1;  ///< the parent's node, or -1
+  };
+  /// Where a node stands, and the body that a joint on it holds; none is the world.
+  struct NodePlace {
+    Affine map;
+    std::optional<std::uint32_t> body;
+  };
+  struct JointNode {
+    std::size_t node;
+    JsonValue json;
   };
 
   void notice(const std::string& text) { scene_.notices.push_back(text); }
-
-  void read_materials(const std::vector<JsonValue>& materials) {
-    for (const JsonValue& m : materials) {
-      Material material;
-      const auto number = [&](const char* key, double& value) {
-        if (const auto v = m.find(key)) value = v->length<double>();
-      };
-      number("staticFriction", material.static_friction);
-      number("dynamicFriction", material.dynamic_friction);
-      number("restitution", material.restitution);
-      if (const auto v = m.find("frictionCombine")) material.friction_combine = v->string();
-      if (const auto v = m.find("restitutionCombine")) material.restitution_combine = v->string();
-      materials_.push_back(material);
-    }
-  }
 
   std::uint64_t system_bit(const JsonValue& name) {
     const std::string text = name.string();
@@ -127,6 +124,7 @@ class SceneReader {
   void walk() {
     std::vector<char> visited(nodes_.size(), 0);
     tree_.nodes.resize(nodes_.size());
+    places_.resize(nodes_.size());
     std::vector<Visit> stack;
     for (const std::size_t root : root_nodes()) stack.push_back({root, {}, -1});
     std::reverse(stack.begin(), stack.end());
@@ -137,10 +135,13 @@ class SceneReader {
       if (visited[visit.node]++)
         throw InvalidValue(node.path(), "a node with one parent, in a tree", "a node that is reached twice");
       const Affine map = visit.parent * keep_node(visit, node);
-      const int body = read_node(visit, node, map);
+      int fixed = visit.fixed;
+      const int body = read_node(visit, node, map, fixed);
+      const int held = body < 0 ? fixed : body;
+      places_[visit.node] = NodePlace{map, held < 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(held))};
       const auto above = static_cast<std::ptrdiff_t>(stack.size());
       for (const JsonValue& child : list(node, "children"))
-        stack.push_back({child.index_below(nodes_.size()), map, body, static_cast<std::ptrdiff_t>(visit.node)});
+        stack.push_back({child.index_below(nodes_.size()), map, body, fixed, static_cast<std::ptrdiff_t>(visit.node)});
       std::reverse(stack.begin() + above, stack.end());  // the first child is visited first
     }
   }
@@ -178,36 +179,63 @@ class SceneReader {
     return name ? name->string() : "node " + std::to_string(index);
   }
 
-  /// Reads a node's physics; returns the body that its children belong to.
-  int read_node(const Visit& visit, const JsonValue& node, const Affine& map) {
+  /// Reads a node's physics; returns the body that its children belong to. `fixed` becomes the body of its collider.
+  int read_node(const Visit& visit, const JsonValue& node, const Affine& map, int& fixed) {
     int body = visit.body;
     const auto mesh = node.find("mesh");
     if (mesh) mesh_nodes_.push_back({visit.node, map, body});
     const auto physics = extension(node, physics_extension);
     if (!physics) return body;
     if (const auto motion = physics->find("motion")) {
-      const Motion m = read_motion(*motion);
-      scene_.bodies.push_back({name_of(visit.node), static_cast<int>(visit.node),
-                               m.kinematic ? MotionType::kinematic : MotionType::dynamic, m});
-      body = static_cast<int>(scene_.bodies.size()) - 1;
+      require_regular(node, map);
+      validate::point(map.translation, node.path() + " (in the world).translation");
+      const Posed pose = rigid_part(map);
+      const Motion m = in_body_frame(read_motion(*motion), map.linear, pose.rotation);
+      body = add_body(visit.node, m.kinematic ? MotionType::kinematic : MotionType::dynamic, m, pose);
+      moves_ = true;
     }
-    for (const char* kind : {"collider", "trigger"})
-      if (const auto collider = physics->find(kind)) read_collider(visit.node, *collider, map, body, kind[0] == 't');
-    if (physics->has("joint")) notice(name_of(visit.node) + ": a joint is skipped");
+    if (const auto collider = physics->find("collider")) {
+      read_collider(visit.node, *collider, map, body, false);
+      if (body < 0) fixed = static_cast<int>(scene_.bodies.size()) - 1;
+    }
+    if (const auto trigger = physics->find("trigger")) read_collider(visit.node, *trigger, map, body, true);
+    if (const auto joint = physics->find("joint")) joint_nodes_.push_back({visit.node, *joint});
     return body;
   }
 
-  static Motion read_motion(const JsonValue& json) {
-    Motion m;
-    if (const auto v = json.find("isKinematic")) m.kinematic = v->boolean();
-    if (const auto v = json.find("mass")) m.mass = v->length<double>();
-    m.center_of_mass = vector_or(json, "centerOfMass", {});
-    m.inertia_diagonal = vector_or(json, "inertiaDiagonal", {});
-    m.linear_velocity = vector_or(json, "linearVelocity", {});
-    m.angular_velocity = vector_or(json, "angularVelocity", {});
-    if (const auto v = json.find("inertiaOrientation")) m.inertia_orientation = read_quaternion(*v);
-    if (const auto v = json.find("gravityFactor")) m.gravity_factor = v->number<double>();
-    return m;
+  int add_body(std::size_t node, MotionType type, std::optional<Motion> motion, const Posed& pose) {
+    scene_.bodies.push_back({name_of(node), static_cast<int>(node), type, std::move(motion), pose});
+    return static_cast<int>(scene_.bodies.size()) - 1;
+  }
+
+  /// Once all nodes are in their places, as the other end may be anywhere in the tree.
+  void read_joint(const JointNode& at) {
+    const JsonValue other = at.json.at("connectedNode");
+    const std::size_t connected = other.index_below(nodes_.size());
+    if (!places_[connected]) other.fail("a node of the scene");
+    const JointDescription& description = descriptions_[at.json.at("joint").index_below(descriptions_.size())];
+    Joint joint{
+        name_of(at.node),   static_cast<int>(at.node), places_[at.node]->body, places_[connected]->body, {}, {}, false,
+        description.limits, description.drives};
+    joint.frame_a = joint_frame(at.node);
+    joint.frame_b = joint_frame(connected);
+    if (const auto v = at.json.find("enableCollision")) joint.enable_collision = v->boolean();
+    const auto moves = [&](const std::optional<std::uint32_t>& body) {
+      return body && scene_.bodies[*body].type != MotionType::fixed;
+    };
+    if (joint.body_a == joint.body_b || (!moves(joint.body_a) && !moves(joint.body_b)))
+      notice(joint.name + ": a joint of what cannot move against each other is skipped");
+    else
+      scene_.joints.push_back(std::move(joint));
+  }
+
+  /// A node's frame in the body that it belongs to.
+  Posed joint_frame(std::size_t node) const {
+    const NodePlace& place = *places_[node];
+    require_regular(nodes_[node], place.map);
+    validate::point(place.map.translation, nodes_[node].path() + " (in the world).translation");
+    const Posed frame = rigid_part(place.map);
+    return place.body ? relative(scene_.bodies[*place.body].pose, frame) : frame;
   }
 
   void read_collider(std::size_t node, const JsonValue& json, const Affine& map, int body, bool trigger) {
@@ -229,10 +257,7 @@ class SceneReader {
   }
 
   Collider placed(std::size_t node, const Shaped& shape, const Affine& map, int body) {
-    if (body < 0) {
-      scene_.bodies.push_back({name_of(node), static_cast<int>(node), MotionType::fixed, {}});
-      body = static_cast<int>(scene_.bodies.size()) - 1;
-    }
+    if (body < 0) body = add_body(node, MotionType::fixed, {}, rigid_part(map));
     const MappedShape result = mapped_at(node, shape, map);
     tree_.colliders.push_back({shape, node, map});
     if (!result.notice.empty()) notice(name_of(node) + ": " + result.notice);
@@ -288,6 +313,7 @@ class SceneReader {
   void meshes_collide() {
     scene_.bodies.clear();
     scene_.colliders.clear();
+    scene_.joints.clear();
     for (const Visit& v : mesh_nodes_) {
       const auto mesh = nodes_[v.node].at("mesh");
       const std::size_t index = mesh.index_below(list(root_, "meshes").size());
@@ -303,6 +329,10 @@ class SceneReader {
   LoadOptions options_;
   std::vector<JsonValue> nodes_, shapes_, filters_;
   std::vector<Material> materials_;
+  std::vector<JointDescription> descriptions_;
+  std::vector<std::optional<NodePlace>> places_;  ///< by node, of those in the scene
+  std::vector<JointNode> joint_nodes_;
+  bool moves_ = false;             ///< a node has a motion
   std::vector<Visit> mesh_nodes_;  ///< with the node's own map in `parent`
   NodeTree tree_;
   Scene scene_;

@@ -89,6 +89,11 @@ void append(Scene& scene, Scene other) {
     collider.filter.mask = moved_bits(collider.filter.mask, place);
     scene.colliders.push_back(std::move(collider));
   }
+  for (Joint& joint : other.joints) {
+    if (joint.body_a) *joint.body_a += first_body;
+    if (joint.body_b) *joint.body_b += first_body;
+    scene.joints.push_back(std::move(joint));
+  }
   for (std::string& text : other.notices) scene.notices.push_back(std::move(text));
   if (!scene.source.empty()) scene.source += " + ";
   scene.source += other.source;

@@ -8,32 +8,34 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "graze/filter.hpp"
+#include "graze/material.hpp"
 #include "graze/shape.hpp"
 
 namespace graze::io {
 
 enum class MotionType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is glTF's static
 
-/// KHR_physics_rigid_bodies' motion, kept as data for a solver.
+/// KHR_physics_rigid_bodies' motion, in the frame of its body (`Body::pose`); what the file leaves out is left out here.
 struct Motion {
   bool kinematic = false;
-  std::optional<double> mass;
-  Vec3d center_of_mass{}, inertia_diagonal{}, linear_velocity{}, angular_velocity{};
-  Quatd inertia_orientation{};
+  std::optional<double> mass;             ///< > 0; infinite where the file says 0
+  std::optional<Vec3d> center_of_mass;    ///< at the size that the body has in the world
+  std::optional<Vec3d> inertia_diagonal;  ///< about the centre of mass, each > 0; infinite where the file says 0
+  Quatd inertia_orientation{};            ///< turns the principal axes into the body's frame
+  Vec3d linear_velocity{};                ///< of the centre of mass, in world axes
+  Vec3d angular_velocity{};               ///< in world axes
   double gravity_factor = 1;
 };
 
-/// KHR_physics_rigid_bodies' physics material.
-struct Material {
-  double static_friction = 0.6, dynamic_friction = 0.6, restitution = 0;
-  std::string friction_combine = "average", restitution_combine = "average";
-};
+/// KHR_physics_rigid_bodies' physics material. A combine mode that the file does not name is unset.
+using Material = graze::Material<double>;
 
 /// A body: the node that moves. Colliders of one body never collide with each other.
 struct Body {
@@ -41,6 +43,7 @@ struct Body {
   int node = -1;
   MotionType type = MotionType::fixed;
   std::optional<Motion> motion;
+  Posed pose{};  ///< of its node in the world, without scale
 };
 
 /// One shape of a body, at its pose in the world.
@@ -53,6 +56,38 @@ struct Collider {
   Filter filter{};
   bool trigger = false;
   std::optional<Material> material;
+};
+
+/// One range of KHR_physics_rigid_bodies' joints: of the second frame seen from the first, the distance along one axis
+/// of the first (from a line with two axes, from a point with three) or the angle about it (with two axes between the
+/// third axes, with three of the whole turn) stays from `min` to `max`.
+struct JointLimit {
+  bool angular = false;
+  std::array<bool, 3> axes{};  ///< at least one
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  std::optional<double> stiffness;  ///< of the spring that holds it; a hard limit without
+  double damping = 0;
+};
+
+/// A damped spring or motor of a joint, along or about one axis of the first frame.
+struct JointDrive {
+  bool angular = false;
+  bool acceleration = false;  ///< stiffness and damping are for a unit of effective mass
+  std::uint8_t axis = 0;
+  double max_force = std::numeric_limits<double>::infinity();
+  double position_target = 0, velocity_target = 0, stiffness = 0, damping = 0;
+};
+
+/// A joint of two bodies, or of one and the world.
+struct Joint {
+  std::string name;
+  int node = -1;
+  std::optional<std::uint32_t> body_a, body_b;  ///< indices into `Scene::bodies`; the world without
+  Posed frame_a{}, frame_b{};                   ///< in the body's frame; at rest in the world, without one
+  bool enable_collision = false;
+  std::vector<JointLimit> limits;
+  std::vector<JointDrive> drives;
 };
 
 struct AnimationTracks;
@@ -69,6 +104,7 @@ struct Scene {
   std::string source;
   std::vector<Body> bodies;
   std::vector<Collider> colliders;
+  std::vector<Joint> joints;
   std::vector<Animation> animations;           ///< when `LoadOptions::animations` asked for them
   std::vector<std::string> notices;            ///< what was skipped or approximated, one sentence each
   std::vector<std::string> collision_systems;  ///< the names behind the filters' bits
@@ -79,8 +115,9 @@ enum class MeshColliders : std::uint8_t { hull, mesh, box, sphere };
 
 struct LoadOptions {
   MeshColliders mesh_colliders = MeshColliders::mesh;
-  bool animations = false;  ///< read those of glTF too
-  bool chosen = false;      ///< asked for, not the default: a file with colliders of its own, which stay, says so
+  bool animations = false;    ///< read those of glTF too
+  bool physics_only = false;  ///< the meshes of a file that has motions, and no colliders, are pictures and stay so
+  bool chosen = false;        ///< asked for, not the default: a file with colliders of its own, which stay, says so
 };
 
 /// Reads a scene file. glTF 2.0 (.gltf, .glb) with KHR_implicit_shapes and KHR_physics_rigid_bodies; OBJ, STL and PLY
@@ -90,7 +127,7 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options =
 /// As `load_scene`, from memory (for tests and fuzzing); external files are not opened.
 Scene load_gltf(const std::string& bytes, const std::string& source_name, const LoadOptions& options = {});
 
-/// Adds the bodies, colliders and animations of `other` behind those of `scene`, and joins their collision systems by
+/// Adds the bodies, colliders, joints and animations of `other` behind those of `scene`, and joins their collision systems by
 /// name.
 void append(Scene& scene, Scene other);
 

@@ -1,0 +1,131 @@
+#include "io/gltf_physics.hpp"
+
+#include "io/affine.hpp"
+#include "io/gltf_node.hpp"
+
+namespace graze::io {
+
+namespace {
+
+void read_if_there(const JsonValue& json, const char* key, double& value) {
+  if (const auto v = json.find(key)) value = v->number<double>();
+}
+void read_positive_if_there(const JsonValue& json, const char* key, double& value) {
+  if (const auto v = json.find(key)) value = v->length<double>();
+}
+
+/// The extension's way to write infinity, which JSON has no word for (section "Motions").
+double infinite_if_zero(double value) { return value > 0 ? value : std::numeric_limits<double>::infinity(); }
+
+Combine read_combine(const JsonValue& json) {
+  const std::string name = json.string();
+  if (name == "average") return Combine::average;
+  if (name == "minimum") return Combine::minimum;
+  if (name == "maximum") return Combine::maximum;
+  if (name == "multiply") return Combine::multiply;
+  json.fail("one of average, minimum, maximum, multiply");
+}
+
+/// No mass distribution has a moment above the sum of the two others: each is the sum of two of three non-negative
+/// integrals. What files hold is rounded.
+Vec3d read_inertia(const JsonValue& json) {
+  Vec3d moments = json.lengths<double>();
+  for (std::size_t i = 0; i < 3; ++i) moments[i] = infinite_if_zero(moments[i]);
+  const bool finite = std::isfinite(moments.x) && std::isfinite(moments.y) && std::isfinite(moments.z);
+  for (std::size_t i = 0; i < 3 && finite; ++i)
+    if (moments[i] * (1 - file_precision) > moments[(i + 1) % 3] + moments[(i + 2) % 3])
+      json.elements()[i].fail("a moment of inertia that is at most the sum of the two others, " +
+                              validate::number(moments[(i + 1) % 3] + moments[(i + 2) % 3]));
+  return moments;
+}
+
+/// One to three different axes.
+std::array<bool, 3> read_axes(const JsonValue& json) {
+  std::array<bool, 3> axes{};
+  const auto list = json.elements();
+  if (list.empty()) json.fail("one to three axes, each 0, 1 or 2");
+  for (const JsonValue& axis : list) {
+    const std::size_t i = axis.index_below(3);
+    if (axes[i]) axis.fail("an axis that is not named twice");
+    axes[i] = true;
+  }
+  return axes;
+}
+
+JointLimit read_limit(const JsonValue& json) {
+  JointLimit limit;
+  const auto linear = json.find("linearAxes"), angular = json.find("angularAxes");
+  if (linear.has_value() == angular.has_value())
+    throw InvalidValue(json.path(), "either linearAxes or angularAxes", linear ? "both" : "neither");
+  limit.angular = angular.has_value();
+  limit.axes = read_axes(limit.angular ? *angular : *linear);
+  read_if_there(json, "min", limit.min);
+  read_if_there(json, "max", limit.max);
+  if (limit.min > limit.max) json.at("min").fail("at most the limit's max, " + validate::number(limit.max));
+  // With several axes what is limited is a distance, or an angle without a sign, which is never below zero.
+  const bool several = limit.axes[0] + limit.axes[1] + limit.axes[2] > 1;
+  if (several && limit.max < 0) json.at("max").fail("at least 0 of a limit with several axes");
+  if (const auto v = json.find("stiffness")) limit.stiffness = v->length<double>();
+  read_positive_if_there(json, "damping", limit.damping);
+  return limit;
+}
+
+JointDrive read_drive(const JsonValue& json) {
+  JointDrive drive;
+  const JsonValue type = json.at("type"), mode = json.at("mode");
+  if (type.string() != "linear" && type.string() != "angular") type.fail("linear or angular");
+  if (mode.string() != "force" && mode.string() != "acceleration") mode.fail("force or acceleration");
+  drive.angular = type.string() == "angular";
+  drive.acceleration = mode.string() == "acceleration";
+  drive.axis = static_cast<std::uint8_t>(json.at("axis").index_below(3));
+  // Writers say "without limit" by the largest float.
+  if (const auto v = json.find("maxForce")) drive.max_force = v->positive_or_zero<double>();
+  read_if_there(json, "positionTarget", drive.position_target);
+  read_if_there(json, "velocityTarget", drive.velocity_target);
+  read_positive_if_there(json, "stiffness", drive.stiffness);
+  read_positive_if_there(json, "damping", drive.damping);
+  return drive;
+}
+
+}  // namespace
+
+Material read_physics_material(const JsonValue& json) {
+  Material material;
+  read_positive_if_there(json, "staticFriction", material.static_friction);
+  read_positive_if_there(json, "dynamicFriction", material.dynamic_friction);
+  read_positive_if_there(json, "restitution", material.restitution);
+  if (const auto v = json.find("frictionCombine")) material.friction_combine = read_combine(*v);
+  if (const auto v = json.find("restitutionCombine")) material.restitution_combine = read_combine(*v);
+  return material;
+}
+
+Motion read_motion(const JsonValue& json) {
+  Motion m;
+  if (const auto v = json.find("isKinematic")) m.kinematic = v->boolean();
+  if (const auto v = json.find("mass")) m.mass = infinite_if_zero(v->length<double>());
+  if (const auto v = json.find("centerOfMass")) m.center_of_mass = v->vector<double>();
+  if (const auto v = json.find("inertiaDiagonal")) m.inertia_diagonal = read_inertia(*v);
+  if (const auto v = json.find("inertiaOrientation")) m.inertia_orientation = read_quaternion(*v);
+  m.linear_velocity = vector_or(json, "linearVelocity", {});
+  m.angular_velocity = vector_or(json, "angularVelocity", {});
+  read_if_there(json, "gravityFactor", m.gravity_factor);
+  return m;
+}
+
+Motion in_body_frame(Motion motion, const Mat3d& linear, const Quatd& rotation) {
+  if (motion.center_of_mass) motion.center_of_mass = rotate(conjugate(rotation), linear * *motion.center_of_mass);
+  motion.linear_velocity = rotate(rotation, motion.linear_velocity);
+  motion.angular_velocity = rotate(rotation, motion.angular_velocity);
+  return motion;
+}
+
+JointDescription read_joint_description(const JsonValue& json) {
+  JointDescription description;
+  if (const auto limits = json.find("limits"))
+    for (const JsonValue& limit : limits->elements()) description.limits.push_back(read_limit(limit));
+  if (const auto drives = json.find("drives"))
+    for (const JsonValue& drive : drives->elements()) description.drives.push_back(read_drive(drive));
+  return description;
+}
+
+}  // namespace graze::io

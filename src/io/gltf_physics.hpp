@@ -1,0 +1,31 @@
+// KHR_physics_rigid_bodies: materials, motions and joints as a solver needs them.
+//
+// Guarantee: what is read is finite and in range: masses and moments of inertia above zero, or infinite where the file
+// says zero; moments that some body can have; frictions, restitutions, stiffnesses and dampings of at least zero; limits
+// of one to three different axes whose least is not above the greatest. All else raises `InvalidValue` with the place in
+// the file, what was expected and what was found. What a file leaves out is not made up.
+#pragma once
+
+#include "graze/io/scene.hpp"
+#include "io/json_value.hpp"
+
+namespace graze::io {
+
+/// An element of `physicsMaterials`.
+Material read_physics_material(const JsonValue& json);
+
+/// A node's `motion`, all of it in the node's own space.
+Motion read_motion(const JsonValue& json);
+
+/// The motion of a node in the frame of its body: `linear` is the node's map to the world, and `rotation` the body's.
+/// Positions are scaled with the node; velocities are of metres and radians a second, and only turned.
+Motion in_body_frame(Motion motion, const Mat3d& linear, const Quatd& rotation);
+
+/// The limits and drives of an element of `physicsJoints`.
+struct JointDescription {
+  std::vector<JointLimit> limits;
+  std::vector<JointDrive> drives;
+};
+JointDescription read_joint_description(const JsonValue& json);
+
+}  // namespace graze::io
