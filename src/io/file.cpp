@@ -19,6 +19,12 @@ std::string reason(int error) {
   return words;
 }
 
+[[noreturn]] void cannot_write(const std::filesystem::path& file) {
+  // What the folder is that is missing, a file to be made does not tell.
+  throw InvalidValue(file.string(), "",
+                     "cannot be written: " + (errno == ENOENT ? std::string("no such folder") : reason(errno)));
+}
+
 }  // namespace
 
 std::ifstream open_file(const std::filesystem::path& file) {
@@ -31,15 +37,34 @@ std::ifstream open_file(const std::filesystem::path& file) {
   return in;
 }
 
-void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts) {
+FileWriter::FileWriter(const std::filesystem::path& file) : file_(file) {
   errno = 0;
-  std::ofstream out(file, std::ios::binary);
-  // What the folder is that is missing, a file to be made does not tell.
-  const auto fail = [&](const std::string& why) { throw InvalidValue(file.string(), "", "cannot be written: " + why); };
-  if (!out) fail(errno == ENOENT ? "no such folder" : reason(errno));
-  for (const std::string_view part : parts) out.write(part.data(), static_cast<std::streamsize>(part.size()));
-  out.close();  // what was kept back is written now, and may find no room
-  if (!out) fail(reason(errno));
+  out_.open(file, std::ios::binary);
+  if (!out_) fail();
+}
+
+void FileWriter::write(std::string_view bytes) {
+  errno = 0;
+  if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail();
+}
+
+void FileWriter::close() {
+  errno = 0;
+  out_.close();
+  if (!out_) fail();
+}
+
+void FileWriter::fail() { cannot_write(file_); }
+
+void check_writable(const std::filesystem::path& file) {
+  errno = 0;
+  if (!std::ofstream(file, std::ios::binary | std::ios::app)) cannot_write(file);
+}
+
+void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts) {
+  FileWriter out(file);
+  for (const std::string_view part : parts) out.write(part);
+  out.close();
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {

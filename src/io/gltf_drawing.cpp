@@ -83,6 +83,11 @@ std::size_t ModelWriter::positions(const std::vector<Vec3d>& points) {
                                   {"max", {box.upper.x, box.upper.y, box.upper.z}}});
 }
 
+const Look& collider_look(bool kept, bool fixed) {
+  const ColliderLooks& looks = kept ? over : alone;
+  return fixed ? looks.still : looks.moving;
+}
+
 Polygons octahedron(double r) {
   const Shaped shape =
       ConvexHull<double>(std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});

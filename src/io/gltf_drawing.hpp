@@ -41,6 +41,9 @@ class ModelWriter {
   std::map<std::string, std::size_t> materials_;
 };
 
+/// How a collider looks that touches nothing: alone in its file, or (`kept`) beside what the file shows by itself.
+const Look& collider_look(bool kept, bool fixed);
+
 /// What a contact point is drawn as.
 Polygons octahedron(double radius);
 /// An arrow from the origin along +Y.

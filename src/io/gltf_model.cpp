@@ -18,7 +18,8 @@ using Bytes = std::vector<unsigned char>;
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
 /// The lists that things are added to.
-constexpr const char* added_lists[] = {"accessors", "buffers", "bufferViews", "materials", "meshes", "nodes"};
+constexpr const char* added_lists[] = {"accessors", "animations", "buffers", "bufferViews",
+                                       "materials", "meshes",     "nodes"};
 
 std::optional<Bytes> read_bytes(const std::filesystem::path& file) {
   std::error_code failed;
@@ -238,20 +239,49 @@ Json& GltfModel::shown_scene() {
   return scenes[index.get<std::size_t>()];
 }
 
-void GltfModel::add_root(Json node) {
+std::size_t GltfModel::add_root(Json node) {
   const std::size_t index = add("nodes", std::move(node));
   list_at(shown_scene(), "nodes").push_back(index);
+  return index;
 }
 
-void GltfModel::save(const std::filesystem::path& file) const {
+void GltfModel::move_node(std::size_t index, std::optional<std::size_t> parent) {
+  const auto leave = [&](Json& owner, const char* key) {
+    if (!owner.is_object() || !owner.contains(key)) return;
+    Json& list = owner[key];
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (list[i] == Json(index)) {
+        list.erase(i);
+        break;
+      }
+    if (list.empty()) owner.erase(key);
+  };
+  for (Json& node : list_at(json_, "nodes")) leave(node, "children");
+  for (Json& scene : list_at(json_, "scenes")) leave(scene, "nodes");
+  list_at(parent ? node(*parent) : shown_scene(), parent ? "children" : "nodes").push_back(index);
+}
+
+/// The format has no empty lists.
+Json GltfModel::without_empty_lists() const {
   Json json = json_;
-  // The format has no empty lists.
   for (const char* list : added_lists)
     if (json.contains(list) && json[list].empty()) json.erase(list);
   if (json.contains("scenes"))
     for (Json& scene : json["scenes"])
       if (scene.contains("nodes") && scene["nodes"].empty()) scene.erase("nodes");
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json;
+}
+
+void GltfModel::save_text(const std::filesystem::path& file) const {
+  Json json = without_empty_lists();
+  if (!data_.empty()) json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(data_);
+  write_file(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void GltfModel::save(const std::filesystem::path& file) const {
+  if (std::string ending = file.extension().string(); ending.size() == 5 && (ending.back() | 0x20) == 'f')
+    return save_text(file);
+  std::string text = without_empty_lists().dump(-1, ' ', false, Json::error_handler_t::replace);
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::string binary(data_.begin(), data_.end());
   binary.resize((binary.size() + 3) / 4 * 4, '\0');

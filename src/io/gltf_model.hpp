@@ -1,4 +1,4 @@
-// A glTF file in memory that things are added to, and that is written as one binary file.
+// A glTF file in memory that things are added to, and that is written as one file.
 //
 // Guarantee: what the file held stays as it was, known to us or not: every element at its index, every extension, every
 // picture byte for byte. That is why it is kept as the JSON that it is and not as some library's model of it, which
@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ class GltfModel {
   /// A .gltf or .glb file, with what it refers to below its own folder. Throws `InvalidValue`.
   explicit GltfModel(const std::filesystem::path& file);
 
+  /// The file as it is now.
+  const Json& json() const { return json_; }
+  /// A node, to be changed.
+  Json& node(std::size_t index) { return json_.at("nodes").at(index); }
+  /// Puts a node below another, or, without one, at the top of the scene that is shown; wherever it was before.
+  void move_node(std::size_t index, std::optional<std::size_t> parent);
+
   /// Whether a node of the file shows a mesh of its own.
   bool has_mesh(int node) const;
 
@@ -29,8 +37,9 @@ class GltfModel {
   /// Adds bytes of which accessors or pictures are made, as a buffer view; `target` as in the format, 0 for none.
   std::size_t add_view(std::span<const unsigned char> bytes, int target = 0);
   /// Adds a node to the scene that is shown.
-  void add_root(Json node);
+  std::size_t add_root(Json node);
 
+  /// One file with everything in it: text when its name ends in .gltf, else binary.
   void save(const std::filesystem::path& file) const;
 
   /// What could not be taken along, one sentence each.
@@ -38,6 +47,8 @@ class GltfModel {
 
  private:
   Json& shown_scene();
+  Json without_empty_lists() const;
+  void save_text(const std::filesystem::path& file) const;
   void embed_buffers(const std::filesystem::path& folder, std::span<const unsigned char> chunk);
   void embed_images(const std::filesystem::path& folder);
 

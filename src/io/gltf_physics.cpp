@@ -99,8 +99,8 @@ Material read_physics_material(const JsonValue& json) {
   return material;
 }
 
-Motion read_motion(const JsonValue& json) {
-  Motion m;
+BodyMotion read_motion(const JsonValue& json) {
+  BodyMotion m;
   if (const auto v = json.find("isKinematic")) m.kinematic = v->boolean();
   if (const auto v = json.find("mass")) m.mass = infinite_if_zero(v->length<double>());
   if (const auto v = json.find("centerOfMass")) m.center_of_mass = v->vector<double>();
@@ -112,7 +112,7 @@ Motion read_motion(const JsonValue& json) {
   return m;
 }
 
-Motion in_body_frame(Motion motion, const Mat3d& linear, const Quatd& rotation) {
+BodyMotion in_body_frame(BodyMotion motion, const Mat3d& linear, const Quatd& rotation) {
   if (motion.center_of_mass) motion.center_of_mass = rotate(conjugate(rotation), linear * *motion.center_of_mass);
   motion.linear_velocity = rotate(rotation, motion.linear_velocity);
   motion.angular_velocity = rotate(rotation, motion.angular_velocity);

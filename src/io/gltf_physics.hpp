@@ -15,11 +15,11 @@ namespace graze::io {
 Material read_physics_material(const JsonValue& json);
 
 /// A node's `motion`, all of it in the node's own space.
-Motion read_motion(const JsonValue& json);
+BodyMotion read_motion(const JsonValue& json);
 
 /// The motion of a node in the frame of its body: `linear` is the node's map to the world, and `rotation` the body's.
 /// Positions are scaled with the node; velocities are of metres and radians a second, and only turned.
-Motion in_body_frame(Motion motion, const Mat3d& linear, const Quatd& rotation);
+BodyMotion in_body_frame(BodyMotion motion, const Mat3d& linear, const Quatd& rotation);
 
 /// The limits and drives of an element of `physicsJoints`.
 struct JointDescription {

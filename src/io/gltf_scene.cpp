@@ -190,7 +190,7 @@ class SceneReader {
       require_regular(node, map);
       validate::point(map.translation, node.path() + " (in the world).translation");
       const Posed pose = rigid_part(map);
-      const Motion m = in_body_frame(read_motion(*motion), map.linear, pose.rotation);
+      const BodyMotion m = in_body_frame(read_motion(*motion), map.linear, pose.rotation);
       body = add_body(visit.node, m.kinematic ? MotionType::kinematic : MotionType::dynamic, m, pose);
       moves_ = true;
     }
@@ -203,7 +203,7 @@ class SceneReader {
     return body;
   }
 
-  int add_body(std::size_t node, MotionType type, std::optional<Motion> motion, const Posed& pose) {
+  int add_body(std::size_t node, MotionType type, std::optional<BodyMotion> motion, const Posed& pose) {
     scene_.bodies.push_back({name_of(node), static_cast<int>(node), type, std::move(motion), pose});
     return static_cast<int>(scene_.bodies.size()) - 1;
   }

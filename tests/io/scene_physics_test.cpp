@@ -57,7 +57,7 @@ TEST(ScenePhysics, WhatAFileLeavesOutIsLeftOut) {
   Json json = base();
   motion(json) = Json::object();
   const Scene scene = load(json);
-  const Motion& m = *crate(scene).motion;
+  const BodyMotion& m = *crate(scene).motion;
   EXPECT_FALSE(m.kinematic || m.mass || m.center_of_mass || m.inertia_diagonal);
   EXPECT_EQ(m.gravity_factor, 1);
   for (const Collider& c : scene.colliders) {
@@ -102,7 +102,7 @@ TEST(ScenePhysics, ZeroMassAndInertiaAreInfinite) {
   Json json = base();
   motion(json) = {{"mass", 0}, {"inertiaDiagonal", {0, 3, 0}}};
   const Scene scene = load(json);
-  const Motion& m = *crate(scene).motion;
+  const BodyMotion& m = *crate(scene).motion;
   EXPECT_EQ(m.mass, infinity);
   EXPECT_EQ(*m.inertia_diagonal, (Vec3d{infinity, 3, infinity}));
 }
@@ -124,7 +124,7 @@ TEST(ScenePhysics, MotionsTurnWithTheirParents) {
   EXPECT_EQ(body.type, MotionType::kinematic);
   expect_near(body.pose.translation, {1, 2, 3});
   expect_near(rotate(body.pose.rotation, Vec3d{1, 0, 0}), {0, 0, -1});
-  const Motion& m = *body.motion;
+  const BodyMotion& m = *body.motion;
   expect_near(m.linear_velocity, {0, 2, -1});
   expect_near(m.angular_velocity, {3, 0, 0});
   // In the body's frame, which has no scale.

@@ -14,6 +14,26 @@ namespace graze::io {
 /// A file opened for reading, byte by byte. Throws `InvalidValue` for what is not there, a folder, or not permitted.
 std::ifstream open_file(const std::filesystem::path& file);
 
+/// A file that is written piece by piece.
+class FileWriter {
+ public:
+  /// Makes the file, or empties it. Throws `InvalidValue`, as everything here does.
+  explicit FileWriter(const std::filesystem::path& file);
+  void write(std::string_view bytes);
+  /// Writes out what was kept back, which may find no room: without this nothing is known to be written.
+  void close();
+
+ private:
+  [[noreturn]] void fail();
+
+  std::filesystem::path file_;
+  std::ofstream out_;
+};
+
+/// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins. One that is there keeps its
+/// bytes, one that is not there is made.
+void check_writable(const std::filesystem::path& file);
+
 /// Writes the parts one behind the other as a whole file, and closes it. Throws `InvalidValue` unless every byte of it
 /// was taken.
 void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts);

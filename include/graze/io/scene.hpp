@@ -23,7 +23,7 @@ namespace graze::io {
 enum class MotionType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is glTF's static
 
 /// KHR_physics_rigid_bodies' motion, in the frame of its body (`Body::pose`); what the file leaves out is left out here.
-struct Motion {
+struct BodyMotion {
   bool kinematic = false;
   std::optional<double> mass;             ///< > 0; infinite where the file says 0
   std::optional<Vec3d> center_of_mass;    ///< at the size that the body has in the world
@@ -42,7 +42,7 @@ struct Body {
   std::string name;
   int node = -1;
   MotionType type = MotionType::fixed;
-  std::optional<Motion> motion;
+  std::optional<BodyMotion> motion;
   Posed pose{};  ///< of its node in the world, without scale
 };
 

@@ -1,0 +1,66 @@
+// What a simulation did, frame by frame, written to a file: an animated glTF scene or JSON lines.
+//
+// Guarantee: the bytes are a function of the scene and the frames alone. A scene that was a glTF file stays as it was,
+// with all that is in it, and gets one animation more, "simulation", whose keyframes are the frames: at each of their
+// times every body with a motion stands, in the world, where its frame has it, up to what floats hold, whatever scales
+// its ancestors have and whichever of them are bodies of their own. Colliders that show no mesh of their own are drawn
+// and move along. Whatever cannot be written throws `InvalidValue`: a file that was closed is whole.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "graze/io/protocol.hpp"
+#include "graze/io/scene.hpp"
+
+namespace graze::io {
+
+/// A body at a time.
+struct BodyState {
+  Posed pose{};     ///< of its node in the world, without scale
+  Vec3d linear{};   ///< velocity of the centre of mass
+  Vec3d angular{};  ///< in world axes
+  bool asleep = false;
+};
+
+/// What two bodies that touch did to each other in a step.
+struct ContactState {
+  std::uint32_t a = 0, b = 0;  ///< indices into `Scene::bodies`
+  std::size_t points = 0;
+  double impulse = 0;  ///< the sum of its normal impulses
+  double depth = 0;    ///< of the deepest point; 0 where a gap is left
+};
+
+struct SimulationFrame {
+  double time = 0;
+  std::vector<BodyState> bodies;  ///< in the order of `moving_bodies`
+  std::vector<ContactState> contacts;
+  double kinetic_energy = 0, potential_energy = 0;
+};
+
+/// The bodies with a motion, in the order of their nodes: indices into `Scene::bodies`.
+std::vector<std::uint32_t> moving_bodies(const Scene& scene);
+
+/// Takes frames in the order of time.
+class Recording {
+ public:
+  virtual ~Recording() = default;
+  /// Throws `InvalidValue` for a frame with another number of bodies, and when the file has no room.
+  virtual void add(const SimulationFrame& frame) = 0;
+  /// Writes what is left. Throws `InvalidValue` unless the whole file was written.
+  virtual void close() = 0;
+  /// What could not be taken along, one sentence each.
+  virtual std::vector<std::string> notices() const { return {}; }
+};
+
+/// By the end of the file's name: .gltf, .glb or .jsonl. `source` is the glTF file that the scene was read from; without
+/// one the colliders are drawn alone. Lines have as many digits as `precision` needs. Throws `InvalidValue` for another
+/// ending, or when `source` cannot be read or `file` not be written. The scene must outlive the recording.
+std::unique_ptr<Recording> record(const std::filesystem::path& file, const Scene& scene,
+                                  const std::filesystem::path& source = {},
+                                  Precision precision = Precision::double_precision);
+
+}  // namespace graze::io

@@ -1,0 +1,64 @@
+#include "io/frame_lines.hpp"
+
+#include "io/json_value.hpp"
+#include "io/json_writer.hpp"
+
+namespace graze::io {
+
+namespace {
+
+/// A name in quotes; what is not UTF-8 is replaced.
+std::string quoted(const std::string& name) { return Json(name).dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+template <class T>
+void write_number(JsonWriter& out, double value) {
+  out.number(static_cast<T>(value));
+}
+
+template <class T>
+void write_vector(JsonWriter& out, const char* key, const Vec3d& v) {
+  out.key(key).vector(converted<T>(v));
+}
+
+template <class T>
+void write_body(JsonWriter& out, const std::string& name, const BodyState& body) {
+  const Quat<T> q = converted<T>(body.pose.rotation);
+  out.open('{').key("body").raw(quoted(name));
+  write_vector<T>(out, "translation", body.pose.translation);
+  out.key("rotation").open('[').number(q.x).number(q.y).number(q.z).number(q.w).close(']');
+  write_vector<T>(out, "linear", body.linear);
+  write_vector<T>(out, "angular", body.angular);
+  out.key("asleep").value(body.asleep).close('}');
+}
+
+template <class T>
+std::string line_in(const Scene& scene, const std::vector<std::uint32_t>& moving, const SimulationFrame& frame) {
+  JsonWriter out;
+  // Frames come more often than floats have digits for seconds.
+  out.open('{').key("time").number(frame.time).key("bodies").open('[');
+  for (std::size_t i = 0; i < moving.size(); ++i) write_body<T>(out, scene.bodies[moving[i]].name, frame.bodies[i]);
+  out.close(']').key("contacts").open('[');
+  for (const ContactState& c : frame.contacts) {
+    out.open('{').key("a").raw(quoted(scene.bodies[c.a].name)).key("b").raw(quoted(scene.bodies[c.b].name));
+    out.key("points").number(static_cast<double>(c.points)).key("impulse");
+    write_number<T>(out, c.impulse);
+    out.key("depth");
+    write_number<T>(out, c.depth);
+    out.close('}');
+  }
+  out.close(']').key("energy").open('{').key("kinetic");
+  write_number<T>(out, frame.kinetic_energy);
+  out.key("potential");
+  write_number<T>(out, frame.potential_energy);
+  return out.close('}').close('}').take() + "\n";
+}
+
+}  // namespace
+
+std::string frame_line(const Scene& scene, const std::vector<std::uint32_t>& moving, const SimulationFrame& frame,
+                       Precision precision) {
+  return precision == Precision::double_precision ? line_in<double>(scene, moving, frame)
+                                                  : line_in<float>(scene, moving, frame);
+}
+
+}  // namespace graze::io

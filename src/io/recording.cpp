@@ -1,0 +1,60 @@
+#include "graze/io/recording.hpp"
+
+#include <algorithm>
+
+#include "graze/error.hpp"
+#include "graze/io/file.hpp"
+#include "io/animated_scene.hpp"
+#include "io/frame_lines.hpp"
+#include "io/gltf_drawing.hpp"
+
+namespace graze::io {
+
+namespace {
+
+/// Each line is written when it comes, so that what a run has done can be read while it goes on.
+class LineRecording final : public Recording {
+ public:
+  LineRecording(const std::filesystem::path& file, const Scene& scene, Precision precision)
+      : out_(file), scene_(scene), moving_(moving_bodies(scene)), precision_(precision) {}
+
+  void add(const SimulationFrame& frame) override {
+    if (frame.bodies.size() != moving_.size())
+      throw InvalidValue("bodies", std::to_string(moving_.size()) + " states", std::to_string(frame.bodies.size()));
+    out_.write(frame_line(scene_, moving_, frame, precision_));
+  }
+  void close() override { out_.close(); }
+
+ private:
+  FileWriter out_;
+  const Scene& scene_;
+  std::vector<std::uint32_t> moving_;
+  Precision precision_;
+};
+
+bool is_lines(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".jsonl";
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> moving_bodies(const Scene& scene) {
+  std::vector<std::uint32_t> moving;
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].motion) moving.push_back(i);
+  std::stable_sort(moving.begin(), moving.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return scene.bodies[a].node < scene.bodies[b].node; });
+  return moving;
+}
+
+std::unique_ptr<Recording> record(const std::filesystem::path& file, const Scene& scene,
+                                  const std::filesystem::path& source, Precision precision) {
+  if (is_lines(file)) return std::make_unique<LineRecording>(file, scene, precision);
+  if (is_gltf(file)) return record_animation(file, scene, source);
+  throw InvalidValue(file.string(), "a file name that ends in .gltf, .glb or .jsonl",
+                     "\"" + file.extension().string() + "\"");
+}
+
+}  // namespace graze::io
