@@ -9,7 +9,7 @@ set(floors
     "^src/composite/"
     "^src/query/|^include/graze/(query|cast|raycast|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$)"
-    "^src/dynamics/|^include/graze/(free_motion|impulse|blows|mass|material)\\.hpp$"
+    "^src/dynamics/|^include/graze/(free_motion|impulse|blows|mass|material|dynamics|joint|simulation)\\.hpp$"
     "^src/(tbb|io)/|^include/graze/(io/|tbb_executor\\.hpp$)"
     "^include/graze/graze\\.hpp$")
 

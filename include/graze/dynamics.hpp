@@ -1,0 +1,33 @@
+// How a body of a simulation is moved: its mass, where that lies, and who moves it.
+//
+// Guarantee: a plain value. What is left out follows from the shape. `Simulation::add` throws `InvalidValue` for what
+// is neither a mass nor an inertia, naming it.
+#pragma once
+
+#include <optional>
+
+#include "graze/quat.hpp"
+
+namespace graze {
+
+/// The motion of a body, as KHR_physics_rigid_bodies describes it. Lengths, masses and times are in the caller's units.
+template <class T>
+struct Dynamics {
+  /// > 0. Infinite for a body that nothing pushes: it keeps its velocity, gravity included. By default the volume of
+  /// the shape times `density`; a shape without volume that is neither fixed nor kinematic has to be given one.
+  std::optional<T> mass;
+  std::optional<Vec3<T>> center_of_mass;  ///< in the body's frame; by default that of the shape
+  /// About the axes of `inertia_orientation` through the centre of mass: each > 0, infinite for an axis about which the
+  /// body does not turn; of three finite ones none larger than the sum of the others. By default that of the shape,
+  /// filled evenly with the mass; about another centre of mass, too.
+  std::optional<Vec3<T>> inertia_diagonal;
+  Quat<T> inertia_orientation{};  ///< in the body's frame; of no effect without `inertia_diagonal`
+  T density = T(1000);            ///< > 0
+  T gravity_factor = T(1);        ///< times the simulation's gravity
+  T linear_damping = T(0);        ///< >= 0, per unit of time: a velocity v falls as v' = -damping v
+  T angular_damping = T(0);       ///< the same of the turning
+  bool kinematic = false;         ///< keeps the velocity that it is given: pushes and is not pushed
+  bool may_sleep = true;          ///< half_space_slots with its island where nothing in it moves
+};
+
+}  // namespace graze

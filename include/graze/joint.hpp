@@ -1,0 +1,101 @@
+// Joints: what two bodies may do relative to each other.
+//
+// Guarantee: plain values. One kind of joint, as in KHR_physics_rigid_bodies: a frame on either body, limits on how far
+// the second may be from the first along and about the first's axes, and drives that push it there. What is not limited
+// is free. The named joints below are limits like any others.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "graze/pose.hpp"
+#include "graze/world/bodies.hpp"
+
+namespace graze {
+
+/// A handle: the index of a joint, and how often the index was given away before.
+struct JointId {
+  std::uint32_t index = ~std::uint32_t{0}, generation = 0;
+
+  friend constexpr bool operator==(const JointId&, const JointId&) = default;
+  friend constexpr auto operator<=>(const JointId&, const JointId&) = default;
+};
+
+/// What a limit or drive is about: the way between the origins of the two frames, or the turn between their axes.
+enum class JointSpace : std::uint8_t { linear, angular };
+
+/// Bounds on one axis of frame A, or on two or three together: then on the length of the part of the way (or of the
+/// rotation) that lies in them, so that two linear axes make a tube, three a ball, and two angular axes a cone.
+/// Lengths, or radians.
+template <class T>
+struct JointLimit {
+  JointSpace space = JointSpace::linear;
+  std::array<bool, 3> axes{};  ///< x, y, z of frame A; at least one
+  T min = T(0), max = T(0);    ///< min <= max, either may be infinite; equal for what is held
+  std::optional<T> stiffness;  ///< > 0, force per length or torque per radian beyond the bounds; none: hard
+  T damping = T(0);            ///< >= 0, of the soft limit: force per velocity
+};
+
+/// Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.
+enum class DriveMode : std::uint8_t { force, acceleration };
+
+/// A motor on one axis of frame A: stiffness (position_target - position) + damping (velocity_target - velocity).
+template <class T>
+struct JointDrive {
+  JointSpace space = JointSpace::linear;
+  DriveMode mode = DriveMode::force;
+  std::uint8_t axis = 0;  ///< 0, 1, 2: x, y, z of frame A
+  T position_target = T(0), velocity_target = T(0);
+  T stiffness = T(0), damping = T(0);                ///< >= 0
+  T max_force = std::numeric_limits<T>::infinity();  ///< >= 0; a torque for an angular axis
+};
+
+template <class T>
+struct Joint {
+  BodyId a{}, b{};               ///< two different bodies; a fixed one ties the other to the world
+  Pose<T> frame_a{}, frame_b{};  ///< each in its body's frame
+  std::vector<JointLimit<T>> limits;
+  std::vector<JointDrive<T>> drives;
+  bool enable_collision = false;  ///< otherwise the two do not touch each other
+};
+
+/// The frames stay one.
+template <class T>
+Joint<T> fixed_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b) {
+  return {a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}}, {JointSpace::angular, {true, true, true}}},
+          {}};
+}
+/// The origins of the frames stay one.
+template <class T>
+Joint<T> ball_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b) {
+  return {a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}}}, {}};
+}
+/// A turn about the x axis is free.
+template <class T>
+Joint<T> hinge_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b) {
+  return {
+      a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}}, {JointSpace::angular, {false, true, true}}},
+      {}};
+}
+/// A way along the x axis is free, from `min` to `max`.
+template <class T>
+Joint<T> slider_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b,
+                      T min = -std::numeric_limits<T>::infinity(), T max = std::numeric_limits<T>::infinity()) {
+  Joint<T> joint{
+      a, b, frame_a, frame_b, {{JointSpace::linear, {false, true, true}}, {JointSpace::angular, {true, true, true}}},
+      {}};
+  if (min > -std::numeric_limits<T>::infinity() || max < std::numeric_limits<T>::infinity())
+    joint.limits.push_back({JointSpace::linear, {true, false, false}, min, max, {}, T(0)});
+  return joint;
+}
+/// The origins of the frames stay from `min` to `max` apart.
+template <class T>
+Joint<T> distance_joint(BodyId a, const Pose<T>& frame_a, BodyId b, const Pose<T>& frame_b, T min, T max) {
+  return {a, b, frame_a, frame_b, {{JointSpace::linear, {true, true, true}, min, max, {}, T(0)}}, {}};
+}
+
+}  // namespace graze

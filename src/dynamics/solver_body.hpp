@@ -1,0 +1,58 @@
+// A body as rows of the solver see it.
+//
+// Guarantee: a plain value, the only thing that contacts and joints read and write of a body within a sub-step. A body
+// that is fixed, kinematic or of infinite mass has zero inverses and the velocity that it is given, so that no row
+// needs a case of its own for it.
+#pragma once
+
+#include "graze/free_motion.hpp"
+#include "graze/mass.hpp"
+
+namespace graze {
+
+template <class T>
+struct SolverBody {
+  Vec3<T> linear{}, angular{};                ///< of the centre of mass, in world space
+  Vec3<T> linear_before{}, angular_before{};  ///< the same at the beginning of the sub-step
+  InverseMass<T> mass{};                      ///< in world space, of this sub-step
+  // Where the body is now and where it was when its contacts were found; of the centre of mass and the principal axes.
+  Vec3<T> center{}, first_center{};
+  Quat<T> rotation{}, first_rotation{};
+  Vec3<T> moved{};   ///< center - first_center
+  Quat<T> turned{};  ///< from first_rotation to rotation
+
+  /// How the body's point moved since that was `arm` from the centre when contacts were found.
+  Vec3<T> displacement(const Vec3<T>& arm) const { return moved + (rotate(turned, arm) - arm); }
+  Vec3<T> velocity(const Vec3<T>& arm) const { return linear + cross(angular, arm); }
+  /// Pushes by `impulse` at `arm` from the centre.
+  void push(const Vec3<T>& impulse, const Vec3<T>& arm) {
+    linear += impulse * mass.mass;
+    angular += mass.inertia * cross(arm, impulse);
+  }
+};
+
+/// A sub-step of duration h of an island. A body moves by h (v₀ + v₁) / 2 in it, v₀ being its velocity before and v₁
+/// after the rows were solved with their bias, so that a row that wants to move by d has to ask for the velocity
+/// 2 d / h - v₀.
+template <class T>
+struct SubStep {
+  T h{};
+  T inverse_h{};
+  T step{};  ///< the whole step
+};
+
+/// The coefficients of a soft row (Catto 2011, "Soft constraints"), an implicit spring of angular frequency w and
+/// damping ratio z: what the row pushes is -effective_mass (velocity + bias_rate error) mass_scale - impulse_scale λ.
+template <class T>
+struct Softness {
+  T bias_rate{}, mass_scale = T(1), impulse_scale{};
+};
+
+/// The softness of frequency `w` (in radians per unit of time) and damping ratio `z` in sub-steps of h.
+template <class T>
+constexpr Softness<T> softness(T w, T z, T h) {
+  const T a1 = T(2) * z + h * w, a2 = h * w * a1, a3 = T(1) / (T(1) + a2);
+  return {w / a1, a2 * a3, a3};
+}
+
+}  // namespace graze
