@@ -34,10 +34,10 @@ enum class JointSpace : std::uint8_t { linear, angular };
 template <class T>
 struct JointLimit {
   JointSpace space = JointSpace::linear;
-  std::array<bool, 3> axes{};  ///< x, y, z of frame A; at least one
-  T min = T(0), max = T(0);    ///< min <= max, either may be infinite; equal for what is held
-  std::optional<T> stiffness;  ///< > 0, force per length or torque per radian beyond the bounds; none: hard
-  T damping = T(0);            ///< >= 0, of the soft limit: force per velocity
+  std::array<bool, 3> axes{};    ///< x, y, z of frame A; at least one
+  T min = T(0), max = T(0);      ///< min <= max, either may be infinite; equal for what is held
+  std::optional<T> stiffness{};  ///< > 0, force per length or torque per radian beyond the bounds; none: hard
+  T damping = T(0);              ///< >= 0, of the soft limit: force per velocity
 };
 
 /// Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.

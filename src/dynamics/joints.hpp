@@ -2,11 +2,18 @@
 //
 // Guarantee: rows read and write `SolverBody` alone. A joint is solved by itself: the island calls, in this order,
 // `prepare` once a step, and in each sub-step `refresh`, `warm_start`, `solve` with bias, and, once the bodies have
-// moved, `solve` without.
+// moved, `solve` without. Impulses on the two bodies are opposite. A joint alone needs one pass: what it locks is solved
+// at once, by elimination, and limits and drives push in directions that what is locked leaves free.
+//
+// Where a pendulum swings, a constraint force at the beginning of the sub-step alone adds or takes energy. Once the
+// bodies have moved, half of what the rows pushed is taken back and pushed along the rows at the new place: the
+// trapezoid of RATTLE (Andersen 1983), which keeps energy over any time.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "dynamics/joint_measures.hpp"
 #include "dynamics/solver_body.hpp"
 #include "graze/joint.hpp"
 
@@ -45,8 +52,51 @@ class JointRows {
   std::uint32_t b() const { return joint_->b; }
 
  private:
+  static constexpr std::size_t most_locked = 6;
+
+  /// How a row measures.
+  enum class Measure : std::uint8_t { along, distance, twist, swing, whole_turn, locked_swing, locked_turn };
+  /// Which way a row pushes: any, or only towards larger or smaller values.
+  enum class Side : std::uint8_t { both, lower, upper };
+
+  struct Row {
+    Measure measure;
+    std::uint8_t axis = 0;       ///< of frame A
+    std::uint8_t other = 0;      ///< the axis that is held, of a locked swing
+    std::array<bool, 3> axes{};  ///< of a distance
+    Side side = Side::both;
+    bool soft = false, acceleration = false, angle = false;
+    bool active = true;
+    T target{}, target_speed{}, stiffness{}, damping{}, max_force{};
+    T impulse{};
+    // Where the bodies are now.
+    MeasuredRow<T> at{};
+    T error{};     ///< past the target
+    T yielding{};  ///< the change of the rate by an impulse of 1, with what is locked pushing back
+    std::array<T, most_locked> reaction{};                      ///< of what is locked, to an impulse of 1
+    Vec3<T> free_linear{}, free_angular_a{}, free_angular_b{};  ///< the row less that reaction
+  };
+
+  void add_limits(const Joint<T>& joint);
+  void add_bounds(const JointLimit<T>& limit, const Row& row);
+  void measure(const SolverBody<T>& a, const SolverBody<T>& b);
+  void factor(const SolverBody<T>& a, const SolverBody<T>& b);
+  void free_of_locked(Row& row, const SolverBody<T>& a, const SolverBody<T>& b) const;
+  std::array<T, most_locked> eliminated(std::array<T, most_locked> v) const;
+  void solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias);
+  void solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool bias);
+  void solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b);
+  void push_free(Row& row, T impulse, SolverBody<T>& a, SolverBody<T>& b);
+  T corrected(const Row& row) const;
+
   JointInPlace<T>* joint_ = nullptr;
   SubStep<T> step_{};
+  std::vector<Row> rows_;  ///< those that are locked first
+  std::size_t locked_ = 0;
+  std::array<std::array<T, most_locked>, most_locked> lower_{};  ///< L of the locked rows' L D Lᵀ
+  std::array<T, most_locked> inverse_pivots_{};                  ///< of D; zero where a row follows from those before
+  T reach_{};                                                    ///< of both arms
+  bool moved_ = false;                                           ///< the rows are those of the end of the sub-step
 };
 
 }  // namespace graze

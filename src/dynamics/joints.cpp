@@ -1,0 +1,389 @@
+#include "dynamics/joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "graze/validate.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Errors of the size that a sub-step's drift makes are taken back in one sub-step; larger ones, of frames that were put
+/// together wrongly, by an eighth in each: at once they would throw their bodies through others.
+template <class T>
+inline constexpr T drift_part = T(1) / T(64);  // of the arms, or in radians
+template <class T>
+inline constexpr T recovered_part = T(1) / T(8);
+
+/// A locked row follows from those before where this part of its own yielding is all that elimination leaves.
+template <class T>
+inline constexpr T redundant = T(64) * std::numeric_limits<T>::epsilon();
+
+template <class T>
+T part_of(T error, T drift) {
+  using std::abs;
+  if (abs(error) <= drift) return error;
+  const T size = greatest(drift, abs(error) * recovered_part<T>);
+  return error < T(0) ? -size : size;
+}
+
+/// An angle by whole turns as near to `about` as can be.
+template <class T>
+T nearest_turn(T angle, T about) {
+  if (angle - about > pi<T>) return angle - T(2) * pi<T>;
+  if (about - angle > pi<T>) return angle + T(2) * pi<T>;
+  return angle;
+}
+
+template <class T>
+Vec3<T> turned_by(const InverseMass<T>& mass, const Vec3<T>& angular) {
+  return mass.inertia * angular;
+}
+
+template <class T>
+T positive(T value, const std::string& path) {
+  if (!(value >= T(0)) || !std::isfinite(value))
+    validate::fail(path, "a finite number >= 0", static_cast<double>(value));
+  return value;
+}
+
+template <class T>
+T finite(T value, const std::string& path) {
+  if (!std::isfinite(value)) validate::fail(path, "a finite number", static_cast<double>(value));
+  return value;
+}
+
+int count(const std::array<bool, 3>& axes) { return int{axes[0]} + int{axes[1]} + int{axes[2]}; }
+
+template <class T>
+void check_limit(const JointLimit<T>& limit, const std::string& path) {
+  if (count(limit.axes) == 0) throw InvalidValue(path + ".axes", "at least one axis", "none");
+  if (!(limit.min <= limit.max)) validate::fail(path + ".min", "at most max", static_cast<double>(limit.min));
+  if (count(limit.axes) > 1 && limit.max < T(0))
+    validate::fail(path + ".max", "at least 0 of a limit with several axes", static_cast<double>(limit.max));
+  if (limit.stiffness) positive(*limit.stiffness, path + ".stiffness");
+  positive(limit.damping, path + ".damping");
+}
+
+template <class T>
+void check_drive(const JointDrive<T>& drive, const std::string& path) {
+  if (drive.axis > 2) throw InvalidValue(path + ".axis", "0, 1 or 2", std::to_string(drive.axis));
+  finite(drive.position_target, path + ".position_target");
+  finite(drive.velocity_target, path + ".velocity_target");
+  positive(drive.stiffness, path + ".stiffness");
+  positive(drive.damping, path + ".damping");
+  if (!(drive.max_force >= T(0)))
+    validate::fail(path + ".max_force", "a number >= 0", static_cast<double>(drive.max_force));
+}
+
+}  // namespace
+
+template <class T>
+void check(const Joint<T>& joint) {
+  validate::point(joint.frame_a.translation, "joint.frame_a.translation");
+  validate::point(joint.frame_b.translation, "joint.frame_b.translation");
+  validate::rotation(joint.frame_a.rotation, "joint.frame_a.rotation");
+  validate::rotation(joint.frame_b.rotation, "joint.frame_b.rotation");
+  for (std::size_t i = 0; i < joint.limits.size(); ++i)
+    check_limit(joint.limits[i], "joint.limits[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < joint.drives.size(); ++i)
+    check_drive(joint.drives[i], "joint.drives[" + std::to_string(i) + "]");
+}
+
+template <class T>
+void JointRows<T>::prepare(JointInPlace<T>& joint, const SubStep<T>& step) {
+  joint_ = &joint;
+  step_ = step;
+  rows_.clear();
+  add_limits(joint.joint);
+  for (const JointDrive<T>& drive : joint.joint.drives) {
+    Row row{drive.space == JointSpace::linear ? Measure::along : Measure::twist, drive.axis};
+    row.soft = true;
+    row.angle = drive.space == JointSpace::angular;
+    row.acceleration = drive.mode == DriveMode::acceleration;
+    row.target = drive.position_target;
+    row.target_speed = drive.velocity_target;
+    row.stiffness = drive.stiffness;
+    row.damping = drive.damping;
+    row.max_force = drive.max_force;
+    rows_.push_back(row);
+  }
+  const T scale = joint.impulse_step > T(0) ? step.h / joint.impulse_step : T(0);
+  if (joint.impulses.size() == rows_.size())
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].impulse = joint.impulses[i] * scale;
+}
+
+/// Axes that are held by any hard limit are locked together; what is left of the limits has bounds.
+template <class T>
+void JointRows<T>::add_limits(const Joint<T>& joint) {
+  std::array<bool, 3> linear{}, angular{};
+  const auto is_lock = [](const JointLimit<T>& l) {
+    return !l.stiffness && l.max == T(0) && (l.min == T(0) || (count(l.axes) > 1 && l.min <= T(0)));
+  };
+  for (const JointLimit<T>& l : joint.limits)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (is_lock(l) && l.axes[i]) (l.space == JointSpace::linear ? linear : angular)[i] = true;
+  for (std::uint8_t i = 0; i < 3; ++i)
+    if (linear[i]) rows_.push_back({Measure::along, i});
+  const std::uint8_t held = !angular[0] ? 0 : !angular[1] ? 1 : 2;  // of two locked angles, the axis that stays
+  for (std::uint8_t i = 0; i < 3; ++i)
+    if (angular[i])
+      rows_.push_back({count(angular) == 3   ? Measure::locked_turn
+                       : count(angular) == 2 ? Measure::locked_swing
+                                             : Measure::twist,
+                       i, held});
+  locked_ = rows_.size();
+  for (const JointLimit<T>& l : joint.limits) {
+    if (is_lock(l)) continue;
+    Row row{};
+    row.axes = l.axes;
+    row.angle = l.space == JointSpace::angular;
+    const int axes = count(l.axes);
+    const std::uint8_t first = l.axes[0] ? 0 : l.axes[1] ? 1 : 2, left = !l.axes[0] ? 0 : !l.axes[1] ? 1 : 2;
+    row.axis = axes == 2 && row.angle ? left : first;
+    if (row.angle)
+      row.measure = axes == 1 ? Measure::twist : axes == 2 ? Measure::swing : Measure::whole_turn;
+    else
+      row.measure = axes == 1 ? Measure::along : Measure::distance;
+    row.soft = l.stiffness.has_value();
+    row.stiffness = l.stiffness.value_or(T(0));
+    row.damping = l.damping;
+    row.max_force = std::numeric_limits<T>::infinity();
+    add_bounds(l, row);
+  }
+}
+
+template <class T>
+void JointRows<T>::add_bounds(const JointLimit<T>& limit, const Row& row) {
+  const bool several = count(limit.axes) > 1;
+  if (limit.min == limit.max) {
+    rows_.push_back(row);
+    rows_.back().target = limit.min;
+    return;
+  }
+  // A turn has no end where its range is a whole one.
+  if (row.measure == Measure::twist && limit.max - limit.min >= T(2) * pi<T>) return;
+  const Side sides[] = {Side::lower, Side::upper};
+  const T bounds[] = {limit.min, limit.max};
+  for (int i = 0; i < 2; ++i) {
+    if (!std::isfinite(bounds[i]) || (i == 0 && several && bounds[i] <= T(0))) continue;
+    rows_.push_back(row);
+    rows_.back().side = sides[i];
+    rows_.back().target = bounds[i];
+  }
+}
+
+template <class T>
+void JointRows<T>::measure(const SolverBody<T>& a, const SolverBody<T>& b) {
+  const JointFrames<T> frames(a, joint_->frame_a, b, joint_->frame_b);
+  reach_ = length(frames.arm_a) + length(frames.arm_b);
+  for (Row& row : rows_) {
+    switch (row.measure) {
+    case Measure::along: row.at = frames.along_axis(row.axis); break;
+    case Measure::distance: row.at = frames.distance(row.axes); break;
+    case Measure::twist: row.at = frames.twist(row.axis); break;
+    case Measure::swing: row.at = frames.swing(row.axis); break;
+    case Measure::whole_turn: row.at = frames.whole_turn(); break;
+    case Measure::locked_swing: row.at = frames.locked_swing(row.axis, row.other); break;
+    case Measure::locked_turn: row.at = frames.locked_turn(row.axis); break;
+    }
+    const T value = row.measure == Measure::twist ? nearest_turn(row.at.value, row.target) : row.at.value;
+    row.error = value - row.target;
+  }
+  factor(a, b);
+  for (std::size_t i = locked_; i < rows_.size(); ++i) free_of_locked(rows_[i], a, b);
+}
+
+/// L D Lᵀ of the locked rows' matrix J M⁻¹ Jᵀ. A row that follows from those before is left out.
+template <class T>
+void JointRows<T>::factor(const SolverBody<T>& a, const SolverBody<T>& b) {
+  for (std::size_t i = 0; i < locked_; ++i) {
+    const MeasuredRow<T>& r = rows_[i].at;
+    const Vec3<T> linear = r.linear * (a.mass.mass + b.mass.mass);
+    const Vec3<T> turn_a = turned_by(a.mass, r.angular_a), turn_b = turned_by(b.mass, r.angular_b);
+    for (std::size_t j = 0; j <= i; ++j) {
+      const MeasuredRow<T>& o = rows_[j].at;
+      T k = dot(linear, o.linear) + dot(turn_a, o.angular_a) + dot(turn_b, o.angular_b);
+      const T own = k;
+      for (std::size_t m = 0; m < j; ++m)
+        if (inverse_pivots_[m] > T(0)) k -= lower_[i][m] * lower_[j][m] / inverse_pivots_[m];
+      if (j < i)
+        lower_[i][j] = k * inverse_pivots_[j];
+      else
+        inverse_pivots_[i] = k > own * redundant<T> ? T(1) / k : T(0);
+    }
+  }
+}
+
+/// Solves with the factors.
+template <class T>
+std::array<T, JointRows<T>::most_locked> JointRows<T>::eliminated(std::array<T, most_locked> v) const {
+  for (std::size_t i = 0; i < locked_; ++i)
+    for (std::size_t j = 0; j < i; ++j) v[i] -= lower_[i][j] * v[j];
+  for (std::size_t i = 0; i < locked_; ++i) v[i] *= inverse_pivots_[i];
+  for (std::size_t i = locked_; i-- > 0;)
+    for (std::size_t j = i + 1; j < locked_; ++j) v[i] -= lower_[j][i] * v[j];
+  return v;
+}
+
+/// A row with the reaction of what is locked: pushing it does not move a locked axis.
+template <class T>
+void JointRows<T>::free_of_locked(Row& row, const SolverBody<T>& a, const SolverBody<T>& b) const {
+  const Vec3<T> linear = row.at.linear * (a.mass.mass + b.mass.mass);
+  const Vec3<T> turn_a = turned_by(a.mass, row.at.angular_a), turn_b = turned_by(b.mass, row.at.angular_b);
+  std::array<T, most_locked> coupling{};
+  for (std::size_t i = 0; i < locked_; ++i) {
+    const MeasuredRow<T>& r = rows_[i].at;
+    coupling[i] = dot(linear, r.linear) + dot(turn_a, r.angular_a) + dot(turn_b, r.angular_b);
+  }
+  row.reaction = eliminated(coupling);
+  row.free_linear = row.at.linear;
+  row.free_angular_a = row.at.angular_a;
+  row.free_angular_b = row.at.angular_b;
+  for (std::size_t i = 0; i < locked_; ++i) {
+    const MeasuredRow<T>& r = rows_[i].at;
+    row.free_linear -= r.linear * row.reaction[i];
+    row.free_angular_a -= r.angular_a * row.reaction[i];
+    row.free_angular_b -= r.angular_b * row.reaction[i];
+  }
+  const T own = dot(linear, row.at.linear) + dot(turn_a, row.at.angular_a) + dot(turn_b, row.at.angular_b);
+  row.yielding = dot(row.free_linear, linear) + dot(row.free_angular_a, turn_a) + dot(row.free_angular_b, turn_b);
+  if (!(row.yielding > own * redundant<T>)) row.yielding = T(0);
+}
+
+template <class T>
+void JointRows<T>::refresh(const SolverBody<T>& a, const SolverBody<T>& b) {
+  moved_ = false;
+  measure(a, b);
+  for (std::size_t i = locked_; i < rows_.size(); ++i) {
+    Row& row = rows_[i];
+    const bool inside =
+        (row.side == Side::lower && row.error >= T(0)) || (row.side == Side::upper && row.error <= T(0));
+    row.active = row.yielding > T(0) && !(row.soft && inside);
+    if (!row.active) row.impulse = T(0);
+  }
+}
+
+template <class T>
+void push_row(const MeasuredRow<T>& row, T impulse, SolverBody<T>& a, SolverBody<T>& b) {
+  a.linear -= row.linear * (impulse * a.mass.mass);
+  b.linear += row.linear * (impulse * b.mass.mass);
+  a.angular -= a.mass.inertia * (row.angular_a * impulse);
+  b.angular += b.mass.inertia * (row.angular_b * impulse);
+}
+
+template <class T>
+T rate_of(const MeasuredRow<T>& row, const SolverBody<T>& a, const SolverBody<T>& b) {
+  return row.rate(a.linear, a.angular, b.linear, b.angular);
+}
+template <class T>
+T rate_before(const MeasuredRow<T>& row, const SolverBody<T>& a, const SolverBody<T>& b) {
+  return row.rate(a.linear_before, a.angular_before, b.linear_before, b.angular_before);
+}
+
+template <class T>
+void JointRows<T>::warm_start(SolverBody<T>& a, SolverBody<T>& b) const {
+  for (const Row& row : rows_) push_row(row.at, row.impulse, a, b);
+}
+
+template <class T>
+void JointRows<T>::solve(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
+  if (!bias && !moved_) {
+    for (const Row& row : rows_) push_row(row.at, row.impulse / T(-2), a, b);
+    measure(a, b);
+    for (const Row& row : rows_) push_row(row.at, row.impulse / T(2), a, b);
+    moved_ = true;
+  }
+  solve_locked(a, b, bias);
+  for (std::size_t i = locked_; i < rows_.size(); ++i) {
+    Row& row = rows_[i];
+    if (!row.active || !(row.yielding > T(0))) continue;
+    if (!row.soft)
+      solve_hard(row, a, b, bias);
+    else if (bias)
+      solve_soft(row, a, b);
+  }
+}
+
+/// The part of a row's error that one sub-step takes back.
+template <class T>
+T JointRows<T>::corrected(const Row& row) const {
+  const bool angle = row.measure != Measure::along && row.measure != Measure::distance;
+  return part_of(row.error, angle ? drift_part<T> : drift_part<T> * reach_);
+}
+
+/// Bodies move by h (v₀ + v₁) / 2, so that an error e is gone where v₁ = -2 e / h - v₀.
+template <class T>
+void JointRows<T>::solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
+  if (locked_ == 0) return;
+  std::array<T, most_locked> wanted{};
+  for (std::size_t i = 0; i < locked_; ++i) {
+    const Row& row = rows_[i];
+    wanted[i] = -rate_of(row.at, a, b);
+    if (bias) wanted[i] -= T(2) * corrected(row) * step_.inverse_h + rate_before(row.at, a, b);
+  }
+  const auto impulses = eliminated(wanted);
+  for (std::size_t i = 0; i < locked_; ++i) {
+    rows_[i].impulse += impulses[i];
+    push_row(rows_[i].at, impulses[i], a, b);
+  }
+}
+
+template <class T>
+void JointRows<T>::push_free(Row& row, T impulse, SolverBody<T>& a, SolverBody<T>& b) {
+  push_row(MeasuredRow<T>{row.free_linear, row.free_angular_a, row.free_angular_b, T(0)}, impulse, a, b);
+  row.impulse += impulse;
+  for (std::size_t i = 0; i < locked_; ++i) rows_[i].impulse -= row.reaction[i] * impulse;
+}
+
+/// A bound is kept at the end of the sub-step, however far it is now; once there, nothing goes on past it.
+template <class T>
+void JointRows<T>::solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool bias) {
+  T wanted = -rate_of(row.at, a, b);
+  if (bias) {
+    const bool past = row.side == Side::both || (row.side == Side::lower) == (row.error < T(0));
+    wanted -= T(2) * (past ? corrected(row) : row.error) * step_.inverse_h + rate_before(row.at, a, b);
+  } else if (row.side != Side::both && row.impulse == T(0)) {
+    return;
+  }
+  T impulse = row.impulse + wanted / row.yielding;
+  if (row.side == Side::lower) impulse = greatest(impulse, T(0));
+  if (row.side == Side::upper) impulse = least(impulse, T(0));
+  push_free(row, impulse - row.impulse, a, b);
+}
+
+/// A spring and damper by the implicit midpoint rule, which neither adds nor takes energy and is right to the second
+/// order; one that is too stiff for the sub-step by backward Euler (weight 1), which does not ring.
+template <class T>
+void JointRows<T>::solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b) {
+  const T h = step_.h, mass = row.acceleration ? T(1) / row.yielding : T(1);
+  const T k = row.stiffness * mass, c = row.damping * mass;
+  const T stiff = h * (h * k + c) * row.yielding;
+  const T weight = stiff > T(1) ? T(1) - T(1) / stiff : T(0);
+  const T middle = T(1) - weight;
+  const T before = h * (h * k * middle / T(4) + c * middle / T(2));
+  const T after = h * (h * k * (middle / T(4) + weight) + c * (middle / T(2) + weight));
+  const T wanted = h * (c * row.target_speed - k * row.error) - before * rate_before(row.at, a, b);
+  T impulse = row.impulse + (wanted - after * rate_of(row.at, a, b) - row.impulse) / (T(1) + after * row.yielding);
+  const T most = row.max_force * h;
+  impulse = least(greatest(impulse, -most), most);
+  if (row.side == Side::lower) impulse = greatest(impulse, T(0));
+  if (row.side == Side::upper) impulse = least(impulse, T(0));
+  push_free(row, impulse - row.impulse, a, b);
+}
+
+template <class T>
+void JointRows<T>::store() const {
+  joint_->impulses.resize(rows_.size());
+  for (std::size_t i = 0; i < rows_.size(); ++i) joint_->impulses[i] = rows_[i].impulse;
+  joint_->impulse_step = step_.h;
+}
+
+template void check(const Joint<float>&);
+template void check(const Joint<double>&);
+template class JointRows<float>;
+template class JointRows<double>;
+
+}  // namespace graze
