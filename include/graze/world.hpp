@@ -59,6 +59,10 @@ class World {
   }
   void set_shape(BodyId id, Shape<T> shape) { bodies_.set_shape(id, std::move(shape)); }
   void set_filter(BodyId id, const Filter& filter) { bodies_.set_filter(id, filter); }
+  /// Whether the body is asked what it would pass through.
+  void set_fast(BodyId id, bool fast) { bodies_.set_fast(id, fast); }
+  /// Another last word than that of the settings, from the next update on; none allows all.
+  void set_allow(std::function<bool(BodyId, BodyId)> allow) { settings_.allow = std::move(allow); }
 
   const BodyArrays<T>& bodies() const { return bodies_; }
 
@@ -67,11 +71,15 @@ class World {
   /// that is negative or not finite.
   void update(T duration = T(0));
 
+  /// What fast bodies would meet within `duration` by the velocities that bodies have now, from where the last update
+  /// found them: `impacts` anew, and nothing else. For solvers, which know velocities only after they know contacts.
+  void find_impacts(T duration);
+
   /// What the last update found. Solvers write the points' impulses.
   ContactArrays<T>& contacts() { return manifolds_.contacts(); }
   const ContactArrays<T>& contacts() const { return manifolds_.contacts(); }
   std::span<const ContactEvent> events() const { return tracker_.events(); }
-  /// What fast bodies would meet in the duration of the last update, in the order of time.
+  /// What fast bodies would meet in the duration of the last update or `find_impacts`, in the order of time.
   std::span<const Impact<T>> impacts() const { return impacts_; }
 
   /// Appends the bodies that touch a shape, by index. A point is a sphere without radius.

@@ -121,6 +121,11 @@ void BodyArrays<T>::set_filter(BodyId id, const Filter& filter) {
 }
 
 template <class T>
+void BodyArrays<T>::set_fast(BodyId id, bool fast) {
+  fast_[checked(id)] = fast ? 1 : 0;
+}
+
+template <class T>
 Body<T> BodyArrays<T>::body(BodyId id) const {
   const std::uint32_t i = checked(id);
   return {shapes_[i],  poses_[i],      linear_[i],        angular_[i],

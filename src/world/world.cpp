@@ -17,13 +17,18 @@ void World<T>::update(T duration) {
   bodies_.settle();
   tree_revision_ = no_revision;  // what was found without the tree is not in it yet
   impacts_.clear();
-  if (duration > T(0))
-    find_impacts<T>(
-        bodies_, tree(), duration,
-        [&](std::uint32_t a, std::uint32_t b) {
-          return may_collide(bodies_.filters()[a], bodies_.filters()[b]) && is_pair(a, b);
-        },
-        *executor_, impacts_);
+  if (duration > T(0)) find_impacts(duration);
+}
+
+template <class T>
+void World<T>::find_impacts(T duration) {
+  validate::extent(duration, "duration");
+  graze::find_impacts<T>(
+      bodies_, tree(), duration,
+      [&](std::uint32_t a, std::uint32_t b) {
+        return may_collide(bodies_.filters()[a], bodies_.filters()[b]) && is_pair(a, b);
+      },
+      *executor_, impacts_);
 }
 
 /// Of two whose filters agree: fixed bodies are no pair, and then the caller decides.

@@ -56,6 +56,7 @@ class BodyArrays {
   void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular);
   void set_shape(BodyId id, Shape<T> shape);
   void set_filter(BodyId id, const Filter& filter);
+  void set_fast(BodyId id, bool fast);
   Body<T> body(BodyId id) const;
 
   bool contains(BodyId id) const {
