@@ -21,6 +21,28 @@ struct SolverBody {
   Vec3<T> moved{};   ///< center - first_center
   Quat<T> turned{};  ///< from first_rotation to rotation
 
+  /// Along what contacts press the body in this sub-step.
+  enum class Pressed : std::uint8_t { freely, along_normal, tied };
+  Pressed pressed = Pressed::freely;
+  Vec3<T> normal{};
+
+  void press(const Vec3<T>& along) {
+    if (pressed == Pressed::freely) {
+      pressed = Pressed::along_normal;
+      normal = along;
+    } else if (std::abs(dot(along, normal)) < T(0.999)) {
+      pressed = Pressed::tied;
+    }
+  }
+  /// The velocity that moves the body in this sub-step: the mean of that before and after, which is exact under gravity
+  /// and friction; but along what it is pressed, and in all directions where that is several or a joint, the one after,
+  /// which the rows made what they wanted.
+  Vec3<T> moving_velocity() const {
+    if (pressed == Pressed::tied) return linear;
+    const Vec3<T> half = (linear_before - linear) / T(2);
+    return linear + (pressed == Pressed::freely ? half : half - normal * dot(half, normal));
+  }
+
   /// How the body's point moved since that was `arm` from the centre when contacts were found.
   Vec3<T> displacement(const Vec3<T>& arm) const { return moved + (rotate(turned, arm) - arm); }
   Vec3<T> velocity(const Vec3<T>& arm) const { return linear + cross(angular, arm); }
@@ -31,9 +53,9 @@ struct SolverBody {
   }
 };
 
-/// A sub-step of duration h of an island. A body moves by h (v₀ + v₁) / 2 in it, v₀ being its velocity before and v₁
-/// after the rows were solved with their bias, so that a row that wants to move by d has to ask for the velocity
-/// 2 d / h - v₀.
+/// A sub-step of duration h of an island. What rows press moves by h v₁ in it, v₁ being its velocity once the rows were
+/// solved with bias, so that a row that wants to move by d asks for the velocity d / h; all else moves by
+/// h (v₀ + v₁) / 2 (see `SolverBody::moving_velocity`). Bodies of joints move by h v₁.
 template <class T>
 struct SubStep {
   T h{};

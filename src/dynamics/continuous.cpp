@@ -1,0 +1,75 @@
+// Continuous collision: what moved by more than half of its size's half in a step is asked what it met on the way.
+//
+// A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
+// the contact. Both of two that move are asked by `World::find_impacts`, turning included, so that rods do not pass
+// posts nor bullets each other.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/simulation_parts.hpp"
+
+namespace graze {
+
+namespace {
+
+/// Of half of its size: what a body may move in a step before it is asked.
+template <class T>
+constexpr T unasked_motion = T(0.5);
+
+/// The constant velocity that takes a body from where the step found it to where it is.
+template <class T>
+Velocity<T> mean_velocity(const Pose<T>& from, const Pose<T>& to, T dt) {
+  Quat<T> turn = to.rotation * conjugate(from.rotation);
+  if (turn.w < T(0)) turn = {-turn.x, -turn.y, -turn.z, -turn.w};
+  const T sine = length(turn.vector());
+  const T per_sine = sine > T(0) ? T(2) * std::atan2(sine, turn.w) / sine : T(2);
+  return {(to.translation - from.translation) / dt, turn.vector() * (per_sine / dt)};
+}
+
+}  // namespace
+
+template <class T>
+void SimulationParts<T>::hold_back(T dt) {
+  const auto alive = world.bodies().alive();
+  std::vector<std::uint32_t> fast;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    const SimulatedBody<T>& body = bodies[i];
+    if (alive[i] == 0 || !body.movable || body.asleep) continue;
+    const Motion<T> m = motion(i);
+    const T way = (length(m.linear) + length(m.angular) * body.radius) * dt;
+    if (way > unasked_motion<T> * body.size / T(2)) fast.push_back(i);
+  }
+  if (fast.empty()) return;
+  std::vector<Velocity<T>> mean(bodies.size());
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (alive[i] == 0 || !bodies[i].moves || bodies[i].asleep) continue;
+    mean[i] = mean_velocity(found_at[i], pose_of(i), dt);
+    const T reached = greatest(max_abs(mean[i].linear), max_abs(mean[i].angular));
+    if (!(reached <= largest_magnitude<T>)) mean[i] = {};
+    world.move(world.bodies().id(i), found_at[i], mean[i].linear, mean[i].angular);
+  }
+  for (const std::uint32_t i : fast) world.set_fast(world.bodies().id(i), true);
+  world.find_impacts(dt);
+  std::vector<T> until(bodies.size(), dt);
+  for (const Impact<T>& impact : world.impacts()) {
+    if (impact.trigger) continue;
+    for (const std::uint32_t i : {impact.a.index, impact.b.index})
+      if (bodies[i].movable) until[i] = least(until[i], impact.hit.t);
+  }
+  for (const std::uint32_t i : fast) {
+    world.set_fast(world.bodies().id(i), false);
+    if (!(until[i] < dt)) continue;
+    ++last.stopped;
+    const Pose<T> at = pose_at(found_at[i], mean[i], until[i]);
+    SimulatedBody<T>& body = bodies[i];
+    const Vec3<T> angular = motion(i).angular, linear = body.free.linear;
+    place(i, at, {});
+    body.free.linear = linear;
+    set_angular_velocity(body.free, angular);
+  }
+}
+
+template void SimulationParts<float>::hold_back(float);
+template void SimulationParts<double>::hold_back(double);
+
+}  // namespace graze

@@ -1,0 +1,34 @@
+// What can be measured of a simulation from outside.
+#include "dynamics/simulation_parts.hpp"
+
+namespace graze {
+
+template <class T>
+StepReport<T> Simulation<T>::report() const {
+  const SimulationParts<T>& p = *parts_;
+  StepReport<T> r = p.last;
+  const auto alive = p.world.bodies().alive();
+  for (std::uint32_t i = 0; i < p.bodies.size(); ++i) {
+    const SimulatedBody<T>& body = p.bodies[i];
+    if (alive[i] == 0 || !body.movable) continue;
+    const T mass = body.mass.mass;
+    r.kinetic_energy += mass * length_squared(body.free.linear) / T(2) + rotational_energy(body.free);
+    r.potential_energy -= mass * body.gravity_factor * dot(p.settings.gravity, body.free.center);
+    r.momentum += body.free.linear * mass;
+    r.angular_momentum += cross(body.free.center, body.free.linear) * mass + body.free.angular_momentum;
+  }
+  std::size_t deep = 0;
+  for (const SolverPoint<T>& point : p.world.contacts().points) {
+    if (!(point.distance < T(0))) continue;
+    r.deepest = greatest(r.deepest, -point.distance);
+    r.mean_depth -= point.distance;
+    ++deep;
+  }
+  if (deep != 0) r.mean_depth /= T(deep);
+  return r;
+}
+
+template StepReport<float> Simulation<float>::report() const;
+template StepReport<double> Simulation<double>::report() const;
+
+}  // namespace graze

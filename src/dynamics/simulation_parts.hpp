@@ -1,0 +1,117 @@
+// What a simulation holds, and the stages of its step, a file each.
+//
+//     forces -> World::update -> islands -> contact rows -> restitution -> sub-steps -> continuous -> sleep -> poses
+//
+// Guarantee: plain arrays by index of body. A stage reads what those before it left; the order of everything follows
+// from the world's pairs, which are sorted.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/body_mass.hpp"
+#include "dynamics/contact_rows.hpp"
+#include "dynamics/island_solver.hpp"
+#include "dynamics/islands.hpp"
+#include "dynamics/joints.hpp"
+#include "graze/simulation.hpp"
+
+namespace graze {
+
+/// A body and how it moves.
+template <class T>
+struct SimulatedBody {
+  FreeBody<T> free{};
+  Vec3<T> spin{};  ///< angular velocity of what nothing pushes, which has no angular momentum
+  BodyMass<T> mass{};
+  Material<T> material{};
+  T gravity_factor = T(1), linear_damping{}, angular_damping{};
+  T size{};    ///< the least extent of the shape: what tolerances refer to
+  T radius{};  ///< no point of the shape is further from the centre of mass
+  Vec3<T> force{}, torque{};
+  T rested{};            ///< for how long it has been slow
+  bool movable = false;  ///< by pushing
+  bool moves = false;    ///< by itself: movable or kinematic
+  bool may_sleep = true;
+  bool asleep = false;
+};
+
+/// A joint's place: whether there is one, and how often its index was given away.
+template <class T>
+struct JointPlace {
+  JointInPlace<T> in_place;
+  std::uint32_t generation = 0;
+  bool alive = false;
+};
+
+/// The lengths, speeds and times that a scene's own gravity and steps give: no number here has a unit.
+template <class T>
+struct Scales {
+  T gravity{};  ///< its length
+  T step{};
+
+  /// The speed at which something of `size` matters: that of a fall through half its size; without gravity the one at
+  /// which it moves by a twentieth of its size in a step.
+  T speed(T size) const { return gravity > T(0) ? std::sqrt(gravity * size) : size / (T(20) * step); }
+  /// How long that takes.
+  T time(T size) const { return gravity > T(0) ? std::sqrt(size / gravity) : T(20) * step; }
+};
+
+template <class T>
+struct SimulationParts {
+  SimulationParts(const SimulationSettings<T>& s, Executor* e) : settings(s), executor(e ? e : &serial), world({}, e) {}
+
+  SimulationSettings<T> settings;
+  SerialExecutor serial;
+  Executor* executor;
+  World<T> world;
+  std::vector<SimulatedBody<T>> bodies;
+  std::vector<JointPlace<T>> joints;
+  std::vector<std::uint32_t> free_joints;
+  std::vector<IdPair> muted;  ///< by joints, sorted; as often as there are joints that mute them
+
+  // Of a step.
+  Islands islands;
+  std::vector<IslandSolver<T>> solvers;      ///< one for each task, kept for their storage
+  std::vector<std::uint8_t> movable, awake;  ///< of each body; of each island
+  std::vector<Pose<T>> found_at;             ///< where the last update found contacts
+  std::vector<IslandLink> links;
+  std::vector<std::uint32_t> link_pairs;  ///< of each link: its place among the contact pairs, or the joint behind them
+  std::vector<FreeBody<T>> before;        ///< how bodies stood when the step began
+  std::vector<T> shares;                  ///< of the step that each body has: less where it was moved ahead to a blow
+  T last_step{};
+  StepReport<T> last{};
+
+  Scales<T> scales(T dt) const { return {length(settings.gravity), dt}; }
+  std::uint32_t checked(BodyId id) const;
+  std::uint32_t checked(JointId id) const;
+  Pose<T> pose_of(std::uint32_t index) const;
+  /// The state of the body from the pose and velocity that the world has of it.
+  void place(std::uint32_t index, const Pose<T>& pose, const Velocity<T>& velocity);
+  Motion<T> motion(std::uint32_t index) const;
+  void wake(std::uint32_t index);
+  /// Wakes all that touches the body or is joined to it.
+  void wake_around(std::uint32_t index);
+  /// Links of contacts come first, then those of joints.
+  const ContactPair<T>* contact_of(std::uint32_t link) const {
+    const auto& pairs = world.contacts().pairs;
+    return link_pairs[link] < pairs.size() ? &pairs[link_pairs[link]] : nullptr;
+  }
+  JointInPlace<T>& joint_of(std::uint32_t link) {
+    return joints[link_pairs[link] - world.contacts().pairs.size()].in_place;
+  }
+  void mute();
+
+  ContactMaterial<T> material_of(const ContactPair<T>& pair) const {
+    return combined(bodies[pair.a].material, bodies[pair.b].material);
+  }
+  void find_islands();
+  void solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt);
+  IslandBody<T> island_body(std::uint32_t index) const;
+  void pass_blows_on(T dt);  // restitution.cpp
+  void solve_islands(T dt);
+  void hold_back(T dt);     // continuous.cpp
+  void put_to_sleep(T dt);  // sleep.cpp
+  void move_world();
+};
+
+}  // namespace graze

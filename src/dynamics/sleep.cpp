@@ -1,0 +1,81 @@
+// Who sleeps: islands in which nothing has moved for a while. What sleeps does not move, so the world finds nothing
+// changed of it, and its contacts keep their impulses for the moment in which it wakes.
+#include <algorithm>
+
+#include "dynamics/simulation_parts.hpp"
+
+namespace graze {
+
+namespace {
+
+/// What counts as rest: this part of the speed of a fall through half a body's size. 1 cm/s of a box of 1 m on earth.
+template <class T>
+constexpr T resting_speed = T(0.003);
+
+/// For so long, in times of such a fall: half a second of a box of 1 m on earth.
+template <class T>
+constexpr T resting_time = T(1.6);
+
+/// And for so many steps at least.
+template <class T>
+constexpr T resting_steps = T(10);
+
+}  // namespace
+
+template <class T>
+void SimulationParts<T>::wake(std::uint32_t index) {
+  bodies[index].asleep = false;
+  bodies[index].rested = T(0);
+}
+
+template <class T>
+void SimulationParts<T>::wake_around(std::uint32_t index) {
+  wake(index);
+  for (const ContactPair<T>& pair : world.contacts().pairs) {
+    if (pair.a == index) wake(pair.b);
+    if (pair.b == index) wake(pair.a);
+  }
+  for (const JointPlace<T>& joint : joints) {
+    if (!joint.alive || (joint.in_place.a != index && joint.in_place.b != index)) continue;
+    wake(joint.in_place.a);
+    wake(joint.in_place.b);
+  }
+}
+
+template <class T>
+void SimulationParts<T>::put_to_sleep(T dt) {
+  if (!settings.sleep) return;
+  const Scales<T> scale = scales(dt);
+  for (std::size_t k = 0; k < awake.size(); ++k) {
+    if (awake[k] == 0) continue;
+    const auto members = islands.bodies_of(islands.ranges()[k]);
+    bool half_space_slots = true;
+    for (const std::uint32_t i : members) {
+      SimulatedBody<T>& body = bodies[i];
+      const Motion<T> m = motion(i);
+      const T speed = length(m.linear) + length(m.angular) * body.radius;
+      body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
+      const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
+      half_space_slots = half_space_slots && body.may_sleep && body.rested >= long_enough;
+    }
+    if (!half_space_slots) continue;
+    // A body without contacts that is slow for a moment, at the top of its flight, is not long enough so.
+    for (const std::uint32_t i : members) {
+      SimulatedBody<T>& body = bodies[i];
+      body.asleep = true;
+      body.free.linear = body.free.angular_momentum = {};
+      const BodyId id = world.bodies().id(i);
+      world.move(id, pose_of(i), {}, {});
+    }
+  }
+}
+
+#define GRAZE_SLEEP(T)                                                                                                 \
+  template void SimulationParts<T>::wake(std::uint32_t);                                                               \
+  template void SimulationParts<T>::wake_around(std::uint32_t);                                                        \
+  template void SimulationParts<T>::put_to_sleep(T);
+GRAZE_SLEEP(float)
+GRAZE_SLEEP(double)
+#undef GRAZE_SLEEP
+
+}  // namespace graze

@@ -1,0 +1,152 @@
+// The islands of a step, found and solved.
+#include <algorithm>
+
+#include "dynamics/simulation_parts.hpp"
+
+namespace graze {
+
+namespace {
+
+constexpr std::size_t islands_per_task = 8;
+
+}  // namespace
+
+/// Islands of contacts and joints. One in which anything is awake, or that something touches which moves by itself, is
+/// awake as a whole.
+template <class T>
+void SimulationParts<T>::find_islands() {
+  const auto alive = world.bodies().alive();
+  movable.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) movable[i] = alive[i] != 0 && bodies[i].movable ? 1 : 0;
+  links.clear();
+  link_pairs.clear();
+  const auto link = [&](std::uint32_t a, std::uint32_t b, std::size_t place) {
+    if (movable[a] == 0 && movable[b] == 0) return;
+    links.push_back({a, b});
+    link_pairs.push_back(static_cast<std::uint32_t>(place));
+  };
+  const auto& pairs = world.contacts().pairs;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (pairs[i].manifold_count != 0) link(pairs[i].a, pairs[i].b, i);
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (joints[j].alive) link(joints[j].in_place.a, joints[j].in_place.b, pairs.size() + j);
+  islands.find(movable, links);
+
+  awake.assign(islands.ranges().size(), 0);
+  const auto drifts = [&](std::uint32_t i) {
+    return movable[i] == 0 && bodies[i].moves && !(bodies[i].free.linear == Vec3<T>{} && bodies[i].spin == Vec3<T>{});
+  };
+  for (std::size_t k = 0; k < awake.size(); ++k) {
+    const Islands::Range& r = islands.ranges()[k];
+    for (const std::uint32_t i : islands.bodies_of(r)) awake[k] |= !bodies[i].asleep;
+    for (const std::uint32_t l : islands.links_of(r)) awake[k] |= drifts(links[l].a) || drifts(links[l].b);
+    if (awake[k] == 0) continue;
+    ++last.islands;
+    last.awake += r.body_count;
+    for (const std::uint32_t i : islands.bodies_of(r))
+      if (bodies[i].asleep) wake(i);
+  }
+}
+
+template <class T>
+IslandBody<T> SimulationParts<T>::island_body(std::uint32_t index) const {
+  const SimulatedBody<T>& body = bodies[index];
+  IslandBody<T> b;
+  b.free = body.free;
+  b.first = before[index];
+  b.inertia = body.mass.inertia;
+  b.inverse_mass = body.mass.inverse_mass;
+  b.spin = body.spin;
+  b.acceleration = settings.gravity * body.gravity_factor + body.force * body.mass.inverse_mass;
+  b.torque = body.torque;
+  b.linear_damping = body.linear_damping;
+  b.angular_damping = body.angular_damping;
+  b.share = shares[index];
+  b.movable = body.movable;
+  return b;
+}
+
+template <class T>
+void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt) {
+  ContactArrays<T>& contacts = world.contacts();
+  const T gravity = length(settings.gravity), share = last_step > T(0) ? dt / last_step : T(0);
+  const auto members = islands.bodies_of(island);
+  solver.clear();
+  for (const std::uint32_t i : members) solver.add(island_body(i));
+  const auto place_of = [&](std::uint32_t i) {
+    if (movable[i] == 0) return solver.add_once(i, island_body(i));
+    return static_cast<std::uint32_t>(std::lower_bound(members.begin(), members.end(), i) - members.begin());
+  };
+  for (const std::uint32_t l : islands.links_of(island)) {
+    const std::uint32_t a = place_of(links[l].a), b = place_of(links[l].b);
+    const ContactPair<T>* pair = contact_of(l);
+    if (!pair) {
+      solver.add(joint_of(l), a, b);
+      continue;
+    }
+    const SimulatedBody<T>&body_a = bodies[pair->a], &body_b = bodies[pair->b];
+    const TouchingBodies<T> touching{a,
+                                     b,
+                                     material_of(*pair),
+                                     rotate(found_at[pair->a].rotation, body_a.material.surface_velocity),
+                                     rotate(found_at[pair->b].rotation, body_b.material.surface_velocity),
+                                     least(body_a.size, body_b.size)};
+    for (const ContactManifold<T>& m : contacts.manifolds_of(*pair))
+      if (m.point_count != 0) solver.add(touching, m, contacts.points_of(m), share);
+  }
+  solver.choose_sub_steps(dt, gravity, settings.sub_steps, settings.most_sub_steps);
+  solver.solve(dt, gravity);
+  solver.store(contacts.points);
+  for (std::uint32_t i = 0; i < members.size(); ++i) bodies[members[i]].free = solver.body(i);
+}
+
+template <class T>
+void SimulationParts<T>::solve_islands(T dt) {
+  const auto ranges = islands.ranges();
+  const std::size_t tasks = (ranges.size() + islands_per_task - 1) / islands_per_task;
+  if (solvers.size() < tasks) solvers.resize(tasks);
+  struct Outcome {
+    std::size_t contacts = 0, colors = 0;
+    int sub_steps = 0;
+    T residual{};
+  };
+  std::vector<Outcome> outcomes(tasks);
+  for_each_chunk(*executor, ranges.size(), islands_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
+    IslandSolver<T>& solver = solvers[task];
+    Outcome& outcome = outcomes[task];
+    for (std::size_t k = begin; k < end; ++k) {
+      if (awake[k] == 0) continue;
+      solve_island(solver, ranges[k], dt);
+      outcome.contacts += solver.point_count();
+      outcome.colors = std::max(outcome.colors, solver.color_count());
+      outcome.sub_steps = std::max(outcome.sub_steps, solver.sub_steps());
+      outcome.residual = greatest(outcome.residual, solver.residual());
+    }
+  });
+  for (const Outcome& o : outcomes) {
+    last.contacts += o.contacts;
+    last.colors = std::max(last.colors, o.colors);
+    last.most_sub_steps = std::max(last.most_sub_steps, o.sub_steps);
+    last.residual = greatest(last.residual, o.residual);
+  }
+  const auto alive = world.bodies().alive();
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    SimulatedBody<T>& body = bodies[i];
+    if (alive[i] == 0 || body.movable || !body.moves) continue;
+    FreeBody<T> moving = body.free;
+    moving.inverse_inertia = {T(1), T(1), T(1)};
+    moving.angular_momentum = body.spin;
+    advance(moving, Vec3<T>{}, dt);
+    body.free.center = moving.center;
+    body.free.rotation = moving.rotation;
+  }
+}
+
+template void SimulationParts<float>::find_islands();
+template void SimulationParts<double>::find_islands();
+template IslandBody<float> SimulationParts<float>::island_body(std::uint32_t) const;
+template IslandBody<double> SimulationParts<double>::island_body(std::uint32_t) const;
+template void SimulationParts<float>::solve_islands(float);
+template void SimulationParts<double>::solve_islands(double);
+
+}  // namespace graze
