@@ -22,13 +22,16 @@ help: ## show this list
 # In a tree of its own, which is built for this machine's processor alone and lightly optimised: a newcomer waits for it.
 # The library that is installed and measured has all levels of the instruction set (`make install`).
 .PHONY: demo
-demo: ## build the program, collide an example scene and draw the contacts
+demo: ## build the program, collide an example scene, draw the contacts, and play it
 	@scripts/setup.sh demo
 	$(call configure,demo)
 	$(call build,demo)
 	build/demo/bin/graze collide examples/scenes/demo.gltf --out build/demo/contacts.glb --svg build/demo/contacts.svg
+	build/demo/bin/graze simulate examples/scenes/demo.gltf --seconds 5 --out build/demo/moved.glb --svg build/demo/moved.svg
 	@echo "The picture:           $(CURDIR)/build/demo/contacts.svg  (any web browser)"
 	@echo "The scene in 3D:       $(CURDIR)/build/demo/contacts.glb  (any glTF viewer)"
+	@echo "Before and after:      $(CURDIR)/build/demo/moved.svg"
+	@echo "The scene in motion:   $(CURDIR)/build/demo/moved.glb"
 
 .PHONY: test
 test: ## build everything and run all tests

@@ -15,5 +15,6 @@ Run add_collide(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_query(CLI::App& app);
+Run add_simulate(CLI::App& app);
 
 }  // namespace graze::cli

@@ -17,9 +17,10 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"hull", "mesh", "box", "sphere"}));
 }
 
-io::Scene SceneOptions::load(bool animations) const {
+io::Scene SceneOptions::load(bool animations, bool physics_only) const {
   io::LoadOptions options;
   options.animations = animations;
+  options.physics_only = physics_only;
   options.chosen = !colliders.empty();
   if (colliders == "hull") options.mesh_colliders = io::MeshColliders::hull;
   if (colliders == "box") options.mesh_colliders = io::MeshColliders::box;

@@ -15,8 +15,9 @@ struct SceneOptions {
   std::string colliders;
 
   void add_to(CLI::App& command);
-  /// All files in one scene, each at the origin, with their animations if these are asked for. Throws `InvalidValue`.
-  io::Scene load(bool animations = false) const;
+  /// All files in one scene, each at the origin, with their animations if these are asked for. With `physics_only` the
+  /// meshes of files that have motions, and no colliders, do not collide. Throws `InvalidValue`.
+  io::Scene load(bool animations = false, bool physics_only = false) const;
   /// The file that something can be drawn into; empty when there are several.
   std::string only_file() const { return files.size() == 1 ? files[0] : ""; }
 };

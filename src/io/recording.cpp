@@ -32,7 +32,10 @@ class LineRecording final : public Recording {
   Precision precision_;
 };
 
+/// What is there and is no regular file, a pipe or a device, may have any name.
 bool is_lines(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (std::filesystem::exists(file, failed) && std::filesystem::is_other(file, failed) && !is_gltf(file)) return true;
   std::string ending = file.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return ending == ".jsonl";

@@ -1,0 +1,196 @@
+// graze simulate: a scene played.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "checked.hpp"
+#include "commands.hpp"
+#include "graze/error.hpp"
+#include "graze/io/collide.hpp"
+#include "graze/io/file.hpp"
+#include "graze/io/picture.hpp"
+#include "graze/io/simulate.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "scene_options.hpp"
+#include "thread_executor.hpp"
+
+namespace graze::cli {
+
+namespace {
+
+struct SimulateArguments {
+  SceneOptions scene;
+  double seconds = 10, rate = 60;
+  std::vector<double> gravity{0, -9.81, 0};
+  int threads = 1, sub_steps = 4;
+  std::string precision = "double", out, svg, report = "text";
+};
+
+/// The scene with its bodies where a frame has them; without what has left it by more than its own size.
+io::Scene moved_to(const io::Scene& scene, const io::SimulationFrame& frame) {
+  io::Scene moved = scene;
+  moved.colliders.clear();
+  Aabbd around = Aabbd::empty();
+  for (const io::Collider& c : scene.colliders)
+    if (const Aabbd box = bounds(c.shape, c.pose); max_abs(box.extent()) < 1e300) around = merged(around, box);
+  const Vec3d size = around.extent();
+  const auto moving = io::moving_bodies(scene);
+  for (io::Collider c : scene.colliders) {
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      if (moving[i] == c.body) c.pose = compose(frame.bodies[i].pose, relative(scene.bodies[c.body].pose, c.pose));
+    const Vec3d past = c.pose.translation - (around.lower + around.upper) / 2.0;
+    if (std::abs(past.x) <= size.x && std::abs(past.y) <= size.y && std::abs(past.z) <= size.z)
+      moved.colliders.push_back(std::move(c));
+  }
+  return moved;
+}
+
+/// Two pictures in one, the second below the first.
+void write_pictures(const std::string& file, const io::Scene& before, const io::Scene& after) {
+  const auto drawn = [](io::Scene scene, const char* when) {
+    scene.source += when;
+    return io::draw_picture(scene, io::collide(scene), {1, 0.6, 1.4});
+  };
+  std::string below = drawn(after, ", after");
+  const std::size_t root = below.find("<svg");
+  below.insert(root + 4, " y=\"600\"");
+  io::write_file(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 1200\" width=\"960\" "
+                       "height=\"1200\">\n" +
+                           drawn(before, ", before") + below.substr(root) + "</svg>\n");
+}
+
+void print_as_json(const io::Scene& scene, const SimulateArguments& options, const io::SimulateSummary& s) {
+  const Json whole{
+      {"scene", scene.source},
+      {"seconds", static_cast<double>(s.steps) / options.rate},
+      {"steps", s.steps},
+      {"bodies", s.bodies},
+      {"joints", s.joints},
+      {"awake", s.awake},
+      {"milliseconds",
+       {{"collide", s.collide_ms},
+        {"prepare", s.prepare_ms},
+        {"solve", s.solve_ms},
+        {"continuous", s.continuous_ms},
+        {"whole", s.whole_ms},
+        {"slowest", s.slowest_ms}}},
+      {"subSteps", s.most_sub_steps},
+      {"deepest", {{"depth", s.deepest}, {"time", s.deepest_time}}},
+      {"energy", {{"kinetic", s.kinetic_energy}, {"potential", s.potential_energy}, {"first", s.first_energy}}},
+      {"notices", scene.notices}};
+  print(whole);
+}
+
+void print_as_text(const io::Scene& scene, const SimulateArguments& options, const io::SimulateSummary& s,
+                   double seconds) {
+  print_notes(scene.notices);
+  const double played = static_cast<double>(s.steps) / options.rate;
+  fmt::print("{}: {} and {}, {:.6g} s in {}, computed in {:.3g} s\n\n", scene.source, counted(s.bodies, "moving body"),
+             counted(s.joints, "joint"), played, counted(s.steps, "step"), seconds);
+  fmt::print(
+      "a step    {:.3g} ms: collide {:.3g}, prepare {:.3g}, solve {:.3g}, continuous {:.3g}; the slowest {:.3g}; "
+      "up to {}\n",
+      s.whole_ms, s.collide_ms, s.prepare_ms, s.solve_ms, s.continuous_ms, s.slowest_ms,
+      counted(static_cast<std::size_t>(s.most_sub_steps), "sub-step"));
+  if (s.deepest > 0)
+    fmt::print("deepest   {:.3g}, at {:.4g} s\n", s.deepest, s.deepest_time);
+  else
+    fmt::print("deepest   nothing overlapped\n");
+  fmt::print("energy    {:.6g} kinetic and {:.6g} potential; at the beginning {:.6g} in all\n", s.kinetic_energy,
+             s.potential_energy, s.first_energy);
+  fmt::print("awake     {} of {}\n", s.awake, s.bodies);
+}
+
+/// Options are named as they were given.
+[[noreturn]] void throw_renamed(const InvalidValue& e) {
+  static constexpr std::pair<const char*, const char*> names[] = {
+      {"seconds", "--seconds"},         {"rate", "--rate"},      {"dt", "--rate"}, {"sub_steps", "--substeps"},
+      {"most_sub_steps", "--substeps"}, {"gravity", "--gravity"}};
+  for (const auto& [own, option] : names)
+    if (e.path() == own || e.path().starts_with(std::string(own) + "["))
+      throw InvalidValue(option + e.path().substr(std::string(own).size()), e.expectation(), e.found());
+  throw e;
+}
+
+int run_simulate(const SimulateArguments& options) {
+  io::SimulateOptions how;
+  how.seconds = options.seconds;
+  how.rate = options.rate;
+  how.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
+  how.sub_steps = options.sub_steps;
+  how.precision = precision_of(options.precision);
+  if (options.threads < 1 || options.threads > 1024)
+    throw InvalidValue("--threads", "a number from 1 to 1024", std::to_string(options.threads));
+  validate::point(how.gravity, "--gravity");
+  ThreadExecutor executor(static_cast<std::size_t>(options.threads));
+  how.executor = &executor;
+  try {
+    const std::size_t frames = io::frame_count(how);
+    check_ending("--svg", options.svg, ".svg");
+    io::Scene scene = options.scene.load(true, true);
+    if (io::moving_bodies(scene).empty()) scene.notices.push_back("no body of the scene has a motion: nothing moves");
+    std::unique_ptr<io::Recording> recording;
+    if (!options.out.empty()) recording = io::record(options.out, scene, options.scene.only_file(), how.precision);
+    const auto begin = std::chrono::steady_clock::now();
+    Progress progress("simulating");
+    std::size_t done = 0;
+    io::SimulationFrame last;
+    const io::SimulateSummary summary = io::simulate(scene, how, [&](const io::SimulationFrame& frame) {
+      if (recording) recording->add(frame);
+      if (done + 1 == frames) last = frame;
+      progress(++done, frames);
+    });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    progress.now("writing");
+    if (recording) {
+      recording->close();
+      for (std::string& text : recording->notices()) scene.notices.push_back(std::move(text));
+    }
+    if (!options.svg.empty()) write_pictures(options.svg, scene, moved_to(scene, last));
+    for (const std::string& text : summary.notices) scene.notices.push_back(text);
+    if (options.report == "json")
+      print_as_json(scene, options, summary);
+    else
+      print_as_text(scene, options, summary, took.count());
+  } catch (const InvalidValue& e) {
+    throw_renamed(e);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Run add_simulate(CLI::App& app) {
+  auto options = std::make_shared<SimulateArguments>();
+  CLI::App* command = app.add_subcommand("simulate", "Play a scene: its bodies fall, collide and rest");
+  options->scene.add_to(*command);
+  command->add_option("--seconds", options->seconds, "How long to play")->capture_default_str();
+  command->add_option("--rate", options->rate, "Steps, and frames of the output, a second")->capture_default_str();
+  command->add_option("--gravity", options->gravity, "The acceleration of free fall: x,y,z")
+      ->delimiter(',')
+      ->expected(3)
+      ->default_str("0,-9.81,0");
+  command->add_option("--threads", options->threads, "Threads; the result is the same")->capture_default_str();
+  command
+      ->add_option("--substeps", options->sub_steps,
+                   "Sub-steps of a step, a power of two; where much weight half_space_slots, more are taken")
+      ->capture_default_str();
+  command->add_option("--precision", options->precision, "Compute in double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out,
+                      "Write the motion: the scene with an animation (.gltf, .glb), or a line a frame (.jsonl)");
+  command->add_option("--svg", options->svg, "Draw a picture of the scene before and after (.svg)");
+  command->add_option("--report", options->report, "How to print the summary")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->footer("Motions, materials, joints and filters are those of KHR_physics_rigid_bodies; a node that the "
+                  "file's animation moves\n"
+                  "follows it. Exit code: 0, or 2 when a file or an option cannot be used.\n\n"
+                  "Example:\n  graze simulate scene.gltf --seconds 20 --out moved.glb");
+  return [options] { return run_simulate(*options); };
+}
+
+}  // namespace graze::cli

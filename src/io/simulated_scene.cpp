@@ -1,0 +1,337 @@
+#include "io/simulated_scene.hpp"
+
+#include <algorithm>
+
+#include "io/body_distribution.hpp"
+#include "io/scene_world.hpp"
+
+namespace graze::io {
+
+namespace {
+
+constexpr Filter nobody{0, 0, 0};
+
+template <class T>
+SimulationSettings<T> settings_of(const SimulateOptions& options) {
+  SimulationSettings<T> settings;
+  settings.gravity = converted<T>(options.gravity);
+  settings.sub_steps = options.sub_steps;
+  settings.most_sub_steps = std::max(settings.most_sub_steps, options.sub_steps);
+  return settings;
+}
+
+template <class T>
+graze::Material<T> in_precision(const Material& m) {
+  return {static_cast<T>(m.static_friction),
+          static_cast<T>(m.dynamic_friction),
+          static_cast<T>(m.restitution),
+          static_cast<T>(m.rolling_friction),
+          m.friction_combine,
+          m.restitution_combine,
+          converted<T>(m.surface_velocity)};
+}
+
+/// Seen from a part: `to_body` is the body's frame there. `count` parts share the mass, about one centre.
+template <class T>
+Dynamics<T> share_of(const Dynamics<double>& whole, const Posed& to_body, std::size_t count) {
+  const auto share = static_cast<T>(count);
+  Dynamics<T> d;
+  d.kinematic = whole.kinematic;
+  d.gravity_factor = static_cast<T>(whole.gravity_factor);
+  d.center_of_mass = converted<T>(transform(to_body, *whole.center_of_mass));
+  if (whole.mass) d.mass = static_cast<T>(*whole.mass) / share;
+  if (whole.inertia_diagonal) d.inertia_diagonal = converted<T>(*whole.inertia_diagonal) / share;
+  d.inertia_orientation = converted<T>(to_body.rotation * whole.inertia_orientation);
+  return d;
+}
+
+bool same(const Material& a, const Material& b) {
+  return a.static_friction == b.static_friction && a.dynamic_friction == b.dynamic_friction &&
+         a.restitution == b.restitution && a.friction_combine == b.friction_combine &&
+         a.restitution_combine == b.restitution_combine;
+}
+
+bool alike(const Collider& a, const Collider& b) {
+  return a.filter == b.filter && same(a.material.value_or(Material{}), b.material.value_or(Material{}));
+}
+
+template <class T>
+graze::Joint<T> in_precision(const Joint& joint) {
+  graze::Joint<T> out;
+  out.enable_collision = joint.enable_collision;
+  const auto space = [](bool angular) { return angular ? JointSpace::angular : JointSpace::linear; };
+  for (const JointLimit& l : joint.limits) {
+    graze::JointLimit<T> limit{space(l.angular),      l.axes, static_cast<T>(l.min),
+                               static_cast<T>(l.max), {},     static_cast<T>(l.damping)};
+    if (l.stiffness) limit.stiffness = static_cast<T>(*l.stiffness);
+    out.limits.push_back(limit);
+  }
+  for (const JointDrive& d : joint.drives)
+    out.drives.push_back({space(d.angular), d.acceleration ? DriveMode::acceleration : DriveMode::force, d.axis,
+                          static_cast<T>(d.position_target), static_cast<T>(d.velocity_target),
+                          static_cast<T>(d.stiffness), static_cast<T>(d.damping), static_cast<T>(d.max_force)});
+  return out;
+}
+
+}  // namespace
+
+template <class T>
+SimulatedScene<T>::SimulatedScene(const Scene& scene, const SimulateOptions& options)
+    : scene_(scene),
+      simulation_(settings_of<T>(options), options.executor),
+      moving_(moving_bodies(scene)),
+      parts_(scene.bodies.size()),
+      animated_(scene.bodies.size(), 0) {
+  find_animated();
+  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
+    try {
+      if (animated_[b])
+        add_animated(b);
+      else if (scene.bodies[b].motion)
+        add_moving(b);
+      else
+        add_fixed(b);
+    } catch (const InvalidValue& e) {
+      throw e.below(scene.source + ": " + scene.bodies[b].name);
+    }
+  }
+  for (const Joint& joint : scene.joints) add_joint(joint);
+}
+
+/// A body follows an animation that moves its own node; what is fixed follows one that moves any node above it too.
+template <class T>
+void SimulatedScene<T>::find_animated() {
+  if (scene_.animations.empty()) return;
+  const Animation& animation = scene_.animations.front();
+  motion_ = std::make_unique<ColliderMotion>(scene_, animation);
+  for (const MovedCollider& m : motion_->colliders()) {
+    const std::uint32_t b = scene_.colliders[m.index].body;
+    const auto& channels = animation.tracks->channels;
+    const bool own = std::any_of(channels.begin(), channels.end(),
+                                 [&](const Channel& c) { return static_cast<int>(c.node) == scene_.bodies[b].node; });
+    if (!scene_.bodies[b].motion || own) animated_[b] = 1;
+  }
+  if (scene_.animations.size() > 1)
+    notices_.push_back("of " + std::to_string(scene_.animations.size()) + " animations the first is followed");
+  motion_->go_to(0);
+}
+
+template <class T>
+void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint32_t>& colliders,
+                                 const Dynamics<double>& whole, std::size_t parts) {
+  const Body& of = scene_.bodies[body];
+  graze::Body<T> part{Shape<T>(Sphere<T>(T(0))), converted<T>(of.pose)};
+  Posed pose = of.pose;
+  part.filter = nobody;
+  graze::Material<T> material;
+  if (colliders.size() == 1) {
+    pose = scene_.colliders[colliders[0]].pose;
+    part = in_world<T>(scene_, scene_.colliders[colliders[0]], false);
+  } else if (!colliders.empty()) {
+    Collider all = scene_.colliders[colliders[0]];
+    std::vector<Placed<double>> children;
+    for (const std::uint32_t c : colliders)
+      children.push_back({scene_.colliders[c].shape, relative(of.pose, scene_.colliders[c].pose)});
+    all.shape = Compound<double>(std::move(children));
+    all.pose = of.pose;
+    part = in_world<T>(scene_, all, false);
+  }
+  if (!colliders.empty())
+    if (const auto& m = scene_.colliders[colliders[0]].material) material = in_precision<T>(*m);
+  const BodyMotion& motion = *of.motion;
+  const Vec3d center = transform(of.pose, *whole.center_of_mass);
+  part.linear = converted<T>(motion.linear_velocity + cross(motion.angular_velocity, pose.translation - center));
+  part.angular = converted<T>(motion.angular_velocity);
+  const Posed to_body = relative(pose, of.pose);
+  const BodyId id = simulation_.add(std::move(part), share_of<T>(whole, to_body, parts), material);
+  parts_[body].push_back({id, to_body});
+  body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
+  body_of_part_[id.index] = body;
+}
+
+template <class T>
+void SimulatedScene<T>::add_moving(std::uint32_t body) {
+  std::vector<std::vector<std::uint32_t>> groups;
+  for (std::uint32_t c = 0; c < scene_.colliders.size(); ++c) {
+    const Collider& collider = scene_.colliders[c];
+    if (collider.body != body || collider.trigger) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& g) { return alike(scene_.colliders[g.front()], collider); });
+    if (group == groups.end())
+      groups.push_back({c});
+    else
+      group->push_back(c);
+  }
+  if (groups.empty()) groups.emplace_back();
+  const Dynamics<double> whole = distribution_of(scene_, body);
+  for (const auto& group : groups) add_part(body, group, whole, groups.size());
+  hold_together(body);
+}
+
+template <class T>
+void SimulatedScene<T>::hold_together(std::uint32_t body) {
+  const auto& parts = parts_[body];
+  const BodyMotion& motion = *scene_.bodies[body].motion;
+  if (motion.kinematic || (motion.mass && !std::isfinite(*motion.mass))) return;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    graze::Joint<T> joint =
+        fixed_joint<T>(parts[0].id, converted<T>(parts[0].to_body), parts[i].id, converted<T>(parts[i].to_body));
+    joint.enable_collision = true;  // they are of one body, which their filters know
+    simulation_.add(joint);
+  }
+}
+
+template <class T>
+void SimulatedScene<T>::add_fixed(std::uint32_t body) {
+  for (const Collider& c : scene_.colliders) {
+    if (c.body != body || c.trigger) continue;
+    const auto material = c.material ? in_precision<T>(*c.material) : graze::Material<T>{};
+    const BodyId id = simulation_.add(in_world<T>(scene_, c, true), {}, material);
+    parts_[body].push_back({id, relative(c.pose, scene_.bodies[body].pose)});
+    body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
+    body_of_part_[id.index] = body;
+  }
+}
+
+/// Each collider is led by itself, as channels may move them against each other.
+template <class T>
+void SimulatedScene<T>::add_animated(std::uint32_t body) {
+  for (const MovedCollider& m : motion_->colliders()) {
+    const Collider& c = scene_.colliders[m.index];
+    if (c.body != body || c.trigger) continue;
+    Dynamics<T> dynamics;
+    dynamics.kinematic = true;
+    const auto material = c.material ? in_precision<T>(*c.material) : graze::Material<T>{};
+    const BodyId id = simulation_.add(in_world<T>(scene_, c, false), dynamics, material);
+    parts_[body].push_back({id, relative(c.pose, scene_.bodies[body].pose), m.index});
+    body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
+    body_of_part_[id.index] = body;
+  }
+}
+
+template <class T>
+auto SimulatedScene<T>::part_of(const std::optional<std::uint32_t>& body) -> Part {
+  if (body && !parts_[*body].empty()) return parts_[*body].front();
+  if (!world_) {
+    graze::Body<T> anchor{Shape<T>(Sphere<T>(T(0)))};
+    anchor.fixed = true;
+    anchor.filter = nobody;
+    world_ = Part{simulation_.add(std::move(anchor)), {}};
+    body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), world_->id.index + 1));
+  }
+  return *world_;
+}
+
+/// A body of several parts is held by its first; the others are kept from colliding by joints that hold nothing.
+template <class T>
+void SimulatedScene<T>::add_joint(const Joint& joint) {
+  try {
+    graze::Joint<T> held = in_precision<T>(joint);
+    const Part a = part_of(joint.body_a), b = part_of(joint.body_b);
+    held.a = a.id;
+    held.b = b.id;
+    held.frame_a = converted<T>(compose(a.to_body, joint.frame_a));
+    held.frame_b = converted<T>(compose(b.to_body, joint.frame_b));
+    simulation_.add(held);
+    ++joints_;
+    if (joint.enable_collision || !joint.body_a || !joint.body_b) return;
+    for (const Part& p : parts_[*joint.body_a])
+      for (const Part& q : parts_[*joint.body_b]) {
+        if (p.id == a.id && q.id == b.id) continue;
+        graze::Joint<T> apart;
+        apart.a = p.id;
+        apart.b = q.id;
+        simulation_.add(apart);
+      }
+  } catch (const InvalidValue& e) {
+    throw e.below(scene_.source + ": " + joint.name);
+  }
+}
+
+template <class T>
+void SimulatedScene<T>::follow(double dt) {
+  for (const auto& parts : parts_)
+    for (const Part& part : parts) {
+      if (part.collider < 0) continue;
+      const auto index = static_cast<std::uint32_t>(part.collider);
+      const auto moved = std::lower_bound(motion_->colliders().begin(), motion_->colliders().end(), index,
+                                          [](const MovedCollider& m, std::uint32_t i) { return m.index < i; });
+      simulation_.move_to(part.id, converted<T>(moved->pose), static_cast<T>(dt));
+    }
+}
+
+template <class T>
+void SimulatedScene<T>::step(double time, double dt) {
+  if (motion_) {
+    motion_->go_to(std::min(time, scene_.animations.front().duration));
+    follow(dt);
+  }
+  simulation_.step(static_cast<T>(dt));
+}
+
+template <class T>
+Posed SimulatedScene<T>::pose_of(const Part& part) const {
+  const Posed pose = compose(converted<double>(simulation_.poses()[part.id.index]), part.to_body);
+  return {pose.translation, normalized(pose.rotation)};
+}
+
+template <class T>
+std::size_t SimulatedScene<T>::awake() const {
+  return static_cast<std::size_t>(std::count_if(moving_.begin(), moving_.end(), [&](std::uint32_t b) {
+    return !parts_[b].empty() && !simulation_.asleep(parts_[b].front().id);
+  }));
+}
+
+/// Of two bodies all parts together, in the order in which they first meet.
+template <class T>
+void SimulatedScene<T>::add_contacts(SimulationFrame& frame) const {
+  const ContactArrays<T>& contacts = simulation_.world().contacts();
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
+  for (const ContactPair<T>& pair : contacts.pairs) {
+    ContactState found{body_of_part_[pair.a], body_of_part_[pair.b], 0, 0, 0};
+    for (const ContactManifold<T>& m : contacts.manifolds_of(pair))
+      for (const SolverPoint<T>& p : contacts.points_of(m)) {
+        const auto impulse = static_cast<double>(dot(p.impulse, m.normal));
+        if (!(impulse > 0) && p.distance > T(0)) continue;  // near, and not touched
+        ++found.points;
+        found.impulse += impulse;
+        found.depth = std::max(found.depth, -static_cast<double>(p.distance));
+      }
+    if (found.points == 0) continue;
+    const auto [at, first] = known.insert({{found.a, found.b}, frame.contacts.size()});
+    if (first) {
+      frame.contacts.push_back(found);
+      continue;
+    }
+    ContactState& all = frame.contacts[at->second];
+    all.points += found.points;
+    all.impulse += found.impulse;
+    all.depth = std::max(all.depth, found.depth);
+  }
+}
+
+template <class T>
+SimulationFrame SimulatedScene<T>::frame(double time) const {
+  SimulationFrame frame;
+  frame.time = time;
+  for (const std::uint32_t b : moving_) {
+    BodyState state{scene_.bodies[b].pose};
+    if (!parts_[b].empty()) {
+      const Part& part = parts_[b].front();
+      const graze::Motion<T> motion = simulation_.motion(part.id);
+      state = {pose_of(part), converted<double>(motion.linear), converted<double>(motion.angular),
+               simulation_.asleep(part.id)};
+    }
+    frame.bodies.push_back(state);
+  }
+  add_contacts(frame);
+  const StepReport<T> report = simulation_.report();
+  frame.kinetic_energy = static_cast<double>(report.kinetic_energy);
+  frame.potential_energy = static_cast<double>(report.potential_energy);
+  return frame;
+}
+
+template class SimulatedScene<float>;
+template class SimulatedScene<double>;
+
+}  // namespace graze::io

@@ -1,0 +1,60 @@
+// A scene as a simulation.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "graze/io/simulate.hpp"
+#include "graze/simulation.hpp"
+#include "io/collider_motion.hpp"
+
+namespace graze::io {
+
+template <class T>
+class SimulatedScene {
+ public:
+  /// Throws `InvalidValue`. The scene outlives this.
+  SimulatedScene(const Scene& scene, const SimulateOptions& options);
+
+  /// Steps to `time`, which is `dt` after the last.
+  void step(double time, double dt);
+  SimulationFrame frame(double time) const;
+  StepReport<T> report() const { return simulation_.report(); }
+  std::size_t awake() const;
+  std::size_t joints() const { return joints_; }
+  const std::vector<std::string>& notices() const { return notices_; }
+
+ private:
+  /// A body of the simulation that is all or some of a scene's body.
+  struct Part {
+    BodyId id;
+    Posed to_body;               ///< the pose of the scene's body seen from this one
+    std::int64_t collider = -1;  ///< of a part that an animation moves
+  };
+
+  void add_fixed(std::uint32_t body);
+  void add_moving(std::uint32_t body);
+  void add_animated(std::uint32_t body);
+  void add_part(std::uint32_t body, const std::vector<std::uint32_t>& colliders, const Dynamics<double>& whole,
+                std::size_t parts);
+  void hold_together(std::uint32_t body);
+  void add_joint(const Joint& joint);
+  Part part_of(const std::optional<std::uint32_t>& body);
+  void find_animated();
+  Posed pose_of(const Part& part) const;
+  void follow(double dt);
+  void add_contacts(SimulationFrame& frame) const;
+
+  const Scene& scene_;
+  Simulation<T> simulation_;
+  std::vector<std::uint32_t> moving_;
+  std::vector<std::vector<Part>> parts_;     ///< by the scene's bodies
+  std::vector<std::uint32_t> body_of_part_;  ///< by the simulation's indices
+  std::optional<Part> world_;                ///< what joints to the world hold on to
+  std::unique_ptr<ColliderMotion> motion_;
+  std::vector<char> animated_;  ///< by the scene's bodies
+  std::vector<std::string> notices_;
+  std::size_t joints_ = 0;
+};
+
+}  // namespace graze::io
