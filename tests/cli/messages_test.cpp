@@ -46,7 +46,9 @@ INSTANTIATE_TEST_SUITE_P(Cli, FullDisk,
                                          "collide " + example, "collide --json " + example,
                                          "collide " + std::string(GRAZE_SOURCE_DIR) +
                                              "/examples/scenes/moving.gltf --frames",
-                                         "cast " + example + " --from 'crate 1' --motion 8,0,0 --slide", "--help",
+                                         "cast " + example + " --from 'crate 1' --motion 8,0,0 --slide",
+                                         "simulate " + example + " --seconds 0.1",
+                                         "simulate " + example + " --seconds 0.1 --report json", "--help",
                                          "collide --help", "--version", ""));
 
 // Questions without end: the error is met on the way.
@@ -88,7 +90,8 @@ TEST(Messages, AFileThatIsNotThere) {
 TEST(Messages, AnUnknownCommandIsNamedAndTheKnownOnesListed) {
   const Result r = run("colide " + example);
   EXPECT_EQ(r.code, 2);
-  EXPECT_EQ(r.output, "graze: colide: no such command; there are cast, collide, explain, info, query (graze --help)\n");
+  EXPECT_EQ(r.output,
+            "graze: colide: no such command; there are cast, collide, explain, info, query, simulate (graze --help)\n");
 }
 
 TEST(Messages, AloneItHelps) {
