@@ -1,0 +1,98 @@
+// graze simulate, as a person runs it.
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace graze::cli::simulate_test {
+namespace {
+
+const std::string demo = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
+
+/// A folder of its own for each test, removed at its end.
+class Simulate : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder =
+        std::filesystem::temp_directory_path() / ("graze_simulate_" + std::to_string(getpid()) + "_" + test->name());
+    std::filesystem::create_directories(folder);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::string file(const char* name) const { return (folder / name).string(); }
+  static std::string text_of(const std::string& name) {
+    std::ifstream in(name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::filesystem::path folder;
+};
+
+TEST_F(Simulate, WritesTheSameBytesWithAnyThreads) {
+  for (const char* ending : {"jsonl", "gltf", "glb"}) {
+    const std::string a = file("a.") + ending, b = file("b.") + ending, c = file("c.") + ending;
+    const std::string command = "simulate " + demo + " --seconds 0.5 --out ";
+    EXPECT_EQ(run(command + a).code, 0);
+    EXPECT_EQ(run(command + b).code, 0);
+    EXPECT_EQ(run(command + c + " --threads 3").code, 0);
+    EXPECT_FALSE(text_of(a).empty());
+    EXPECT_EQ(text_of(a), text_of(b));
+    EXPECT_EQ(text_of(a), text_of(c));
+  }
+}
+
+TEST_F(Simulate, HasALineForEachFrame) {
+  const std::string out = file("a.jsonl");
+  EXPECT_EQ(run("simulate " + demo + " --seconds 0.5 --rate 20 --gravity 0,0,-1 --precision float --out " + out).code,
+            0);
+  std::ifstream in(out);
+  std::string line;
+  int frames = 0;
+  for (; std::getline(in, line); ++frames) EXPECT_EQ(nlohmann::json::parse(line)["time"], frames / 20.0);
+  EXPECT_EQ(frames, 11);
+}
+
+TEST_F(Simulate, ReportsWhatItTook) {
+  const Result text = run("simulate " + demo + " --seconds 0.5");
+  EXPECT_EQ(text.code, 0);
+  for (const char* word : {"14 moving bodies", "0.5 s in 30 steps", "deepest", "energy", "awake"})
+    EXPECT_NE(text.output.find(word), std::string::npos) << text.output;
+  const Result json = run("simulate " + demo + " --seconds 0.5 --report json");
+  const auto whole = nlohmann::json::parse(json.output);
+  EXPECT_EQ(whole["steps"], 30);
+  EXPECT_EQ(whole["bodies"], 14);
+  EXPECT_GT(whole["milliseconds"]["whole"], 0);
+}
+
+TEST_F(Simulate, DrawsBeforeAndAfter) {
+  const std::string out = file("a.svg");
+  EXPECT_EQ(run("simulate " + demo + " --seconds 1 --svg " + out).code, 0);
+  const std::string picture = text_of(out);
+  EXPECT_NE(picture.find("demo.gltf, before"), std::string::npos);
+  EXPECT_NE(picture.find("demo.gltf, after"), std::string::npos);
+}
+
+TEST_F(Simulate, SaysWhatIsWrong) {
+  const auto refusal = [](const std::string& options) {
+    const Result r = run("simulate " + demo + " " + options);
+    EXPECT_EQ(r.code, 2) << options;
+    return r.output;
+  };
+  EXPECT_EQ(refusal("--seconds -1"), "graze: --seconds: expected a finite number >= 0, got -1\n");
+  EXPECT_EQ(refusal("--rate 0"), "graze: --rate: expected a finite number >= 1, got 0\n");
+  EXPECT_EQ(refusal("--substeps 3"), "graze: --substeps: expected a power of two from 1 to 1024, got 3\n");
+  EXPECT_EQ(refusal("--threads 0"), "graze: --threads: expected a number from 1 to 1024, got 0\n");
+  EXPECT_EQ(refusal("--out moved.avi"),
+            "graze: moved.avi: expected a file name that ends in .gltf, .glb or .jsonl, got \".avi\"\n");
+  EXPECT_EQ(refusal("--out " + file("none/a.glb")),
+            "graze: " + file("none/a.glb") + ": cannot be written: no such folder\n");
+}
+
+}  // namespace
+}  // namespace graze::cli::simulate_test

@@ -1,0 +1,158 @@
+// The subjects of KHR_physics_rigid_bodies' joint scenes, as scenes of our own, against closed forms; and what playing a
+// scene promises besides.
+#include <gtest/gtest.h>
+
+#include "physics_scene.hpp"
+
+namespace graze::io::joint_scenes_test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double g = 9.81;
+const double pi = std::acos(-1.0);
+
+const Json together{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}};
+Json straight(std::vector<int> axes) { return {{"angularAxes", axes}, {"min", 0}, {"max", 0}}; }
+
+/// A fixed box at the origin and a body on it by a joint between two nodes: `pivot`, below the fixed box, and `socket`,
+/// below the body, which starts where the two agree.
+PhysicsScene jointed(const Json& joint, const Vec3d& pivot, const Vec3d& socket, const Quatd& turn = {},
+                     const Json& motion = {{"mass", 2}}, bool collide = false) {
+  PhysicsScene scene;
+  const auto cube = scene.box(1, 1, 1);
+  const Json geometry{{"geometry", {{"shape", cube}}}};
+  const auto fixed = scene.node("fixed", {{"collider", geometry}});
+  const auto at = pivot - rotate(turn, socket);
+  const auto body = scene.node("body", {{"collider", geometry}, {"motion", motion}}, at, turn);
+  const auto end = scene.node("socket", nullptr, socket, conjugate(turn) * turn);
+  scene.put_below(body, end);
+  const auto start = scene.node(
+      "pivot", {{"joint", {{"joint", scene.joint(joint)}, {"connectedNode", end}, {"enableCollision", collide}}}},
+      pivot, turn);
+  scene.put_below(fixed, start);
+  return scene;
+}
+
+double gap(const Played& played, const SimulationFrame& frame, const Vec3d& pivot, const Vec3d& socket) {
+  return length(transform(frame.bodies[played.index("body")].pose, socket) - pivot);
+}
+
+TEST(JointScenes, FixedStays) {
+  const Played played(jointed({{"limits", {together, straight({0, 1, 2})}}}, {2, 0, 0}, {-1, 0, 0}));
+  for (const SimulationFrame& frame : played.frames) {
+    EXPECT_LE(gap(played, frame, {2, 0, 0}, {-1, 0, 0}), 1e-3);
+    EXPECT_LE(length(frame.bodies[0].pose.translation - Vec3d{3, 0, 0}), 1e-3);
+  }
+}
+
+/// On 45 degrees, 2 m either way: the block ends at -2 m; where the two collide, at the fixed box.
+TEST(JointScenes, SliderSlidesToItsStop) {
+  const Quatd slope = Quatd::from_axis_angle({0, 0, 1}, pi / 4);
+  const Json slider{{"limits",
+                     {{{"linearAxes", {1, 2}}, {"min", 0}, {"max", 0}},
+                      straight({0, 1, 2}),
+                      {{"linearAxes", {0}}, {"min", -2}, {"max", 2}}}}};
+  const Played free(jointed(slider, {}, {}, slope));
+  const Vec3d axis = rotate(slope, Vec3d{1, 0, 0});
+  EXPECT_LE(length(free.end("body").pose.translation + axis * 2.0), 1e-3);
+  // From above along the axis: the cubes, both 1 m wide, meet. The fixed one is not turned, so the gap is found at rest.
+  PhysicsScene scene = jointed(slider, {}, {}, slope, {{"mass", 2}}, true);
+  scene.at(1)["translation"] = {axis.x * 1.9, axis.y * 1.9, 0};
+  const Played colliding(scene);
+  const double way = dot(colliding.end("body").pose.translation, axis);
+  EXPECT_NEAR(way, 0.5 + std::sqrt(0.5), 2e-3);
+}
+
+/// No further than 1 m apart, ever.
+TEST(JointScenes, DistanceIsNeverLonger) {
+  const Played played(
+      jointed({{"limits", {{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1}}}}}, {3, 0, 0}, {0.5, 0.5, 0.5}));
+  for (const SimulationFrame& frame : played.frames)
+    ASSERT_LE(gap(played, frame, {3, 0, 0}, {0.5, 0.5, 0.5}), 1.001) << frame.time;
+}
+
+TEST(JointScenes, AngularDriveReachesItsSpeed) {
+  const Json drive{
+      {"type", "angular"}, {"mode", "acceleration"}, {"axis", 0}, {"velocityTarget", pi / 2}, {"damping", 1}};
+  const Played played(jointed({{"limits", {together, straight({1, 2})}}, {"drives", {drive}}}, {3, 0, 0}, {}));
+  for (const SimulationFrame& frame : played.frames)
+    EXPECT_NEAR(frame.bodies[0].angular.x, pi / 2 * (1 - std::exp(-frame.time)), 0.005) << frame.time;
+}
+
+TEST(JointScenes, LinearDriveRestsUnderItsWeight) {
+  const Json drive{{"type", "linear"},    {"mode", "acceleration"}, {"axis", 1},
+                   {"positionTarget", 2}, {"stiffness", 100},       {"damping", 1}};
+  const Played played(jointed({{"limits", {{{"linearAxes", {0, 2}}, {"min", 0}, {"max", 0}}, straight({0, 1, 2})}},
+                               {"drives", {drive}}},
+                              {3, 0, 0}, {}),
+                      20);
+  const double rest = 2 - g / 100, w = std::sqrt(99.75);
+  for (const SimulationFrame& frame : played.frames) {
+    const double t = frame.time;
+    if (t > 2) break;
+    const double exact = rest - rest * std::exp(-t / 2) * (std::cos(w * t) + std::sin(w * t) / (2 * w));
+    EXPECT_NEAR(frame.bodies[0].pose.translation.y, exact, 0.03) << t;
+  }
+  EXPECT_NEAR(played.end("body").pose.translation.y, rest, 1e-3);
+}
+
+/// A pile with a joint, played twice, with other threads, and in float: the first three to the last bit.
+TEST(JointScenes, SameFramesEveryTime) {
+  const PhysicsScene scene = jointed({{"limits", {together}}}, {0.2, 2, 0}, {0.4, 0.3, 0.2}, {}, {{"mass", 1}}, true);
+  class Backwards final : public Executor {
+   public:
+    std::size_t concurrency() const override { return 4; }
+    void run(std::size_t count, const std::function<void(std::size_t)>& task) override {
+      while (count-- > 0) task(count);
+    }
+  } backwards;
+  SimulateOptions other;
+  other.executor = &backwards;
+  const Played one(scene, 3), two(scene, 3), three(scene, 3, other);
+  other.precision = Precision::single_precision;
+  const Played single(scene, 3, other);
+  ASSERT_EQ(one.frames.size(), 181u);
+  for (std::size_t i = 0; i < one.frames.size(); ++i) {
+    EXPECT_EQ(one.frames[i].bodies[0].pose, two.frames[i].bodies[0].pose);
+    EXPECT_EQ(one.frames[i].bodies[0].pose, three.frames[i].bodies[0].pose);
+    if (one.frames[i].time > 0.5) continue;
+    EXPECT_LE(length(one.frames[i].bodies[0].pose.translation - single.frames[i].bodies[0].pose.translation), 1e-3);
+  }
+}
+
+/// What the file's animation moves follows it, and carries what lies on it.
+TEST(JointScenes, AnimatedNodesLead) {
+  PhysicsScene scene;
+  const auto plate = scene.box(6, 1, 6), cube = scene.box(1, 1, 1);
+  const auto lift = scene.node("lift", {{"collider", {{"geometry", {{"shape", plate}}}}}}, {0, -0.5, 0});
+  scene.node("crate", {{"collider", {{"geometry", {{"shape", cube}}}}}, {"motion", {{"mass", 1}}}}, {0, 0.5, 0});
+  scene.animate(lift, {0, 2}, {0, -0.5f, 0, 0, 1.5f, 0});
+  const Played played(scene, 3);
+  EXPECT_NEAR(played.place("crate", 1).y, 1.5, 0.005);
+  EXPECT_NEAR(played.end("crate").pose.translation.y, 2.5, 0.01);
+}
+
+TEST(JointScenes, WhatCannotBePlayedIsNamed) {
+  const auto refusal = [](const PhysicsScene& scene, const SimulateOptions& options = {}) -> std::string {
+    try {
+      simulate(scene.load(), options, [](const SimulationFrame&) {});
+    } catch (const InvalidValue& e) {
+      return e.what();
+    }
+    return "played";
+  };
+  PhysicsScene scene;
+  const auto flat = scene.shape({{"type", "plane"}, {"plane", {{"sizeX", 1}, {"sizeZ", 1}}}});
+  scene.node("leaf", {{"collider", {{"geometry", {{"shape", flat}}}}}, {"motion", Json::object()}});
+  EXPECT_EQ(refusal(scene), "scene.gltf: leaf.motion.mass: expected a value, of a body without volume, got nothing");
+  SimulateOptions options;
+  options.seconds = -1;
+  EXPECT_EQ(refusal(scene, options), "seconds: expected a finite number >= 0, got -1");
+  options = {};
+  options.rate = 0;
+  EXPECT_EQ(refusal(scene, options), "rate: expected a finite number >= 1, got 0");
+}
+
+}  // namespace
+}  // namespace graze::io::joint_scenes_test
