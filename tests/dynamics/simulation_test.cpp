@@ -1,0 +1,362 @@
+// Simulations against closed forms, and what must stay or be the same.
+#include "graze/simulation.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "world/executors.hpp"
+
+namespace graze::testing {
+namespace {
+
+constexpr double dt = 1.0 / 64;  // exact, so that closed forms can be compared to the last digits
+
+template <class T>
+SimulationSettings<T> settings(T gravity = T(10), bool sleep = false) {
+  SimulationSettings<T> s;
+  s.gravity = {T(0), -gravity, T(0)};
+  s.sleep = sleep;
+  return s;
+}
+
+template <class T>
+BodyId add_floor(Simulation<T>& s, const Material<T>& material = {}, const Quat<T>& rotation = {}) {
+  Body<T> body{HalfSpace<T>()};
+  body.pose.rotation = rotation;
+  body.fixed = true;
+  return s.add(body, {}, material);
+}
+
+template <class T>
+class SimulationOf : public ::testing::Test {};
+using Scalars = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(SimulationOf, Scalars);
+
+TYPED_TEST(SimulationOf, FallsAsGalileoSays) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  const BodyId ball = s.add({Sphere<T>(T(0.5)), {{T(1), T(100), T(2)}, {}}, {T(3), T(0), T(0)}});
+  for (int i = 0; i < 128; ++i) s.step(T(dt));
+  const Vec3<T> at = s.poses()[ball.index].translation;
+  const T rounding = T(200) * std::numeric_limits<T>::epsilon() * T(100);
+  EXPECT_NEAR(at.x, T(7), rounding);
+  EXPECT_NEAR(at.y, T(80), rounding);
+  EXPECT_EQ(at.z, T(2));
+}
+
+TYPED_TEST(SimulationOf, KeepsAngularMomentumBitForBit) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  const BodyId book = s.add({Box<T>({T(1), T(2), T(0.2)}), {{T(0), T(1000), T(0)}, {}}, {}, {T(0.01), T(0.02), T(10)}});
+  const Vec3<T> before = s.angular_momentum(book);
+  const T energy = s.report().kinetic_energy;
+  Vec3<T> linear = s.motion(book).linear;
+  for (int i = 0; i < 200; ++i) s.step(T(dt));
+  EXPECT_EQ(s.angular_momentum(book), before);
+  linear = s.motion(book).linear;
+  const T falling = s.mass(book) * length_squared(linear) / T(2);
+  EXPECT_NEAR((s.report().kinetic_energy - falling) / energy, T(1), T(1e-3));
+}
+
+/// A box slides down a slope of 30 degrees with g (sin - friction cos), and stays where friction suffices.
+TYPED_TEST(SimulationOf, SlidesDownASlope) {
+  using T = TypeParam;
+  const double angle = 0.5235987755982988;
+  const Quat<T> tilt = Quat<T>::from_axis_angle({T(0), T(0), T(1)}, static_cast<T>(angle));
+  for (const double part : {0.5, 0.98, 1.02}) {
+    const double friction = part * std::tan(angle);
+    const Material<T> m{static_cast<T>(friction), static_cast<T>(friction)};
+    Simulation<T> s(settings<T>());
+    add_floor<T>(s, m, tilt);
+    const BodyId box =
+        s.add({Box<T>({T(1), T(0.25), T(1)}), {rotate(tilt, Vec3<T>{T(0), T(0.125), T(0)}), tilt}}, {}, m);
+    const Vec3<T> start = s.poses()[box.index].translation;
+    for (int i = 0; i < 128; ++i) s.step(T(dt));
+    const double speed = static_cast<double>(length(s.motion(box).linear));
+    const double way = static_cast<double>(length(s.poses()[box.index].translation - start));
+    const double exact = 10 * (std::sin(angle) - friction * std::cos(angle));
+    if (part < 1) {
+      EXPECT_NEAR(speed / (exact * 2), 1, 0.005) << part;
+      EXPECT_NEAR(way / (exact * 2), 1, part < 0.9 ? 0.005 : 0.05) << part;
+    } else {
+      EXPECT_LT(way, 1e-3) << part;
+      EXPECT_LT(speed, 1e-4) << part;
+    }
+  }
+}
+
+/// What slides on a level floor stops after v² / (2 μ g).
+TYPED_TEST(SimulationOf, StopsWhereFrictionEndsIt) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  add_floor(s);
+  const BodyId plate = s.add({Box<T>({T(2), T(0.1), T(2)}), {{T(0), T(0.05), T(0)}, {}}, {T(6), T(0), T(0)}});
+  for (int i = 0; i < 128; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.poses()[plate.index].translation.x, T(3), T(0.01));
+  EXPECT_LT(length(s.motion(plate).linear), T(1e-4));
+}
+
+/// A ball that falls from h rebounds to e² h, and with e = 1 keeps its energy.
+TYPED_TEST(SimulationOf, Rebounds) {
+  using T = TypeParam;
+  for (const double e : {0.5, 0.8, 1.0}) {
+    Material<T> m;
+    m.restitution = static_cast<T>(e);
+    Simulation<T> s(settings<T>());
+    add_floor<T>(s, m);
+    const BodyId ball = s.add({Sphere<T>(T(0.5)), {{T(0), T(5.5), T(0)}, {}}}, {}, m);
+    T highest(0);
+    bool risen = false;
+    for (int i = 0; i < 4 * 64; ++i) {
+      s.step(T(dt));
+      const T v = s.motion(ball).linear.y;
+      if (risen && v < T(0)) break;
+      risen = risen || v > T(0);
+      if (risen) highest = greatest(highest, s.poses()[ball.index].translation.y - T(0.5));
+    }
+    EXPECT_NEAR(static_cast<double>(highest) / (e * e * 5), 1, 0.005) << e;
+  }
+}
+
+/// The blow passes through touching balls: the last leaves with the speed of the first.
+TYPED_TEST(SimulationOf, NewtonsCradle) {
+  using T = TypeParam;
+  SimulationSettings<T> level = settings<T>(T(0));
+  Simulation<T> s(level);
+  Material<T> m;
+  m.restitution = T(1);
+  std::vector<BodyId> balls;
+  for (int i = 0; i < 5; ++i) balls.push_back(s.add({Sphere<T>(T(0.5)), {{T(i), T(0), T(0)}, {}}}, {}, m));
+  const BodyId first = s.add({Sphere<T>(T(0.5)), {{T(-2), T(0), T(0)}, {}}, {T(5), T(0), T(0)}}, {}, m);
+  for (int i = 0; i < 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(balls[4]).linear.x, T(5), T(0.01));
+  for (const BodyId ball : {first, balls[0], balls[1], balls[2], balls[3]})
+    EXPECT_NEAR(length(s.motion(ball).linear), T(0), T(0.01));
+}
+
+template <class T>
+std::vector<BodyId> add_tower(Simulation<T>& s, int count, T size = T(1)) {
+  add_floor(s);
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < count; ++i)
+    boxes.push_back(s.add({Box<T>({size, size, size}), {{T(0), size * (T(i) + T(0.5)), T(0)}, {}}}));
+  return boxes;
+}
+
+TYPED_TEST(SimulationOf, TenBoxesStandAwake) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  const auto boxes = add_tower(s, 10);
+  for (int i = 0; i < 5 * 64; ++i) s.step(T(dt));
+  const Vec3<T> top = s.poses()[boxes.back().index].translation;
+  EXPECT_NEAR(top.y, T(9.5), T(0.02));
+  EXPECT_NEAR(std::hypot(top.x, top.z), T(0), T(0.02));
+  EXPECT_LT(s.report().deepest, T(0.002));
+  EXPECT_EQ(s.report().awake, 10u);
+  EXPECT_EQ(s.report().islands, 1u);
+}
+
+TYPED_TEST(SimulationOf, SleepsAndWakes) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(10), true));
+  const auto boxes = add_tower(s, 3);
+  for (int i = 0; i < 3 * 64; ++i) s.step(T(dt));
+  for (const BodyId box : boxes) EXPECT_TRUE(s.asleep(box));
+  EXPECT_EQ(s.report().awake, 0u);
+  const T height = s.poses()[boxes[2].index].translation.y;
+  for (int i = 0; i < 64; ++i) s.step(T(dt));
+  EXPECT_EQ(s.poses()[boxes[2].index].translation.y, height);
+  s.remove(boxes[0]);  // what stood on it falls
+  EXPECT_FALSE(s.asleep(boxes[1]));
+  for (int i = 0; i < 4 * 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.poses()[boxes[2].index].translation.y, T(1.5), T(0.01));
+  s.apply_impulse(boxes[2], {T(3000), T(0), T(0)}, s.poses()[boxes[2].index].translation);
+  EXPECT_FALSE(s.asleep(boxes[2]));
+  for (int i = 0; i < 32; ++i) s.step(T(dt));
+  EXPECT_GT(s.poses()[boxes[2].index].translation.x, T(0.1));
+}
+
+TYPED_TEST(SimulationOf, KinematicPlatformAndBelt) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  Dynamics<T> kinematic;
+  kinematic.kinematic = true;
+  const BodyId platform =
+      s.add({Box<T>({T(40), T(1), T(4)}), {{T(0), T(-0.5), T(0)}, {}}, {T(0), T(1), T(0)}}, kinematic);
+  const BodyId box = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5), T(0)}, {}}});
+  for (int i = 0; i < 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.poses()[platform.index].translation.y, T(0.5), T(1e-4));
+  EXPECT_NEAR(s.poses()[box.index].translation.y, T(1.5), T(0.005));
+  s.set_velocity(platform, {});
+  Material<T> belt;
+  belt.surface_velocity = {T(2), T(0), T(0)};
+  s.set_material(platform, belt);
+  for (int i = 0; i < 2 * 64; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(box).linear.x, T(2), T(0.01));
+}
+
+TYPED_TEST(SimulationOf, BulletsStopAtAWallAndAtEachOther) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(0)));
+  Body<T> wall{Box<T>({T(0.01), T(4), T(4)}), {{T(10.3), T(0), T(0)}, {}}};
+  wall.fixed = true;
+  s.add(wall);
+  const BodyId bullet = s.add({Box<T>({T(0.2), T(0.2), T(0.2)}), {}, {T(300), T(0), T(0)}, {T(5), T(3), T(1)}});
+  const BodyId left = s.add({Sphere<T>(T(0.1)), {{T(-10), T(8), T(0)}, {}}, {T(300), T(0), T(0)}});
+  const BodyId right = s.add({Sphere<T>(T(0.1)), {{T(10), T(8), T(0)}, {}}, {T(-300), T(0), T(0)}});
+  for (int i = 0; i < 64; ++i) s.step(T(dt));
+  EXPECT_LT(s.poses()[bullet.index].translation.x, T(10.3));
+  EXPECT_LE(s.poses()[left.index].translation.x, s.poses()[right.index].translation.x);
+}
+
+TYPED_TEST(SimulationOf, BadInputChangesNothing) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  const T nan = std::numeric_limits<T>::quiet_NaN();
+  for (const T step : {T(0), T(-1), nan, T(3.2e7), std::numeric_limits<T>::infinity()})
+    EXPECT_THROW(s.step(step), InvalidValue);
+  const auto refused = [&](const auto& change) {
+    Dynamics<T> d;
+    change(d);
+    EXPECT_THROW(s.add({Sphere<T>(T(1))}, d), InvalidValue);
+  };
+  refused([](Dynamics<T>& d) { d.mass = T(0); });
+  refused([](Dynamics<T>& d) { d.mass = T(-1); });
+  refused([&](Dynamics<T>& d) { d.mass = nan; });
+  refused([](Dynamics<T>& d) { d.density = T(0); });
+  refused([](Dynamics<T>& d) { d.linear_damping = T(-1); });
+  refused([](Dynamics<T>& d) { d.inertia_diagonal = Vec3<T>{T(1), T(1), T(3)}; });
+  refused([](Dynamics<T>& d) { d.inertia_diagonal = Vec3<T>{T(1), T(0), T(1)}; });
+  Material<T> sticky;
+  sticky.restitution = T(2);
+  EXPECT_THROW(s.add({Sphere<T>(T(1))}, {}, sticky), InvalidValue);
+  EXPECT_THROW(s.add({HalfSpace<T>()}), InvalidValue);
+  EXPECT_THROW(s.add({Sphere<T>(T(1)), {}, {nan, T(0), T(0)}}), InvalidValue);
+  EXPECT_EQ(s.world().bodies().count(), 0u);
+  const BodyId ball = s.add({Sphere<T>(T(1))});
+  EXPECT_THROW(s.apply_impulse(ball, {nan, T(0), T(0)}, {}), InvalidValue);
+  EXPECT_THROW(s.restore(State<T>{}), InvalidValue);
+  const State<T> state = s.save();
+  s.remove(ball);
+  EXPECT_THROW(s.motion(ball), InvalidValue);
+  EXPECT_THROW(s.restore(state), InvalidValue);
+  SimulationSettings<T> odd;
+  odd.sub_steps = 3;
+  EXPECT_THROW(Simulation<T>{odd}, InvalidValue);
+}
+
+/// Shapes of all kinds fall onto a floor between walls.
+template <class T>
+void add_heap(Simulation<T>& s, unsigned seed, int count, T size = T(1)) {
+  add_floor(s);
+  std::mt19937 random(seed);
+  const auto number = [&] { return T(random() % 1024) / T(512) - T(1); };
+  for (int i = 0; i < count; ++i) {
+    const auto shape = [&]() -> Shape<T> {
+      switch (random() % 6) {
+      case 0: return Sphere<T>(size / T(2));
+      case 1: return Capsule<T>(size / T(4), size);
+      case 2: return Cylinder<T>(size / T(2), size);
+      case 3: return Ellipsoid<T>({size / T(2), size / T(4), size / T(2)});
+      case 4: return Box<T>({size, size / T(2), size});
+      default: return Box<T>({size, size, size});
+      }
+    };
+    const Pose<T> pose{{number() * size * T(2), (T(1) + T(i)) * size, number() * size * T(2)},
+                       normalized(Quat<T>{number(), number(), number(), T(1.5)})};
+    Material<T> m;
+    m.rolling_friction = size / T(10);
+    s.add({shape(), pose}, {}, m);
+  }
+}
+
+template <class T>
+std::vector<Pose<T>> poses_after(Simulation<T>& s, int steps, T step = T(dt)) {
+  for (int i = 0; i < steps; ++i) s.step(step);
+  return {s.poses().begin(), s.poses().end()};
+}
+
+TYPED_TEST(SimulationOf, SameBitsOnAnyThreads) {
+  using T = TypeParam;
+  const auto run = [](Executor* executor) {
+    Simulation<T> s(settings<T>(T(10), true), executor);
+    add_heap(s, 5, 60);
+    return poses_after(s, 100);
+  };
+  const auto serial = run(nullptr);
+  ThreadExecutor threads(4);
+  BusyExecutor busy(true);
+  EXPECT_EQ(run(&threads), serial);
+  EXPECT_EQ(run(&busy), serial);
+}
+
+TYPED_TEST(SimulationOf, SameBitsAfterRestore) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>(T(10), true));
+  add_heap(s, 6, 40);
+  poses_after(s, 60);
+  const State<T> state = s.save();
+  const auto once = poses_after(s, 60);
+  s.restore(state);
+  EXPECT_EQ(poses_after(s, 60), once);
+  poses_after(s, 20);
+  s.restore(state);
+  EXPECT_EQ(poses_after(s, 60), once);
+}
+
+TYPED_TEST(SimulationOf, SameBitsInAnotherSize) {
+  using T = TypeParam;
+  const auto run = [](T scale, T step) {
+    Simulation<T> s(settings<T>(T(10), true));
+    add_heap(s, 7, 20, scale);
+    auto poses = poses_after(s, 150, step);
+    for (Pose<T>& p : poses) p.translation = p.translation / scale;
+    return poses;
+  };
+  EXPECT_EQ(run(T(4), T(2 * dt)), run(T(1), T(dt)));
+}
+
+/// What collides in free space keeps momentum and angular momentum, and gains no energy.
+RC_GTEST_PROP(Simulation, CollisionsConserve, (int seed)) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  const auto number = [&] { return static_cast<double>(random() % 1024) / 512 - 1; };
+  Simulation<double> s(settings<double>(0.0));
+  Material<double> m;
+  m.restitution = (random() % 2) != 0 ? 0.5 : 0.0;
+  for (int i = 0; i < 6; ++i) {
+    const Vec3d at{number() * 3, number() * 3, number() * 3};
+    s.add({Box<double>({1, 1 + number() / 2, 0.5}),
+           {at, normalized(Quatd{number(), number(), number(), 1.5})},
+           at * -2.0,
+           {number(), number(), number()}},
+          {}, m);
+  }
+  const auto before = s.report();
+  for (int i = 0; i < 100; ++i) s.step(dt);
+  const auto after = s.report();
+  const double size = 6 * 1000 * 6;
+  RC_ASSERT(length(after.momentum - before.momentum) < 1e-9 * size);
+  RC_ASSERT(std::isfinite(after.kinetic_energy));
+}
+
+/// A heap of anything comes to rest, and nothing is a NaN on the way.
+TEST(Simulation, HeapsComeToRest) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    Simulation<float> s(settings<float>(10.0f, true));
+    add_heap(s, seed, 25);
+    for (int i = 0; i < 20 * 64; ++i) s.step(float(dt));
+    const auto r = s.report();
+    EXPECT_TRUE(std::isfinite(r.kinetic_energy));
+    EXPECT_LT(r.kinetic_energy, 5.0f) << seed;
+    EXPECT_LT(r.deepest, 0.02f) << seed;
+    for (const Posef& pose : s.poses().subspan(1)) EXPECT_GT(pose.translation.y, 0.1f) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace graze::testing
