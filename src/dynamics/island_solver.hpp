@@ -38,8 +38,8 @@ class IslandSolver {
            std::span<const SolverPoint<T>> points, T share);
   void add(JointInPlace<T>& joint, std::uint32_t a, std::uint32_t b);
 
-  /// As many sub-steps as it takes, by the impulses of the last step, that no contact sinks visibly: a power of two from
-  /// `least` to `most`.
+  /// As many sub-steps as it takes, by the impulses of the last step, that no contact sinks visibly: a power of two
+  /// from `least` to `most`.
   void choose_sub_steps(T step, T gravity, int least, int most);
   void solve(T step, T gravity);
   /// Impulses to the world's points and to the joints.

@@ -53,8 +53,8 @@ struct SolverBody {
   }
 };
 
-/// A sub-step of duration h of an island. What rows press moves by h v₁ in it, v₁ being its velocity once the rows were
-/// solved with bias, so that a row that wants to move by d asks for the velocity d / h; all else moves by
+/// A sub-step of duration h of an island. What rows press moves by h v₁ in it, v₁ being its velocity once the rows
+/// were solved with bias, so that a row that wants to move by d asks for the velocity d / h; all else moves by
 /// h (v₀ + v₁) / 2 (see `SolverBody::moving_velocity`). Bodies of joints move by h v₁.
 template <class T>
 struct SubStep {
