@@ -181,7 +181,8 @@ void IslandSolver<T>::solve_rows(const ContactStep<T>& step, bool bias) {
 
 template <class T>
 void IslandSolver<T>::note_pressed() {
-  for (const auto& [a, b] : joint_bodies_) bodies_[a].pressed = bodies_[b].pressed = SolverBody<T>::Pressed::tied;
+  for (const auto& [a, b] : joint_bodies_)
+    if (!manifolds_.empty()) bodies_[a].pressed = bodies_[b].pressed = SolverBody<T>::Pressed::tied;
   for (const ManifoldRows<T>& m : manifolds_)
     graze::note_pressed<T>(m, std::span(points_).subspan(m.first_row, m.row_count), bodies_[m.a], bodies_[m.b]);
 }
@@ -189,7 +190,7 @@ void IslandSolver<T>::note_pressed() {
 template <class T>
 void IslandSolver<T>::solve(T step, T gravity) {
   const T h = step / T(sub_steps_);
-  const SubStep<T> time{h, T(1) / h, step};
+  const SubStep<T> time{h, T(1) / h, step, manifolds_.empty()};
   const ContactStep<T> contact = contact_step(time, gravity);
   joints_.resize(joined_.size());
   for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].prepare(*joined_[j], time);

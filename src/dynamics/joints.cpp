@@ -290,7 +290,7 @@ void JointRows<T>::warm_start(SolverBody<T>& a, SolverBody<T>& b) const {
 
 template <class T>
 void JointRows<T>::solve(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
-  if (!bias && !moved_) {
+  if (!bias && !moved_ && step_.joined_by_mean) {
     for (const Row& row : rows_) push_row(row.at, row.impulse / T(-2), a, b);
     measure(a, b);
     for (const Row& row : rows_) push_row(row.at, row.impulse / T(2), a, b);
@@ -314,7 +314,14 @@ T JointRows<T>::corrected(const Row& row) const {
   return part_of(row.error, angle ? drift_part<T> : drift_part<T> * reach_);
 }
 
-/// Bodies move by h (v₀ + v₁) / 2, so that an error e is gone where v₁ = -2 e / h - v₀.
+/// The rate at which an error is gone at the end of the sub-step: where bodies move by h (v₀ + v₁) / 2, it is
+/// -2 e / h - v₀, and where they move by h v₁, -e / h.
+template <class T>
+T JointRows<T>::rate_towards(const Row& row, T error, const SolverBody<T>& a, const SolverBody<T>& b) const {
+  if (!step_.joined_by_mean) return -error * step_.inverse_h;
+  return T(-2) * error * step_.inverse_h - rate_before(row.at, a, b);
+}
+
 template <class T>
 void JointRows<T>::solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
   if (locked_ == 0) return;
@@ -322,7 +329,7 @@ void JointRows<T>::solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
   for (std::size_t i = 0; i < locked_; ++i) {
     const Row& row = rows_[i];
     wanted[i] = -rate_of(row.at, a, b);
-    if (bias) wanted[i] -= T(2) * corrected(row) * step_.inverse_h + rate_before(row.at, a, b);
+    if (bias) wanted[i] += rate_towards(row, corrected(row), a, b);
   }
   const auto impulses = eliminated(wanted);
   for (std::size_t i = 0; i < locked_; ++i) {
@@ -344,7 +351,7 @@ void JointRows<T>::solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool
   T wanted = -rate_of(row.at, a, b);
   if (bias) {
     const bool past = row.side == Side::both || (row.side == Side::lower) == (row.error < T(0));
-    wanted -= T(2) * (past ? corrected(row) : row.error) * step_.inverse_h + rate_before(row.at, a, b);
+    wanted += rate_towards(row, past ? corrected(row) : row.error, a, b);
   } else if (row.side != Side::both && row.impulse == T(0)) {
     return;
   }
@@ -355,13 +362,14 @@ void JointRows<T>::solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool
 }
 
 /// A spring and damper by the implicit midpoint rule, which neither adds nor takes energy and is right to the second
-/// order; one that is too stiff for the sub-step by backward Euler (weight 1), which does not ring.
+/// order; one that is too stiff for the sub-step by backward Euler (weight 1), which does not ring, as is any whose
+/// bodies do not move by the mean of their velocities.
 template <class T>
 void JointRows<T>::solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b) {
   const T h = step_.h, mass = row.acceleration ? T(1) / row.yielding : T(1);
   const T k = row.stiffness * mass, c = row.damping * mass;
   const T stiff = h * (h * k + c) * row.yielding;
-  const T weight = stiff > T(1) ? T(1) - T(1) / stiff : T(0);
+  const T weight = !step_.joined_by_mean ? T(1) : stiff > T(1) ? T(1) - T(1) / stiff : T(0);
   const T middle = T(1) - weight;
   const T before = h * (h * k * middle / T(4) + c * middle / T(2));
   const T after = h * (h * k * (middle / T(4) + weight) + c * (middle / T(2) + weight));

@@ -88,6 +88,7 @@ class JointRows {
   void solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b);
   void push_free(Row& row, T impulse, SolverBody<T>& a, SolverBody<T>& b);
   T corrected(const Row& row) const;
+  T rate_towards(const Row& row, T error, const SolverBody<T>& a, const SolverBody<T>& b) const;
 
   JointInPlace<T>* joint_ = nullptr;
   SubStep<T> step_{};

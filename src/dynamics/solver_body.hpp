@@ -35,7 +35,7 @@ struct SolverBody {
     }
   }
   /// The velocity that moves the body in this sub-step: the mean of that before and after, which is exact under gravity
-  /// and friction; but along what it is pressed, and in all directions where that is several or a joint, the one after,
+  /// and friction; but along what it is pressed, and in all directions where that is several, the one after,
   /// which the rows made what they wanted.
   Vec3<T> moving_velocity() const {
     if (pressed == Pressed::tied) return linear;
@@ -55,12 +55,14 @@ struct SolverBody {
 
 /// A sub-step of duration h of an island. What rows press moves by h v₁ in it, v₁ being its velocity once the rows
 /// were solved with bias, so that a row that wants to move by d asks for the velocity d / h; all else moves by
-/// h (v₀ + v₁) / 2 (see `SolverBody::moving_velocity`). Bodies of joints move by h v₁.
+/// h (v₀ + v₁) / 2 (see `SolverBody::moving_velocity`). What joints hold moves by the mean too, unless contacts press
+/// something in the island: what both hold has to be moved by one rule.
 template <class T>
 struct SubStep {
   T h{};
   T inverse_h{};
-  T step{};  ///< the whole step
+  T step{};               ///< the whole step
+  bool joined_by_mean{};  ///< bodies of joints move by the mean of their velocities
 };
 
 /// The coefficients of a soft row (Catto 2011, "Soft constraints"), an implicit spring of angular frequency w and
