@@ -33,9 +33,6 @@ template <class T, class N>
   return direction / max_abs(direction);
 }
 
-[[gnu::always_inline]] inline V load(const rays::RayBlock::Numbers (&from)[3], std::size_t i) {
-  return {S::load(from[0] + i), S::load(from[1] + i), S::load(from[2] + i)};
-}
 template <class T>
 [[gnu::always_inline]] inline void store(const S& numbers, T* to) {
   typedef T Few __attribute__((vector_size(S::lanes * sizeof(T))));
@@ -77,7 +74,7 @@ void rays_at_box(rays::RayBlock& block, const T* rays, std::size_t count, T leng
   const double end = rays::end_of(length);
   read_rays(rays, count, block);
   for (std::size_t i = 0; i < filled(count); i += static_cast<std::size_t>(S::lanes)) {
-    const V origin = load(block.origin, i), direction = squarable<T>(load(block.along, i));
+    const V origin = load_vec3<S>(block.origin, i), direction = squarable<T>(load_vec3<S>(block.along, i));
     const BoxCrossing<S> crossing = crossing_of(box, origin, direction);
     const S size = graze::length(direction), t = crossing.enter() * size, zero(0);
     const auto inside = crossing.enter() <= zero;

@@ -1,7 +1,7 @@
 // What a walk down a tree of triangles is made of: the ray in a node's eight-bit steps, the children that it enters,
 // and the triangles of a leaf that it may cross. Only for `*.kernel.cpp`.
 //
-// Guarantee: as `tree_walk.hpp`: nothing is left out that the ray crosses. Everything is inlined or lives in the
+// Guarantee: as `bvh_traversal.hpp`: nothing is left out that the ray crosses. Everything is inlined or lives in the
 // namespace of the level.
 #pragma once
 

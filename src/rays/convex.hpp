@@ -29,7 +29,7 @@ template <class T, class C, class GapAt>
 
 template <class T>
 MaybeHit cast_at(const Sphere<T>& s, T margin, const LocalRay& ray, BackFaces) {
-  return hit_ball(ray, converted<double>(s.center()), wide(s.radius()) + wide(margin));
+  return hit_sphere(ray, converted<double>(s.center()), wide(s.radius()) + wide(margin));
 }
 
 template <class T>
@@ -59,7 +59,7 @@ template <class T>
 MaybeHit cast_at(const Cylinder<T>& c, T margin, const LocalRay& ray, BackFaces) {
   const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
   if (margin > T(0)) return rounded(c, margin, ray, FrustumGap{h, bottom, top});
-  return Frustum(h, bottom, top).hit(ray);
+  return hit_cylinder(ray, Frustum(h, bottom, top));
 }
 
 template <class T>
@@ -90,12 +90,6 @@ MaybeHit cast_at(const UserConvex<T>& user, T margin, const LocalRay& ray, BackF
 template <class T>
 MaybeHit cast_at(const HalfSpace<T>&, T margin, const LocalRay& ray, BackFaces) {
   return hit_half_space(ray, wide(margin));
-}
-
-/// Whether the ray comes near the ball about a shape's origin that holds it.
-inline bool near_ball(const LocalRay& ray, double radius) {
-  const double reach = radius + ray.blur;
-  return length_squared(ray.at(clamp(-dot(ray.origin, ray.direction), ray.begin, ray.end))) <= reach * reach;
 }
 
 /// Asking about the ball first would cost as much as the answer.

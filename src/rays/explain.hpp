@@ -67,7 +67,7 @@ class RayExplanation {
     const auto scaled = [&](const Vec3d& p) { return Vec3d{p.x / radii.x, p.y / radii.y, p.z / radii.z}; };
     const Vec3d direction = scaled(ray_.direction);
     const double speed = length(direction);
-    const Span at = ball_span({scaled(ray_.origin), direction / speed, 0, 0, 0}, {}, 1);
+    const Span at = ball_span(LocalRay{scaled(ray_.origin), direction / speed, 0, 0, 0}, {}, 1);
     const Span span{at.enter / speed, at.leave / speed};
     add("quadratic", normalized(scaled(scaled(ray_.at(span.enter))), -ray_.direction), span);
     trace_.method = "quadratic";

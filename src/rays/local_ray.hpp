@@ -1,4 +1,4 @@
-// A ray in the frame of what it is cast at, and a hit there.
+// A ray in the frame of what it is cast at, and a hit there; or one of each in every lane.
 //
 // Guarantee: double, whichever scalar the shapes have; the direction is of unit length, so that t is a length.
 #pragma once
@@ -37,15 +37,31 @@ double end_of(const Ray<T>& ray, const Vec3d& direction, T length) {
   return usable<T>(converted<double>(ray.origin), length_squared(direction)) ? end_of(length) : -1;
 }
 
-/// The points origin + t direction with begin <= t <= end.
-struct LocalRay {
-  Vec3d origin, direction;
-  double begin, end;
-  /// What rounding of the caller's numbers moves the ray by: how thick things without thickness are taken to be.
-  double blur;
+/// What comparing two numbers gives: `bool`, or a truth value a lane.
+template <class S>
+using MaskOf = decltype(S() < S());
 
-  Vec3d at(double t) const { return origin + direction * t; }
+/// Whether a condition holds for a ray that is alone, so that what it excludes need not be computed. Never for lanes:
+/// among them are nearly always some that need it.
+template <class M>
+[[gnu::always_inline]] inline bool alone(const M& condition) {
+  if constexpr (std::is_integral_v<M>)
+    return condition != 0;
+  else
+    return false;
+}
+
+/// The points origin + t direction with begin <= t <= end, of one ray or of one in each lane.
+template <class S>
+struct LocalRayOf {
+  Vec3<S> origin, direction;
+  S begin, end;
+  /// What rounding of the caller's numbers moves the ray by: how thick things without thickness are taken to be.
+  S blur;
+
+  [[gnu::always_inline]] Vec3<S> at(const S& t) const { return origin + direction * t; }
 };
+using LocalRay = LocalRayOf<double>;
 
 /// The point is carried along, since `t` cannot have its digits when the ray comes from afar.
 struct LocalHit {
@@ -55,20 +71,43 @@ struct LocalHit {
 
 using MaybeHit = std::optional<LocalHit>;
 
+/// What a closed form finds, for one ray or for one in each lane. Where `hit` does not hold the numbers mean nothing.
+/// Where `undecided` holds the closed form has no answer, and code for one ray has to give it.
+template <class S>
+struct FoundHit {
+  MaskOf<S> hit{};
+  S t{};
+  Vec3<S> point{}, normal{};
+  MaskOf<S> undecided{};
+
+  explicit(false) operator MaybeHit() const requires(std::is_same_v<S, double>) {
+    if (!hit) return {};
+    return LocalHit{t, point, normal};
+  }
+};
+
 /// A ray whose origin is its point nearest to `center`, and how far that was moved. Squares of coordinates then are of
 /// the order of the shape and not of the distance that the ray comes from. The ray's end has no part in it: where a ray
 /// hits does not depend, by rounding, on how far it was to be followed.
-struct Recentered {
-  LocalRay ray;
-  double shift;
+template <class S>
+struct RecenteredOf {
+  LocalRayOf<S> ray;
+  S shift;
 
+  [[gnu::always_inline]] FoundHit<S> restored(FoundHit<S> found) const {
+    found.t = found.t + shift;
+    return found;
+  }
   MaybeHit restored(MaybeHit hit) const {
     if (hit) hit->t += shift;
     return hit;
   }
 };
-inline Recentered recentered(const LocalRay& ray, const Vec3d& center) {
-  const double shift = greatest(dot(center - ray.origin, ray.direction), ray.begin);
+using Recentered = RecenteredOf<double>;
+template <class S>
+[[gnu::always_inline]] inline RecenteredOf<S> recentered(const LocalRayOf<S>& ray,
+                                                         const std::type_identity_t<Vec3<S>>& center) {
+  const S shift = greatest(dot(center - ray.origin, ray.direction), ray.begin);
   return {{ray.at(shift), ray.direction, ray.begin - shift, ray.end - shift, ray.blur}, shift};
 }
 
@@ -92,25 +131,36 @@ inline Frame compose(const Frame& a, const Frame& b) {
   return {a.translation + a.out(b.translation), a.rotation * b.rotation};
 }
 
-/// The same ray seen from a frame that stands in the present one.
+/// A ray seen from a frame that stands in the ray's present one.
 inline LocalRay seen_from(const Frame& frame, const LocalRay& ray) {
   return {frame.in(ray.origin - frame.translation), frame.in(ray.direction), ray.begin, ray.end, ray.blur};
 }
 
 inline LocalHit hit_at(const LocalRay& ray, double t, const Vec3d& normal) { return {t, ray.at(t), normal}; }
-/// Of a ray that begins inside.
+/// The hit of a ray that begins inside.
 inline LocalHit hit_inside(const LocalRay& ray) { return hit_at(ray, ray.begin, -ray.direction); }
 
 /// The hit of a solid that the ray is in from `enter` to `leave` (empty when `enter` is not the lesser).
-inline MaybeHit entered(const LocalRay& ray, double enter, double leave, const Vec3d& normal) {
-  if (!((enter <= leave) & (leave >= ray.begin) & (enter <= ray.end))) return {};
-  if (enter <= ray.begin) return hit_inside(ray);
-  return hit_at(ray, enter, normal);
+template <class S>
+[[gnu::always_inline]] inline FoundHit<S> entered(const LocalRayOf<S>& ray, const std::type_identity_t<S>& enter,
+                                                  const std::type_identity_t<S>& leave, const Vec3<S>& normal) {
+  const MaskOf<S> hit = (enter <= leave) & (leave >= ray.begin) & (enter <= ray.end), inside = enter <= ray.begin;
+  if (alone(!hit)) return {};
+  const S t = select(inside, ray.begin, enter);
+  return {hit, t, ray.at(t), select(inside, -ray.direction, normal)};
+}
+
+/// Whether a ray comes near the ball about a shape's origin that holds the shape.
+template <class S>
+[[gnu::always_inline]] inline MaskOf<S> near_ball(const LocalRayOf<S>& ray, const std::type_identity_t<S>& radius) {
+  const S reach = radius + ray.blur;
+  return length_squared(ray.at(clamp(-dot(ray.origin, ray.direction), ray.begin, ray.end))) <= reach * reach;
 }
 
 /// `normal` or its opposite, whichever faces the ray.
-inline Vec3d against(const LocalRay& ray, const Vec3d& normal) {
-  return dot(normal, ray.direction) > 0 ? -normal : normal;
+template <class S>
+[[gnu::always_inline]] inline Vec3<S> against(const LocalRayOf<S>& ray, const Vec3<S>& normal) {
+  return select(dot(normal, ray.direction) > S(0), -normal, normal);
 }
 
 /// The normal without the little by which rounding may turn it along the ray where that grazes; `ray` of any length.
@@ -120,21 +170,37 @@ inline Vec3d opposing(const Vec3d& normal, const Vec3d& ray) {
   return normalized(normal - direction * dot(normal, direction), -direction);
 }
 
+/// `size`, which is not negative, with the sign of `sign`, also of a zero.
+template <class S>
+[[gnu::always_inline]] inline S with_sign(const S& size, const S& sign) {
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::copysign(size, sign);
+  } else {
+    using Bits = typename S::BitVector;
+    const Bits sign_bit = Bits{} + static_cast<typename S::Bits>(0x8000000000000000u);
+    return S::of(reinterpret_cast<typename S::Vector>(reinterpret_cast<Bits>(size.v) |
+                                                      (reinterpret_cast<Bits>(sign.v) & sign_bit)));
+  }
+}
+
 /// The real roots of a t^2 + 2 b t + c, lesser first; of a linear one, both the same. Each by the formula that does not
 /// cancel (Higham 2002, "Accuracy and stability of numerical algorithms", section 1.8).
-struct Roots {
-  bool real;
-  double first, second;
+template <class S>
+struct RootsOf {
+  MaskOf<S> real{};
+  S first{}, second{};
 };
-inline Roots roots(double a, double b, double c) {
-  const double under = b * b - a * c;
-  if (!(under >= 0)) return {false, 0, 0};
-  const double q = -(b + std::copysign(std::sqrt(under), b));
-  if (q == 0) return {a != 0, 0, 0};  // b = c = 0, or a constant
-  const double one = c / q;
-  if (a == 0) return {true, one, one};
-  const double other = q / a;
-  return {true, least(one, other), greatest(one, other)};
+using Roots = RootsOf<double>;
+template <class S>
+[[gnu::always_inline]] inline RootsOf<S> roots(const S& a, const S& b, const S& c) {
+  using std::sqrt;
+  const S zero(0), under = b * b - a * c;
+  if (alone(!(under >= zero))) return {};
+  const S q = -(b + with_sign(sqrt(under), b));
+  const MaskOf<S> none = q == zero, linear = a == zero;  // none: b = c = 0, or a constant
+  const S one = c / q, other = select(linear, one, q / a);
+  const MaskOf<S> real = (under >= zero) & !(none & linear);
+  return {real, select(none, zero, least(one, other)), select(none, zero, greatest(one, other))};
 }
 
 }  // namespace graze::rays

@@ -12,14 +12,14 @@ namespace {
 using S = Lanes<double>;
 constexpr double infinity = __builtin_inf();
 
-/// What is left of a ray, and by which plane, in each lane.
+/// The part of a ray that is left in each lane, and the plane that it enters by.
 struct LaneClip {
   S enter{-infinity}, leave{infinity}, entered_by{0};
   S::Mask outside{};
 
-  [[gnu::always_inline]] void clip(const S (&plane)[4], const S& place, const Lane3<S>& o, const Lane3<S>& d) {
+  [[gnu::always_inline]] void clip(const S (&plane)[4], const S& place, const Vec3<S>& o, const Vec3<S>& d) {
     const S zero(0);
-    const Lane3<S> n{plane[0], plane[1], plane[2]};
+    const Vec3<S> n{plane[0], plane[1], plane[2]};
     const S above = dot(n, o) - plane[3], toward = dot(n, d), t = -above / toward;
     outside = outside | ((toward == zero) & (above > zero));
     leave = select((toward > zero) & (t < leave), t, leave);
@@ -32,7 +32,7 @@ struct LaneClip {
 /// The `part`-th register in double of planes that stand in rows from the `first` on.
 template <std::size_t part, class T>
 [[gnu::always_inline]] inline void clip_part(const Lanes<T> (&rows)[4], std::size_t first, const S& places,
-                                             const Lane3<S>& o, const Lane3<S>& d, LaneClip& clip) {
+                                             const Vec3<S>& o, const Vec3<S>& d, LaneClip& clip) {
   const S plane[4] = {lanes_in_double<part>(rows[0]), lanes_in_double<part>(rows[1]), lanes_in_double<part>(rows[2]),
                       lanes_in_double<part>(rows[3])};
   clip.clip(plane, places + S(static_cast<double>(first + part * lanes_of<double>)), o, d);
@@ -44,7 +44,7 @@ template <class T>
 void clip_by_planes(const T* planes, std::size_t count, const double (&origin)[3], const double (&direction)[3],
                     rays::PlaneClip& clip) {
   constexpr auto step = static_cast<std::size_t>(lanes_of<T>);
-  const Lane3<S> o = Lane3<S>::all(origin), d = Lane3<S>::all(direction);
+  const Vec3<S> o = broadcast<S>(origin), d = broadcast<S>(direction);
   S places(0);
   for (int i = 0; i < S::lanes; ++i) places.set(i, i);
   T few[4 * step];

@@ -3,22 +3,12 @@
 #pragma once
 
 #include "rays/box_crossing.hpp"
+#include "rays/half_space.hpp"
 #include "rays/plane_clip.hpp"
 #include "rays/ray_triangle.hpp"
 #include "rays/round.hpp"
 
 namespace graze::rays {
-
-/// y <= height.
-inline MaybeHit hit_half_space(const LocalRay& ray, double height) {
-  const double above = ray.at(ray.begin).y - height;
-  if (above <= 0) return hit_inside(ray);
-  if (!(ray.direction.y < 0)) return {};
-  const double t = ray.begin - above / ray.direction.y;
-  if (!(t <= ray.end) || t == infinity) return {};
-  const Vec3d p = ray.at(t);
-  return LocalHit{t, {p.x, height, p.z}, {0, 1, 0}};
-}
 
 /// |q_i| <= half_i. With one extent of zero a rectangle, with two a segment.
 inline MaybeHit hit_box(const LocalRay& far, const Vec3d& half) {
@@ -48,7 +38,7 @@ template <class T>
 MaybeHit hit_hull(const LocalRay& ray, const HullData<T>& hull) {
   const auto vertex = [&](std::size_t i) { return converted<double>(hull.vertices[i]); };
   switch (hull.dimension) {
-  case 0: return hit_ball(ray, vertex(0), 0);
+  case 0: return hit_sphere(ray, vertex(0), 0);
   case 1: return hit_balls(ray, vertex(0), 0, vertex(1), 0);
   case 2: {
     const auto loop = hull.loop(0);

@@ -1,4 +1,4 @@
-// Rays against cylinders, cones and ellipsoids without rounding.
+// Rays against cylinders, cones and ellipsoids without rounding radius, one ray or one in each lane.
 //
 // Guarantee: closed forms; sizes of zero give discs, ellipses, segments and points.
 #pragma once
@@ -7,70 +7,94 @@
 
 namespace graze::rays {
 
-/// The solid |y| <= half_height, rho <= radius(y), the radius linear in y from `bottom` to `top`.
-class Frustum {
- public:
-  Frustum(double half_height, double bottom, double top)
-      : half_(half_height),
-        bottom_(bottom),
-        top_(top),
-        slope_(half_height > 0 ? (top - bottom) / (2 * half_height) : 0),
-        middle_(half_height > 0 ? (top + bottom) / 2 : greatest(top, bottom)) {}
+/// The solid |y| <= half, rho <= radius(y), the radius linear in y from `bottom` to `top`.
+struct Frustum {
+  double half, bottom, top, slope, middle;
 
-  MaybeHit hit(const LocalRay& far) const {
-    if (bottom_ <= 0 && top_ <= 0) return hit_balls(far, {0, -half_, 0}, 0, {0, half_, 0}, 0);
-    const Recentered near = recentered(far, {});
-    const Span caps = caps_span(near.ray);
-    if (!(caps.enter <= caps.leave)) return {};
-    const Span in = side_span(near.ray, caps);
-    return near.restored(entered(near.ray, in.enter, in.leave, normal_at(near.ray, in.enter, caps.enter)));
+  Frustum(double half_height, double radius_bottom, double radius_top)
+      : half(half_height),
+        bottom(radius_bottom),
+        top(radius_top),
+        slope(half > 0 ? (top - bottom) / (2 * half) : 0),
+        middle(half > 0 ? (top + bottom) / 2 : greatest(top, bottom)) {}
+
+  /// The normal of the side where the radius is no more than rounding: at the tip, or of a needle.
+  Vec3d thin_normal(const LocalRay& ray) const {
+    if (top == bottom) return facing_back(ray, {0, 1, 0});
+    const double y = top < bottom ? 1 : -1, steep = std::abs(slope);
+    return tip_normal(ray, {0, y, 0}, steep / std::sqrt(1 + steep * steep));
   }
-
- private:
-  Span caps_span(const LocalRay& ray) const {
-    const double y = ray.origin.y, dy = ray.direction.y;
-    if (dy == 0) return std::abs(y) <= half_ ? Span{-infinity, infinity} : Span{};
-    const double t0 = (-half_ - y) / dy, t1 = (half_ - y) / dy;
-    return {least(t0, t1), greatest(t0, t1)};
-  }
-
-  /// The part of `caps` in which rho <= radius(y): |p|^2 - radius^2 is quadratic in t. Seen steeply it is so outside
-  /// its roots, on one of the cone's two halves, and only one of them lies between the caps.
-  Span side_span(const LocalRay& ray, const Span& caps) const {
-    const double dy = ray.direction.y;
-    const Vec3d across{ray.direction.x, 0, ray.direction.z};
-    const double reach = 2 * (half_ + greatest(bottom_, top_));
-    const double shift = clamp(-ratio(dot(ray.origin, across), dot(across, across)), -reach, reach);
-    const Vec3d base = ray.at(shift), off{base.x, 0, base.z};
-    const double radius = middle_ + slope_ * base.y;
-    const double a = dot(across, across) - slope_ * slope_ * dy * dy, b = dot(off, across) - slope_ * dy * radius,
-                 c = (length(off) - radius) * (length(off) + radius);
-    const Roots r = roots(a, b, c);
-    const double first = r.first + shift, second = r.second + shift;
-    const auto clipped = [&](double from, double to) {
-      return Span{greatest(caps.enter, from), least(caps.leave, to)};
-    };
-    if (!r.real) return a < 0 || (a == 0 && c <= 0) ? caps : Span{};
-    if (a > 0) return clipped(first, second);
-    if (a == 0) return b > 0 ? clipped(-infinity, first) : b < 0 ? clipped(first, infinity) : caps;
-    const Span before = clipped(-infinity, first);
-    return before.enter <= before.leave ? before : clipped(second, infinity);
-  }
-
-  Vec3d normal_at(const LocalRay& ray, double enter, double cap) const {
-    if (enter == cap) return {0, ray.direction.y > 0 ? -1.0 : 1.0, 0};
-    const Vec3d p = ray.at(enter);
-    const double rho = length(Vec3d{p.x, 0, p.z});
-    if (!(rho > 8 * epsilon * (half_ + bottom_ + top_))) {  // the tip, or a needle
-      const double y = top_ < bottom_ ? 1 : -1, steep = std::abs(slope_);
-      if (top_ == bottom_) return facing_back(ray, {0, 1, 0});
-      return tip_normal(ray, {0, y, 0}, steep / std::sqrt(1 + steep * steep));
-    }
-    return normalized(Vec3d{p.x / rho, -slope_, p.z / rho});
-  }
-
-  double half_, bottom_, top_, slope_, middle_;
 };
+
+/// The part of the ray between the planes of the caps.
+template <class S>
+[[gnu::always_inline]] inline SpanOf<S> caps_span(const LocalRayOf<S>& ray, const S& half) {
+  using std::abs;
+  const S y = ray.origin.y, dy = ray.direction.y, t0 = (-half - y) / dy, t1 = (half - y) / dy;
+  const MaskOf<S> level = dy == S(0);
+  if (!any(level)) return {least(t0, t1), greatest(t0, t1)};
+  return select(level, select(abs(y) <= half, SpanOf<S>{S(-infinity), S(infinity)}, SpanOf<S>{}),
+                SpanOf<S>{least(t0, t1), greatest(t0, t1)});
+}
+
+/// The part of `caps` in which rho <= radius(y): |p|^2 - radius^2 is quadratic in t. Seen steeply it is so outside its
+/// roots, on one of the cone's two halves, and only one of them lies between the caps.
+template <class S>
+[[gnu::always_inline]] inline SpanOf<S> side_span(const LocalRayOf<S>& ray, const Frustum& f, const SpanOf<S>& caps) {
+  const S zero(0), slope(f.slope), dy = ray.direction.y, reach(2 * (f.half + greatest(f.bottom, f.top)));
+  const Vec3<S> across{ray.direction.x, zero, ray.direction.z};
+  const S shift = clamp(-ratio(dot(ray.origin, across), dot(across, across)), -reach, reach);
+  const Vec3<S> base = ray.at(shift), off{base.x, zero, base.z};
+  const S radius = S(f.middle) + slope * base.y, rho = length(off);
+  const S a = dot(across, across) - slope * slope * dy * dy, b = dot(off, across) - slope * dy * radius,
+          c = (rho - radius) * (rho + radius);
+  const RootsOf<S> r = roots(a, b, c);
+  const S first = r.first + shift, second = r.second + shift;
+  const auto clipped = [&](const S& from, const S& to) __attribute__((always_inline)) {
+    return SpanOf<S>{greatest(caps.enter, from), least(caps.leave, to)};
+  };
+  const MaskOf<S> level = a == zero;
+  const SpanOf<S> outside = select((a < zero) | (level & (c <= zero)), caps, SpanOf<S>{}),
+                  between = clipped(first, second);
+  if (alone(!r.real)) return outside;
+  if (alone(a > zero)) return between;
+  const SpanOf<S> before = clipped(S(-infinity), first), behind = clipped(second, S(infinity)),
+                  steep = select(before.enter <= before.leave, before, behind),
+                  linear = select(b > zero, before, select(b < zero, clipped(first, S(infinity)), caps));
+  return select(r.real, select(a > zero, between, select(level, linear, steep)), outside);
+}
+
+/// A frustum that has some thickness. Undecided is the normal where that is no more than rounding:
+/// `Frustum::thin_normal`.
+template <class S>
+[[gnu::always_inline]] inline FoundHit<S> hit_frustum(const LocalRayOf<S>& far, const Frustum& f) {
+  const RecenteredOf<S> near = recentered(far, {});
+  const LocalRayOf<S>& ray = near.ray;
+  const SpanOf<S> caps = caps_span(ray, S(f.half));
+  if (alone(!(caps.enter <= caps.leave))) return {};
+  const SpanOf<S> in = side_span(ray, f, caps);
+  if (alone(!(in.enter <= in.leave))) return {};
+  const S zero(0), one(1);
+  const Vec3<S> p = ray.at(in.enter);
+  const S rho = length(Vec3<S>{p.x, zero, p.z});
+  const S clear(8 * epsilon * (f.half + f.bottom + f.top));
+  const MaskOf<S> by_cap = in.enter == caps.enter, thin = (!by_cap) & !(rho > clear);
+  Vec3<S> normal{zero, select(ray.direction.y > zero, -one, one), zero};
+  if (!alone(by_cap)) normal = select(by_cap, normal, normalized(Vec3<S>{p.x / rho, S(-f.slope), p.z / rho}));
+  FoundHit<S> found = entered(ray, in.enter, in.leave, normal);
+  found.hit = found.hit & (caps.enter <= caps.leave);
+  found.undecided = found.hit & (in.enter > ray.begin) & thin;
+  return near.restored(found);
+}
+
+/// A frustum, or a segment where it has no thickness.
+inline MaybeHit hit_cylinder(const LocalRay& ray, const Frustum& f) {
+  if (f.bottom <= 0 && f.top <= 0) return hit_balls(ray, {0, -f.half, 0}, 0, {0, f.half, 0}, 0);
+  FoundHit<double> found = hit_frustum(ray, f);
+  if (found.undecided) [[unlikely]]
+    found.normal = f.thin_normal(ray);
+  return found;
+}
 
 /// An ellipsoid with one radius of zero, `flat`.
 inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t flat) {
@@ -88,7 +112,7 @@ inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t
   // it.
   const Vec3d d = scaled_down(ray.direction);
   const double speed = length(d);
-  const Span span = ball_span({scaled_down(ray.origin), d / speed, 0, 0, 0}, {}, 1);
+  const Span span = ball_span(LocalRay{scaled_down(ray.origin), d / speed, 0, 0, 0}, {}, 1);
   if (!(span.enter <= span.leave)) return {};
   const Vec3d p = ray.at(span.enter / speed);
   normal[u] = p[u] / (radii[u] * radii[u]);
@@ -96,7 +120,26 @@ inline MaybeHit hit_ellipse(const LocalRay& ray, const Vec3d& radii, std::size_t
   return entered(ray, span.enter / speed, span.leave / speed, normalized(normal, -ray.direction));
 }
 
-/// In the space where it is the unit ball; t is the same there.
+/// An ellipsoid with all radii above zero, in the space where it is the unit ball; t is the same there.
+template <class S>
+[[gnu::always_inline]] inline FoundHit<S> hit_solid_ellipsoid(const LocalRayOf<S>& far, const Vec3<S>& radii) {
+  const RecenteredOf<S> near = recentered(far, {});
+  const LocalRayOf<S>& ray = near.ray;
+  const auto scaled_down = [&](const Vec3<S>& p) __attribute__((always_inline)) {
+    return Vec3<S>{p.x / radii.x, p.y / radii.y, p.z / radii.z};
+  };
+  const Vec3<S> origin = scaled_down(ray.origin), direction = scaled_down(ray.direction);
+  const S speed = length(direction);
+  const SpanOf<S> span = ball_span(LocalRayOf<S>{origin, direction / speed, {}, {}, {}}, {}, S(1));
+  if (alone(!(span.enter <= span.leave))) return {};
+  const S enter = span.enter / speed;
+  const Vec3<S> normal = normalized(scaled_down(scaled_down(ray.at(enter))), -ray.direction);
+  FoundHit<S> found = entered(ray, enter, span.leave / speed, normal);
+  found.hit = found.hit & (span.enter <= span.leave);
+  return near.restored(found);
+}
+
+/// An ellipsoid; with radii of zero an ellipse, a segment or a point.
 inline MaybeHit hit_ellipsoid(const LocalRay& far, const Vec3d& radii) {
   std::size_t zeros = 0, flat = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -105,17 +148,9 @@ inline MaybeHit hit_ellipsoid(const LocalRay& far, const Vec3d& radii) {
       flat = i;
     }
   if (zeros >= 2) return hit_balls(far, -radii, 0, radii, 0);
+  if (zeros == 0) return hit_solid_ellipsoid(far, radii);
   const Recentered near = recentered(far, {});
-  const LocalRay& ray = near.ray;
-  if (zeros == 1) return near.restored(hit_ellipse(ray, radii, flat));
-  const auto scaled_down = [&](const Vec3d& p) { return Vec3d{p.x / radii.x, p.y / radii.y, p.z / radii.z}; };
-  const Vec3d o = scaled_down(ray.origin), d = scaled_down(ray.direction);
-  const double speed = length(d);
-  const Vec3d unit = d / speed;
-  const Span span = ball_span({o, unit, 0, 0, 0}, {}, 1);
-  const double enter = span.enter / speed;
-  const Vec3d normal = normalized(scaled_down(scaled_down(ray.at(enter))), -ray.direction);
-  return near.restored(entered(ray, enter, span.leave / speed, normal));
+  return near.restored(hit_ellipse(near.ray, radii, flat));
 }
 
 }  // namespace graze::rays

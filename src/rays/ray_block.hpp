@@ -1,9 +1,9 @@
 // Some rays at a time, a number of each side by side: plain arrays, so that their way through the frames and the closed
 // forms can be compiled for each instruction set.
 //
-// Guarantee: every number has the bits that the code for one ray (`local_ray.hpp`, `round.hpp`, `planes.hpp`,
-// `sheared.hpp`) gives for that ray alone: the same operations in the same order, with choices in place of branches.
-// Where that would take what rays hardly ever need, `again` is set, and the one who asks has that ray answered alone.
+// Guarantee: every number has the bits that one ray alone gets, since both run the same templates (`round.hpp`,
+// `quadrics.hpp`, `half_space.hpp`, `ray_triangle.hpp`). Rays that these leave undecided have the state `ray_again`,
+// and the caller casts them alone.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct alignas(64) BlockHits {
   T t[RayBlock::size], point[3][RayBlock::size], normal[3][RayBlock::size];
 };
 
-/// States of a ray; numbers, so that lanes choose among them.
+/// The states of a ray, as numbers, so that lanes choose among them.
 inline constexpr double ray_missed = 0, ray_hit = 1, ray_again = 2;
 
 /// A `Frame`; the rotation by rows.

@@ -7,7 +7,7 @@ namespace graze::GRAZE_ISA {
 namespace {
 
 using S = Lanes<double>;
-using V = Lane3<S>;
+using V = Vec3<S>;
 constexpr auto step = static_cast<std::size_t>(S::lanes);
 static_assert(rays::RayBlock::size % step == 0);
 
@@ -15,7 +15,7 @@ static_assert(rays::RayBlock::size % step == 0);
 struct Rotation {
   V row[3];
   [[gnu::always_inline]] explicit Rotation(const rays::BlockFrame& frame)
-      : row{V::all(frame.rotation[0]), V::all(frame.rotation[1]), V::all(frame.rotation[2])} {}
+      : row{broadcast<S>(frame.rotation[0]), broadcast<S>(frame.rotation[1]), broadcast<S>(frame.rotation[2])} {}
   [[gnu::always_inline]] V out(const V& v) const { return {dot(row[0], v), dot(row[1], v), dot(row[2], v)}; }
   [[gnu::always_inline]] V in(const V& v) const { return row[0] * v.x + row[1] * v.y + row[2] * v.z; }
 };
@@ -31,7 +31,7 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
   constexpr double longest = single ? 1e37 : 1e150, most = 1.7976931348623157e308;
   const Rotation rotation(frame);
   const S zero(0), one(1);
-  const V translation = V::all(frame.translation);
+  const V translation = broadcast<S>(frame.translation);
   read_rays(rays, count, block);
   for (std::size_t i = 0; i < filled(count); i += step) {
     // What is no number compares as false.
@@ -39,15 +39,15 @@ void block_to_local(rays::RayBlock& block, const T* rays, std::size_t count, dou
       const S l(limit);
       return (abs(v.x) <= l) & (abs(v.y) <= l) & (abs(v.z) <= l);
     };
-    const V from = V::load(block.origin, i), to = V::load(block.along, i);
+    const V from = load_vec3<S>(block.origin, i), to = load_vec3<S>(block.along, i);
     const auto usable = within(from, longest) & within(to, most) & ((to.x != zero) | (to.y != zero) | (to.z != zero));
     const V along = select(usable, to, V{zero, one, zero});
     const V safe = single ? along : along / max_abs(along);
     const V origin = rotation.in(select(usable, from, V{zero, zero, zero}) - translation);
     select(usable, S(end), S(-1)).store(block.end + i);
-    along.store(block.along, i);
-    origin.store(block.origin, i);
-    rotation.in(safe * (one / length(safe))).store(block.direction, i);
+    store(along, block.along, i);
+    store(origin, block.origin, i);
+    store(rotation.in(safe * (one / length(safe))), block.direction, i);
     (S(4 * epsilon) * length(origin)).store(block.blur + i);
   }
 }
@@ -60,17 +60,17 @@ void block_to_world(rays::RayBlock& block, std::size_t count, const rays::BlockF
     return Narrow::of(__builtin_convertvector(s.v, typename Narrow::Vector));
   };
   const auto all_narrowed = [&](const V& v) __attribute__((always_inline)) {
-    return Lane3<Narrow>{narrowed(v.x), narrowed(v.y), narrowed(v.z)};
+    return Vec3<Narrow>{narrowed(v.x), narrowed(v.y), narrowed(v.z)};
   };
   const Rotation rotation(frame);
-  const V translation = V::all(frame.translation);
+  const V translation = broadcast<S>(frame.translation);
   for (std::size_t i = 0; i < count; i += step) {
-    const V normal = rotation.out(V::load(block.normal, i));
-    const auto turned = dot(normal, V::load(block.along, i)) > S(0);
+    const V normal = rotation.out(load_vec3<S>(block.normal, i));
+    const auto turned = dot(normal, load_vec3<S>(block.along, i)) > S(0);
     const S state = S::load(block.state + i);
     select(turned & (state == S(rays::ray_hit)), S(rays::ray_again), state).store(block.state + i);
-    all_narrowed(normal).store(hits.normal, i);
-    all_narrowed(translation + rotation.out(V::load(block.point, i))).store(hits.point, i);
+    store(all_narrowed(normal), hits.normal, i);
+    store(all_narrowed(translation + rotation.out(load_vec3<S>(block.point, i))), hits.point, i);
     least(narrowed(S::load(block.t + i)), Narrow(length)).store(hits.t + i);
   }
 }

@@ -1,10 +1,11 @@
-// Some rays at a surface of triangles, all under way at once: what `mesh_block.hpp` says. Only for `*.kernel.cpp`.
+// Streams of rays at a surface of triangles, all under way at once (see `ray_stream.hpp`). Only for `*.kernel.cpp`.
 //
 // Guarantee: as there. Everything is inlined or lives in the namespace of the level.
 #pragma once
 
 #include "rays/bvh_lanes.hpp"
 #include "rays/ray_lanes.hpp"
+#include "rays/ray_triangle.hpp"
 
 namespace graze::GRAZE_ISA::ray_streams {
 
@@ -26,24 +27,6 @@ struct List {
     count += really;
   }
 };
-
-/// What rounding took from a product; as `product_error` of one.
-[[gnu::always_inline]] inline S product_error(const S& a, const S& b, const S& product) {
-  const auto high_half = [](const S& v) __attribute__((always_inline)) {
-    const S c = v * S(134217729.0);
-    return c - (c - v);
-  };
-  const S a1 = high_half(a), b1 = high_half(b), a2 = a - a1, b2 = b - b1;
-  return a2 * b2 - (((product - a1 * b1) - a2 * b1) - a1 * b2);
-}
-
-[[gnu::always_inline]] inline S edge_side(const V& p, const V& q) {
-  const S one = q.x * p.y, other = q.y * p.x;
-  const M equal = one == other;
-  S side = one - other;
-  if (any(equal)) side = select(equal, product_error(q.x, p.y, one) - product_error(q.y, p.x, other), side);
-  return side;
-}
 
 /// `Surface` is a hierarchy of triangles:
 ///   Scalar, Ref (a node), Leaf, children (how many a node has at most), most (triangles of a leaf);
@@ -95,37 +78,26 @@ class RayStream {
     std::uint8_t ray, lane;
   };
 
-  /// As `recentered`, `Sheared` and the beginning of `cast_at_surface`.
+  /// As `recentered`, `RayAlignedFrame` and the beginning of `cast_at_surface`.
   [[gnu::always_inline]] void enter(std::size_t i) {
-    const V direction = V::load(block_.direction, first_ + i), center = V::all(surface_.question.center);
-    V origin = V::load(block_.origin, first_ + i);
+    const V direction = load_vec3<S>(block_.direction, first_ + i), center = broadcast<S>(surface_.question.center);
+    V origin = load_vec3<S>(block_.origin, first_ + i);
     const S end = S::load(block_.end + first_ + i);
     const S shift = greatest(dot(center - origin, direction), S(0));
     origin = origin + direction * shift;
     const V to = center - origin;
     const S reach = S(surface_.question.radius) + greatest(dot(to, direction), S(0));
     const M aimed = (end >= S(0)) & (dot(to, to) <= reach * reach);
-    origin.store(origin_, i);
+    store(origin, origin_, i);
     shift.store(shift_ + i);
     (end - shift).store(end_ + i);
     reach.store(reach_ + i);
     select(aimed, S(rays::ray_hit), S(rays::ray_missed)).store(block_.state + first_ + i);
 
-    const V size{abs(direction.x), abs(direction.y), abs(direction.z)};
-    const M along_x = (size.x >= size.y) & (size.x >= size.z), along_y = (!along_x) & (size.y >= size.z);
-    const auto turned = [&](const V& v) __attribute__((always_inline)) {
-      return V{select(along_x, v.y, select(along_y, v.z, v.x)), select(along_x, v.z, select(along_y, v.x, v.y)),
-               select(along_x, v.x, select(along_y, v.y, v.z))};
-    };
-    const V d = turned(direction);
-    const M back = d.z < S(0);
-    const auto exchanged = [&](const V& v) __attribute__((always_inline)) {
-      return V{select(back, v.y, v.x), select(back, v.x, v.y), v.z};
-    };
-    const V e = exchanged(d);
-    V{e.x / e.z, e.y / e.z, S(1) / e.z}.store(shear_, i);
-    exchanged(turned(origin)).store(sheared_origin_, i);
-    exchanged(turned(V{S(0), S(1), S(2)})).store(axis_, i);
+    const rays::RayAlignedFrame<S> frame({origin, direction, S(0), S(0), S(0)});
+    store(frame.shear(), shear_, i);
+    store(frame.order()(origin), ordered_origin_, i);
+    store(frame.order()(V{S(0), S(1), S(2)}), axis_, i);
   }
 
   [[gnu::always_inline]] void begin() {
@@ -134,7 +106,7 @@ class RayStream {
       const bool aimed = i < count_ && state != rays::ray_missed;
       state = rays::ray_missed;
       if (!aimed) continue;
-      best_[i] = infinity;
+      best_[i] = rays::infinity;
       const std::size_t at = first_ + i;
       const Line line{surface_.question.extent,
                       reach_[i],
@@ -216,7 +188,7 @@ class RayStream {
     leaf_.count = 0;
   }
 
-  /// As `TriangleCast` and `crossing`.
+  /// As `TriangleCast`.
   [[gnu::always_inline]] void test(std::size_t at, std::size_t end) {
     double corner[3][3][step], origin[3][step], shear[3][step], from[step], to[step];
     for (std::size_t lane = 0; lane < step; ++lane) {
@@ -225,26 +197,21 @@ class RayStream {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto place = static_cast<std::size_t>(axis_[axis][c.ray]);
         for (std::size_t k = 0; k < 3; ++k) corner[k][axis][lane] = static_cast<double>(triangle(k, place));
-        origin[axis][lane] = sheared_origin_[axis][c.ray];
+        origin[axis][lane] = ordered_origin_[axis][c.ray];
         shear[axis][lane] = shear_[axis][c.ray];
       }
       from[lane] = -shift_[c.ray];
       to[lane] = end_[c.ray];
     }
-    const V o = V::load(origin, 0), slope = V::load(shear, 0);
+    const V o = load_vec3<S>(origin, 0), slope = load_vec3<S>(shear, 0);
     V p[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const V q = V::load(corner[k], 0) - o;
-      p[k] = {q.x - slope.x * q.z, q.y - slope.y * q.z, slope.z * q.z};
-    }
-    const S zero(0), u = edge_side(p[1], p[2]), v = edge_side(p[2], p[0]), w = edge_side(p[0], p[1]);
-    const M passed = ((u < zero) | (v < zero) | (w < zero)) & ((u > zero) | (v > zero) | (w > zero));
-    const S whole = u + v + w, t = (u * p[0].z + v * p[1].z + w * p[2].z) / whole;
-    const M edge_on = (!passed) & (whole == zero);
-    M met = (!passed) & (!edge_on) & (t >= S::load(from)) & (t <= S::load(to));
-    if (!surface_.question.both_sides) met = met & (whole > zero);
+    for (std::size_t k = 0; k < 3; ++k) p[k] = rays::RayAlignedFrame<S>::sheared(load_vec3<S>(corner[k], 0) - o, slope);
+    const rays::LineCrossing<S> crossing = rays::line_crossing(p[0], p[1], p[2]);
+    const S& t = crossing.t;
+    M met = crossing.through & (t >= S::load(from)) & (t <= S::load(to));
+    if (!surface_.question.both_sides) met = met & (crossing.whole > S(0));
     double state[step], place[step];
-    select(edge_on, S(rays::ray_again), select(met, S(rays::ray_hit), S(rays::ray_missed))).store(state);
+    select(crossing.edge_on, S(rays::ray_again), select(met, S(rays::ray_hit), S(rays::ray_missed))).store(state);
     t.store(place);
     for (std::size_t lane = 0; lane < step && at + lane < end; ++lane)
       if (state[lane] != rays::ray_missed) keep(candidates_[at + lane], state[lane], place[lane]);
@@ -285,11 +252,11 @@ class RayStream {
       t[lane] = best_local_[i + lane];
       along[lane] = best_[i + lane];
     }
-    const V a = V::load(corner[0], 0), b = V::load(corner[1], 0), c = V::load(corner[2], 0);
-    const V direction = V::load(block_.direction, first_ + i);
+    const V a = load_vec3<S>(corner[0], 0), b = load_vec3<S>(corner[1], 0), c = load_vec3<S>(corner[2], 0);
+    const V direction = load_vec3<S>(block_.direction, first_ + i);
     const V normal = normalized(cross(b - a, c - a), -direction);
-    select(dot(normal, direction) > S(0), -normal, normal).store(block_.normal, first_ + i);
-    (V::load(origin_, i) + direction * S::load(t)).store(block_.point, first_ + i);
+    store(select(dot(normal, direction) > S(0), -normal, normal), block_.normal, first_ + i);
+    store(load_vec3<S>(origin_, i) + direction * S::load(t), block_.point, first_ + i);
     S::load(along).store(block_.t + first_ + i);
   }
 
@@ -298,7 +265,7 @@ class RayStream {
   const Surface& surface_;
   std::uint32_t* pieces_;
   // In turn: the ray from near the surface, and its frame for the triangles.
-  Numbers origin_[3], shift_, end_, reach_, sheared_origin_[3], shear_[3], axis_[3];
+  Numbers origin_[3], shift_, end_, reach_, ordered_origin_[3], shear_[3], axis_[3];
   // The first hit so far: along the caller's ray, along the near one, and where.
   Numbers best_, best_local_;
   Candidate nearest_[crowd];

@@ -1,4 +1,4 @@
-// Rays against what balls make: the ball, and the convex hull of two balls (capsules, even or tapered).
+// Rays against the ball and the convex hull of two balls (capsules, untapered or tapered), one ray or one in each lane.
 //
 // Guarantee: closed forms. A radius of zero is replaced by the ray's blur: a point or a segment is met when the ray
 // passes it as closely as its own numbers are known.
@@ -9,7 +9,7 @@
 
 namespace graze::rays {
 
-/// What is left of the ray's own direction across a unit vector, turned back: the normal of a thin thing.
+/// The opposite of the part of the ray's direction across a unit vector: the normal of a thin thing.
 inline Vec3d facing_back(const LocalRay& ray, const Vec3d& along) {
   return normalized(along * dot(ray.direction, along) - ray.direction, -ray.direction);
 }
@@ -24,25 +24,49 @@ inline Vec3d tip_normal(const LocalRay& ray, const Vec3d& outward, double sine) 
   return outward * sine + across * std::sqrt((1 - sine) * (1 + sine));
 }
 
-/// Where the ray is within `radius` of a point; from the distance of the centre and not a difference of squares.
-struct Span {
-  double enter = infinity, leave = -infinity;
+/// The part of a ray that is in a solid; empty where `enter` is not the lesser.
+template <class S>
+struct SpanOf {
+  S enter = infinity, leave = -infinity;
+
+  [[gnu::always_inline]] friend SpanOf select(const MaskOf<S>& condition, const SpanOf& yes, const SpanOf& no) {
+    return {select(condition, yes.enter, no.enter), select(condition, yes.leave, no.leave)};
+  }
 };
-inline Span ball_span(const LocalRay& ray, const Vec3d& center, double radius) {
-  const Vec3d to = center - ray.origin;
-  const double along = dot(to, ray.direction);
-  const double across = length(to - ray.direction * along);
-  if (!(across <= radius)) return {};
-  const double half = std::sqrt((radius - across) * (radius + across));
-  return {along - half, along + half};
+using Span = SpanOf<double>;
+
+/// The part of a ray within `radius` of a point; from the distance of the centre and not a difference of squares.
+template <class S>
+[[gnu::always_inline]] inline SpanOf<S> ball_span(const LocalRayOf<S>& ray, const std::type_identity_t<Vec3<S>>& center,
+                                                  const std::type_identity_t<S>& radius) {
+  using std::sqrt;
+  const Vec3<S> to = center - ray.origin;
+  const S along = dot(to, ray.direction), across = length(to - ray.direction * along);
+  const MaskOf<S> met = across <= radius;
+  if (alone(!met)) return {};
+  const S half = sqrt((radius - across) * (radius + across));
+  return select(met, SpanOf<S>{along - half, along + half}, SpanOf<S>{});
 }
 
-inline MaybeHit hit_ball(const LocalRay& far, const Vec3d& center, double radius) {
-  const Recentered near = recentered(far, center);
-  const Span span = ball_span(near.ray, center, radius > 0 ? radius : near.ray.blur);
-  const Vec3d normal =
-      radius > 0 ? normalized(near.ray.at(span.enter) - center, -near.ray.direction) : -near.ray.direction;
-  return near.restored(entered(near.ray, span.enter, span.leave, normal));
+/// A ball of a radius above zero.
+template <class S>
+[[gnu::always_inline]] inline FoundHit<S> hit_ball(const LocalRayOf<S>& far, const Vec3<S>& center, const S& radius) {
+  const RecenteredOf<S> near = recentered(far, center);
+  const LocalRayOf<S>& ray = near.ray;
+  const SpanOf<S> span = ball_span(ray, center, radius);
+  if (alone(!(span.enter <= span.leave))) return {};
+  const Vec3<S> normal = normalized(ray.at(span.enter) - center, -ray.direction);
+  FoundHit<S> found = entered(ray, span.enter, span.leave, normal);
+  // `entered` implies it. Without this line g++ 12 clears a `FoundHit` in memory, which costs lanes 40 % of their time.
+  found.hit = found.hit & (span.enter <= span.leave);
+  return near.restored(found);
+}
+
+/// A ball, or a point where the radius is zero.
+inline MaybeHit hit_sphere(const LocalRay& ray, const Vec3d& center, double radius) {
+  FoundHit<double> found = hit_ball(ray, center, radius > 0 ? radius : ray.blur);
+  if (!(radius > 0)) found.normal = -ray.direction;
+  return found;
 }
 
 /// A segment without thickness: the ray's point nearest to it, where that is near enough.
@@ -61,87 +85,100 @@ inline MaybeHit hit_thin_segment(const LocalRay& far, const Vec3d& a, const Vec3
 }
 
 /// The convex hull of a ball about `a` and one about `b`, neither inside the other: the side is the cone
-/// cos * rho + sin * y = radius_a, y along the axis from `a` and rho across it, between the circles where it touches
-/// the balls.
-class BallCone {
- public:
-  BallCone(const Vec3d& a, double radius_a, const Vec3d& b, double radius_b)
-      : a_(a),
-        b_(b),
-        radius_a_(radius_a),
-        radius_b_(radius_b),
-        height_(length(b - a)),
-        axis_((b - a) / height_),
-        sin_((radius_a - radius_b) / height_),
-        cos_(std::sqrt((1 - sin_) * (1 + sin_))) {}
+/// cosine * rho + sine * y = radius_a, y along the axis from `a` and rho across it, between the circles where it
+/// touches the balls.
+struct BallCone {
+  Vec3d a, b;
+  double radius_a, radius_b, height, size;
+  Vec3d axis;
+  double sine, cosine;
 
-  MaybeHit hit(const LocalRay& far) const {
-    const Recentered near = recentered(far, (a_ + b_) * 0.5);
-    const LocalRay& ray = near.ray;
-    // The balls and the side between them make up a convex body, so that the ray is in it from the first place where it
-    // enters one of them to the last where it leaves one. From the whole span and not from the entries after its
-    // beginning: a ray that begins on the surface may find its entry behind it by rounding.
-    Span span = ball_span(ray, a_, radius_a_);
-    const auto include = [&](double enter, double leave) {
-      span = {least(span.enter, enter), greatest(span.leave, leave)};
-    };
-    const Span other = ball_span(ray, b_, radius_b_);
-    include(other.enter, other.leave);
-    for_side(ray, [&](double t) { include(t, t); });
-    if (!(span.enter <= span.leave)) return {};
-    return near.restored(entered(ray, span.enter, span.leave, normal_at(ray, ray.at(span.enter))));
-  }
+  BallCone(const Vec3d& center_a, double first_radius, const Vec3d& center_b, double second_radius)
+      : a(center_a),
+        b(center_b),
+        radius_a(first_radius),
+        radius_b(second_radius),
+        height(length(b - a)),
+        size(height + radius_a + radius_b),
+        axis((b - a) / height),
+        sine((radius_a - radius_b) / height),
+        cosine(std::sqrt((1 - sine) * (1 + sine))) {}
 
- private:
   /// Along the axis from `a`, the centre of the sphere between the two that comes nearest to `p`.
-  double sphere_place(const Vec3d& p) const {
-    const double y = dot(p - a_, axis_);
-    return clamp(y - sin_ * length(p - a_ - axis_ * y) / cos_, 0.0, height_);
+  template <class S>
+  [[gnu::always_inline]] S sphere_place(const Vec3<S>& p) const {
+    const Vec3<S> from = p - converted<S>(a), along = converted<S>(axis);
+    const S y = dot(from, along);
+    return clamp(y - S(sine) * length(from - along * y) / S(cosine), S(0), S(height));
   }
 
-  Vec3d normal_at(const LocalRay& ray, const Vec3d& p) const {
+  /// The normal at a point `p` where the radius is no more than rounding.
+  Vec3d thin_normal(const LocalRay& ray, const Vec3d& p) const {
     const double place = sphere_place(p);
-    const Vec3d out = p - (a_ + axis_ * place);
-    // Where the radius is no more than rounding, so is `out`.
-    if (length(out) > 8 * epsilon * (height_ + radius_a_ + radius_b_)) return normalized(out);
-    if (place <= 0) return tip_normal(ray, -axis_, -sin_);
-    if (place >= height_) return tip_normal(ray, axis_, sin_);
-    return facing_back(ray, axis_) * cos_ + axis_ * sin_;
+    if (place <= 0) return tip_normal(ray, -axis, -sine);
+    if (place >= height) return tip_normal(ray, axis, sine);
+    return facing_back(ray, axis) * cosine + axis * sine;
   }
-
-  template <class F>
-  void for_side(const LocalRay& ray, const F& f) const {
-    const double dy = dot(ray.direction, axis_);
-    const Vec3d across = ray.direction - axis_ * dy;
-    // From the point nearest to the axis, so that a thin long capsule's radius is not lost in its length.
-    const Vec3d from = ray.origin - a_;
-    const double size = height_ + radius_a_ + radius_b_;
-    const double shift = clamp(-ratio(dot(from, across), dot(across, across)), -size, size);
-    const Vec3d base = from + ray.direction * shift;
-    const double y = dot(base, axis_);
-    const Vec3d off = base - axis_ * y;
-    const double rest = radius_a_ - sin_ * y, c2 = cos_ * cos_;
-    const Roots r = roots(c2 * dot(across, across) - sin_ * sin_ * dy * dy, c2 * dot(off, across) + sin_ * dy * rest,
-                          c2 * dot(off, off) - rest * rest);
-    if (!r.real) return;
-    for (const double t : {r.first, r.second}) {
-      const double at = y + t * dy;
-      if (at >= sin_ * radius_a_ && at <= height_ + sin_ * radius_b_) f(t + shift);
-    }
-  }
-
-  Vec3d a_, b_;
-  double radius_a_, radius_b_, height_;
-  Vec3d axis_;
-  double sin_, cos_;
 };
+
+/// Calls `crossed(mask, t)` twice, with the places where the ray's line crosses the side of a `BallCone` if it does.
+template <class S, class F>
+[[gnu::always_inline]] inline void cross_side(const LocalRayOf<S>& ray, const BallCone& cone, const F& crossed) {
+  const Vec3<S> axis = converted<S>(cone.axis), from = ray.origin - converted<S>(cone.a);
+  const S sine(cone.sine), radius(cone.radius_a), size(cone.size), c2(cone.cosine * cone.cosine);
+  const S dy = dot(ray.direction, axis);
+  const Vec3<S> across = ray.direction - axis * dy;
+  // From the point nearest to the axis, so that a thin long capsule's radius is not lost in its length.
+  const S shift = clamp(-ratio(dot(from, across), dot(across, across)), -size, size);
+  const Vec3<S> base = from + ray.direction * shift;
+  const S y = dot(base, axis);
+  const Vec3<S> off = base - axis * y;
+  const S rest = radius - sine * y;
+  const RootsOf<S> r = roots(c2 * dot(across, across) - sine * sine * dy * dy, c2 * dot(off, across) + sine * dy * rest,
+                             c2 * dot(off, off) - rest * rest);
+  if (alone(!r.real)) return;
+  const S low(cone.sine * cone.radius_a), high(cone.height + cone.sine * cone.radius_b);
+  for (const S& t : {r.first, r.second}) {
+    const S at = y + t * dy;
+    crossed(r.real & (at >= low) & (at <= high), t + shift);
+  }
+}
+
+/// The hit of a `BallCone`. Undecided is the normal where the radius is no more than rounding: see `thin_normal`.
+template <class S>
+[[gnu::always_inline]] inline FoundHit<S> hit_ball_cone(const LocalRayOf<S>& far, const BallCone& cone) {
+  const Vec3<S> a = converted<S>(cone.a), b = converted<S>(cone.b);
+  const RecenteredOf<S> near = recentered(far, converted<S>((cone.a + cone.b) * 0.5));
+  const LocalRayOf<S>& ray = near.ray;
+  // The balls and the side between them make up a convex body, so that the ray is in it from the first place where it
+  // enters one of them to the last where it leaves one. From the whole span and not from the entries after its
+  // beginning: a ray that begins on the surface may find its entry behind it by rounding.
+  SpanOf<S> span = ball_span(ray, a, cone.radius_a);
+  const auto include = [&](const SpanOf<S>& part) __attribute__((always_inline)) {
+    span = {least(span.enter, part.enter), greatest(span.leave, part.leave)};
+  };
+  include(ball_span(ray, b, cone.radius_b));
+  cross_side(
+      ray, cone, [&](const MaskOf<S>& crossed, const S& t) __attribute__((always_inline)) {
+        include(select(crossed, SpanOf<S>{t, t}, SpanOf<S>{}));
+      });
+  if (alone(!(span.enter <= span.leave))) return {};
+  const Vec3<S> p = ray.at(span.enter), out = p - (a + converted<S>(cone.axis) * cone.sphere_place(p));
+  FoundHit<S> found = entered(ray, span.enter, span.leave, normalized(out));
+  found.undecided = found.hit & (span.enter > ray.begin) & !(length(out) > S(8 * epsilon * cone.size));
+  return near.restored(found);
+}
 
 /// The convex hull of two balls, one of which may hold the other.
 inline MaybeHit hit_balls(const LocalRay& ray, const Vec3d& a, double radius_a, const Vec3d& b, double radius_b) {
   if (length(b - a) <= std::abs(radius_a - radius_b) || a == b)
-    return radius_a >= radius_b ? hit_ball(ray, a, radius_a) : hit_ball(ray, b, radius_b);
+    return radius_a >= radius_b ? hit_sphere(ray, a, radius_a) : hit_sphere(ray, b, radius_b);
   if (radius_a <= 0 && radius_b <= 0) return hit_thin_segment(ray, a, b);
-  return BallCone(a, radius_a, b, radius_b).hit(ray);
+  const BallCone cone(a, radius_a, b, radius_b);
+  FoundHit<double> found = hit_ball_cone(ray, cone);
+  if (found.undecided) [[unlikely]]
+    found.normal = cone.thin_normal(ray, found.point);
+  return found;
 }
 
 }  // namespace graze::rays

@@ -56,19 +56,13 @@ class TriangleCast {
     const LocalRay& ray = near_.ray;
     const auto vertex = [&](std::size_t i) { return converted<double>(corners[i]); };
     const Vec3d a = vertex(0), b = vertex(1), c = vertex(2);
-    if (!sheared_) sheared_.emplace(ray);
-    const Crossing at = crossing((*sheared_)(a), (*sheared_)(b), (*sheared_)(c));
+    if (!frame_) frame_.emplace(ray);
+    const LineCrossing<double> at = line_crossing((*frame_)(a), (*frame_)(b), (*frame_)(c));
     MaybeHit hit;
-    switch (at.kind) {
-    case Crossing::none: return end_;
-    case Crossing::edge_on: hit = hit_edge_on(ray, a, b, c); break;
-    case Crossing::back:
-      if (!both_sides_) return end_;
-      [[fallthrough]];
-    case Crossing::front:
-      if (at.t >= ray.begin && at.t <= ray.end)
-        hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
-    }
+    if (at.edge_on)
+      hit = hit_edge_on(ray, a, b, c);
+    else if (at.through && (both_sides_ || at.whole > 0) && at.t >= ray.begin && at.t <= ray.end)
+      hit = hit_at(ray, at.t, against(ray, normalized(cross(b - a, c - a), -ray.direction)));
     if (hit) {
       const double along = found_(*near_.restored(hit), number());
       end_ = along > -infinity ? least(end_, end_after(along, near_.shift)) : along;
@@ -83,7 +77,7 @@ class TriangleCast {
 
   Recentered near_;
   double end_;
-  std::optional<Sheared> sheared_;  // many a ray comes near nothing
+  std::optional<RayAlignedFrame<double>> frame_;  // many a ray comes near nothing
   bool both_sides_;
   Found& found_;
 };

@@ -185,13 +185,12 @@ TYPED_TEST(RaycastField, GivesTheSameBitsAtEveryLevel) {
     const Answers one = answers(Isa::baseline, rays.data());
     for (const Ray<T>& ray : rays) {
       const Cells told = cells(Isa::baseline, ray);
-      const rays::Sheared sheared(nearest(ray));
+      const rays::RayAlignedFrame<double> frame(nearest(ray));
       for (std::uint32_t k = 0; k < field.triangle_numbers(); ++k) {
         if (!field.has_triangle(k)) continue;
         const auto p = field.triangle(k);
-        const auto corner = [&](std::size_t i) { return sheared(converted<double>(p[i])); };
-        const auto kind = rays::crossing(corner(0), corner(1), corner(2)).kind;
-        if (kind != rays::Crossing::front && kind != rays::Crossing::back) continue;
+        const auto corner = [&](std::size_t i) { return frame(converted<double>(p[i])); };
+        if (!rays::line_crossing(corner(0), corner(1), corner(2)).through) continue;
         const std::pair cell{k / 2 % 69, k / 2 / 69};
         ASSERT_NE(std::find(told.begin(), told.end(), cell), told.end()) << "triangle " << k;
       }

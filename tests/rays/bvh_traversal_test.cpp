@@ -58,14 +58,13 @@ Numbers told(void (*kernel)(const TreeWalk<T>&), const MeshData<T>& mesh, const 
 
 template <class T>
 Numbers crossed(const MeshData<T>& mesh, const rays::LocalRay& ray) {
-  const rays::Sheared sheared(ray);
+  const rays::RayAlignedFrame<double> frame(ray);
   Numbers numbers;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto p = mesh.triangle(i);
-    const rays::Crossing at = rays::crossing(sheared(converted<double>(p[0])), sheared(converted<double>(p[1])),
-                                             sheared(converted<double>(p[2])));
-    const bool through = at.kind == rays::Crossing::front || at.kind == rays::Crossing::back;
-    if (through && at.t >= ray.begin && at.t <= ray.end) numbers.push_back(i);
+    const auto corner = [&](std::size_t k) { return frame(converted<double>(p[k])); };
+    const rays::LineCrossing<double> at = rays::line_crossing(corner(0), corner(1), corner(2));
+    if (at.through && at.t >= ray.begin && at.t <= ray.end) numbers.push_back(i);
   }
   return numbers;
 }
