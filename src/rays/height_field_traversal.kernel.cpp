@@ -246,7 +246,8 @@ void walk_field(const FieldWalk<T>& question) {
 }
 
 template <class T>
-void block_at_field(rays::RayBlock& block, std::size_t count, const rays::BlockField<T>& field, std::uint32_t* pieces) {
+[[gnu::flatten]] void block_at_field(rays::RayBlock& block, std::size_t count, const rays::BlockField<T>& field,
+                                     std::uint32_t* pieces) {
   cast_block(block, count, FieldSurface<T>{{*field.field}, field}, pieces);
 }
 

@@ -64,7 +64,8 @@ struct MeshSurface {
 }  // namespace
 
 template <class T>
-void block_at_mesh(rays::RayBlock& block, std::size_t count, const rays::BlockMesh<T>& mesh, std::uint32_t* pieces) {
+[[gnu::flatten]] void block_at_mesh(rays::RayBlock& block, std::size_t count, const rays::BlockMesh<T>& mesh,
+                                    std::uint32_t* pieces) {
   cast_block(block, count, MeshSurface<T>{mesh}, pieces);
 }
 
