@@ -39,23 +39,24 @@ struct BestNormal {
 /// Looks for a better normal at `p` from a point that stands off from it: near the core the direction to the nearest
 /// point is all rounding, from afar it is sharp. From p + n h, where n is off by an angle, the nearest point of a core
 /// with radius of curvature R is off by h / (R + h) of that angle only: each turn gains.
-template <class GapAt>
-void sharpen(BestNormal& best, const LocalRay& ray, const Vec3d& p, const GapAt& gap_at, double radius, double size,
-             double slack) {
+template <class DistanceAt>
+void sharpen(BestNormal& best, const LocalRay& ray, const Vec3d& p, const DistanceAt& distance_at, double radius,
+             double size, double slack) {
   static constexpr int turns = 12;  // about as many digits as a normal can use where h = R
   const double off = size / 64;
   for (int i = 0; i < turns && best.beyond > slack; ++i) {
     const Vec3d step = best.normal * off;
-    const PointDistance gap = gap_at(p + step);
+    const PointDistance gap = distance_at(p + step);
     const double before = best.beyond;
     if (dot(gap.normal, ray.direction) < 0) best.consider(gap.normal, radius - (gap.distance - dot(gap.normal, step)));
     if (!(best.beyond < before)) return;
   }
 }
 
-/// `gap_at(p)` is the `PointDistance` of a core that lies within `reach` of the frame's origin, rounding not included.
-template <class GapAt>
-MaybeHit hit_rounded(const LocalRay& far, const GapAt& gap_at, double radius, double reach, double slack) {
+/// The hit of a core with a ball. `distance_at(p)` is the `PointDistance` of the core, which lies within `reach` of the
+/// frame's origin without its ball of `radius`.
+template <class DistanceAt>
+MaybeHit hit_rounded(const LocalRay& far, const DistanceAt& distance_at, double radius, double reach, double slack) {
   const Recentered near = recentered(far, {});
   const LocalRay& ray = near.ray;
   const double size = reach + radius;
@@ -65,7 +66,7 @@ MaybeHit hit_rounded(const LocalRay& far, const GapAt& gap_at, double radius, do
   double t = greatest(ball.enter, ray.begin);
   BestNormal best{-ray.direction};
   for (int step = 0; step < advance_steps; ++step) {
-    const PointDistance gap = gap_at(ray.at(t));
+    const PointDistance gap = distance_at(ray.at(t));
     const double left = gap.distance - radius;
     if (left <= slack && t <= ray.begin) return near.restored(hit_inside(ray));
     const double toward = -dot(gap.normal, ray.direction);
@@ -80,7 +81,7 @@ MaybeHit hit_rounded(const LocalRay& far, const GapAt& gap_at, double radius, do
     t += advance;
     if (!(t <= ray.end)) return {};
   }
-  sharpen(best, ray, ray.at(t), gap_at, radius, size, slack);
+  sharpen(best, ray, ray.at(t), distance_at, radius, size, slack);
   return near.restored(hit_at(ray, t, best.normal));
 }
 

@@ -22,8 +22,8 @@ double slack_of(const C& concrete, T margin) {
 
 /// By itself, so that the closed forms are short enough to stand where they are called; the ray by value, so that its
 /// numbers need no place in memory for those.
-template <class T, class C, class GapAt>
-[[gnu::noinline]] MaybeHit rounded(const C& concrete, T margin, LocalRay ray, GapAt gap) {
+template <class T, class C, class DistanceAt>
+[[gnu::noinline]] MaybeHit rounded(const C& concrete, T margin, LocalRay ray, DistanceAt gap) {
   return hit_rounded(ray, gap, wide(margin), wide(concrete.core_extent()), slack_of(concrete, margin));
 }
 
@@ -46,7 +46,7 @@ MaybeHit cast_at(const LineSegment<T>& s, T margin, const LocalRay& ray, BackFac
 template <class T>
 MaybeHit cast_at(const Box<T>& box, T margin, const LocalRay& ray, BackFaces) {
   const Vec3d half = converted<double>(box.half_extents());
-  if (margin > T(0)) return rounded(box, margin, ray, BoxGap{half});
+  if (margin > T(0)) return rounded(box, margin, ray, DistanceToBox{half});
   return hit_box(ray, half);
 }
 
@@ -58,33 +58,33 @@ MaybeHit cast_at(const Rectangle<T>& rectangle, T margin, const LocalRay& ray, B
 template <class T>
 MaybeHit cast_at(const Cylinder<T>& c, T margin, const LocalRay& ray, BackFaces) {
   const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
-  if (margin > T(0)) return rounded(c, margin, ray, FrustumGap{h, bottom, top});
+  if (margin > T(0)) return rounded(c, margin, ray, DistanceToFrustum{h, bottom, top});
   return hit_cylinder(ray, Frustum(h, bottom, top));
 }
 
 template <class T>
 MaybeHit cast_at(const Ellipsoid<T>& e, T margin, const LocalRay& ray, BackFaces) {
-  if (margin > T(0)) return rounded(e, margin, ray, SupportGap<Ellipsoid<T>>{e});
+  if (margin > T(0)) return rounded(e, margin, ray, DistanceBySupport<Ellipsoid<T>>{e});
   return hit_ellipsoid(ray, converted<double>(e.radii()));
 }
 
 template <class T>
 MaybeHit cast_at(const Triangle<T>& t, T margin, const LocalRay& ray, BackFaces back) {
   const Vec3d p[3] = {converted<double>(t.point(0)), converted<double>(t.point(1)), converted<double>(t.point(2))};
-  if (margin > T(0)) return rounded(t, margin, ray, TriangleGap{p[0], p[1], p[2]});
+  if (margin > T(0)) return rounded(t, margin, ray, DistanceToTriangle{p[0], p[1], p[2]});
   return hit_polygon(
       ray, 3, [&](std::size_t i) { return p[i]; }, back == BackFaces::hit);
 }
 
 template <class T>
 MaybeHit cast_at(const ConvexHull<T>& hull, T margin, const LocalRay& ray, BackFaces) {
-  if (margin > T(0)) return rounded(hull, margin, ray, SupportGap<ConvexHull<T>>{hull});
+  if (margin > T(0)) return rounded(hull, margin, ray, DistanceBySupport<ConvexHull<T>>{hull});
   return hit_hull(ray, hull.data());
 }
 
 template <class T>
 MaybeHit cast_at(const UserConvex<T>& user, T margin, const LocalRay& ray, BackFaces) {
-  return rounded(user, margin, ray, SupportGap<UserConvex<T>>{user});
+  return rounded(user, margin, ray, DistanceBySupport<UserConvex<T>>{user});
 }
 
 template <class T>

@@ -37,7 +37,7 @@ class RayExplanation {
   template <class T>
   Made of(const Box<T>& box, T margin) {
     const Vec3d half = converted<double>(box.half_extents());
-    if (margin > T(0)) return steps(box, margin, BoxGap{half});
+    if (margin > T(0)) return steps(box, margin, DistanceToBox{half});
     for (std::size_t i = 0; i < 3; ++i) {
       Vec3d axis{};
       axis[i] = 1;
@@ -53,7 +53,7 @@ class RayExplanation {
   template <class T>
   Made of(const Cylinder<T>& c, T margin) {
     const double h = wide(c.half_height()), bottom = wide(c.radius_bottom()), top = wide(c.radius_top());
-    if (margin > T(0)) return steps(c, margin, FrustumGap{h, bottom, top});
+    if (margin > T(0)) return steps(c, margin, DistanceToFrustum{h, bottom, top});
     slab("slab of the caps", {0, 1, 0}, h);
     side(h, bottom, top);
     trace_.method = "slab and quadratic of the side";
@@ -63,7 +63,7 @@ class RayExplanation {
   Made of(const Ellipsoid<T>& e, T margin) {
     const Vec3d radii = converted<double>(e.radii());
     if (margin > T(0) || !(radii.x > 0 && radii.y > 0 && radii.z > 0))
-      return steps(e, margin, SupportGap<Ellipsoid<T>>{e});
+      return steps(e, margin, DistanceBySupport<Ellipsoid<T>>{e});
     const auto scaled = [&](const Vec3d& p) { return Vec3d{p.x / radii.x, p.y / radii.y, p.z / radii.z}; };
     const Vec3d direction = scaled(ray_.direction);
     const double speed = length(direction);
@@ -76,14 +76,14 @@ class RayExplanation {
   template <class T>
   Made of(const Triangle<T>& t, T margin) {
     const Vec3d p[3] = {converted<double>(t.point(0)), converted<double>(t.point(1)), converted<double>(t.point(2))};
-    if (margin > T(0)) return steps(t, margin, TriangleGap{p[0], p[1], p[2]});
+    if (margin > T(0)) return steps(t, margin, DistanceToTriangle{p[0], p[1], p[2]});
     return polygon(3, [&](std::size_t i) { return p[i]; });
   }
   template <class T>
   Made of(const ConvexHull<T>& hull, T margin) {
     const HullData<T>& data = hull.data();
     const auto vertex = [&](std::size_t i) { return converted<double>(data.vertices[i]); };
-    if (margin > T(0)) return steps(hull, margin, SupportGap<ConvexHull<T>>{hull});
+    if (margin > T(0)) return steps(hull, margin, DistanceBySupport<ConvexHull<T>>{hull});
     if (data.dimension < 2) return balls(vertex(0), 0, vertex(static_cast<std::size_t>(data.dimension)), 0);
     if (data.dimension == 2) {
       const auto loop = data.loop(0);
@@ -96,7 +96,7 @@ class RayExplanation {
   }
   template <class T>
   Made of(const UserConvex<T>& user, T margin) {
-    return steps(user, margin, SupportGap<UserConvex<T>>{user});
+    return steps(user, margin, DistanceBySupport<UserConvex<T>>{user});
   }
   template <class T>
   Made of(const HalfSpace<T>&, T margin) {
@@ -199,11 +199,11 @@ class RayExplanation {
   }
 
   /// The advance towards a core with a ball, with what it is told of the gap on its way written down.
-  template <class C, class T, class GapAt>
-  Made steps(const C& concrete, T margin, const GapAt& gap_at) {
+  template <class C, class T, class DistanceAt>
+  Made steps(const C& concrete, T margin, const DistanceAt& distance_at) {
     const double radius = wide(margin), size = wide(concrete.core_extent()) + radius;
     const auto noted = [&](const Vec3d& p) {
-      const PointDistance gap = gap_at(p);
+      const PointDistance gap = distance_at(p);
       const double t = dot(p - ray_.origin, ray_.direction);
       // A point beside the ray, or behind the last, is asked about for a better normal.
       const bool beside = length(p - ray_.at(t)) > 1e-9 * (size + length(p - ray_.origin));

@@ -8,23 +8,25 @@
 
 namespace graze::rays {
 
-inline PointDistance gap_between(const Vec3d& core, const Vec3d& p) {
+inline PointDistance distance_between(const Vec3d& core, const Vec3d& p) {
   const Vec3d v = p - core;
   return {length(v), unit(v)};
 }
 
-struct BoxGap {
+struct DistanceToBox {
   Vec3d half;
-  PointDistance operator()(const Vec3d& p) const { return gap_between(closest_point_in_box(half, p), p); }
+  PointDistance operator()(const Vec3d& p) const { return distance_between(closest_point_in_box(half, p), p); }
 };
 
-struct TriangleGap {
+struct DistanceToTriangle {
   Vec3d a, b, c;
-  PointDistance operator()(const Vec3d& p) const { return gap_between(closest_point_on_triangle(a, b, c, p).point, p); }
+  PointDistance operator()(const Vec3d& p) const {
+    return distance_between(closest_point_on_triangle(a, b, c, p).point, p);
+  }
 };
 
 /// The cylinder, cone or truncated cone, in the half-plane of the axis and the point.
-struct FrustumGap {
+struct DistanceToFrustum {
   double half, bottom, top;
 
   PointDistance operator()(const Vec3d& p) const {
@@ -38,7 +40,7 @@ struct FrustumGap {
          {closest_point<double>({{0, -half, 0}, foot}, q), closest_point<double>({{0, half, 0}, head}, q)})
       if (length_squared(cap - q) < length_squared(best - q)) best = cap;
     const Vec3d out = rho > 0 ? Vec3d{p.x / rho, 0, p.z / rho} : Vec3d{1, 0, 0};
-    return gap_between({out.x * best.x, best.y, out.z * best.x}, p);
+    return distance_between({out.x * best.x, best.y, out.z * best.x}, p);
   }
 };
 
@@ -50,7 +52,7 @@ struct PointShape {
 
 /// Any core, known by its support function: the supporting plane that GJK ends with.
 template <class Core>
-struct SupportGap {
+struct DistanceBySupport {
   const Core& core;
 
   PointDistance operator()(const Vec3d& p) const {

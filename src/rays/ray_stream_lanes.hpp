@@ -14,12 +14,12 @@ using namespace ray_lanes;
 
 /// Rays under way at once: enough to hide the way to memory, few enough to stay near the processor themselves. With 32
 /// in place of 64 they take 3 to 10 % longer, and half of some 60 KB of stack, which small machines have little of.
-inline constexpr std::size_t crowd = register_bytes >= 32 ? 64 : 32;
-using Numbers = double[crowd];
+inline constexpr std::size_t stream_size = register_bytes >= 32 ? 64 : 32;
+using Numbers = double[stream_size];
 
 /// Rays, waiting for the same.
 struct List {
-  std::uint8_t ray[crowd + 1];
+  std::uint8_t ray[stream_size + 1];
   std::size_t count = 0;
   /// Written in any case, kept if so.
   [[gnu::always_inline]] void add(std::size_t i, bool really) {
@@ -268,19 +268,19 @@ class RayStream {
   Numbers origin_[3], shift_, end_, reach_, ordered_origin_[3], shear_[3], axis_[3];
   // The first hit so far: along the caller's ray, along the near one, and where.
   Numbers best_, best_local_;
-  Candidate nearest_[crowd];
-  Ray rays_[crowd];
-  float keys_[crowd][Surface::deep][Surface::children];
-  Ref waiting_[crowd][Surface::deep];
+  Candidate nearest_[stream_size];
+  Ray rays_[stream_size];
+  float keys_[stream_size][Surface::deep][Surface::children];
+  Ref waiting_[stream_size][Surface::deep];
   List inner_, leaf_, back_;
-  Candidate candidates_[Surface::most * crowd + 1];
+  Candidate candidates_[Surface::most * stream_size + 1];
 };
 
 template <class Surface>
 [[gnu::always_inline]] inline void cast_block(rays::RayBlock& block, std::size_t count, const Surface& surface,
                                               std::uint32_t* pieces) {
-  for (std::size_t first = 0; first < count; first += crowd)
-    RayStream<Surface>(block, first, count - first < crowd ? count - first : crowd, surface, pieces).cast();
+  for (std::size_t first = 0; first < count; first += stream_size)
+    RayStream<Surface>(block, first, count - first < stream_size ? count - first : stream_size, surface, pieces).cast();
 }
 
 }  // namespace graze::GRAZE_ISA::ray_streams
