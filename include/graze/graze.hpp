@@ -21,6 +21,7 @@
 #include "graze/mass.hpp"
 #include "graze/material.hpp"
 #include "graze/pairs.hpp"
+#include "graze/plane/batch.hpp"
 #include "graze/plane/cast.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"

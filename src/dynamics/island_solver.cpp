@@ -88,7 +88,9 @@ void IslandSolver<T>::add(JointInPlace<T>& joint, std::uint32_t a, std::uint32_t
 
 template <class T>
 void IslandSolver<T>::choose_sub_steps(T step, T gravity, int least, int most) {
-  sub_steps_ = manifolds_.empty() && joined_.empty() ? 1 : least;
+  // What a joint holds moves along a chord of its arc: off by the square of the sub-step, a quarter of it with two for
+  // one.
+  sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : manifolds_.empty() ? 1 : least;
   const auto sinks = [&](const ManifoldRows<T>& m) {
     const T h = step / T(sub_steps_);
     if (gravity * h * h > fall_in_sub_step<T> * m.size) return true;

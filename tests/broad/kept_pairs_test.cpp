@@ -14,9 +14,9 @@ namespace {
 
 /// Boxes that move at random.
 template <class T>
-class RayStream {
+class Crowd {
  public:
-  explicit RayStream(std::uint64_t seed) : random_(seed) {}
+  explicit Crowd(std::uint64_t seed) : random_(seed) {}
 
   T number(double low, double high) {
     return static_cast<T>(std::uniform_real_distribution<double>(low, high)(random_));
@@ -73,7 +73,7 @@ class Finders {
 
 template <class T>
 void check_random_motion(std::uint64_t seed) {
-  RayStream<T> crowd(seed);
+  Crowd<T> crowd(seed);
   crowd.uneven = *rc::gen::element(0.0, 0.02);
   crowd.add(*rc::gen::inRange<std::size_t>(0, 150));
   if (*rc::gen::arbitrary<bool>()) crowd.boxes.push_back(Aabb<T>::everything());
@@ -101,7 +101,7 @@ RC_GTEST_PROP(KeptPairs, AgreeWithAllPairsInEveryFrameInFloat, (std::uint64_t se
 TEST(KeptPairs, AgreeForEveryShareThatMoves) {
   for (const double share : {0.0, 0.01, 0.06, 0.12, 0.14, 0.5, 1.0})
     for (const double step : {0.015, 0.3}) {
-      RayStream<float> crowd(7);
+      Crowd<float> crowd(7);
       crowd.reach = 9;
       crowd.add(500);
       Finders<float> finders;
@@ -113,7 +113,7 @@ TEST(KeptPairs, AgreeForEveryShareThatMoves) {
 }
 
 TEST(KeptPairs, MakeAListOfWhatMovesLittleAndNoneOfWhatJumps) {
-  RayStream<double> crowd(5);
+  Crowd<double> crowd(5);
   crowd.reach = 12;
   crowd.add(1000);
   Finders<double> finders;
@@ -129,7 +129,7 @@ TEST(KeptPairs, MakeAListOfWhatMovesLittleAndNoneOfWhatJumps) {
 
 /// Those that come and go at the end of the array are no reason to give the list up.
 TEST(KeptPairs, KeepTheirListWhenBoxesComeAndGo) {
-  RayStream<float> crowd(11);
+  Crowd<float> crowd(11);
   crowd.add(200);
   Finders<float> finders;
   for (int frame = 0; frame < 12; ++frame) {
@@ -143,7 +143,7 @@ TEST(KeptPairs, KeepTheirListWhenBoxesComeAndGo) {
 
 /// A floor and something large that moves over all others, beside what no grid can hold.
 TEST(KeptPairs, AgreeWithWideBoxes) {
-  RayStream<float> crowd(13);
+  Crowd<float> crowd(13);
   crowd.reach = 40;
   crowd.add(400);
   crowd.boxes.push_back({{-100, -1, -100}, {100, 2, 100}});
@@ -161,7 +161,7 @@ TEST(KeptPairs, AgreeWithWideBoxes) {
 
 /// Many that overlap a good part of all others: they may move, shrink, come and go without an end of the list.
 TEST(KeptPairs, AgreeWithManyWideBoxes) {
-  RayStream<double> crowd(19);
+  Crowd<double> crowd(19);
   crowd.reach = 24;
   crowd.add(900);
   const auto widen = [&](std::size_t i) { crowd.boxes[i].upper = crowd.boxes[i].lower + Vec3d{20, 24, 18}; };
@@ -182,7 +182,7 @@ TEST(KeptPairs, AgreeWithManyWideBoxes) {
 
 /// Once they are wide no more, the next list has them in it.
 TEST(KeptPairs, EndTheListOfThoseThatAreWideNoMore) {
-  RayStream<float> crowd(23);
+  Crowd<float> crowd(23);
   crowd.reach = 24;
   crowd.add(900);
   const std::vector<Aabbf> all_small = crowd.boxes;
@@ -216,7 +216,7 @@ TEST(KeptPairs, MakeNoListOfMoreThanIsWorthHaving) {
 
 /// Dust and needles between larger boxes have no more room than is in proportion to them.
 TEST(KeptPairs, GiveSmallBoxesLittleRoom) {
-  RayStream<double> crowd(17);
+  Crowd<double> crowd(17);
   crowd.reach = 12;
   crowd.add(700);
   for (int i = 0; i < 300; ++i) {
@@ -244,7 +244,7 @@ struct BackwardsExecutor final : Executor {
 };
 
 TEST(KeptPairs, AreTheSameFromSeveralThreads) {
-  RayStream<float> crowd(4);
+  Crowd<float> crowd(4);
   crowd.reach = 12;
   crowd.add(4000);
   KeptPairs<float> alone, together;
@@ -262,7 +262,7 @@ TEST(KeptPairs, AreTheSameFromSeveralThreads) {
 }
 
 TEST(KeptPairs, KeepTheirMemory) {
-  RayStream<float> crowd(3);
+  Crowd<float> crowd(3);
   crowd.reach = 20;
   crowd.add(3000);
   KeptPairs<float> finder;

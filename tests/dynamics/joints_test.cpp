@@ -52,7 +52,7 @@ struct Chain {
   void step() {
     const double h = dt / sub_steps;
     std::vector<JointRows<double>> rows(joints.size());
-    for (std::size_t i = 0; i < joints.size(); ++i) rows[i].prepare(joints[i], {h, 1 / h, dt});
+    for (std::size_t i = 0; i < joints.size(); ++i) rows[i].prepare(joints[i], {h, 1 / h, dt, true});
     for (int s = 0; s < sub_steps; ++s) {
       for (std::size_t i = 0; i < bodies.size(); ++i) {
         SolverBody<double>& b = bodies[i];

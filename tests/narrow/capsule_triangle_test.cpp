@@ -10,7 +10,7 @@
 #include "common/specimen.hpp"
 #include "graze/query.hpp"
 #include "in_general.hpp"
-#include "narrow/batch/sphere_capsule_batch.hpp"
+#include "narrow/batch/lane_pairs.hpp"
 #include "narrow/general.hpp"
 #include "narrow/pair_table.hpp"
 
@@ -159,6 +159,45 @@ TEST(CapsuleTriangle, LyingOnAVertexIsOnePoint) {
   EXPECT_EQ(found.one, 1);
 }
 
+/// A sink that compares what kernels find with the answer to each pair alone.
+template <class T, class Alone>
+struct AloneSink {
+  using Scalar = T;
+  static constexpr std::size_t most = most_chunk;
+  const PairRef<T>* pairs;
+  const Alone& alone;
+  std::size_t &touching, &not_known;
+
+  void apart(std::size_t i) {
+    Manifold<T> found;
+    EXPECT_GT(alone(i, found), pairs[i].margin);
+  }
+  void unknown(std::size_t) { ++not_known; }
+  void one(std::size_t i, const PointContact<T>& contact) {
+    Manifold<T> found;
+    alone(i, found);
+    ASSERT_EQ(found.points.size(), 1u);
+    EXPECT_EQ(found.normal, contact.normal);
+    expect_same(found.points[0], contact.point);
+    ++touching;
+  }
+  template <class Points>
+  void several(std::size_t i, T distance, const Vec3<T>& normal, const Points& points, std::size_t) {
+    Manifold<T> found, told;
+    EXPECT_EQ(alone(i, found), distance);
+    EXPECT_EQ(found.normal, normal);
+    points.append(told.points);
+    ASSERT_EQ(found.points.size(), told.points.size());
+    for (std::size_t k = 0; k < told.points.size(); ++k) expect_same(found.points[k], told.points[k]);
+  }
+  void met(const MetPairs<T>&, bool) { ADD_FAILURE() << "of other pairs"; }
+
+ private:
+  static void expect_same(const ContactPoint<T>& p, const ContactPoint<T>& q) {
+    EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
+  }
+};
+
 /// Many pairs by pointers: what the kernels tell of each is what the pair alone has, and they leave few to it.
 template <class T, class A>
 void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
@@ -181,33 +220,9 @@ void expect_as_alone(const std::vector<A>& rounds, std::size_t most_unknown) {
                                 Shape<T>(*static_cast<const Triangle<T>*>(chunk[i].b)), *chunk[i].pose_b,
                                 chunk[i].margin, found);
     };
-    visit_sphere_capsule_contacts<A, Triangle<T>>(
-        chunk, std::min(most_chunk, pairs.size() - first), false,
-        [&](std::size_t i) {
-          Manifold<T> found;
-          EXPECT_GT(alone(i, found), chunk[i].margin);
-        },
-        [&](std::size_t i, const PointContact<T>& contact) {
-          Manifold<T> found;
-          alone(i, found);
-          ASSERT_EQ(found.points.size(), 1u);
-          EXPECT_EQ(found.normal, contact.normal);
-          const ContactPoint<T>&p = found.points[0], &q = contact.point;
-          EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
-          ++touching;
-        },
-        [&](std::size_t i, T distance, const Vec3<T>& normal, const auto& points) {
-          Manifold<T> found, told;
-          EXPECT_EQ(alone(i, found), distance);
-          EXPECT_EQ(found.normal, normal);
-          points.append(told.points);
-          ASSERT_EQ(found.points.size(), told.points.size());
-          for (std::size_t k = 0; k < told.points.size(); ++k) {
-            const ContactPoint<T>&p = found.points[k], &q = told.points[k];
-            EXPECT_TRUE(p.a == q.a && p.b == q.b && p.distance == q.distance && p.feature == q.feature);
-          }
-        },
-        [&](std::size_t) { ++unknown; });
+    AloneSink<T, decltype(alone)> sink{chunk, alone, touching, unknown};
+    const LanesFor lanes = lane_table<T>(detail::kind_of<A, T>(), detail::kind_of<Triangle<T>, T>());
+    visit_lane_contacts(lanes, chunk, std::min(most_chunk, pairs.size() - first), sink);
   }
   EXPECT_GT(touching, rounds.size() / 8);
   EXPECT_LT(unknown, most_unknown);

@@ -11,6 +11,7 @@
 #include "common/specimen.hpp"
 #include "graze/batch.hpp"
 #include "in_general.hpp"
+#include "narrow/pair_table.hpp"
 #include "narrow/pairs/triangle_triangle/contacts.hpp"
 #include "reference/certificate.hpp"
 
@@ -127,6 +128,12 @@ reference::Placed in_reference(const Triangle<double>& t, const Posed& pose) {
                           vector(pose.translation), {q.x, q.y, q.z, q.w});
 }
 
+/// Without rounding.
+PlacedTriangle<double> placed(const Triangle<double>& triangle, const Posed& pose) {
+  const Shaped whole(triangle);
+  return placed_triangle<double>({triangle, whole, pose});
+}
+
 /// How many of those that are no slivers are not known. Of what is known everything is right up to rounding.
 int unknown(TrianglePair (*make)(Random&), int count, unsigned seed) {
   Random random(seed);
@@ -135,7 +142,7 @@ int unknown(TrianglePair (*make)(Random&), int count, unsigned seed) {
     const TrianglePair p = make(random);
     const Triangle<double> a = p.shape_a<double>(), b = p.shape_b<double>();
     const Posed pose_a = p.pose_a<double>(), pose_b = p.pose_b<double>();
-    const auto found = own_distance(a, 0.0, pose_a, b, 0.0, pose_b);
+    const auto found = special_distance<double>(Shaped(a), pose_a, Shaped(b), pose_b);
     if (!found) {
       const auto regular = [](const Triangle<double>& t) {
         return SidedTriangle<double>(TriangleCore<double>{{t.point(0), t.point(1), t.point(2)}}).regular();
@@ -167,8 +174,8 @@ TEST(TriangleTriangle, LeavesSliversToTheGeneralPath) {
       segment({0, 1, 0}, {1, 1, 0}, {1, 1, 0}), point({0, 1, 0}, {0, 1, 0}, {0, 1, 0}),
       tiny({0, 0, 0}, {1e-30, 0, 0}, {0, 0, 1e-30});
   for (const auto& other : {sliver, segment, point, tiny}) {
-    EXPECT_FALSE(own_distance(whole, 0.0, {}, other, 0.0, {}));
-    EXPECT_FALSE(own_overlap(other, 0.0, {}, whole, 0.0, {}));
+    EXPECT_FALSE(special_distance<double>(Shaped(whole), {}, Shaped(other), {}));
+    EXPECT_FALSE(special_overlap<double>(Shaped(other), {}, Shaped(whole), {}));
   }
   EXPECT_NEAR(distance<double>(whole, {}, sliver, {}).distance, 1, 1e-15);
   EXPECT_NEAR(distance<double>(point, {}, whole, {}).distance, 1, 1e-15);
@@ -202,7 +209,7 @@ TEST(TriangleTriangle, GivesTheSameBitsInLanesAndAtEveryLevel) {
     const TrianglePair p = i % 4 == 0 ? any_pair(random) : i % 4 == 2 ? level_pair(random) : close_pair(random);
     a.push_back(p.shape_a<double>()), at_a.push_back(p.pose_a<double>());
     b.push_back(p.shape_b<double>()), at_b.push_back(p.pose_b<double>());
-    const auto of_a = placed_triangle(a.back(), 0.0, at_a.back()), of_b = placed_triangle(b.back(), 0.0, at_b.back());
+    const auto of_a = placed(a.back(), at_a.back()), of_b = placed(b.back(), at_b.back());
     const auto in_rows = triangle_distance<Packed<double, 3>>(of_a, of_b, 1e9);
     for (const Isa level : {Isa::baseline, Isa::avx2, Isa::avx512}) {
       if (!isa_available(level)) continue;
@@ -277,8 +284,7 @@ struct PointsAlone {
 
   PointsAlone(Isa level, const TrianglePair& p, double margin) {
     points.filled = 0;
-    const auto a = placed_triangle(p.shape_a<double>(), 0.0, p.pose_a<double>()),
-               b = placed_triangle(p.shape_b<double>(), 0.0, p.pose_b<double>());
+    const auto a = placed(p.shape_a<double>(), p.pose_a<double>()), b = placed(p.shape_b<double>(), p.pose_b<double>());
     GRAZE_KERNEL(level, triangle_pair_contact)
     (a, b, margin, margin, answer_rounding<double>(), found, axes, points);
   }

@@ -14,12 +14,12 @@ namespace {
 
 /// Bodies of all kinds, many of them of those with kernels, most of them near each other; some face to face.
 template <class T>
-struct RayStream {
+struct Crowd {
   std::vector<Shape<T>> shapes;
   std::vector<Pose<T>> poses;
   std::vector<IdPair> pairs;
 
-  explicit RayStream(std::size_t count, unsigned seed) {
+  explicit Crowd(std::size_t count, unsigned seed) {
     Random random(seed);
     constexpr Kind often[] = {Kind::sphere, Kind::capsule, Kind::box, Kind::box, Kind::triangle};
     for (std::size_t i = 0; i < count; ++i) {
@@ -106,15 +106,15 @@ void expect_same(const Batch<T>& batch, T margin) {
 }
 
 TEST(Batch, AnswersAsTheQuestionAboutEachPairDoes) {
-  const RayStream<float> floats(150, 1);
+  const Crowd<float> floats(150, 1);
   expect_same(Batch<float>(floats.bodies(), floats.bodies(), floats.pairs), 0.02f);
-  const RayStream<double> doubles(150, 2);
+  const Crowd<double> doubles(150, 2);
   expect_same(Batch<double>(doubles.bodies(), doubles.bodies(), doubles.pairs), 0.02);
 }
 
 // The neighbours of a pair in its bundle change with every order and every split.
 TEST(Batch, GivesEveryPairTheSameBitsInAnyOrderAndSplit) {
-  const RayStream<float> crowd(100, 3);
+  const Crowd<float> crowd(100, 3);
   const Batch<float> whole(crowd.bodies(), crowd.bodies(), crowd.pairs);
   BatchContacts<float> expected, found;
   contacts(whole, 0.02f, expected);
