@@ -1,0 +1,61 @@
+// Joints in a whole simulation: what swings keeps its energy and its frames together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "graze/simulation.hpp"
+
+namespace graze {
+namespace {
+
+constexpr double gravity = 9.81;
+
+/// A box of 1 m that swings on a fixed one, held 1 m above its centre by a joint that turns about `axis`, or about all
+/// three, from the horizontal.
+struct Swing {
+  Simulation<double> simulation{SimulationSettings<double>{{0, -gravity, 0}}};
+  Pose<double> frame_a, frame_b;
+  BodyId bob;
+
+  explicit Swing(std::optional<std::size_t> axis) {
+    Body<double> hook{Shape<double>(Box<double>({0.2, 0.2, 0.2})), {}};
+    hook.fixed = true;
+    const BodyId a = simulation.add(hook);
+    // Hinges turn about the x axis of their frames.
+    const double s = std::sqrt(0.5);
+    const Quatd turn = !axis || *axis == 0 ? Quatd{} : *axis == 1 ? Quatd{0, 0, s, s} : Quatd{0, -s, 0, s};
+    const Vec3d arm = axis && *axis == 0 ? Vec3d{0, 0, 1} : Vec3d{1, 0, 0};
+    frame_a = {{0, 0, 0}, turn};
+    frame_b = {-arm, turn};
+    bob = simulation.add(Body<double>{Shape<double>(Box<double>({1, 1, 1})), {arm, {}}});
+    simulation.add(axis ? hinge_joint(a, frame_a, bob, frame_b) : ball_joint(a, frame_a, bob, frame_b));
+  }
+  double energy() const {
+    const Motion<double> m = simulation.motion(bob);
+    // Of a cube of 1 m with a density of 1000: m / 6.
+    return 0.5 * 1000 * length_squared(m.linear) + 0.5 * (1000.0 / 6) * length_squared(m.angular) +
+           1000 * gravity * simulation.poses()[1].translation.y;
+  }
+  /// How far the frames are apart.
+  double gap() const { return length(transform(simulation.poses()[1], frame_b.translation) - frame_a.translation); }
+};
+
+/// Within a hundredth of what it has at the lowest point, for ten seconds.
+void expect_to_swing(std::optional<std::size_t> axis) {
+  Swing swing(axis);
+  double lowest = 0;
+  for (int i = 0; i < 600; ++i) {
+    swing.simulation.step(1.0 / 60);
+    ASSERT_NEAR(swing.energy(), 0, 0.01 * 1000 * gravity) << i;
+    ASSERT_LT(swing.gap(), 1e-3) << i;
+    lowest = std::min(lowest, swing.simulation.poses()[1].translation.y);
+  }
+  EXPECT_LT(lowest, -0.99);
+}
+
+TEST(JoinedBodies, ABallJointSwings) { expect_to_swing(std::nullopt); }
+TEST(JoinedBodies, AHingeAboutXSwings) { expect_to_swing(0); }
+TEST(JoinedBodies, AHingeAboutZSwings) { expect_to_swing(2); }
+
+}  // namespace
+}  // namespace graze
