@@ -131,8 +131,8 @@ constexpr bool has_lanes() {
   return found;
 }
 
-/// Whether a shape is what lanes take for its kind: a capsule untapered and with a side, a box with a length along every
-/// side that no product of lengths overflows or vanishes for, any of other kinds.
+/// Whether a shape is what lanes take for its kind: a capsule untapered and with a side, a box or rectangle with a
+/// length along every side that no product of lengths overflows or vanishes for, any of other kinds.
 template <class C>
 bool taken_by_lanes(const C&) {
   return true;
@@ -140,6 +140,11 @@ bool taken_by_lanes(const C&) {
 template <class T>
 bool taken_by_lanes(const Box<T>& box) {
   return regular_box(box.half_extents());
+}
+template <class T>
+bool taken_by_lanes(const Rectangle<T>& rectangle) {
+  const Vec3<T>& half = rectangle.as_box().half_extents();
+  return regular_rectangle(half.x, half.z);
 }
 template <class T>
 bool taken_by_lanes(const Capsule<T>& capsule) {
@@ -151,6 +156,7 @@ template <class T>
 bool taken_by_lanes(std::size_t kind, const void* concrete) {
   if (kind == detail::kind_of<Box<T>, T>()) return taken_by_lanes(*static_cast<const Box<T>*>(concrete));
   if (kind == detail::kind_of<Capsule<T>, T>()) return taken_by_lanes(*static_cast<const Capsule<T>*>(concrete));
+  if (kind == detail::kind_of<Rectangle<T>, T>()) return taken_by_lanes(*static_cast<const Rectangle<T>*>(concrete));
   return true;
 }
 
@@ -167,8 +173,8 @@ bool all_taken_by_lanes(std::size_t kind, std::size_t count, const At& at) {
       high = greatest(half, high);
     }
     all = regular_box(low) && regular_box(high);
-  } else if (kind == detail::kind_of<Capsule<T>, T>()) {
-    for (std::size_t k = 0; k < count; ++k) all &= taken_by_lanes(*static_cast<const Capsule<T>*>(at(k)));
+  } else if (kind == detail::kind_of<Capsule<T>, T>() || kind == detail::kind_of<Rectangle<T>, T>()) {
+    for (std::size_t k = 0; k < count; ++k) all &= taken_by_lanes<T>(kind, at(k));
   }
   return all;
 }

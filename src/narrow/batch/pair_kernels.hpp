@@ -198,12 +198,13 @@ GRAZE_DECLARE_KERNEL(
     /// Whether one pair of boxes touches; nothing of those that are not regular. `faces_only`: as of `boxes_apart`.
     template <class T> std::optional<bool> boxes_touch(const Box<T>& a, const Pose<T>& pose_a, const Box<T>& b,
                                                        const Pose<T>& pose_b, bool faces_only);
-    /// Both of boxes or capsules, which come first, with boxes, in double.
+    /// Both of boxes and of what is asked as one (`box_box/box_like_pair.hpp`), in double.
     template <class A, class B, class T> std::uint32_t box_row_distances(const PairRows<T>& rows, std::size_t count,
                                                                          bool turned, Distance<T>* distances,
                                                                          std::uint8_t* unknown);
-    template <class T> std::uint32_t capsule_box_row_overlaps(const PairRows<T>& rows, std::size_t count,
-                                                              std::uint8_t* touch, std::uint8_t* unknown);
+    template <class A, class B, class T> std::uint32_t box_like_row_overlaps(const PairRows<T>& rows, std::size_t count,
+                                                                             std::uint8_t* touch,
+                                                                             std::uint8_t* unknown);
     /// Contacts, distances and overlaps, as those above, of balls or capsules with triangles, in double. `unknown`:
     /// also those that the general path has to answer for.
     template <class A, class T> void sphere_capsule_triangle_contacts(const PairRef<T>* pairs, std::size_t count,

@@ -50,6 +50,14 @@ template <class T>
 }
 
 template <class T>
+[[gnu::always_inline]] inline auto load_rows(const void* from, const Rectangle<T>*) {
+  using S = Lanes<T>;
+  static_assert(sizeof(Rectangle<T>) == 3 * sizeof(T));
+  S n[3];
+  load_rows<3, 0, T>(from, n);
+  return RowShapes<BoxCore<S>, S>{{{{n[0], n[1], n[2]}}, S(0)}, regular_rectangle(n[0], n[2])};
+}
+template <class T>
 [[gnu::always_inline]] inline auto load_rows(const void* from, const Triangle<T>*) {
   using S = Lanes<T>;
   static_assert(sizeof(Triangle<T>) == 9 * sizeof(T));

@@ -165,7 +165,7 @@ struct CapsuleBox : BoxLikePair<Capsule, Box> {
 
   template <class T>
   static auto overlap_rows() {
-    return GRAZE_KERNEL(chosen_isa(), capsule_box_row_overlaps<T>);
+    return GRAZE_KERNEL(chosen_isa(), box_like_row_overlaps<Capsule<T>, Box<T>, T>);
   }
   template <class T>
   static auto distance_rows() {

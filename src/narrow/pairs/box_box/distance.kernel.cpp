@@ -1,7 +1,6 @@
 // Boxes, and capsules as boxes that are only long, a register of pairs at a time in double.
 #include "narrow/batch/pair_bundle.hpp"
-#include "narrow/batch/row_answers.hpp"
-#include "narrow/core/in_double.hpp"
+#include "narrow/pairs/box_box/distance_lanes.hpp"
 #include "narrow/pairs/capsule_box.hpp"
 #include "narrow/pairs/segment_lanes.hpp"
 
@@ -10,12 +9,6 @@ namespace graze::GRAZE_ISA {
 namespace {
 
 using S = Lanes<double>;
-
-template <std::size_t part, class L>
-[[gnu::always_inline]] inline PlacedBox<S> in_double(const PlacedBox<L>& box) {
-  return {GRAZE_ISA::in_double<part>(box.half), lanes_in_double<part>(box.radius),
-          GRAZE_ISA::in_double<part>(box.pose)};
-}
 
 /// Rounded to T.
 template <class T>
@@ -33,61 +26,7 @@ template <class T>
   return {rounded_to<T>(d.distance), rounded_to<T>(d.normal), rounded_to<T>(d.a), rounded_to<T>(d.b)};
 }
 
-/// Compiled once for all.
-[[gnu::noinline, gnu::flatten]] void answer(const PlacedBox<S>& a, const PlacedBox<S>& b, BoxDistance<S>& found) {
-  found = box_distance(a, b);
-}
-
-/// The distances of a bundle, and in which lanes they are known.
-template <class T>
-struct BundleDistances {
-  CoreDistance<Lanes<T>> at;
-  typename Lanes<T>::Mask known;
-};
-template <class A, class B, class T>
-BundleDistances<T> distances_of(const RowBundle<A, B, T>& p, std::size_t count) {
-  BoxDistance<S> found[parts_of<T>]{};
-  const auto a = placed_box(p.a.shapes, p.pose_a), b = placed_box(p.b.shapes, p.pose_b);
-  visit_parts<T>(count, [&](auto part) { answer(in_double<part>(a), in_double<part>(b), found[part]); });
-  const auto number = [&](const auto& of) {
-    S parts[parts_of<T>];
-    for (std::size_t i = 0; i < parts_of<T>; ++i) parts[i] = of(found[i]);
-    return joined(parts);
-  };
-  const auto vector = [&](auto member) {
-    return Vec3<Lanes<T>>{number([=](const BoxDistance<S>& d) { return (d.at.*member).x; }),
-                          number([=](const BoxDistance<S>& d) { return (d.at.*member).y; }),
-                          number([=](const BoxDistance<S>& d) { return (d.at.*member).z; })};
-  };
-  const S none(0), one(1);
-  return {{number([](const BoxDistance<S>& d) { return d.at.distance; }), vector(&Distance<S>::normal),
-           vector(&Distance<S>::a), vector(&Distance<S>::b)},
-          (number([&](const BoxDistance<S>& d) { return select(d.proven, one, none); }) > Lanes<T>(0)) & p.regular()};
-}
-
 }  // namespace
-
-template <class A, class B, class T>
-[[gnu::flatten]] std::uint32_t box_row_distances(const PairRows<T>& rows, std::size_t count, bool turned,
-                                                 Distance<T>* distances, std::uint8_t* unknown) {
-  const auto write = [=](const RowBundle<A, B, T>& pairs, std::size_t filled, std::size_t first) {
-    const BundleDistances<T> found = distances_of(pairs, filled);
-    put(turned ? mirrored(found.at) : found.at, filled, distances + first);
-    return found.known;
-  };
-  return answer_rows<A, B>(rows, count, unknown, write);
-}
-
-template <class T>
-[[gnu::flatten]] std::uint32_t capsule_box_row_overlaps(const PairRows<T>& rows, std::size_t count, std::uint8_t* touch,
-                                                        std::uint8_t* unknown) {
-  const auto write = [=](const RowBundle<Capsule<T>, Box<T>, T>& pairs, std::size_t filled, std::size_t first) {
-    const BundleDistances<T> found = distances_of(pairs, filled);
-    put_bytes<T>((found.at.distance <= Lanes<T>(0)).bits & 1, filled, touch + first);
-    return found.known;
-  };
-  return answer_rows<Capsule<T>, Box<T>>(rows, count, unknown, write);
-}
 
 template <class T>
 [[gnu::flatten]] void capsule_box_contacts(const PairRef<T>* pairs, std::size_t count, PointContact<T>* contacts,
@@ -131,8 +70,10 @@ GRAZE_INSTANTIATE(Box, double)
 GRAZE_INSTANTIATE(Capsule, float)
 GRAZE_INSTANTIATE(Capsule, double)
 #undef GRAZE_INSTANTIATE
-template std::uint32_t capsule_box_row_overlaps(const PairRows<float>&, std::size_t, std::uint8_t*, std::uint8_t*);
-template std::uint32_t capsule_box_row_overlaps(const PairRows<double>&, std::size_t, std::uint8_t*, std::uint8_t*);
+template std::uint32_t box_like_row_overlaps<Capsule<float>, Box<float>>(const PairRows<float>&, std::size_t,
+                                                                         std::uint8_t*, std::uint8_t*);
+template std::uint32_t box_like_row_overlaps<Capsule<double>, Box<double>>(const PairRows<double>&, std::size_t,
+                                                                           std::uint8_t*, std::uint8_t*);
 template void capsule_box_contacts(const PairRef<float>*, std::size_t, PointContact<float>*, Meeting*,
                                    SegmentContact<float>*);
 template void capsule_box_contacts(const PairRef<double>*, std::size_t, PointContact<double>*, Meeting*,

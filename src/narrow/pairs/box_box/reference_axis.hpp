@@ -165,6 +165,11 @@ template <class S>
 auto regular_box(const Vec3<S>& half) {
   return regular_lengths<typename LaneOf<S>::type>(least(half.x, least(half.y, half.z)), max_abs(half));
 }
+/// The same of a rectangle along its two sides.
+template <class S>
+auto regular_rectangle(const S& half_x, const S& half_z) {
+  return regular_lengths<typename LaneOf<S>::type>(least(half_x, half_z), greatest(half_x, half_z));
+}
 /// Whether both are, of a single pair.
 template <class S>
 bool regular_boxes(const Packed<S, 3>& half_a, const Packed<S, 3>& half_b) {
