@@ -233,6 +233,7 @@ struct Rows {
   std::vector<Sphere<T>> centred, balls;
   std::vector<Capsule<T>> capsules;
   std::vector<Box<T>> boxes;
+  std::vector<Rectangle<T>> rectangles;
   std::vector<Triangle<T>> triangles;
   std::vector<HalfSpace<T>> planes;
   std::vector<IdPair> pairs;
@@ -246,6 +247,8 @@ struct Rows {
       balls.emplace_back(T(0.3), i % 2 == 0 ? Vec3<T>{} : converted<T>(random_vector(random, 0.5f)));
       capsules.emplace_back(T(i % 7 == 0 ? 0.0 : 0.6), T(0.2));
       boxes.emplace_back(converted<T>(abs(random_vector(random, 0.5f)) + Vec3f{0.1f, 0.1f, i % 5 == 0 ? 1e-8f : 0.1f}));
+      const Vec3<T>& half = boxes.back().half_extents();
+      rectangles.emplace_back(i % 9 == 1 ? T(0) : half.y, T(2) * half.z);
       const Vec3<T> corner = converted<T>(random_vector(random, 0.5f)),
                     side = converted<T>(random_vector(random, 0.5f));
       // Some slivers and points.
@@ -262,8 +265,8 @@ struct Rows {
     return {std::span<const C>(shapes), std::span<const Pose<T>>(poses)};
   }
   void expect_all_same() const {
-    const Bodies<T> sides[] = {bodies(centred), bodies(balls),     bodies(capsules),
-                               bodies(boxes),   bodies(triangles), bodies(planes)};
+    const Bodies<T> sides[] = {bodies(centred),    bodies(balls),     bodies(capsules), bodies(boxes),
+                               bodies(rectangles), bodies(triangles), bodies(planes)};
     const std::vector<Sphere<T>> one{Sphere<T>(T(0.5))};
     const Bodies<T> single(std::span<const Sphere<T>>(one), std::span<const Pose<T>>(poses).first(1));
     for (const Bodies<T>& a : sides) {

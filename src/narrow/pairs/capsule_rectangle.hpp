@@ -1,6 +1,7 @@
 // Capsule against rectangle: as against a box of no thickness.
 #pragma once
 
+#include "narrow/batch/pair_kernels.hpp"
 #include "narrow/pairs/box_box/box_like_pair.hpp"
 
 namespace graze {
@@ -12,6 +13,15 @@ struct CapsuleRectangle : BoxLikePair<Capsule, Rectangle> {
   static std::optional<Distance<T>> distance(const InPlace<Capsule<T>, T>& a, const InPlace<Rectangle<T>, T>& b) {
     if (const auto found = BoxLikePair::distance(a, b)) return found;
     return closed_form_distance(a, b);
+  }
+
+  template <class T>
+  static auto overlap_rows() {
+    return GRAZE_KERNEL(chosen_isa(), box_like_row_overlaps<Capsule<T>, Rectangle<T>, T>);
+  }
+  template <class T>
+  static auto distance_rows() {
+    return GRAZE_KERNEL(chosen_isa(), box_row_distances<Capsule<T>, Rectangle<T>, T>);
   }
 };
 
