@@ -5,6 +5,7 @@
 
 #include "narrow/general.hpp"
 #include "narrow/pair_list.hpp"
+#include "simd/flatten.hpp"
 
 namespace graze {
 
@@ -22,7 +23,7 @@ InPlace<C, T> in_place(const Body<T>& body) {
 }
 
 template <class T>
-Distance<T> general(const Body<T>& a, const Body<T>& b, T limit) {
+[[gnu::noinline]] Distance<T> general(const Body<T>& a, const Body<T>& b, T limit) {
   const T radius_a = rounding_radius(a.shape), radius_b = rounding_radius(b.shape);
   const Posed frame = in_double(a.pose), b_in_a = relative(frame, in_double(b.pose));
   const double radii = static_cast<double>(radius_a) + static_cast<double>(radius_b);
@@ -73,7 +74,7 @@ constexpr bool overlaps_by_distance() {
 }
 
 template <class P, class T>
-std::optional<Distance<T>> distance_of_pair(const Body<T>& a, const Body<T>& b) {
+GRAZE_FLATTEN std::optional<Distance<T>> distance_of_pair(const Body<T>& a, const Body<T>& b) {
   return P::distance(in_place<typename P::template A<T>>(a), in_place<typename P::template B<T>>(b));
 }
 
@@ -95,7 +96,7 @@ bool first_look_of_pair(const Body<T>& a, const Body<T>& b) {
 /// In one function with the distance, of which it then needs no points: by the table's distance the overlap of a box
 /// and a half-space took a quarter longer.
 template <class P, class T>
-bool overlap_by_distance(const Body<T>& a, const Body<T>& b) {
+GRAZE_FLATTEN bool overlap_by_distance(const Body<T>& a, const Body<T>& b) {
   if (const auto found = distance_of_pair<P>(a, b)) return found->distance <= T(0);
   return general(a, b, std::numeric_limits<T>::infinity()).distance <= T(0);
 }
