@@ -10,8 +10,8 @@ namespace graze {
 
 namespace {
 
-/// Errors of the size that a sub-step's drift makes are taken back in one sub-step; larger ones, of frames that were put
-/// together wrongly, by an eighth in each: at once they would throw their bodies through others.
+/// Errors of the size that a sub-step's drift makes are taken back in one sub-step; larger ones, of frames that were
+/// put together wrongly, by an eighth in each: at once they would throw their bodies through others.
 template <class T>
 inline constexpr T drift_part = T(1) / T(64);  // of the arms, or in radians
 template <class T>

@@ -2,8 +2,8 @@
 //
 // Guarantee: rows read and write `SolverBody` alone. A joint is solved by itself: the island calls, in this order,
 // `prepare` once a step, and in each sub-step `refresh`, `warm_start`, `solve` with bias, and, once the bodies have
-// moved, `solve` without. Impulses on the two bodies are opposite. A joint alone needs one pass: what it locks is solved
-// at once, by elimination, and limits and drives push in directions that what is locked leaves free.
+// moved, `solve` without. Impulses on the two bodies are opposite. A joint alone needs one pass: what it locks is
+// solved at once, by elimination, and limits and drives push in directions that what is locked leaves free.
 //
 // Where a pendulum swings, a constraint force at the beginning of the sub-step alone adds or takes energy. Once the
 // bodies have moved, half of what the rows pushed is taken back and pushed along the rows at the new place: the

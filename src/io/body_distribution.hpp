@@ -7,8 +7,9 @@
 namespace graze::io {
 
 /// The mass, centre and inertia of a moving body in its own frame, all of them said: what the file leaves out follows
-/// from the colliders, filled evenly. A body without volume is spread like the box around it, one without colliders like
-/// a ball. A density where no mass is given is `Dynamics`' own. Throws `InvalidValue` for a body without volume or mass.
+/// from the colliders, filled evenly. A body without volume is spread like the box around it, one without colliders
+/// like a ball. A density where no mass is given is `Dynamics`' own. Throws `InvalidValue` for a body without volume or
+/// mass.
 Dynamics<double> distribution_of(const Scene& scene, std::uint32_t body);
 
 }  // namespace graze::io

@@ -1,5 +1,5 @@
-// The one list of special pairs. The table for single pairs, the kernels for batches, the world's bundles and the runs of
-// a mesh's triangles are derived from it; a pair of convex shapes that is not in it takes the general path.
+// The one list of special pairs. The table for single pairs, the kernels for batches, the world's bundles and the runs
+// of a mesh's triangles are derived from it; a pair of convex shapes that is not in it takes the general path.
 //
 // To add one: a struct as `narrow/pairs/pair.hpp` describes it in a file of its own, its include, and its name in the
 // list.

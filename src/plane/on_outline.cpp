@@ -47,8 +47,8 @@ bool feature_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d&
   return core.outline[dot(right(core.edge(0)), n) > 0 ? 0 : 1].outer;
 }
 
-/// Calls `f(n, i, edge)` with the outward normals of a core's outline at its edges and beside them: a vertex on the line
-/// with that normal, and the core's own edge there.
+/// Calls `f(n, i, edge)` with the outward normals of a core's outline at its edges and beside them: a vertex on the
+/// line with that normal, and the core's own edge there.
 template <class T, class F>
 void for_each_normal(const Core<T>& core, F&& f) {
   if (core.kind != CoreKind::polygon || core.count < 2) return;

@@ -212,8 +212,8 @@ class OneByOne {
   Manifolds<T> manifolds_;
 };
 
-/// The sink (`narrow/batch/contact_sink.hpp`) that writes a batch's contacts; `place(i)` is the place in the batch of the
-/// i-th pair that kernels are asked about.
+/// The sink (`narrow/batch/contact_sink.hpp`) that writes a batch's contacts; `place(i)` is the place in the batch of
+/// the i-th pair that kernels are asked about.
 template <class T, class Place>
 class BatchSink {
  public:

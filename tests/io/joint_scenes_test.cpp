@@ -1,5 +1,5 @@
-// The subjects of KHR_physics_rigid_bodies' joint scenes, as scenes of our own, against closed forms; and what playing a
-// scene promises besides.
+// The subjects of KHR_physics_rigid_bodies' joint scenes, as scenes of our own, against closed forms; and what playing
+// a scene promises besides.
 #include <gtest/gtest.h>
 
 #include "physics_scene.hpp"
@@ -56,7 +56,8 @@ TEST(JointScenes, SliderSlidesToItsStop) {
   const Played free(jointed(slider, {}, {}, slope));
   const Vec3d axis = rotate(slope, Vec3d{1, 0, 0});
   EXPECT_LE(length(free.end("body").pose.translation + axis * 2.0), 1e-3);
-  // From above along the axis: the cubes, both 1 m wide, meet. The fixed one is not turned, so the gap is found at rest.
+  // From above along the axis: the cubes, both 1 m wide, meet. The fixed one is not turned, so the gap is found at
+  // rest.
   PhysicsScene scene = jointed(slider, {}, {}, slope, {{"mass", 2}}, true);
   scene.at(1)["translation"] = {axis.x * 1.9, axis.y * 1.9, 0};
   const Played colliding(scene);

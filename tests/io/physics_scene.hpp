@@ -1,5 +1,5 @@
-// Scenes with physics, made by tests: nodes, shapes, materials, filters and joints as KHR_physics_rigid_bodies has them;
-// and what they do when they are played.
+// Scenes with physics, made by tests: nodes, shapes, materials, filters and joints as KHR_physics_rigid_bodies has
+// them; and what they do when they are played.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Untapered capsules against triangles: distances against GJK's, points of contact against those of the support faces, and
-// against themselves, since what contacts, distances and overlaps say has to be the same.
+// Untapered capsules against triangles: distances against GJK's, points of contact against those of the support faces,
+// and against themselves, since what contacts, distances and overlaps say has to be the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>

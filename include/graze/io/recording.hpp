@@ -56,9 +56,9 @@ class Recording {
   virtual std::vector<std::string> notices() const { return {}; }
 };
 
-/// By the end of the file's name: .gltf, .glb or .jsonl. `source` is the glTF file that the scene was read from; without
-/// one the colliders are drawn alone. Lines have as many digits as `precision` needs. Throws `InvalidValue` for another
-/// ending, or when `source` cannot be read or `file` not be written. The scene must outlive the recording.
+/// By the end of the file's name: .gltf, .glb or .jsonl. `source` is the glTF file that the scene was read from;
+/// without one the colliders are drawn alone. Lines have as many digits as `precision` needs. Throws `InvalidValue` for
+/// another ending, or when `source` cannot be read or `file` not be written. The scene must outlive the recording.
 std::unique_ptr<Recording> record(const std::filesystem::path& file, const Scene& scene,
                                   const std::filesystem::path& source = {},
                                   Precision precision = Precision::double_precision);

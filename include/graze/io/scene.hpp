@@ -22,7 +22,8 @@ namespace graze::io {
 
 enum class MotionType : std::uint8_t { fixed, kinematic, dynamic };  ///< `fixed` is glTF's static
 
-/// KHR_physics_rigid_bodies' motion, in the frame of its body (`Body::pose`); what the file leaves out is left out here.
+/// KHR_physics_rigid_bodies' motion, in the frame of its body (`Body::pose`); what the file leaves out is left out
+/// here.
 struct BodyMotion {
   bool kinematic = false;
   std::optional<double> mass;             ///< > 0; infinite where the file says 0
@@ -127,8 +128,8 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options =
 /// As `load_scene`, from memory (for tests and fuzzing); external files are not opened.
 Scene load_gltf(const std::string& bytes, const std::string& source_name, const LoadOptions& options = {});
 
-/// Adds the bodies, colliders, joints and animations of `other` behind those of `scene`, and joins their collision systems by
-/// name.
+/// Adds the bodies, colliders, joints and animations of `other` behind those of `scene`, and joins their collision
+/// systems by name.
 void append(Scene& scene, Scene other);
 
 }  // namespace graze::io

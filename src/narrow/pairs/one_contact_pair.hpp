@@ -1,5 +1,5 @@
-// Spheres and untapered capsules with each other, and spheres with boxes: pairs that touch in one point, or in two where
-// capsules lie along each other, with what they have in common.
+// Spheres and untapered capsules with each other, and spheres with boxes: pairs that touch in one point, or in two
+// where capsules lie along each other, with what they have in common.
 #pragma once
 
 #include "narrow/batch/one_contacts.hpp"

@@ -1,5 +1,6 @@
 // What a special pair is: one struct, which the list of pairs (`narrow/pair_list.hpp`) names, and from which all else
-// follows: the table for single pairs, the kernels for batches, for the world's bins and for runs of a mesh's triangles.
+// follows: the table for single pairs, the kernels for batches, for the world's bins and for runs of a mesh's
+// triangles.
 //
 // The struct names the kinds of its two shapes, in the order of `ShapeList`, as the templates `A` and `B`. Everything
 // else is optional; what a pair does not have, or does not know for the shapes at hand, is left to the general path:
@@ -11,11 +12,11 @@
 //     contacts(a, b, margin, manifold) -> std::optional<T>   the distance; fills the manifold
 //     more_contacts(a, b, margin, manifold)            where `contacts` knew the closest points only, and left these
 //
-// and across lanes, for shapes that `has_lanes` (`narrow/batch/accepted_shapes.hpp`) names, without rounding:
+// and across lanes, for shapes that `taken_by_lanes` (`narrow/batch/lane_pairs.hpp`) names, without rounding:
 //
-//     overlap_rows<T>(), distance_rows<T>(), contact_rows<T>()   kernels for pairs in rows, as `pair_kernels.hpp` has them
-//     visit_contacts(pairs, count, turned, sink)                 what kernels find, handed to a sink (`contact_sink.hpp`)
-//     takes_all_shapes = true                                    `visit_contacts` tells itself which shapes it does not take
+//     overlap_rows<T>(), distance_rows<T>(), contact_rows<T>()   kernels for pairs in rows (`pair_kernels.hpp`)
+//     visit_contacts(pairs, count, turned, sink)                 hands what kernels find to a `contact_sink.hpp`
+//     takes_all_shapes = true                                    and says itself which shapes it does not take
 #pragma once
 
 #include "graze/contact.hpp"

@@ -1,5 +1,5 @@
-// The distances of boxes and of what is asked as one (`box_like_pair.hpp`), a register of pairs at a time in double. Only
-// for `*.kernel.cpp`.
+// The distances of boxes and of what is asked as one (`box_like_pair.hpp`), a register of pairs at a time in double.
+// Only for `*.kernel.cpp`.
 //
 // Guarantee: in every lane the bits that the pair gives alone; everything is inlined or has a copy in each file.
 #pragma once

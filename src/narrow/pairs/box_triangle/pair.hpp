@@ -58,8 +58,8 @@ struct BoxTriangle {
     if (!found.known) return std::nullopt;
     return found.touch;
   }
-  /// The signed distance (where nothing is within the margin, a lower bound that exceeds it); nothing of rounded shapes,
-  /// and where the faces do not tell.
+  /// The signed distance (where nothing is within the margin, a lower bound that exceeds it); nothing of rounded
+  /// shapes, and where the faces do not tell.
   template <class T>
   static std::optional<T> contacts(const InPlace<Box<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
                                    Manifold<T>& manifold) {
