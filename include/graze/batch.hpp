@@ -20,7 +20,7 @@ namespace graze {
 /// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
 /// shape for all poses, or one pose for all shapes.
 template <class T>
-class Bodies {
+class GRAZE_API Bodies {
  public:
   /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take
   /// less memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
@@ -65,7 +65,7 @@ class Bodies {
 
 /// The pairs that a question is about.
 template <class T>
-class Batch {
+class GRAZE_API Batch {
  public:
   /// Places in `a` and in `b`; these may be the same. Throws `InvalidValue` for a place that they do not have.
   Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs);
@@ -95,17 +95,17 @@ class Batch {
 /// half-spaces; spheres and capsules with triangles; cylinders, cones and ellipsoids with each other and with spheres,
 /// capsules, boxes, rectangles, segments and triangles; triangles with each other and with boxes and rectangles.
 template <class T>
-void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
+GRAZE_API void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch);
 
 /// `distance` of each pair. Kernels: spheres, capsules and boxes with each other; these and triangles with half-spaces;
 /// spheres and capsules with triangles, and triangles with each other.
 template <class T>
-void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
+GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances);
 
 /// `contacts` of each pair up to `margin` >= 0 apart. Kernels: spheres, capsules and boxes with each other and with
 /// triangles; all of these with half-spaces; triangles with each other, to tell those that are further apart.
 template <class T>
-void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
+GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
 
 template <class T>
 template <class C>

@@ -38,7 +38,8 @@ struct PassedOn {
 /// of the bodies, and adds what each point pushed to its impulse. `points` are in world space, as many as `impulses`.
 /// Costs a look at all blows for each that is struck.
 template <class T>
-PassedOn<T> pass_on(std::span<StruckBody<T>> bodies, std::span<const Blow<T>> blows, std::span<const Vec3<T>> points,
-                    std::span<T> impulses, T resting_speed, std::size_t most);
+GRAZE_API PassedOn<T> pass_on(std::span<StruckBody<T>> bodies, std::span<const Blow<T>> blows,
+                              std::span<const Vec3<T>> points, std::span<T> impulses, T resting_speed,
+                              std::size_t most);
 
 }  // namespace graze

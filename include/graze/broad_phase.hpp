@@ -25,7 +25,7 @@ struct IdPair {
 
 /// The interface that all broad phases share. Ids are the caller's own; those that lie close together cost least.
 template <class T>
-class BroadPhase {
+class GRAZE_API BroadPhase {
  public:
   virtual ~BroadPhase() = default;
 
@@ -53,32 +53,32 @@ class BroadPhase {
 /// A tree of bounds, eight children a node: `DynamicTree` in graze/dynamic_tree.hpp, the one to take unless something
 /// speaks for another. Any sizes, any mix of what moves and what does not, and fast queries.
 template <class T>
-std::unique_ptr<BroadPhase<T>> make_dynamic_tree();
+GRAZE_API std::unique_ptr<BroadPhase<T>> make_dynamic_tree();
 
 /// Sort and sweep along the axis on which the boxes vary most (Baraff 1992, "Dynamic simulation of non-penetrating
 /// rigid bodies", section 5; Ericson 2005, "Real-time collision detection", section 7.5). Kept sorted from call to
 /// call, so that what moves little costs little. No structure to keep up; box queries look at everything.
 template <class T>
-std::unique_ptr<BroadPhase<T>> make_sort_and_sweep();
+GRAZE_API std::unique_ptr<BroadPhase<T>> make_sort_and_sweep();
 
 /// Sweep and prune along all three axes: pairs are kept from call to call, and only ends that pass each other while
 /// they are sorted in change them (Cohen, Lin, Manocha, Ponamgi 1995, "I-COLLIDE"). For scenes in which little moves.
 template <class T>
-std::unique_ptr<BroadPhase<T>> make_sweep_and_prune();
+GRAZE_API std::unique_ptr<BroadPhase<T>> make_sweep_and_prune();
 
 /// A hashed uniform grid (Teschner and others 2003, "Optimized spatial hashing for collision detection of deformable
 /// objects"), its cell size chosen from the boxes. For boxes of similar sizes, wherever they are.
 template <class T>
-std::unique_ptr<BroadPhase<T>> make_hashed_grid();
+GRAZE_API std::unique_ptr<BroadPhase<T>> make_hashed_grid();
 
 /// A loose octree: cells of twice their size, so that a box belongs to just one (Ulrich 2000, "Loose octrees", Game
 /// Programming Gems). For boxes of very different sizes.
 template <class T>
-std::unique_ptr<BroadPhase<T>> make_loose_octree();
+GRAZE_API std::unique_ptr<BroadPhase<T>> make_loose_octree();
 
 /// An axis-aligned binary space partition, a k-d tree, built anew when boxes have moved (Bentley 1975,
 /// "Multidimensional binary search trees used for associative searching"). For what stands still.
 template <class T>
-std::unique_ptr<BroadPhase<T>> make_bsp();
+GRAZE_API std::unique_ptr<BroadPhase<T>> make_bsp();
 
 }  // namespace graze

@@ -31,22 +31,22 @@ namespace graze {
 /// Where a body stands at time t: translation + t linear, exp(t angular) rotation. Needs a sine and a cosine, and so is
 /// no more reproducible between standard libraries than those; with no angular velocity it is exact arithmetic.
 template <class T>
-Pose<T> pose_at(const Pose<T>& pose, const Velocity<T>& velocity, T t);
+GRAZE_API Pose<T> pose_at(const Pose<T>& pose, const Velocity<T>& velocity, T t);
 
 /// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or
 /// overlap at the start hit at t = 0 (but see `Separating`). `duration` is finite and >= 0. Of composites the first
 /// contact of any pair of pieces; of several at the same time the deepest. A `trace` gets, after the answer, the steps
 /// of conservative advancement up to it and the separating axes there.
 template <class T>
-std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
-                               const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration,
-                               const CastOptions& options = {}, Trace* trace = nullptr);
+GRAZE_API std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a,
+                                         const Shape<T>& b, const Pose<T>& pose_b, const Velocity<T>& velocity_b,
+                                         T duration, const CastOptions& options = {}, Trace* trace = nullptr);
 
 /// Appends the first contact of every pair of pieces of two shapes, as if each were alone, in the order of time; of
 /// convex shapes that is at most one. The only allocation is that of the hits.
 template <class T>
-void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
-              const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::vector<CastHit<T>>& hits,
-              const CastOptions& options = {});
+GRAZE_API void cast_all(const Shape<T>& a, const Pose<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
+                        const Pose<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::vector<CastHit<T>>& hits,
+                        const CastOptions& options = {});
 
 }  // namespace graze

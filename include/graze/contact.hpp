@@ -49,6 +49,6 @@ using Manifolds = std::vector<Manifold<T>>;
 /// Keeps the `count` points that span most: the deepest, the one furthest from it across the normal, and then each time
 /// the one that adds most area to their hull. Their order stays. Costs `count` times the number of points.
 template <class T>
-void reduce(Manifold<T>& manifold, std::size_t count);
+GRAZE_API void reduce(Manifold<T>& manifold, std::size_t count);
 
 }  // namespace graze

@@ -21,7 +21,7 @@
 namespace graze {
 
 template <class T>
-class DynamicTree final : public BroadPhase<T> {
+class GRAZE_API DynamicTree final : public BroadPhase<T> {
  public:
   DynamicTree();
   ~DynamicTree() override;

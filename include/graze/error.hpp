@@ -12,7 +12,7 @@
 namespace graze {
 
 /// A value that is refused. `what()`: "path: expected expectation, got found", or "path: found" without an expectation.
-class InvalidValue : public std::invalid_argument {
+class GRAZE_API InvalidValue : public std::invalid_argument {
  public:
   InvalidValue(const std::string& path, const std::string& expectation, const std::string& found);
 

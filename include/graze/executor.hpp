@@ -13,7 +13,7 @@
 namespace graze {
 
 /// What runs tasks side by side: a job system behind two functions.
-class Executor {
+class GRAZE_API Executor {
  public:
   virtual ~Executor() = default;
   /// How many tasks may run at a time: at least 1. Work is cut into some more pieces than that.

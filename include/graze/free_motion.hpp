@@ -24,12 +24,12 @@ struct FreeBody {
 
 /// The angular velocity in world space.
 template <class T>
-Vec3<T> angular_velocity(const FreeBody<T>& body);
+GRAZE_API Vec3<T> angular_velocity(const FreeBody<T>& body);
 
 /// Sets the angular momentum from an angular velocity in world space; turning about an axis about which the body does
 /// not turn is left out.
 template <class T>
-void set_angular_velocity(FreeBody<T>& body, const Vec3<T>& angular);
+GRAZE_API void set_angular_velocity(FreeBody<T>& body, const Vec3<T>& angular);
 
 /// The motion as contacts see it.
 template <class T>
@@ -46,7 +46,7 @@ T rotational_energy(const FreeBody<T>& body) {
 /// Moves the body by `duration` (finite, of either sign) under a constant `acceleration` and without torque.
 /// Costs a step of rotation for every tenth of a radian, and at most `most_rotation_steps`.
 template <class T>
-void advance(FreeBody<T>& body, const Vec3<T>& acceleration, T duration);
+GRAZE_API void advance(FreeBody<T>& body, const Vec3<T>& acceleration, T duration);
 
 /// What turns further in one step than these reach keeps its angular momentum, and loses accuracy in its orientation.
 inline constexpr int most_rotation_steps = 64;

@@ -58,11 +58,11 @@ struct Response {
 
 /// The motion of a body after `impulse` at `point`.
 template <class T>
-Motion<T> apply_impulse(const StruckBody<T>& body, const Vec3<T>& impulse, const Vec3<T>& point);
+GRAZE_API Motion<T> apply_impulse(const StruckBody<T>& body, const Vec3<T>& impulse, const Vec3<T>& point);
 
 /// What the bodies do when they meet at `contact`. Two immovable bodies go on as they are.
 template <class T>
-Response<T> response(const StruckContact<T>& contact, const StruckBody<T>& a, const StruckBody<T>& b);
+GRAZE_API Response<T> response(const StruckContact<T>& contact, const StruckBody<T>& a, const StruckBody<T>& b);
 
 /// The kinetic energy of a body of `mass` and of inertia `inertia` (about its centre of mass, in world space).
 template <class T>

@@ -22,15 +22,15 @@ struct InverseMass {
 /// `inertia` is diagonal in the frame `rotation`: each component > 0, or infinite for an axis about which the body
 /// does not turn. Throws `InvalidValue` for anything else, and for a mass too small to be inverted.
 template <class T>
-InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation = {});
+GRAZE_API InverseMass<T> inverse_mass(T mass, const Vec3<T>& inertia, const Quat<T>& rotation = {});
 
 /// The inverse mass of a body with an inertia tensor in the frame `rotation`: symmetric and positive definite.
 template <class T>
-InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation = {});
+GRAZE_API InverseMass<T> inverse_mass(T mass, const Mat3<T>& inertia, const Quat<T>& rotation = {});
 
 /// The inertia of `shape` about its own centre of mass, in its own frame, when it has `mass` spread evenly. Throws
 /// `InvalidValue` for a shape without volume: a surface, a flat one, or a half-space.
 template <class T>
-Mat3<T> inertia_of(const Shape<T>& shape, T mass);
+GRAZE_API Mat3<T> inertia_of(const Shape<T>& shape, T mass);
 
 }  // namespace graze

@@ -22,7 +22,7 @@ class KeptPairs;
 /// stands still or drifts then costs an eighth of finding all anew. What moves far is found in the rows of a grid over
 /// two axes, swept along the third. The answer is a function of the boxes alone, whatever is remembered.
 template <class T>
-class PairFinder {
+class GRAZE_API PairFinder {
  public:
   PairFinder();
   ~PairFinder();

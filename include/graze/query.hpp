@@ -23,40 +23,40 @@ namespace graze {
 
 /// Whether the shapes touch: distance <= 0. Cheaper than the distance.
 template <class T>
-bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-             Trace* trace = nullptr);
+GRAZE_API bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                       Trace* trace = nullptr);
 
 /// A first question, cheaper than `overlap` and conservative: false only where the shapes do not touch. Two boxes are
 /// tried along their six face normals without the nine products of their edges; of boxes at random that do not touch
 /// and whose bounding spheres do, it says of one in thirteen (7.7 %) that they may. Other pairs are answered as by
 /// `overlap`.
 template <class T>
-bool may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
+GRAZE_API bool may_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b);
 
 /// The signed distance. For composites the smallest over their convex pieces; of what lies wholly inside a solid mesh
 /// (see `Mesh::solid`) minus the length of a translation along which it leaves, an upper bound of the depth: the points
 /// are then the one that is last to leave, and where it goes.
 template <class T>
-Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                     Trace* trace = nullptr);
+GRAZE_API Distance<T> distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                               Trace* trace = nullptr);
 
 /// The signed distance of shapes that are no further apart than `limit` >= 0, the same bits as `distance`; nothing for
 /// those that are. Of composites the cost is that of what lies within the limit: pieces further away are not looked at.
 template <class T>
-std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                          const Pose<T>& pose_b, T limit);
+GRAZE_API std::optional<Distance<T>> distance_up_to(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                                    const Pose<T>& pose_b, T limit);
 
 /// Whether the shapes are no further apart than `limit` >= 0: distance <= limit. Cheaper than `distance_up_to`, since
 /// it ends at the first pair of pieces that is.
 template <class T>
-bool within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit);
+GRAZE_API bool within(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T limit);
 
 /// Appends every pair of convex pieces that is no further apart than `margin` >= 0, with its distance, in the same
 /// order for the same input; of two convex shapes there is one pair. What lies inside a solid mesh is near no piece by
 /// that.
 template <class T>
-void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                 std::vector<PieceDistance<T>>& pieces);
+GRAZE_API void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                           std::vector<PieceDistance<T>>& pieces);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
 /// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface that has `Sides::front`
@@ -74,19 +74,19 @@ void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
 /// Two half-spaces that are not opposite overlap without a depth and so without points: they have no manifold, alone or
 /// as children of compounds, and the answer is still that the shapes overlap.
 template <class T>
-bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-              Manifolds<T>& manifolds, Trace* trace = nullptr);
+GRAZE_API bool contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                        Manifolds<T>& manifolds, Trace* trace = nullptr);
 
 /// A margin for `contacts` with which a body at rest keeps its points from frame to frame: a hundredth of the smaller
 /// shape (the radius about its own origin). A solver lets bodies rest a few thousandths of their size deep and lean by
 /// a few milliradians, which lifts the far corners of a face by as much: with this margin they stay points of contact.
 template <class T>
-T contact_margin(const Shape<T>& a, const Shape<T>& b);
+GRAZE_API T contact_margin(const Shape<T>& a, const Shape<T>& b);
 
 /// The point of a shape's surface nearest to a point of the world. Negative inside of a convex shape, of a closed mesh,
 /// solid or not (see `Mesh::closed`; its winding tells which side is inside), and of a compound that has such a child
 /// there; other meshes and height fields have no inside. On a mesh's surface the normal is the surface's own.
 template <class T>
-Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace = nullptr);
+GRAZE_API Closest<T> closest(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& point, Trace* trace = nullptr);
 
 }  // namespace graze

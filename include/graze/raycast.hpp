@@ -35,22 +35,23 @@ namespace graze {
 /// detection" (everything that is known by its distance or its support function).
 /// A `trace` gets what the ray met: spans, or steps, and of composites how much of the tree; after the answer.
 template <class T>
-std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
-                                 T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit,
-                                 Trace* trace = nullptr);
+GRAZE_API std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                           T length = std::numeric_limits<T>::infinity(),
+                                           BackFaces back = BackFaces::hit, Trace* trace = nullptr);
 
 /// Whether the ray hits anything with 0 <= t <= `length`, as for shadows and lines of sight: `raycast` would return a
 /// hit. Parameters and cost as there, but a composite stops at whichever piece is found first.
 template <class T>
-bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
-                 T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
+GRAZE_API bool raycast_any(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                           T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
 
 /// Appends where the ray enters each piece of the shape with 0 <= t <= `length`, sorted by t (of equals, by piece): at
 /// most one hit for a convex shape, one for each triangle of a mesh that is met and for each convex shape in a
 /// compound. A ray through an edge of a mesh meets both its triangles. Parameters as for `raycast`; cost: as there, for
 /// all pieces that are hit, and the sort. Returns how many were appended.
 template <class T>
-std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray, std::vector<RayHit<T>>& hits,
-                        T length = std::numeric_limits<T>::infinity(), BackFaces back = BackFaces::hit);
+GRAZE_API std::size_t raycast_all(const Shape<T>& shape, const Pose<T>& pose, const Ray<T>& ray,
+                                  std::vector<RayHit<T>>& hits, T length = std::numeric_limits<T>::infinity(),
+                                  BackFaces back = BackFaces::hit);
 
 }  // namespace graze

@@ -128,11 +128,11 @@ struct PlacedRef {
 
 /// The bounds of a shape under a pose, rounding included; not less than the true ones.
 template <class T>
-Aabb<T> bounds(const Shape<T>& shape, const Pose<T>& pose);
+GRAZE_API Aabb<T> bounds(const Shape<T>& shape, const Pose<T>& pose);
 
 /// The point of a bounded convex shape, rounding included, that lies furthest along `direction` (in the shape's frame).
 template <class T>
-Vec3<T> support(const Shape<T>& shape, const Vec3<T>& direction);
+GRAZE_API Vec3<T> support(const Shape<T>& shape, const Vec3<T>& direction);
 
 /// Volume, centre of mass and inertia of a body of density one.
 template <class T>
@@ -146,7 +146,7 @@ struct MassProperties {
 /// none: volume 0 and all else zero;
 /// a closed mesh has those of the solid it bounds; a compound the sum of its children's.
 template <class T>
-MassProperties<T> mass_properties(const Shape<T>& shape);
+GRAZE_API MassProperties<T> mass_properties(const Shape<T>& shape);
 
 extern template class ConvexHull<float>;
 extern template class ConvexHull<double>;

@@ -56,7 +56,7 @@ struct SimulationParts;
 
 /// Everything that `restore` brings back: a value that may be kept, copied and thrown away.
 template <class T>
-class State {
+class GRAZE_API State {
  public:
   State();
   ~State();
@@ -73,7 +73,7 @@ class State {
 };
 
 template <class T>
-class Simulation {
+class GRAZE_API Simulation {
  public:
   /// Throws `InvalidValue` for a gravity that is not finite or too large, sub-steps that are no powers of two from 1 to
   /// 1024, the most fewer than the least, and a longest step that is not > 0.

@@ -25,12 +25,12 @@ struct SlideResult {
 /// What is left of a motion in front of planes: the nearest motion that leads into none of them. `normals` are unit and
 /// point away from what is in the way.
 template <class T>
-Vec3<T> along_planes(const Vec3<T>& motion, std::span<const Vec3<T>> normals);
+GRAZE_API Vec3<T> along_planes(const Vec3<T>& motion, std::span<const Vec3<T>> normals);
 
 /// Moves a shape by `motion` through a world, without turning: until it touches, then along the surface, and so on.
 /// What it touches and does not press against does not hold it. Cost: `iterations` casts.
 template <class T>
-SlideResult<T> slide(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& motion, const World<T>& world,
-                     const QueryFilter& filter = {}, const SlideOptions& options = {});
+GRAZE_API SlideResult<T> slide(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& motion, const World<T>& world,
+                               const QueryFilter& filter = {}, const SlideOptions& options = {});
 
 }  // namespace graze

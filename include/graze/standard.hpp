@@ -5,6 +5,8 @@
 // -D_GLIBCXX_DEBUG needs a Graze that was compiled with it too.
 #pragma once
 
+#include "graze/visibility.hpp"
+
 #if defined(_MSVC_LANG) ? _MSVC_LANG < 202002L : __cplusplus < 202002L
 #error "Graze needs C++20: compile with -std=c++20 (or /std:c++20) or later"
 #endif

@@ -13,6 +13,6 @@ namespace graze {
 /// stands at the same `pose`. Throws `InvalidValue` for a shape that is not convex or not bounded, and a motion that is
 /// not finite.
 template <class T>
-Shape<T> swept(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& motion);
+GRAZE_API Shape<T> swept(const Shape<T>& shape, const Pose<T>& pose, const Vec3<T>& motion);
 
 }  // namespace graze

@@ -12,7 +12,7 @@
 
 namespace graze {
 
-class TbbExecutor final : public Executor {
+class GRAZE_API TbbExecutor final : public Executor {
  public:
   /// In the arena of whoever calls `run`, within the limits set there. With `threads`: on at most so many at a time,
   /// callers among them, in an arena of its own; more than oneTBB may use at construction count as that many.

@@ -51,10 +51,10 @@ inline constexpr float smallest_magnitude<float> = 1e-17f;
 namespace graze::validate {
 
 /// How numbers are printed in errors: shortest form that reads back to the same value.
-std::string number(double value);
+GRAZE_API std::string number(double value);
 
-[[noreturn]] void fail(const std::string& path, const std::string& expectation, double found);
-[[noreturn]] void fail(const std::string& path, const std::string& expectation, const std::string& found);
+[[noreturn]] GRAZE_API void fail(const std::string& path, const std::string& expectation, double found);
+[[noreturn]] GRAZE_API void fail(const std::string& path, const std::string& expectation, const std::string& found);
 
 /// What is expected of a coordinate that `value` is not, or null.
 template <class T>

@@ -36,7 +36,7 @@ struct WorldSettings {
 };
 
 template <class T>
-class World {
+class GRAZE_API World {
  public:
   /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
   explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)

@@ -42,17 +42,18 @@ struct SceneHit {
 };
 
 /// Throws `InvalidValue` when nothing, or more than one body, has the name that is asked for.
-Mover find_mover(const Scene& scene, const SceneCast& question);
+GRAZE_API Mover find_mover(const Scene& scene, const SceneCast& question);
 
 /// The first hit of every pair of colliders, in the order of time. Throws `InvalidValue` as `find_mover`, and for a
 /// half-space that is to spin.
-std::vector<SceneHit> cast_scene(const Scene& scene, const SceneCast& question);
+GRAZE_API std::vector<SceneHit> cast_scene(const Scene& scene, const SceneCast& question);
 
 /// Writes the scene with the cast drawn into it, as a binary glTF file: the way of the mover as a rod and as
 /// translucent copies on it, its pose where it hits or, if it does not, at the end, what it hits tinted, and the
 /// contact as a small octahedron with its normal. `source`, what is returned and what is thrown: as for
 /// `write_contacts`.
-std::vector<std::string> write_cast(const std::filesystem::path& file, const Scene& scene, const SceneCast& question,
-                                    const std::vector<SceneHit>& hits, const std::filesystem::path& source = {});
+GRAZE_API std::vector<std::string> write_cast(const std::filesystem::path& file, const Scene& scene,
+                                              const SceneCast& question, const std::vector<SceneHit>& hits,
+                                              const std::filesystem::path& source = {});
 
 }  // namespace graze::io

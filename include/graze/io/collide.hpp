@@ -38,6 +38,6 @@ struct TouchingPair {
 };
 
 /// Throws `InvalidValue` for a margin, shape or pose that is too large for the precision.
-std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options = {});
+GRAZE_API std::vector<TouchingPair> collide(const Scene& scene, const CollideOptions& options = {});
 
 }  // namespace graze::io

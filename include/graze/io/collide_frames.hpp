@@ -45,17 +45,18 @@ struct Frame {
 };
 
 /// The animation of that name (the first), or of that index. Throws `InvalidValue` when there is none.
-std::size_t find_animation(const Scene& scene, const std::string& name_or_index);
+GRAZE_API std::size_t find_animation(const Scene& scene, const std::string& name_or_index);
 
 /// How many frames are played. Throws `InvalidValue` as `collide_frames` does, before anything is.
-std::size_t frame_count(const Scene& scene, const FrameOptions& options);
+GRAZE_API std::size_t frame_count(const Scene& scene, const FrameOptions& options);
 
 /// Which colliders the animation moves, by index. Throws `InvalidValue` without such an animation.
-std::vector<std::uint32_t> animated_colliders(const Scene& scene, std::size_t animation);
+GRAZE_API std::vector<std::uint32_t> animated_colliders(const Scene& scene, std::size_t animation);
 
 /// Plays an animation and calls `each` for every frame. A collider that is scaled to nothing touches nothing while it
 /// is. Throws `InvalidValue` for a scene without animations, options out of range, and for what gets too large on the
 /// way.
-void collide_frames(const Scene& scene, const FrameOptions& options, const std::function<void(const Frame&)>& each);
+GRAZE_API void collide_frames(const Scene& scene, const FrameOptions& options,
+                              const std::function<void(const Frame&)>& each);
 
 }  // namespace graze::io

@@ -44,22 +44,22 @@ struct Explanation {
 };
 
 /// Asks a question, one line of the protocol. Throws `InvalidValue` as the protocol would answer with an error.
-Explanation explain(std::string_view question, Precision precision);
+GRAZE_API Explanation explain(std::string_view question, Precision precision);
 
 /// What came out, in one line: "the shapes overlap, depth 0.25".
-std::string outcome_text(const Explanation& explanation);
+GRAZE_API std::string outcome_text(const Explanation& explanation);
 
 /// The explanation as a table for a terminal.
-std::string explanation_text(const Explanation& explanation);
+GRAZE_API std::string explanation_text(const Explanation& explanation);
 
 /// As a picture: the shapes, the winning axis with the intervals of both, the points of contact with their ids, and all
 /// axes beside each other; of a ray its spans, of bodies that move both at the start and where they meet, and the steps
 /// up to there. Seen across the winning axis, from the side of `toward_viewer`.
-std::string draw_explanation(const Explanation& explanation, const Vec3d& toward_viewer);
+GRAZE_API std::string draw_explanation(const Explanation& explanation, const Vec3d& toward_viewer);
 
 /// The features that a contact's number names: "face 5 of A, vertex 0 of B"; with the shapes known, an edge by the two
 /// vertices that it joins ("edge 2-6 of A"), and of a round shape its surface, side or end.
-std::string feature_text(std::uint32_t feature);
-std::string feature_text(std::uint32_t feature, const Explanation& explanation);
+GRAZE_API std::string feature_text(std::uint32_t feature);
+GRAZE_API std::string feature_text(std::uint32_t feature, const Explanation& explanation);
 
 }  // namespace graze::io

@@ -9,13 +9,15 @@
 #include <span>
 #include <string_view>
 
+#include "graze/standard.hpp"
+
 namespace graze::io {
 
 /// A file opened for reading, byte by byte. Throws `InvalidValue` for what is not there, a folder, or not permitted.
-std::ifstream open_file(const std::filesystem::path& file);
+GRAZE_API std::ifstream open_file(const std::filesystem::path& file);
 
 /// A file that is written piece by piece.
-class FileWriter {
+class GRAZE_API FileWriter {
  public:
   /// Makes the file, or empties it. Throws `InvalidValue`, as everything here does.
   explicit FileWriter(const std::filesystem::path& file);
@@ -32,11 +34,11 @@ class FileWriter {
 
 /// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins. One that is there keeps its
 /// bytes, one that is not there is made.
-void check_writable(const std::filesystem::path& file);
+GRAZE_API void check_writable(const std::filesystem::path& file);
 
 /// Writes the parts one behind the other as a whole file, and closes it. Throws `InvalidValue` unless every byte of it
 /// was taken.
-void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts);
-void write_file(const std::filesystem::path& file, std::string_view content);
+GRAZE_API void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts);
+GRAZE_API void write_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace graze::io

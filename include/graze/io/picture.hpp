@@ -13,10 +13,10 @@
 namespace graze::io {
 
 /// The picture as seen against `direction` (towards the viewer; not zero), orthographic, Y up.
-std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pairs, const Vec3d& direction);
+GRAZE_API std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pairs, const Vec3d& direction);
 
 /// Writes it to a file. Throws `InvalidValue` when that cannot be written or the direction is zero.
-void write_picture(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs,
-                   const Vec3d& direction);
+GRAZE_API void write_picture(const std::filesystem::path& file, const Scene& scene,
+                             const std::vector<TouchingPair>& pairs, const Vec3d& direction);
 
 }  // namespace graze::io

@@ -22,14 +22,14 @@ struct AnswerLine {
 };
 
 /// Answers one question.
-AnswerLine answer_line(std::string_view line, Precision precision);
+GRAZE_API AnswerLine answer_line(std::string_view line, Precision precision);
 
 /// The answer to a line with its trace, whether the question asks for it (`explain`) or not.
-AnswerLine explained_line(std::string_view line, Precision precision);
+GRAZE_API AnswerLine explained_line(std::string_view line, Precision precision);
 
 /// Answers all lines of `in`, one at a time; flushes before it would wait for more input. An error that has no `id` to
 /// be known by begins with its line, counted from 1: "line 3: ...". Stops when `out` takes no more, which its state
 /// tells. Returns how many answers were errors.
-std::size_t answer_stream(std::istream& in, std::ostream& out, Precision precision);
+GRAZE_API std::size_t answer_stream(std::istream& in, std::ostream& out, Precision precision);
 
 }  // namespace graze::io

@@ -42,10 +42,10 @@ struct SimulationFrame {
 };
 
 /// The bodies with a motion, in the order of their nodes: indices into `Scene::bodies`.
-std::vector<std::uint32_t> moving_bodies(const Scene& scene);
+GRAZE_API std::vector<std::uint32_t> moving_bodies(const Scene& scene);
 
 /// Takes frames in the order of time.
-class Recording {
+class GRAZE_API Recording {
  public:
   virtual ~Recording() = default;
   /// Throws `InvalidValue` for a frame with another number of bodies, and when the file has no room.
@@ -59,8 +59,8 @@ class Recording {
 /// By the end of the file's name: .gltf, .glb or .jsonl. `source` is the glTF file that the scene was read from;
 /// without one the colliders are drawn alone. Lines have as many digits as `precision` needs. Throws `InvalidValue` for
 /// another ending, or when `source` cannot be read or `file` not be written. The scene must outlive the recording.
-std::unique_ptr<Recording> record(const std::filesystem::path& file, const Scene& scene,
-                                  const std::filesystem::path& source = {},
-                                  Precision precision = Precision::double_precision);
+GRAZE_API std::unique_ptr<Recording> record(const std::filesystem::path& file, const Scene& scene,
+                                            const std::filesystem::path& source = {},
+                                            Precision precision = Precision::double_precision);
 
 }  // namespace graze::io

@@ -123,13 +123,13 @@ struct LoadOptions {
 
 /// Reads a scene file. glTF 2.0 (.gltf, .glb) with KHR_implicit_shapes and KHR_physics_rigid_bodies; OBJ, STL and PLY
 /// as one mesh each.
-Scene load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
+GRAZE_API Scene load_scene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// As `load_scene`, from memory (for tests and fuzzing); external files are not opened.
-Scene load_gltf(const std::string& bytes, const std::string& source_name, const LoadOptions& options = {});
+GRAZE_API Scene load_gltf(const std::string& bytes, const std::string& source_name, const LoadOptions& options = {});
 
 /// Adds the bodies, colliders, joints and animations of `other` behind those of `scene`, and joins their collision
 /// systems by name.
-void append(Scene& scene, Scene other);
+GRAZE_API void append(Scene& scene, Scene other);
 
 }  // namespace graze::io

@@ -19,8 +19,8 @@ namespace graze::io {
 /// `source` is the file that the scene was read from; without one, or if it is a mesh file, the colliders are drawn
 /// alone. Returns what could not be taken along, one sentence each. Throws `InvalidValue` when `source` cannot be read
 /// or `file` cannot be written.
-std::vector<std::string> write_contacts(const std::filesystem::path& file, const Scene& scene,
-                                        const std::vector<TouchingPair>& pairs,
-                                        const std::filesystem::path& source = {});
+GRAZE_API std::vector<std::string> write_contacts(const std::filesystem::path& file, const Scene& scene,
+                                                  const std::vector<TouchingPair>& pairs,
+                                                  const std::filesystem::path& source = {});
 
 }  // namespace graze::io

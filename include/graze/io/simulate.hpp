@@ -41,10 +41,10 @@ struct SimulateSummary {
 inline constexpr double most_frames = 1 << 23;
 
 /// How many frames there are, the one at time 0 included. Throws `InvalidValue` for seconds and a rate that are none.
-std::size_t frame_count(const SimulateOptions& options);
+GRAZE_API std::size_t frame_count(const SimulateOptions& options);
 
 /// Plays the scene and calls `each` for every frame, the first at time 0. Throws `InvalidValue`.
-SimulateSummary simulate(const Scene& scene, const SimulateOptions& options,
-                         const std::function<void(const SimulationFrame&)>& each);
+GRAZE_API SimulateSummary simulate(const Scene& scene, const SimulateOptions& options,
+                                   const std::function<void(const SimulationFrame&)>& each);
 
 }  // namespace graze::io

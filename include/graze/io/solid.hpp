@@ -11,11 +11,11 @@
 namespace graze::io {
 
 /// Makes every closed mesh solid. Adds a notice for each collider of which a mesh is not closed and stays a surface.
-void make_solid(Scene& scene);
+GRAZE_API void make_solid(Scene& scene);
 
 /// A sentence for each pair of colliders that `collide` compares of which one lies wholly inside a closed mesh of the
 /// other that is no solid, without touching it: by `collide` they are apart. Asks what lies within the bounds of such
 /// meshes, and nothing where the scene has none.
-std::vector<std::string> unseen_inside(const Scene& scene);
+GRAZE_API std::vector<std::string> unseen_inside(const Scene& scene);
 
 }  // namespace graze::io

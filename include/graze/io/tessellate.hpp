@@ -19,6 +19,6 @@ struct Polygons {
 };
 
 /// A half-space is drawn as a square of `half_space_size` about the foot of `center`.
-Polygons tessellate(const Shaped& shape, const Posed& pose, const Vec3d& center, double half_space_size);
+GRAZE_API Polygons tessellate(const Shaped& shape, const Posed& pose, const Vec3d& center, double half_space_size);
 
 }  // namespace graze::io

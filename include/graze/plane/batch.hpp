@@ -37,7 +37,7 @@ constexpr std::size_t kind_of() {
 /// Shapes and where they stand, in the caller's arrays, which outlive this. There are as many shapes as poses, or one
 /// shape for all poses, or one pose for all shapes.
 template <class T>
-class Bodies {
+class GRAZE_API Bodies {
  public:
   /// `shapes` are of one kind known to the compiler, such as `Box<T>`, or of any: `Shape<T>`. Those of one kind take
   /// less memory and thus less time to load. Throws `InvalidValue` for numbers that do not go together.
@@ -80,7 +80,7 @@ class Bodies {
 
 /// The pairs that a question is about.
 template <class T>
-class Batch {
+class GRAZE_API Batch {
  public:
   /// Places in `a` and in `b`; these may be the same. Throws `InvalidValue` for a place that they do not have.
   Batch(const Bodies<T>& a, const Bodies<T>& b, std::span<const IdPair> pairs);
@@ -130,15 +130,15 @@ struct BatchContacts {
 
 /// `overlap` of each pair: 1 or 0. With an executor, on its threads.
 template <class T>
-void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor = nullptr);
+GRAZE_API void overlap(const Batch<T>& batch, std::vector<std::uint8_t>& touch, Executor* executor = nullptr);
 
 /// `distance` of each pair. With an executor, on its threads.
 template <class T>
-void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor = nullptr);
+GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distances, Executor* executor = nullptr);
 
 /// `contacts` of each pair up to `margin` >= 0 apart. With an executor, on its threads; the arrays are the same.
 template <class T>
-void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
+GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
 
 template <class T>
 template <class C>

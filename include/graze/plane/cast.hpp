@@ -36,8 +36,8 @@ struct RayHit {
 /// The first hit with 0 <= t <= `length`; nothing on a miss, and for a direction that is zero. A ray that starts in a
 /// solid (distance <= 0) hits at t = 0.
 template <class T>
-std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
-                                 T length = std::numeric_limits<T>::infinity());
+GRAZE_API std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
+                                           T length = std::numeric_limits<T>::infinity());
 
 /// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant
 /// rate.
@@ -49,7 +49,7 @@ struct Velocity {
 
 /// Where a body stands at time t: translation + t linear, turned by t angular.
 template <class T>
-Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t);
+GRAZE_API Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t);
 
 template <class T>
 struct CastHit {
@@ -67,7 +67,8 @@ struct CastHit {
 /// overlap at the start hit at t = 0. `duration` is finite and >= 0. A half-plane that turns has a bounded answer at
 /// best.
 template <class T>
-std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
-                               const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration);
+GRAZE_API std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
+                                         const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b,
+                                         T duration);
 
 }  // namespace graze::plane

@@ -58,13 +58,13 @@ using Manifolds = std::vector<Manifold<T>>;
 
 /// Whether the shapes touch: distance <= 0.
 template <class T>
-bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
-             Trace* trace = nullptr);
+GRAZE_API bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                       Trace* trace = nullptr);
 
 /// The signed distance. For compounds the smallest over their children. Cost: linear in the vertices of both.
 template <class T>
-Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
-                     Trace* trace = nullptr);
+GRAZE_API Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                               Trace* trace = nullptr);
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart, one for each pair of convex
 /// pieces; of polygons and chains one for pieces side by side that share a normal, along normals of their outlines.
@@ -76,14 +76,14 @@ Distance<T> distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& 
 ///
 /// Two half-planes that are not opposite overlap without a depth and so without points.
 template <class T>
-bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
-              Manifolds<T>& manifolds, Trace* trace = nullptr);
+GRAZE_API bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, T margin,
+                        Manifolds<T>& manifolds, Trace* trace = nullptr);
 
 /// A margin for `contacts` with which a body at rest keeps its points from frame to frame: a hundredth of the smaller
 /// shape (the radius about its own origin; of a compound half the diagonal of its bounds). A half-plane has no size:
 /// the other shape decides, and of two half-planes the margin is 0.
 template <class T>
-T contact_margin(const Shape<T>& a, const Shape<T>& b);
+GRAZE_API T contact_margin(const Shape<T>& a, const Shape<T>& b);
 
 /// The point of a shape's surface nearest to a point of the world.
 template <class T>
@@ -96,6 +96,6 @@ struct Closest {
 };
 
 template <class T>
-Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace = nullptr);
+GRAZE_API Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace = nullptr);
 
 }  // namespace graze::plane

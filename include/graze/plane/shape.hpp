@@ -91,6 +91,6 @@ T extent(const Shape<T>& shape) {
 
 /// The bounds of a shape under a pose, rounding included; not less than the true ones.
 template <class T>
-Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose);
+GRAZE_API Aabb2<T> bounds(const Shape<T>& shape, const Pose2<T>& pose);
 
 }  // namespace graze::plane

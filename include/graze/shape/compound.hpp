@@ -24,7 +24,7 @@ template <class T>
 struct CompoundData;
 
 template <class T>
-class Compound {
+class GRAZE_API Compound {
  public:
   static constexpr const char* name = "compound";
 

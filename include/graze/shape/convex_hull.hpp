@@ -94,7 +94,7 @@ struct HullData {
 };
 
 template <class T>
-class ConvexHull {
+class GRAZE_API ConvexHull {
  public:
   static constexpr const char* name = "convex";
 

@@ -26,7 +26,7 @@ struct HeightFieldData;
 /// A cell is split along (c, r) - (c + 1, r + 1) into two triangles that face +Y: first the one with (c + 1, r), then
 /// the one with (c, r + 1). A cell one corner of which is a hole is none.
 template <class T>
-class HeightField {
+class GRAZE_API HeightField {
  public:
   static constexpr const char* name = "heightfield";
 

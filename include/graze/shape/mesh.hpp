@@ -23,7 +23,7 @@ template <class T>
 struct MeshData;
 
 template <class T>
-class Mesh {
+class GRAZE_API Mesh {
  public:
   static constexpr const char* name = "mesh";
   using Index = std::array<std::uint32_t, 3>;

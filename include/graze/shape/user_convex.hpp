@@ -16,7 +16,7 @@ namespace graze {
 
 /// The support function of a bounded, closed convex set in its own frame.
 template <class T>
-class SupportFunction {
+class GRAZE_API SupportFunction {
  public:
   virtual ~SupportFunction() = default;
   /// A point of the set furthest along `direction`, which is not zero and need not be unit.

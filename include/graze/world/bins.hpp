@@ -26,6 +26,6 @@ struct Bins {
 
 /// Sorts `pairs` of places in `shapes` by counting: linear in their number.
 template <class T>
-void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out);
+GRAZE_API void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out);
 
 }  // namespace graze

@@ -38,7 +38,7 @@ struct Body {
 
 /// The bodies of a world, an array for each of their parts. At indices that are not `alive` the rest means nothing.
 template <class T>
-class BodyArrays {
+class GRAZE_API BodyArrays {
  public:
   /// With `margin` contacts begin that far from every body, without it at each one's `contact_margin`.
   /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.

@@ -13,7 +13,7 @@ namespace graze {
 /// boxes[i] = the bounds of body i grown by its margin, for each i of `which`. An infinite margin, a half-space's, adds
 /// nothing: the other body's counts.
 template <class T>
-void find_bounds(std::span<const Shape<T>> shapes, std::span<const Pose<T>> poses, std::span<const T> margins,
-                 std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes, Executor& executor);
+GRAZE_API void find_bounds(std::span<const Shape<T>> shapes, std::span<const Pose<T>> poses, std::span<const T> margins,
+                           std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes, Executor& executor);
 
 }  // namespace graze

@@ -14,7 +14,7 @@
 namespace graze {
 
 template <class T>
-class CandidateFinder {
+class GRAZE_API CandidateFinder {
  public:
   /// `boxes`, `alive` and `fixed` by index of body; `changes` the indices, sorted, that are new, gone or elsewhere
   /// since the last call.

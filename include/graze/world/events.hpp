@@ -27,7 +27,7 @@ struct ContactEvent {
 /// Remembers what touches: all of its events but the ends. Two bodies begin to touch when they overlap (distance <= 0),
 /// and go on until nothing of them is within their margin, so that a body that rests on another does not
 /// begin and end from frame to frame. Triggers have no margin.
-class EventTracker {
+class GRAZE_API EventTracker {
  public:
   /// `pairs` as the manifolds' stage leaves them, sorted.
   template <class T>

@@ -24,8 +24,8 @@ struct Impact {
 /// `allowed(i, j)` tells whether two indices may meet; it is called from any thread. Bodies that touch and part, or
 /// slide, do not meet. Cost: a cast with each body whose bounds the sweep of a fast one touches.
 template <class T>
-void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T duration,
-                  const std::function<bool(std::uint32_t, std::uint32_t)>& allowed, Executor& executor,
-                  std::vector<Impact<T>>& out);
+GRAZE_API void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T duration,
+                            const std::function<bool(std::uint32_t, std::uint32_t)>& allowed, Executor& executor,
+                            std::vector<Impact<T>>& out);
 
 }  // namespace graze

@@ -66,7 +66,7 @@ struct ContactArrays {
 };
 
 template <class T>
-class ManifoldFinder {
+class GRAZE_API ManifoldFinder {
  public:
   static constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
 

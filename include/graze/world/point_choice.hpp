@@ -11,7 +11,7 @@
 namespace graze {
 
 template <class T>
-class PointChoice {
+class GRAZE_API PointChoice {
  public:
   /// Forgets the points of the last pair.
   void clear() { points_.clear(); }

@@ -17,17 +17,17 @@ namespace graze {
 
 /// Of a pair's manifolds, as `contacts` appends them to an empty vector. Costs `count` times the number of points.
 template <class T>
-void reduce(Manifolds<T>& manifolds, std::size_t count);
+GRAZE_API void reduce(Manifolds<T>& manifolds, std::size_t count);
 
 /// Of every pair of a batch. Whether pairs overlap stays.
 template <class T>
-void reduce(BatchContacts<T>& contacts, std::size_t count);
+GRAZE_API void reduce(BatchContacts<T>& contacts, std::size_t count);
 
 /// Of every pair that an update of a world found, after which it may be asked of `World::contacts`: the world carries
 /// impulses on to what is found next, pairs of which nothing changed keep what is left, and all others are found whole
 /// again. A point that was left out and comes back starts without an impulse. Where every update is to be reduced,
 /// `WorldSettings::points_per_pair` does it pair by pair, on the world's threads.
 template <class T>
-void reduce(ContactArrays<T>& contacts, std::size_t count);
+GRAZE_API void reduce(ContactArrays<T>& contacts, std::size_t count);
 
 }  // namespace graze

@@ -16,7 +16,7 @@ template <class T>
 struct Placed;
 
 template <class T>
-class Compound {
+class GRAZE_API Compound {
  public:
   static constexpr const char* name = "compound";
 

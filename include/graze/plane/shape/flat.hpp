@@ -66,7 +66,7 @@ class Segment {
 /// A convex polygon of any number of vertices; a point or a segment where all its points lie so. Up to eight vertices
 /// are held in place, more are shared between copies.
 template <class T>
-class ConvexPolygon {
+class GRAZE_API ConvexPolygon {
  public:
   static constexpr const char* name = "convex";
   static constexpr std::size_t in_place = 8;

@@ -16,7 +16,7 @@ namespace graze::plane {
 /// is that of a way out through the outline. `distance` of what lies deep inside several pieces is an upper bound of
 /// the depth; `closest` of a point is exact.
 template <class T>
-class Polygon {
+class GRAZE_API Polygon {
  public:
   static constexpr const char* name = "polygon";
 
@@ -42,7 +42,7 @@ enum class ChainSides : std::uint8_t {
 /// gives contacts only along normals that belong to it or to the corners that it shares with its neighbours. Sides
 /// concern `contacts` alone; for all other queries a chain is the line that it is.
 template <class T>
-class Chain {
+class GRAZE_API Chain {
  public:
   static constexpr const char* name = "chain";
 

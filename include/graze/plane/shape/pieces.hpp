@@ -27,7 +27,7 @@ struct OutlineVertex {
 };
 
 template <class T>
-class Pieces {
+class GRAZE_API Pieces {
  public:
   /// Appends a piece: its vertices counter-clockwise, and the outline about each. `outline` is empty or as long, or
   /// for a chain's segment twice as long: seen from the right, and then from the left.
