@@ -93,10 +93,11 @@ fuzz: ## run each fuzzer for a short while
 	$(call build,fuzz)
 	$(call check,fuzz)
 
-# QUICK=1: two minutes instead of a quarter of an hour, written below build/. POSES=file.csv: a pile of one's own.
+# In the tree of the release, whose library is measured as it is. QUICK=1: two minutes instead of a quarter of an hour,
+# written below build/. POSES=file.csv: a pile of one's own.
 .PHONY: bench
 bench: ## measure, beside Bullet, ODE, FCL and Embree, and write bench/RESULTS.md
-	@scripts/setup.sh bench
+	@scripts/setup.sh test bench
 	$(call configure,bench)
 	$(call build,bench)
 	@bench/results.sh $(if $(QUICK),--quick) $(if $(POSES),--poses $(POSES))

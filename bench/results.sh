@@ -11,7 +11,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 quick=no
 poses=
-programs=build/bench/bin
+programs=build/release/bin
 resume=no
 while (($# > 0)); do
   case "$1" in

@@ -43,5 +43,6 @@ install(FILES "${PROJECT_BINARY_DIR}/grazeConfig.cmake" "${PROJECT_BINARY_DIR}/g
         DESTINATION "${graze_cmake_dir}")
 
 file(RELATIVE_PATH graze_pc_to_prefix "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+list(JOIN graze_keep_reached " " graze_pc_link_options)
 configure_file("${PROJECT_SOURCE_DIR}/cmake/graze.pc.in" "${PROJECT_BINARY_DIR}/graze.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/graze.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
