@@ -23,6 +23,7 @@
 #include "graze/pairs.hpp"
 #include "graze/plane/batch.hpp"
 #include "graze/plane/cast.hpp"
+#include "graze/plane/mass.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 #include "graze/shape.hpp"

@@ -32,6 +32,8 @@ struct TraceGjk {
   Vec3d direction;                    ///< the search direction, from A to B
   TraceSupport found;
   double lower, upper;  ///< bounds of the distance of the cores after it
+  /// In the plane, where all vertices are kept and `simplex` is the nearest edge: all of them, counter-clockwise.
+  std::vector<TraceSupport> polygon{};
 };
 
 /// One expansion of EPA's polytope.
@@ -41,6 +43,8 @@ struct TraceEpa {
   double found_depth;  ///< the depth along that normal: an upper bound
   TraceSupport found;
   std::size_t faces;  ///< of the polytope, after the expansion
+  /// In the plane the polytope before the expansion, counter-clockwise.
+  std::vector<TraceSupport> polygon{};
 };
 
 /// One condition on the points of a shape (between two parallel faces, behind a plane, in a ball), and the part of a
@@ -64,6 +68,9 @@ struct Trace {
   std::vector<TraceAxis> axes;
   std::vector<TraceGjk> gjk;
   std::vector<TraceEpa> epa;
+  /// In the plane: the outline of the difference of the bounded cores, counter-clockwise; of curved ones sampled.
+  std::vector<TraceSupport> difference;
+  double rounding = 0;                                ///< of both cores together: how near to it counts as contact
   std::vector<TraceSupport> polytope;                 ///< EPA's final vertices
   std::vector<std::array<std::size_t, 3>> triangles;  ///< and its triangles
   std::vector<TraceSpan> spans;                       ///< of a ray at a convex shape in closed form

@@ -45,10 +45,11 @@ std::string AxisDrawing::draw(const View& view) const {
   const bool overlap = axis_.overlap() >= 0;
   const double middle = (bar_a_ + bar_b_) / 2;
   const double from = std::clamp(axis_.b_lower, low_, high_), to = std::clamp(axis_.a_upper, low_, high_);
-  out += line(view, at(from, middle), at(to, middle), overlap ? "shared" : "gap", 3);
-  return out + text(page_margin, picture_height - 14, 13,
-                    fmt::format("{}: {} {:.4g}", axis_.name, overlap ? "overlap" : "gap", std::abs(axis_.overlap())),
-                    overlap ? "red" : "ink");
+  return out + line(view, at(from, middle), at(to, middle), overlap ? "shared" : "gap", 3);
+}
+
+std::string AxisDrawing::caption() const {
+  return fmt::format("{}: {} {:.4g}", axis_.name, axis_.overlap() >= 0 ? "overlap" : "gap", std::abs(axis_.overlap()));
 }
 
 /// One shape's interval as a bar, with a line to each end from the point of the shape that makes it. What is infinite
@@ -107,7 +108,8 @@ bool needs_inset(const View& view, const TraceAxis& axis) {
   // An axis that points at the viewer has no length on the picture.
   const bool in_picture = std::hypot(view.x(tip) - view.x({}), view.y(tip) - view.y({})) > 0.5;
   const double pixels = std::abs(axis.overlap()) * view.scale();
-  return pixels > 0 && pixels < seen && in_picture;
+  // What is left of a gap by rounding is not worth seeing.
+  return pixels > 1e-9 && pixels < seen && in_picture;
 }
 
 std::string draw_inset(const View& view, const TraceAxis& axis, const Vec3d& place) {

@@ -112,7 +112,7 @@ std::string text(double x, double y, double size, const std::string& words, cons
                      color, anchor, escaped(words));
 }
 
-std::string svg_head() {
+std::string svg_head(double height) {
   // Colours of paper, ink and lines follow the reader's choice; those of shapes stand out from both.
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
@@ -126,7 +126,7 @@ std::string svg_head() {
       ".shared{{stroke:#ff6b6b}} .rim{{stroke:#161b22}}\n"
       "}}\n</style>\n"
       "<rect width=\"{0}\" height=\"{1}\" rx=\"10\" class=\"paper\"/>\n",
-      picture_width, picture_height);
+      picture_width, height);
 }
 
 }  // namespace graze::io

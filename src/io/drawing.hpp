@@ -72,6 +72,6 @@ inline constexpr double picture_width = 960, picture_height = 600;
 inline constexpr double least_size =
     16 * picture_width * largest_magnitude<double> / std::numeric_limits<double>::max();
 /// The beginning of a picture with its style, for light paper and for dark, and its background; `</svg>` ends it.
-std::string svg_head();
+std::string svg_head(double height = picture_height);
 
 }  // namespace graze::io

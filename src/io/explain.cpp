@@ -8,43 +8,6 @@ namespace graze::io {
 
 namespace {
 
-/// Of a question in the plane, leaves of the axes those that lie in the plane, each direction once: the rest belong to
-/// the prisms that stand for the figures.
-void leave_plane_axes(Trace& trace) {
-  // Between unit vectors: far above the few roundings of 1e-16 that an axis comes about with, far below any angle of a
-  // figure.
-  constexpr double same = 1e-9;
-  std::vector<TraceAxis> kept;
-  for (TraceAxis& axis : trace.axes) {
-    if (std::abs(axis.direction.z) > same) continue;
-    const auto twin = std::find_if(kept.begin(), kept.end(), [&](const TraceAxis& k) {
-      return length(cross(k.direction, axis.direction)) <= same;
-    });
-    const bool product = axis.name.find("×") != std::string::npos;
-    if (twin == kept.end() || !product) {
-      kept.push_back(std::move(axis));
-    } else if (axis.name == trace.winner) {
-      trace.winner = twin->name;
-    }
-  }
-  trace.axes = std::move(kept);
-}
-
-/// And of the spans those across the plane.
-void leave_plane_spans(Trace& trace) {
-  constexpr double same = 1e-9;  // as of axes
-  // A disc is the side of a prism whose balls lie off the plane.
-  std::erase_if(trace.spans, [&](const TraceSpan& span) {
-    return std::abs(span.normal.z) > same || span.name.starts_with("ball at") || span.name == "slab z";
-  });
-  for (TraceSpan& span : trace.spans) {
-    if (span.name != "balls and side") continue;
-    span.name = "circle";
-    trace.method = "quadratic";
-    if (!trace.winner.empty()) trace.winner = span.name, trace.reason = "the ray comes in through the circle";
-  }
-}
-
 template <class T>
 Distance<double> widened(const Distance<T>& d) {
   return {static_cast<double>(d.distance),
@@ -140,28 +103,29 @@ void ask(const Question<T>& q, Explanation& e) {
 Explanation explain(std::string_view question, Precision precision) {
   const Json json = parse_json(question);
   if (!json.is_object()) throw InvalidValue("", "one JSON object", shown(json));
-  // Read in double for the picture in any case, and so checked in double too.
-  const Question<double> q = read_question<double>(JsonValue(json, ""));
+  const JsonValue value(json, "");
+  const bool wide = precision == Precision::double_precision;
   Explanation e;
-  e.query = json["query"].get<std::string>();
-  e.dimension = q.dimension;
+  if (json.contains("query") && json["query"].is_string()) e.query = json["query"].get<std::string>();
+  if (in_the_plane(json)) {
+    e.dimension = 2;
+    // Read in double for the picture in any case, and so checked in double too.
+    const PlaneQuestion<double> q = read_plane_question<double>(value);
+    e.plane_a = plane::Placed<double>{q.a->shape, q.a->pose};
+    if (q.query == QueryKind::closest)
+      e.plane_b = plane::Placed<double>{plane::Circle<double>(0), {*q.point, {}}};
+    else if (q.query != QueryKind::raycast)
+      e.plane_b = plane::Placed<double>{q.b->shape, q.b->pose};
+    wide ? explain_in_plane(q, e) : explain_in_plane(read_plane_question<float>(value), e);
+    return e;
+  }
+  const Question<double> q = read_question<double>(value);
   e.a = Placed<double>{q.a->shape, q.a->pose};
   if (q.query == QueryKind::closest)
     e.b = Placed<double>{Sphere<double>(0), {*q.point, {}}};
   else if (q.query != QueryKind::raycast)
     e.b = Placed<double>{q.b->shape, q.b->pose};
-  const bool wide = precision == Precision::double_precision,
-             moves = q.query == QueryKind::raycast || q.query == QueryKind::cast;
-  if (e.dimension == 2 && !moves) {
-    wide ? explain_in_plane(read_plane_question<double>(JsonValue(json, "")), e)
-         : explain_in_plane(read_plane_question<float>(JsonValue(json, "")), e);
-    return e;
-  }
-  wide ? ask(q, e) : ask(read_question<float>(JsonValue(json, "")), e);
-  if (e.dimension == 2) {  // shown by the prisms that stand for the figures
-    leave_plane_axes(e.trace);
-    leave_plane_spans(e.trace);
-  }
+  wide ? ask(q, e) : ask(read_question<float>(value), e);
   return e;
 }
 

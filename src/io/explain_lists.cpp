@@ -81,7 +81,8 @@ std::string draw_axes(const Explanation& e, double bottom) {
     const double scale = bars_width / widest, start = bars_x + (bars_width - (high - low) * scale) / 2;
     const auto x = [&, low = low, high = high](double t) { return start + (std::clamp(t, low, high) - low) * scale; };
     if (axis->name == e.trace.winner) out += chosen_row(y, row);
-    out += row_text(y, row, axis->name, fmt::format("{:.4g}", axis->overlap()));
+    out += row_text(y, row, axis->name,
+                    std::isfinite(axis->overlap()) ? fmt::format("{:.4g}", axis->overlap()) : "endless");
     out += bar(x(axis->a_lower), x(axis->a_upper), y + row / 2 - 6, color_a);
     out += bar(x(axis->b_lower), x(axis->b_upper), y + row / 2 + 1, color_b);
     y += row;

@@ -31,6 +31,8 @@ class AxisDrawing {
   /// What the picture must have room for.
   std::vector<Vec3d> corners() const { return {at(low_, bar_b_), at(high_, bar_b_)}; }
   std::string draw(const View& view) const;
+  /// "B0: overlap 0.6".
+  std::string caption() const;
 
  private:
   Vec3d at(double along, double aside) const { return axis_.direction * along + beside_ * aside; }
@@ -62,6 +64,14 @@ std::string draw_inset(const View& view, const TraceAxis& axis, const Vec3d& pla
 
 /// All axes as rows: the intervals of both shapes, to one scale; down to `bottom`.
 std::string draw_axes(const Explanation& e, double bottom);
+/// Of two boxes in the plane all four axes as projections, each in a panel of its own; nothing of other pairs.
+std::string draw_projections(const Explanation& e, const Polygons& a, const Polygons& b, double bottom);
+/// The Minkowski difference of two shapes in the plane and in it the steps of GJK and EPA, from `top` down; nothing
+/// where the trace has none.
+std::string draw_difference(const Explanation& e, double top);
+/// How high that is.
+double difference_height(const Trace& trace);
+
 /// The spans of a ray as rows, to one scale, and where it hits.
 std::string draw_spans(const Explanation& e);
 /// The steps of conservative advancement as rows, the distance as a bar on a logarithmic scale; down to `bottom`.

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "graze/io/explain.hpp"
+#include "graze/plane/cast.hpp"
 #include "io/explain_parts.hpp"
 #include "io/labels.hpp"
+#include "io/plane_outline.hpp"
 
 namespace graze::io {
 
@@ -23,8 +25,8 @@ Vec3d across(const Vec3d& toward, const Vec3d& axis) {
 /// Bounds of the shapes that have any, and of the points that have to be seen besides; a box of 2 when nothing has.
 class Stage {
  public:
-  void add(const Shaped& shape, const Posed& pose) {
-    if (const Aabbd of = bounds(shape, pose); max_abs(of.extent()) < 1e300) box_ = merged(box_, of);
+  void add(const Aabbd& of) {
+    if (max_abs(of.extent()) < 1e300) box_ = merged(box_, of);
   }
   void add(const Vec3d& p) { box_ = merged(box_, p); }
   Aabbd box() const { return box_.lower.x <= box_.upper.x ? box_ : Aabbd{{-1, -1, -1}, {1, 1, 1}}; }
@@ -32,6 +34,43 @@ class Stage {
 
  private:
   Aabbd box_ = Aabbd::empty();
+};
+
+/// Both bodies of an explanation, in space or in the plane, as what a picture needs of them. `b` is the second one.
+class Drawn {
+ public:
+  explicit Drawn(const Explanation& e) : e_(e) {}
+
+  bool has(bool b) const { return e_.dimension == 2 ? of_plane(b).has_value() : of_space(b).has_value(); }
+  Vec3d origin(bool b) const {
+    if (e_.dimension == 3) return of_space(b)->pose.translation;
+    const plane::Vec2d& at = of_plane(b)->pose.translation;
+    return {at.x, at.y, 0};
+  }
+  Aabbd box(bool b, double t) const {
+    return e_.dimension == 2 ? plane_bounds(of_plane(b)->shape, in_plane(b, t))
+                             : bounds(of_space(b)->shape, in_space(b, t));
+  }
+  Polygons polygons(bool b, double t, const Vec3d& center, double size) const {
+    return e_.dimension == 2 ? plane_polygons(of_plane(b)->shape, in_plane(b, t), center, size)
+                             : tessellate(of_space(b)->shape, in_space(b, t), center, size);
+  }
+  bool straight(bool b) const { return e_.dimension == 2 && has_straight_sides(of_plane(b)->shape); }
+
+ private:
+  const std::optional<Placed<double>>& of_space(bool b) const { return b ? e_.b : e_.a; }
+  const std::optional<plane::Placed<double>>& of_plane(bool b) const { return b ? e_.plane_b : e_.plane_a; }
+  const Velocity<double>& velocity(bool b) const { return b ? e_.cast->b : e_.cast->a; }
+  Posed in_space(bool b, double t) const {
+    return e_.cast ? pose_at(of_space(b)->pose, velocity(b), t) : of_space(b)->pose;
+  }
+  plane::Pose2d in_plane(bool b, double t) const {
+    if (!e_.cast) return of_plane(b)->pose;
+    const Velocity<double>& v = velocity(b);
+    return plane::pose_at(of_plane(b)->pose, plane::Velocity<double>{{v.linear.x, v.linear.y}, v.angular.z}, t);
+  }
+
+  const Explanation& e_;
 };
 
 /// What of a ray is drawn: from its origin, or where it comes near the shape if that is far away, to its hit or beyond
@@ -61,13 +100,12 @@ std::string draw_ray(const ExplainedRay& asked, const DrawnRay& ray, const View&
 /// How far a moving pair is drawn: to its hit, or to the end.
 double last_time(const ExplainedCast& cast) { return cast.hit ? cast.hit->t : cast.duration; }
 
-std::string draw_ways(const Explanation& e, const View& view) {
+std::string draw_ways(const Explanation& e, const Drawn& drawn, const View& view) {
   std::string out;
   const double t = last_time(*e.cast);
-  for (const auto& [body, velocity] : {std::pair{&*e.a, &e.cast->a}, std::pair{&*e.b, &e.cast->b}})
-    if (velocity->linear != Vec3d{})
-      out += line(view, body->pose.translation, body->pose.translation + velocity->linear * t, "arrow", 1.2,
-                  " stroke-dasharray=\"5 4\"");
+  for (const auto& [b, velocity] : {std::pair{false, &e.cast->a}, std::pair{true, &e.cast->b}})
+    if (const Vec3d from = drawn.origin(b); velocity->linear != Vec3d{})
+      out += line(view, from, from + velocity->linear * t, "arrow", 1.2, " stroke-dasharray=\"5 4\"");
   if (!e.cast->hit) return out;
   return out + "<g class=\"arrow\">" + arrow(view, e.cast->hit->point, e.cast->hit->normal) + "</g>\n" +
          dot_at(view, e.cast->hit->point, "red");
@@ -129,23 +167,58 @@ std::optional<Vec3d> place_of_contact(const Explanation& e) {
   return std::nullopt;
 }
 
+/// The side or corner of a shape with straight sides that a point on it lies on, drawn bold.
+std::string draw_touched(const View& view, const Polygons& shape, const Vec3d& point, const Color& color) {
+  double least = std::numeric_limits<double>::infinity();
+  Vec3d from, to, corner;
+  bool at_corner = false;
+  for (const auto& loop : shape.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec3d p = shape.points[loop[i]], q = shape.points[loop[(i + 1) % loop.size()]], e = q - p;
+      const double l2 = dot(e, e), t = l2 > 0 ? std::clamp(dot(point - p, e) / l2, 0.0, 1.0) : 0;
+      const double away = length(p + e * t - point);
+      if (!(away < least)) continue;
+      constexpr double end = 1e-6;  // of an edge: a point that was computed as its end
+      least = away, from = p, to = q, at_corner = t < end || t > 1 - end, corner = t < 0.5 ? p : q;
+    }
+  const std::string look = hex(color, 0.72);
+  if (!at_corner) return line(view, from, to, look, 3.5);
+  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\" fill=\"none\" stroke=\"{}\" "
+                     "stroke-width=\"2.5\"/>\n",
+                     view.x(corner), view.y(corner), look);
+}
+
+/// In the plane the vertices and edges that give the points.
+std::string draw_features(const Explanation& e, const Drawn& drawn, const View& view, const Polygons& a,
+                          const Polygons& b) {
+  std::string sides, corners;
+  const auto add = [&](bool of_b, const Vec3d& point) {
+    if (!drawn.has(of_b) || !drawn.straight(of_b)) return;
+    const std::string more = draw_touched(view, of_b ? b : a, point, of_b ? color_b : color_a);
+    (more.starts_with("<circle") ? corners : sides) += more;
+  };
+  for (const Manifold<double>& m : e.manifolds)
+    for (const auto& p : m.points) add(false, p.a), add(true, p.b);
+  if (e.distance && e.query == "distance") add(false, e.distance->a), add(true, e.distance->b);
+  return sides + corners;
+}
+
 }  // namespace
 
 std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
+  const Drawn drawn(e);
+  const bool flat = e.dimension == 2, second = drawn.has(true);
   const TraceAxis* axis = e.ray ? nullptr : named(e.trace.axes, e.trace.winner);
-  Vec3d toward = e.dimension == 2 ? Vec3d{0, 0, 1} : toward_viewer;
-  if (axis && e.dimension == 3) toward = across(toward_viewer, axis->direction);
-  if (e.ray && e.dimension == 3) toward = across(toward_viewer, normalized(e.ray->ray.direction));
+  Vec3d toward = flat ? Vec3d{0, 0, 1} : toward_viewer;
+  if (axis && !flat) toward = across(toward_viewer, axis->direction);
+  if (e.ray && !flat) toward = across(toward_viewer, normalized(e.ray->ray.direction));
 
-  Posed pose_a = e.a->pose, pose_b = e.b ? e.b->pose : Posed{};
+  // Shapes that move stand where they meet, and pale where they begin.
+  const double then = e.cast ? last_time(*e.cast) : 0;
   Stage stage;
-  stage.add(e.a->shape, pose_a);
-  if (e.b) stage.add(e.b->shape, pose_b);
-  if (e.cast) {  // the shapes stand where they meet
-    pose_a = pose_at(pose_a, e.cast->a, last_time(*e.cast));
-    pose_b = pose_at(pose_b, e.cast->b, last_time(*e.cast));
-    stage.add(e.a->shape, pose_a);
-    stage.add(e.b->shape, pose_b);
+  for (const double t : {0.0, then}) {
+    stage.add(drawn.box(false, t));
+    if (second) stage.add(drawn.box(true, t));
   }
   std::optional<DrawnRay> ray;
   if (e.ray) {
@@ -153,21 +226,19 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
     for (const Vec3d& p : {ray->from, ray->to, ray->beyond}) stage.add(p);
   }
   const double size = stage.size();
-  const auto polygons = [&](const Shaped& shape, const Posed& pose) {
-    return tessellate(shape, pose, stage.box().center(), 0.7 * size);
-  };
-  const Polygons a = polygons(e.a->shape, pose_a), b = e.b ? polygons(e.b->shape, pose_b) : Polygons{};
+  const auto polygons = [&](bool b, double t) { return drawn.polygons(b, t, stage.box().center(), 0.7 * size); };
+  const Polygons a = polygons(false, then), b = second ? polygons(true, then) : Polygons{};
   std::vector<Vec3d> points = a.points;
   points.insert(points.end(), b.points.begin(), b.points.end());
   if (ray) points.insert(points.end(), {ray->from, ray->to, ray->beyond});
 
-  std::vector<std::pair<Polygons, Color>> ghosts;  // where bodies that move begin
+  std::vector<std::pair<Polygons, Color>> ghosts;
   constexpr Color pale{160, 166, 173};
   if (e.cast)
-    for (const auto& [body, velocity, color] :
-         {std::tuple{&*e.a, &e.cast->a, color_a}, std::tuple{&*e.b, &e.cast->b, color_b}})
+    for (const auto& [of_b, velocity, color] :
+         {std::tuple{false, &e.cast->a, color_a}, std::tuple{true, &e.cast->b, color_b}})
       if (velocity->linear != Vec3d{} || velocity->angular != Vec3d{})
-        ghosts.emplace_back(polygons(body->shape, body->pose), mixed(color, pale, 0.7));
+        ghosts.emplace_back(polygons(of_b, 0), mixed(color, pale, 0.7));
   for (const auto& [ghost, color] : ghosts) points.insert(points.end(), ghost.points.begin(), ghost.points.end());
 
   std::optional<AxisDrawing> beside;
@@ -186,20 +257,26 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
   std::vector<DrawnFace> faces;
   for (const auto& [ghost, color] : ghosts) draw_shape(view, ghost, color, true, size, faces);
   draw_shape(view, a, color_a, true, size, faces);
-  if (e.b) draw_shape(view, b, color_b, true, size, faces);
-  std::string out =
-      svg_head() + painted(std::move(faces)) + "<g font-family=\"system-ui, sans-serif\" fill=\"none\">\n";
-  if (beside) out += beside->draw(view);
+  if (second) draw_shape(view, b, color_b, true, size, faces);
+  std::string out = svg_head(picture_height + difference_height(e.trace)) + painted(std::move(faces)) +
+                    "<g font-family=\"system-ui, sans-serif\" fill=\"none\">\n";
+  if (beside)
+    out += beside->draw(view) +
+           text(page_margin, picture_height - 14, 13, beside->caption(), axis->overlap() >= 0 ? "red" : "ink");
   const double bottom = draw_ids(e, out);
   if (ray) out += draw_ray(*e.ray, *ray, view);
-  if (e.cast) out += draw_ways(e, view);
+  if (e.cast) out += draw_ways(e, drawn, view);
+  if (flat) out += draw_features(e, drawn, view, a, b);
   out += draw_points(e, view);
   if (inset) out += draw_inset(view, *axis, *place);
+  const std::string projections = flat ? draw_projections(e, a, b, bottom) : "";
   if (!e.trace.steps.empty())
     out += draw_steps(e, bottom);
+  else if (!projections.empty())
+    out += projections;
   else
     out += e.ray ? draw_spans(e) : draw_axes(e, bottom);
-  return out + headline(e) + "</g>\n</svg>\n";
+  return out + headline(e) + draw_difference(e, picture_height) + "</g>\n</svg>\n";
 }
 
 }  // namespace graze::io

@@ -109,6 +109,17 @@ std::string feature_of(const Shaped& shape, std::uint32_t half) {
   return fmt::format("edge {}-{}", feature.number / numbered_vertices, feature.number % numbered_vertices);
 }
 
+std::string feature_of(const plane::Shaped& shape, std::uint32_t half) {
+  const Feature feature(half);
+  if (shape.as<plane::Circle<double>>() || shape.as<plane::Ellipse<double>>() || shape.as<plane::UserConvex<double>>())
+    return "rim";
+  if (shape.as<plane::HalfPlane<double>>()) return "line";
+  const bool vertex = feature.kind == Feature::vertex;
+  if (shape.as<plane::Capsule<double>>() || shape.as<plane::Segment<double>>())
+    return vertex ? fmt::format("end {}", feature.number) : "side";
+  return plain_feature(half);
+}
+
 std::string contacts_text(const Explanation& e) {
   std::string out;
   for (const Manifold<double>& m : e.manifolds) {
@@ -128,6 +139,9 @@ std::string feature_text(std::uint32_t feature) {
 }
 
 std::string feature_text(std::uint32_t feature, const Explanation& e) {
+  if (e.plane_a && e.plane_b)
+    return feature_of(e.plane_a->shape, feature >> 16) + " of A, " + feature_of(e.plane_b->shape, feature & 0xffff) +
+           " of B";
   if (!e.a || !e.b) return feature_text(feature);
   return feature_of(e.a->shape, feature >> 16) + " of A, " + feature_of(e.b->shape, feature & 0xffff) + " of B";
 }

@@ -66,8 +66,7 @@ void write_plane_closest(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& ou
 
 template <class T>
 void write_plane_raycast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) {
-  const std::optional<plane::RayHit<T>> hit = plane::raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length);
-  if (trace) trace->method = "ray cast";
+  const std::optional<plane::RayHit<T>> hit = plane::raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length, trace);
   out.key("hit").value(hit.has_value());
   if (!hit) return;
   out.key("t").number(hit->t);
@@ -76,12 +75,14 @@ void write_plane_raycast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& ou
 }
 
 template <class T>
-void write_plane_cast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) {
+std::optional<plane::CastHit<T>> cast_of(const PlaneQuestion<T>& q, Trace* trace) {
   const auto &a = *q.a, &b = *q.b;
-  const auto hit = plane::cast(a.shape, a.pose, a.velocity, b.shape, b.pose, b.velocity, q.duration);
-  if (trace)
-    trace->method = a.velocity.angular != T(0) || b.velocity.angular != T(0) ? "conservative advancement"
-                                                                             : "ray against the Minkowski difference";
+  return plane::cast(a.shape, a.pose, a.velocity, b.shape, b.pose, b.velocity, q.duration, trace);
+}
+
+template <class T>
+void write_plane_cast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& out) {
+  const auto hit = cast_of(q, trace);
   out.key("hit").value(hit.has_value());
   if (!hit) return;
   out.key("t").number(hit->t);
@@ -97,6 +98,37 @@ Distance<double> widened_flat(T distance, const plane::Vec2<T>& normal, const pl
   return {
       double(distance), converted<double>(flat(normal)), converted<double>(flat(a)), converted<double>(flat(b)), status,
       double(error)};
+}
+
+template <class T>
+Vec3d widened_flat(const plane::Vec2<T>& v) {
+  return converted<double>(flat(v));
+}
+
+template <class T>
+void explain_raycast(const PlaneQuestion<T>& q, Explanation& e) {
+  const auto hit = plane::raycast(q.a->shape, q.a->pose, *q.ray, q.ray_length, &e.trace);
+  e.ray = {{widened_flat(q.ray->origin), widened_flat(q.ray->direction)}, double(q.ray_length), {}};
+  if (hit) e.ray->hit = {double(hit->t), widened_flat(hit->point), widened_flat(hit->normal), hit->piece};
+  e.overlap = hit.has_value();
+}
+
+template <class T>
+void explain_cast(const PlaneQuestion<T>& q, Explanation& e) {
+  const auto hit = cast_of(q, &e.trace);
+  const auto velocity = [](const plane::Velocity<T>& v) {
+    return Velocity<double>{widened_flat(v.linear), {0, 0, double(v.angular)}};
+  };
+  e.cast = {velocity(q.a->velocity), velocity(q.b->velocity), double(q.duration), {}};
+  if (hit)
+    e.cast->hit = {double(hit->t),
+                   widened_flat(hit->point),
+                   widened_flat(hit->normal),
+                   double(hit->depth),
+                   hit->status,
+                   hit->piece_a,
+                   hit->piece_b};
+  e.overlap = hit.has_value();
 }
 
 }  // namespace
@@ -121,23 +153,21 @@ void write_plane_answer(const PlaneQuestion<T>& q, JsonWriter& out) {
 template <class T>
 void explain_in_plane(const PlaneQuestion<T>& q, Explanation& e) {
   if (q.query == QueryKind::closest) {
-    e.query = "closest";
     const plane::Closest<T> c = plane::closest(q.a->shape, q.a->pose, *q.point, &e.trace);
     e.distance = widened_flat(c.distance, c.normal, c.point, *q.point, c.status, c.error);
     e.overlap = c.distance <= T(0);
     return;
   }
+  if (q.query == QueryKind::raycast) return explain_raycast(q, e);
+  if (q.query == QueryKind::cast) return explain_cast(q, e);
   const auto &a = *q.a, &b = *q.b;
   if (q.query == QueryKind::overlap) {
-    e.query = "overlap";
     e.overlap = plane::overlap(a.shape, a.pose, b.shape, b.pose, &e.trace);
   } else if (q.query == QueryKind::distance) {
-    e.query = "distance";
     const plane::Distance<T> d = plane::distance(a.shape, a.pose, b.shape, b.pose, &e.trace);
     e.distance = widened_flat(d.distance, d.normal, d.a, d.b, d.status, d.error);
     e.overlap = d.distance <= T(0);
   } else {
-    e.query = "contacts";
     plane::Manifolds<T> manifolds;
     e.overlap = plane::contacts(a.shape, a.pose, b.shape, b.pose, q.margin, manifolds, &e.trace);
     for (const plane::Manifold<T>& m : manifolds) {

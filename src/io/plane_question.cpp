@@ -34,9 +34,6 @@ auto built_below(const JsonValue& json, const F& make) {
 }
 
 template <class T>
-plane::Shape<T> read_plane_shape(const JsonValue& json);
-
-template <class T>
 plane::Shape<T> read_plane_compound(const JsonValue& json) {
   json.keys({"children"});
   const JsonValue list = json.at("children");
@@ -91,17 +88,19 @@ plane::Shape<T> read_segment_or_hull(const JsonValue& json, bool segment, T marg
   return {plane::ConvexPolygon<T>(points), margin};
 }
 
+}  // namespace
+
 template <class T>
 plane::Shape<T> read_plane_shape(const JsonValue& json) {
   if (!json.json().is_object()) json.fail("an object");
   const JsonValue type = json.at("type");
   const std::string name = type.json().is_string() ? type.string() : "";
   static constexpr const char* names[] = {"circle",  "box",     "capsule", "plane",   "convex",
-                                          "segment", "polygon", "chain",   "compound"};
+                                          "segment", "polygon", "chain",   "ellipse", "compound"};
   const char* known = nullptr;
   for (const char* n : names)
     if (name == n) known = n;
-  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, polygon, chain, compound");
+  if (!known) type.fail("one of circle, box, capsule, plane, convex, segment, polygon, chain, ellipse, compound");
   name == "compound" ? json.keys({"type", known}) : json.keys({"type", known, "margin"});
   T margin(0);
   if (const auto m = json.find("margin")) margin = m->length<T>();
@@ -124,11 +123,18 @@ plane::Shape<T> read_plane_shape(const JsonValue& json) {
     own.keys({"height", "radiusBottom", "radiusTop"});
     return {plane::Capsule<T>(length("height"), length("radiusBottom"), length("radiusTop")), margin};
   }
+  if (name == "ellipse") {
+    own.keys({"radii"});
+    const auto radii = own.at("radii").elements(2);
+    return {plane::Ellipse<T>({radii[0].length<T>(), radii[1].length<T>()}), margin};
+  }
   if (name == "compound") return read_plane_compound<T>(own);
   if (name == "polygon") return {read_polygon<T>(own), margin};
   if (name == "chain") return {read_chain<T>(own), margin};
   return read_segment_or_hull<T>(own, name == "segment", margin);
 }
+
+namespace {
 
 template <class T>
 PlaneBody<T> read_plane_body(const JsonValue& json) {
@@ -193,6 +199,8 @@ PlaneQuestion<T> read_plane_question(const JsonValue& json) {
   return q;
 }
 
+template plane::Shape<float> read_plane_shape(const JsonValue&);
+template plane::Shape<double> read_plane_shape(const JsonValue&);
 template PlaneQuestion<float> read_plane_question(const JsonValue&);
 template PlaneQuestion<double> read_plane_question(const JsonValue&);
 

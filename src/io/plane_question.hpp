@@ -36,4 +36,8 @@ bool in_the_plane(const Json& question);
 template <class T>
 PlaneQuestion<T> read_plane_question(const JsonValue& json);
 
+/// A shape of the plane.
+template <class T>
+plane::Shape<T> read_plane_shape(const JsonValue& json);
+
 }  // namespace graze::io

@@ -26,12 +26,9 @@ MovingBody<T> read_body(const JsonValue& json) {
 }
 
 template <class T>
-Ray<T> read_ray(const JsonValue& json, bool plane, T& length) {
+Ray<T> read_ray(const JsonValue& json, T& length) {
   json.keys({"origin", "direction", "length"});
-  const auto vector = [&](const char* key) {
-    return plane ? json.at(key).plane_vector<T>() : json.at(key).vector<T>();
-  };
-  const Ray<T> ray{vector("origin"), vector("direction")};
+  const Ray<T> ray{json.at("origin").vector<T>(), json.at("direction").vector<T>()};
   if (ray.direction == Vec3<T>{}) json.at("direction").fail("a direction that is not zero");
   if (const auto l = json.find("length")) length = l->positive_or_zero<T>();
   return ray;
@@ -68,22 +65,15 @@ Question<T> read_question(const JsonValue& json) {
   json.keys({"id", "query", "a", "b", "dimension", "margin", "ray", "point", "duration", "limit", "explain"});
   Question<T> q;
   q.query = read_query_kind(json.at("query"));
-  if (const auto d = json.find("dimension")) {
-    if (d->json() != 2 && d->json() != 3) d->fail("2 or 3");
-    q.dimension = d->json() == 2 ? 2 : 3;
-  }
-  const bool plane = q.dimension == 2;
+  if (const auto d = json.find("dimension"))
+    if (d->json() != 3) d->fail("2 or 3");
   json.at("a");
   if (asks_for_two(q.query)) json.at("b");
-  if (plane) {
-    read_plane_bodies(json, q);
-  } else {
-    q.a = read_body<T>(json.at("a"));
-    if (const auto b = json.find("b")) q.b = read_body<T>(*b);
-  }
+  q.a = read_body<T>(json.at("a"));
+  if (const auto b = json.find("b")) q.b = read_body<T>(*b);
   if (const auto m = json.find("margin")) q.margin = m->length<T>();
-  if (const auto r = json.find("ray")) q.ray = read_ray<T>(*r, plane, q.ray_length);
-  if (const auto p = json.find("point")) q.point = plane ? p->plane_vector<T>() : p->vector<T>();
+  if (const auto r = json.find("ray")) q.ray = read_ray<T>(*r, q.ray_length);
+  if (const auto p = json.find("point")) q.point = p->vector<T>();
   if (const auto d = json.find("duration")) q.duration = d->length<T>();
   if (const auto l = json.find("limit")) {
     if (q.query != QueryKind::distance) l->fail("no limit for this query");

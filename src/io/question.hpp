@@ -22,7 +22,6 @@ struct MovingBody {
 template <class T>
 struct Question {
   QueryKind query = QueryKind::overlap;
-  int dimension = 3;
   std::optional<MovingBody<T>> a, b;
   T margin = T(0);
   std::optional<Ray<T>> ray;
@@ -36,7 +35,7 @@ struct Question {
 /// The query that a question names.
 QueryKind read_query_kind(const JsonValue& json);
 
-/// Reads a whole question; throws `InvalidValue` with the path of the first value at fault.
+/// Reads a whole question in space; throws `InvalidValue` with the path of the first value at fault.
 template <class T>
 Question<T> read_question(const JsonValue& json);
 
@@ -47,14 +46,5 @@ Shape<T> read_shape(const JsonValue& json);
 /// A quaternion that is not zero, at unit length.
 template <class T>
 Quat<T> read_rotation(const JsonValue& json);
-
-/// A figure of the plane, as the prism |z| <= `depth` over it.
-template <class T>
-Shape<T> read_prism(const JsonValue& json, T depth);
-
-/// The two bodies of a question in the plane, as prisms. Both at once, since each must be deeper than the other can
-/// reach into it.
-template <class T>
-void read_plane_bodies(const JsonValue& json, Question<T>& question);
 
 }  // namespace graze::io

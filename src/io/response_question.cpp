@@ -1,4 +1,6 @@
 // The query `response`: reading it.
+#include "graze/plane/mass.hpp"
+#include "io/plane_question.hpp"
 #include "io/question.hpp"
 #include "io/response.hpp"
 
@@ -32,31 +34,11 @@ Vec3<T> read_inertia(const JsonValue& json, int dimension) {
   return {read_resistance<T>(parts[0]), read_resistance<T>(parts[1]), read_resistance<T>(parts[2])};
 }
 
-/// Area and its moments about the origin of the plane, of what a prism is made of.
-template <class T>
-struct PlaneMoments {
-  T area, x, y, polar;
-
-  explicit PlaneMoments(const MassProperties<T>& of)
-      : area(of.volume),
-        x(of.volume * of.center.x),
-        y(of.volume * of.center.y),
-        polar(of.inertia.row[2].z + x * of.center.x + y * of.center.y) {}
-};
-
-/// The inertia of a figure of the plane that has `mass` spread evenly. Where a prism is rounded it has caps; of two
-/// prisms over the same figure the deeper one has more of the figure, and the same caps: their difference is the
-/// figure's alone. Exact but for tapered capsules, which `mass_properties` samples.
+/// The inertia of a figure of the plane that has `mass` spread evenly; zero where it has no area.
 template <class T>
 T plane_inertia(const JsonValue& json, T mass) {
-  const Aabb<T> box = bounds(read_prism<T>(json, T(0)), Pose<T>{});
-  const T wide = length(box.upper - box.lower);
-  if (!(wide > T(0) && std::isfinite(wide))) return T(0);
-  const PlaneMoments<T> shallow(mass_properties(read_prism<T>(json, wide)));
-  const PlaneMoments<T> deep(mass_properties(read_prism<T>(json, T(2) * wide)));
-  const T area = deep.area - shallow.area, x = deep.x - shallow.x, y = deep.y - shallow.y;
-  if (!(area > T(0))) return T(0);
-  return mass * (deep.polar - shallow.polar - (x * x + y * y) / area) / area;
+  const plane::MassProperties<T> of = plane::mass_properties(read_plane_shape<T>(json));
+  return of.area > T(0) ? mass * (of.inertia / of.area) : T(0);
 }
 
 [[noreturn]] void fail_for_lack_of_volume(const JsonValue& body) {
@@ -85,7 +67,12 @@ InverseMass<T> read_mass(const JsonValue& json, const Quat<T>& rotation, int dim
   if (const auto i = json.find("inertia")) inertia = read_inertia<T>(*i, dimension);
   const bool movable = std::isfinite(mass);
   if (movable && !inertia) return read_mass_of_shape(json, mass, rotation, dimension);
-  if (const auto shape = json.find("shape")) dimension == 2 ? read_prism<T>(*shape, T(1)) : read_shape<T>(*shape);
+  if (const auto shape = json.find("shape")) {
+    if (dimension == 2)
+      read_plane_shape<T>(*shape);
+    else
+      read_shape<T>(*shape);
+  }
   return movable ? inverse_mass(mass, *inertia, rotation) : InverseMass<T>{};
 }
 

@@ -79,14 +79,22 @@ void write_trace(const Trace& trace, JsonWriter& out) {
     write_points(step.simplex, out);
     out.key("direction").vector(step.direction).key("found").open('{');
     out.key("a").vector(step.found.a).key("b").vector(step.found.b).close('}');
-    out.key("lower").number(step.lower).key("upper").number(step.upper).close('}');
+    out.key("lower").number(step.lower).key("upper").number(step.upper);
+    if (!step.polygon.empty()) write_points(step.polygon, out.key("polygon"));
+    out.close('}');
   }
   out.close(']').key("epa").open('[');
   for (const TraceEpa& step : trace.epa) {
     out.open('{').key("normal").vector(step.normal).key("faceDepth").number(step.face_depth);
-    out.key("foundDepth").number(step.found_depth).key("faces").number(static_cast<double>(step.faces)).close('}');
+    out.key("foundDepth").number(step.found_depth).key("faces").number(static_cast<double>(step.faces));
+    if (!step.polygon.empty()) write_points(step.polygon, out.key("polygon"));
+    out.close('}');
   }
   out.close(']');
+  if (!trace.difference.empty()) {
+    write_points(trace.difference, out.key("difference"));
+    out.key("rounding").number(trace.rounding);
+  }
   if (!trace.polytope.empty()) {
     out.key("polytope").open('{').key("points");
     write_points(trace.polytope, out);

@@ -1,5 +1,8 @@
 #include "graze/plane/cast.hpp"
 
+#include <algorithm>
+
+#include "plane/explain_motion.hpp"
 #include "plane/first_contact.hpp"
 #include "plane/leaves.hpp"
 
@@ -57,7 +60,8 @@ double time_to_close(double gap, double longest, const F& closing) {
 /// Conservative advancement: along the normal of the nearest points no body gets further than its origin moves and the
 /// turn of the piece's outermost points adds.
 template <class T>
-std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near) {
+std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near,
+                                    std::vector<TraceStep>* steps) {
   WorldContact out;
   const Vec2d linear = b.velocity.linear - a.velocity.linear;
   for (int step = 0; step < most_advances; ++step) {
@@ -67,6 +71,7 @@ std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double
     out.normal = rotate(pose_a.rotation, found.normal);
     const Vec2d on_a = transform(pose_a, found.a.point + found.normal * a.core.radius);
     out.point = on_a + out.normal * (gap / 2);
+    if (steps) steps->push_back({out.t, gap, {out.normal.x, out.normal.y, 0}});
     if (gap <= near) return out;
     const double approach = greatest(-dot(linear, out.normal), 0.0);
     const double height_a = dot(on_a - a.body.translation - a.velocity.linear * out.t, out.normal);
@@ -86,9 +91,10 @@ std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double
   return out;
 }
 
-/// The first contact of two convex pieces.
+/// The first contact of two convex pieces. With `steps`, those of the search are recorded there.
 template <class T>
-std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near) {
+std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near,
+                                      std::vector<TraceStep>* steps = nullptr) {
   const Pose2d pose_a = a.at(0), pose_b = b.at(0), b_in_a = relative(pose_a, pose_b);
   const Nearest start = nearest(a.core, b.core, b_in_a, size);
   const double gap = start.distance - a.core.radius - b.core.radius;
@@ -99,9 +105,14 @@ std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, doub
     out.point = transform(pose_a, start.a.point + start.normal * (a.core.radius + (out.depth > 0 ? gap / 2 : 0.0)));
     return out;
   }
-  if (a.velocity.angular != 0 || b.velocity.angular != 0) return advance(a, b, duration, size, near);
+  if (a.velocity.angular != 0 || b.velocity.angular != 0) return advance(a, b, duration, size, near, steps);
   const Vec2d velocity = inverse_rotate(pose_a.rotation, b.velocity.linear - a.velocity.linear);
-  const auto hit = first_contact(a.core, b.core, b_in_a, velocity, duration, size, near);
+  const auto hit = first_contact(a.core, b.core, b_in_a, velocity, duration, size, near, steps);
+  if (steps)
+    for (TraceStep& step : *steps) {
+      const Vec2d n = rotate(pose_a.rotation, {step.normal.x, step.normal.y});
+      step.normal = {n.x, n.y, 0};
+    }
   if (!hit) return {};
   const Pose2d then = a.at(hit->t);
   return WorldContact{hit->t, transform(then, hit->point), rotate(then.rotation, hit->normal), 0, hit->status};
@@ -114,6 +125,126 @@ T rounded_down(double t) {
   return double(rounded) > t ? std::nextafter(rounded, T(0)) : rounded;
 }
 
+/// Two bodies that move, as the pairs of their convex pieces.
+template <class T>
+struct MovingPair {
+  const Shape<T>&a, &b;
+  Pose2d body_a, body_b;
+  Velocity<double> of_a, of_b;
+
+  MovingPair(const Shape<T>& shape_a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& shape_b,
+             const Pose2<T>& pose_b, const Velocity<T>& velocity_b)
+      : a(shape_a),
+        b(shape_b),
+        body_a(widened(pose_a)),
+        body_b(widened(pose_b)),
+        of_a{converted<double>(velocity_a.linear), double(velocity_a.angular)},
+        of_b{converted<double>(velocity_b.linear), double(velocity_b.angular)} {}
+
+  Mover<T> mover_a(const LeafPair<T>& pair) const {
+    return {pair.a, pair.pose_a, body_a, of_a, length(pair.pose_a.translation) + pair.extent_a};
+  }
+  Mover<T> mover_b(const LeafPair<T>& pair) const {
+    return {pair.b, pair.pose_b, body_b, of_b, length(pair.pose_b.translation) + pair.extent_b};
+  }
+  /// Calls `f` with the pieces of each pair in the frames of their bodies.
+  template <class F>
+  void for_each(F&& f) const {
+    for_each_pair(a, Pose2<T>{}, b, Pose2<T>{}, f);
+  }
+  std::optional<WorldContact> contact(const LeafPair<T>& pair, double until, double duration,
+                                      std::vector<TraceStep>* steps = nullptr) const {
+    const Mover<T> at_a = mover_a(pair), at_b = mover_b(pair);
+    const double size = greatest(at_a.reach, at_b.reach), way = length(of_b.linear - of_a.linear) * duration;
+    // Half of D: the other half is for rounding the time.
+    const double near =
+        double(cast_tolerance<T>) / 2 * size +
+        4 * std::numeric_limits<double>::epsilon() * (way + length(body_b.translation - body_a.translation));
+    return pair_cast(at_a, at_b, until, size, near, steps);
+  }
+  CastHit<T> hit(const WorldContact& contact, const LeafPair<T>& pair) const {
+    return {rounded_down<T>(contact.t),
+            converted<T>(contact.point),
+            converted<T>(contact.normal),
+            static_cast<T>(contact.depth),
+            contact.status,
+            pair.piece_a,
+            pair.piece_b};
+  }
+};
+
+/// What a cast did about the pair of pieces that it stands on: those numbered `number`.
+template <class T>
+void explain_cast(const MovingPair<T>& moving, std::size_t number, double duration, Trace& trace) {
+  std::size_t i = 0;
+  moving.for_each([&](const LeafPair<T>& pair) {
+    if (i++ != number) return;
+    std::vector<TraceStep> steps;
+    const auto found = moving.contact(pair, duration, duration, &steps);
+    const Mover<T> a = moving.mover_a(pair), b = moving.mover_b(pair);
+    const auto place = [&](double t) {
+      const Pose2d at_a = a.at(t), at_b = b.at(t);
+      return explained_place(
+          LeafPair<T>{pair.a, pair.b, at_a, at_b, pair.extent_a, pair.extent_b, pair.piece_a, pair.piece_b});
+    };
+    trace = place(found ? found->t : duration);
+    if (found && found->t > 0) trace.difference = place(0).difference;
+    trace.steps = std::move(steps);
+    const bool turns = a.velocity.angular != 0 || b.velocity.angular != 0;
+    trace.method = turns || !trace.steps.empty() ? "conservative advancement" : "ray against the Minkowski difference";
+    if (found && !(found->t > 0)) trace.method = "closed form", trace.reason = "the bodies touch at the start";
+  });
+  trace.pieces = i > 1 ? i : 0;
+}
+
+/// A ray in the world, in double.
+template <class T>
+struct WorldRay {
+  Vec2d origin, direction;
+  bool valid;
+
+  WorldRay(const Ray<T>& ray, T length)
+      : origin(converted<double>(ray.origin)),
+        direction(normalized(converted<double>(ray.direction), Vec2d{})),
+        valid(std::isfinite(origin.x) && std::isfinite(origin.y) && length_squared(direction) > 0 && length >= T(0)) {}
+
+  /// Whether the ray may come into a box of pieces before `until`, each rounded; with room for the rounding of a few
+  /// numbers as large as the way to them.
+  auto near(const double& until) const {
+    return [this, &until](const Pose2d& pose, const Aabb2<double>& box, double rounding) {
+      const Vec2d own = inverse_transform(pose, origin), along = inverse_rotate(pose.rotation, direction);
+      const Vec2d center = (box.lower + box.upper) * 0.5 - own, half = (box.upper - box.lower) * 0.5;
+      const double slack = rounding + 1e-13 * (length(own) + length(box.lower) + length(box.upper) + rounding);
+      const Vec2d to_side = abs(along);
+      if (std::abs(cross(along, center)) > half.x * to_side.y + half.y * to_side.x + slack) return false;
+      const double middle = dot(along, center), reach = half.x * to_side.x + half.y * to_side.y + slack;
+      return middle + reach >= 0 && middle - reach <= until;
+    };
+  }
+
+  double near_enough(const Pose2d& at, double extent) const {
+    return double(tolerance<T>) / 4 * extent +
+           4 * std::numeric_limits<double>::epsilon() * length(inverse_transform(at, origin));
+  }
+  /// The hit of one convex piece up to `until`.
+  std::optional<RayHit<T>> meet(const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece, double until,
+                                double& t) const {
+    const Core<T> point = core_of(Circle<T>(T(0)));
+    const Vec2d own = inverse_transform(at, origin), along = inverse_rotate(at.rotation, direction);
+    const Pose2d start{own, {}};
+    if (nearest(core, point, start, extent).distance - core.radius <= 0) {
+      t = 0;
+      return RayHit<T>{T(0), converted<T>(origin), converted<T>(-direction), piece};
+    }
+    const auto hit = first_contact(core, point, start, along, until, extent, near_enough(at, extent));
+    if (!hit) return {};
+    t = hit->t;
+    // By rounding across the ray at most: a surface that it grazes does not face along it.
+    const Vec2d n = rotate(at.rotation, hit->normal);
+    return RayHit<T>{static_cast<T>(t), converted<T>(origin + direction * t), converted<T>(n), piece, hit->status};
+  }
+};
+
 }  // namespace
 
 template <class T>
@@ -124,72 +255,121 @@ Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t) {
 
 template <class T>
 std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
-                               const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration) {
-  const auto wide = [](const Pose2<T>& pose) {
-    return Pose2d{converted<double>(pose.translation), normalized(converted<double>(pose.rotation))};
-  };
-  const Pose2d body_a = wide(pose_a), body_b = wide(pose_b);
-  const Velocity<double> of_a{converted<double>(velocity_a.linear), double(velocity_a.angular)},
-      of_b{converted<double>(velocity_b.linear), double(velocity_b.angular)};
-  const double way = length(of_b.linear - of_a.linear) * double(duration);
+                               const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration,
+                               Trace* trace) {
+  const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
   std::optional<CastHit<T>> best;
   double until = double(duration);
-  for_each_pair(a, Pose2<T>{}, b, Pose2<T>{}, [&](const LeafPair<T>& pair) {
-    const Mover<T> mover_a{pair.a, pair.pose_a, body_a, of_a, length(pair.pose_a.translation) + pair.extent_a};
-    const Mover<T> mover_b{pair.b, pair.pose_b, body_b, of_b, length(pair.pose_b.translation) + pair.extent_b};
-    const double size = greatest(mover_a.reach, mover_b.reach);
-    // Half of D: the other half is for rounding the time.
-    const double near =
-        double(cast_tolerance<T>) / 2 * size +
-        4 * std::numeric_limits<double>::epsilon() * (way + length(body_b.translation - body_a.translation));
-    const auto hit = pair_cast(mover_a, mover_b, until, size, near);
+  std::size_t number = 0, first = 0;
+  moving.for_each([&](const LeafPair<T>& pair) {
+    const std::size_t own = number++;
+    const auto hit = moving.contact(pair, until, double(duration));
     if (!hit || (best && hit->t == until && !(hit->depth > double(best->depth)))) return;
     until = hit->t;
-    best = CastHit<T>{rounded_down<T>(hit->t),
-                      converted<T>(hit->point),
-                      converted<T>(hit->normal),
-                      static_cast<T>(hit->depth),
-                      hit->status,
-                      pair.piece_a,
-                      pair.piece_b};
+    best = moving.hit(*hit, pair);
+    first = own;
   });
+  if (trace) explain_cast(moving, first, double(duration), *trace);
   return best;
 }
 
 template <class T>
-std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray, T length_of_ray) {
-  const Vec2d direction = normalized(converted<double>(ray.direction), Vec2d{}), origin = converted<double>(ray.origin);
-  const bool finite = std::isfinite(origin.x) && std::isfinite(origin.y) && length_squared(direction) > 0;
-  if (!finite || !(length_of_ray >= T(0))) return {};
-  const Core<T> point = core_of(Circle<T>(T(0)));
+void cast_all(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
+              const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::vector<CastHit<T>>& hits) {
+  const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
+  const auto before = static_cast<std::ptrdiff_t>(hits.size());
+  moving.for_each([&](const LeafPair<T>& pair) {
+    if (const auto hit = moving.contact(pair, double(duration), double(duration)))
+      hits.push_back(moving.hit(*hit, pair));
+  });
+  std::stable_sort(hits.begin() + before, hits.end(), [](const CastHit<T>& p, const CastHit<T>& q) {
+    if (p.t != q.t) return p.t < q.t;
+    return p.piece_a != q.piece_a ? p.piece_a < q.piece_a : p.piece_b < q.piece_b;
+  });
+}
+
+template <class T>
+std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray, T length_of_ray,
+                                 Trace* trace) {
+  const WorldRay<T> world(ray, length_of_ray);
+  if (!world.valid) return {};
   std::optional<RayHit<T>> best;
   double until = double(length_of_ray);
-  for_each_leaf(shape, pose, [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
-    const Vec2d own = inverse_transform(at, origin), along = inverse_rotate(at.rotation, direction);
-    const Pose2d start{own, {}};
-    const double near = double(tolerance<T>) / 4 * extent + 4 * std::numeric_limits<double>::epsilon() * length(own);
-    if (nearest(core, point, start, extent).distance - core.radius <= 0) {
-      if (best && until == 0) return;
-      until = 0;
-      best = RayHit<T>{T(0), ray.origin, converted<T>(-direction), piece};
-      return;
-    }
-    const auto hit = first_contact(core, point, start, along, until, extent, near);
-    if (!hit || (best && hit->t == until)) return;
-    until = hit->t;
-    // By rounding across the ray at most: a surface that it grazes does not face along it.
-    const Vec2d n = rotate(at.rotation, hit->normal);
-    best = RayHit<T>{static_cast<T>(hit->t), converted<T>(origin + direction * hit->t), converted<T>(n), piece,
-                     hit->status};
-  });
+  struct Met {
+    Core<T> core;
+    Pose2d pose;
+    double extent;
+  };
+  std::optional<Met> met;  // what a trace is about: the piece that is hit, or else the first
+  std::size_t pieces = 0;
+  for_each_leaf(shape, widened(pose), 0, true, world.near(until),
+                [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
+                  ++pieces;
+                  if (best && until == 0) return;
+                  double t = 0;
+                  const auto hit = world.meet(core, at, extent, piece, until, t);
+                  const bool nearer = hit && !(best && t == until);
+                  if (trace && (nearer || !met)) met = Met{core, at, extent};
+                  if (!nearer) return;
+                  until = t;
+                  best = hit;
+                });
+  if (!trace) return best;
+  const std::optional<double> hit = best ? std::optional<double>(until) : std::nullopt;
+  if (met) {
+    const TracedRay traced{world.origin, world.direction, double(length_of_ray), hit};
+    explain_ray(met->core, met->pose, met->extent, world.near_enough(met->pose, met->extent), traced, *trace);
+  } else {
+    trace->method = "bounds", trace->reason = "the ray passes by the bounds of all pieces";
+  }
+  trace->pieces = pieces > 1 ? pieces : 0;
   return best;
+}
+
+template <class T>
+bool raycast_any(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray, T length_of_ray) {
+  const WorldRay<T> world(ray, length_of_ray);
+  if (!world.valid) return false;
+  bool found = false;
+  const double until = double(length_of_ray);
+  const auto near = world.near(until);
+  const auto wanted = [&](const Pose2d& at, const Aabb2<double>& box, double rounding) {
+    return !found && near(at, box, rounding);
+  };
+  for_each_leaf(shape, widened(pose), 0, true, wanted,
+                [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
+                  double t = 0;
+                  found = found || world.meet(core, at, extent, piece, until, t);
+                });
+  return found;
+}
+
+template <class T>
+std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray, std::vector<RayHit<T>>& hits,
+                        T length_of_ray) {
+  const WorldRay<T> world(ray, length_of_ray);
+  if (!world.valid) return 0;
+  const std::size_t before = hits.size();
+  const double until = double(length_of_ray);
+  for_each_leaf(shape, widened(pose), 0, true, world.near(until),
+                [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
+                  double t = 0;
+                  if (const auto hit = world.meet(core, at, extent, piece, until, t)) hits.push_back(*hit);
+                });
+  std::stable_sort(hits.begin() + static_cast<std::ptrdiff_t>(before), hits.end(),
+                   [](const RayHit<T>& p, const RayHit<T>& q) { return p.t != q.t ? p.t < q.t : p.piece < q.piece; });
+  return hits.size() - before;
 }
 
 #define GRAZE_PLANE_CASTS(T)                                                                                           \
   template Pose2<T> pose_at(const Pose2<T>&, const Velocity<T>&, T);                                                   \
   template std::optional<CastHit<T>> cast(const Shape<T>&, const Pose2<T>&, const Velocity<T>&, const Shape<T>&,       \
-                                          const Pose2<T>&, const Velocity<T>&, T);                                     \
-  template std::optional<RayHit<T>> raycast(const Shape<T>&, const Pose2<T>&, const Ray<T>&, T);
+                                          const Pose2<T>&, const Velocity<T>&, T, Trace*);                             \
+  template void cast_all(const Shape<T>&, const Pose2<T>&, const Velocity<T>&, const Shape<T>&, const Pose2<T>&,       \
+                         const Velocity<T>&, T, std::vector<CastHit<T>>&);                                             \
+  template std::optional<RayHit<T>> raycast(const Shape<T>&, const Pose2<T>&, const Ray<T>&, T, Trace*);               \
+  template bool raycast_any(const Shape<T>&, const Pose2<T>&, const Ray<T>&, T);                                       \
+  template std::size_t raycast_all(const Shape<T>&, const Pose2<T>&, const Ray<T>&, std::vector<RayHit<T>>&, T);
 GRAZE_PLANE_CASTS(float)
 GRAZE_PLANE_CASTS(double)
 #undef GRAZE_PLANE_CASTS

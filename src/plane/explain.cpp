@@ -94,12 +94,19 @@ Trace explained(const LeafPair<T>& pair, const Distance<double>& answer) {
   Trace trace;
   const bool half_plane = !pair.bounded();
   const bool polygons = pair.a.kind == CoreKind::polygon && pair.b.kind == CoreKind::polygon;
+  if (!half_plane) {
+    trace.difference = difference_outline(pair);
+    trace.rounding = pair.a.radius + pair.b.radius;
+  }
   if (!half_plane && !polygons)
     nearest(pair.a, pair.b, relative(pair.pose_a, pair.pose_b), pair.size(), &trace, pair.pose_a);
   trace.method = half_plane || closed_form(pair.a, pair.b) ? "closed form"
                  : polygons                                ? "separating axes"
                  : trace.epa.empty()                       ? "gjk"
                                                            : "gjk + epa";
+  // Beyond this many vertices a picture of the steps shows nothing.
+  constexpr std::uint32_t most_shown = 64;
+  if (polygons && pair.a.count + pair.b.count <= most_shown) explain_search(pair, trace);
   add_edges(pair, pair.a, pair.pose_a, is_box(pair.a), "A", trace);
   add_edges(pair, pair.b, pair.pose_b, is_box(pair.b), "B", trace);
   if (answer.status == Status::unbounded) {

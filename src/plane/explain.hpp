@@ -1,7 +1,8 @@
 // What a pair of shapes in the plane was answered by, told after the answer.
 //
-// Guarantee: no query takes another way for it; the axes are those of the edges, with the intervals that both shapes
-// cover on them, and the steps of curved cores are those that led to the answer.
+// Guarantee: no query takes another way for it. The axes are those of the edges, with the intervals that both shapes
+// cover on them. The steps of curved cores are those that led to the answer; polygons are answered by one walk around
+// their difference, and GJK and EPA are run beside it, for show.
 #pragma once
 
 #include "graze/plane/query.hpp"
@@ -12,5 +13,15 @@ namespace graze::plane {
 /// The trace of a pair that was answered by `answer`.
 template <class T>
 Trace explained(const LeafPair<T>& pair, const Distance<double>& answer);
+
+/// The outline of the Minkowski difference of two bounded cores in the world, counter-clockwise; of curved ones
+/// sampled.
+template <class T>
+std::vector<TraceSupport> difference_outline(const LeafPair<T>& pair);
+
+/// GJK (Gilbert, Johnson, Keerthi 1988) and, where the simplex comes to hold the origin, EPA (van den Bergen 2001), as
+/// they find the distance or the depth of two bounded cores: appended to the trace.
+template <class T>
+void explain_search(const LeafPair<T>& pair, Trace& trace);
 
 }  // namespace graze::plane

@@ -65,7 +65,8 @@ OutlineHit meet_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_
 
 template <class T>
 std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
-                                          const Vec2d& velocity, double duration, double size, double near) {
+                                          const Vec2d& velocity, double duration, double size, double near,
+                                          std::vector<TraceStep>* steps) {
   const double speed = length(velocity);
   if (!(speed > 0)) return {};
   FirstContact out;
@@ -74,7 +75,8 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
     const Vec2d direction = normalized(velocity);
     const OutlineHit hit = meet_polygons(a, b, b_in_a, direction);
     out.t = hit.t / speed;
-    if (!(out.t <= duration)) return {};
+    // A path without end that meets nothing does so at no time, and not at the last.
+    if (!(out.t <= duration) || hit.t == infinity) return {};
     const Nearest touching = nearest(a, b, moved(out.t), size);
     out.normal = hit.normal;
     out.point = touching.a.point + out.normal * a.radius;
@@ -85,6 +87,7 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
     const double gap = found.distance - found.error - a.radius - b.radius, closing = -dot(velocity, found.normal);
     out.normal = found.normal;
     out.point = found.a.point + found.normal * a.radius;
+    if (steps) steps->push_back({out.t, gap, {found.normal.x, found.normal.y, 0}});
     if (gap <= near && (closing > 0 || gap <= 0)) return out;
     if (!(closing > 0)) return {};
     // To half of what counts as contact, so that the last step does not fall short by rounding.
@@ -104,8 +107,8 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
 }
 
 template std::optional<FirstContact> first_contact(const Core<float>&, const Core<float>&, const Pose2d&, const Vec2d&,
-                                                   double, double, double);
+                                                   double, double, double, std::vector<TraceStep>*);
 template std::optional<FirstContact> first_contact(const Core<double>&, const Core<double>&, const Pose2d&,
-                                                   const Vec2d&, double, double, double);
+                                                   const Vec2d&, double, double, double, std::vector<TraceStep>*);
 
 }  // namespace graze::plane

@@ -19,9 +19,11 @@ struct FirstContact {
 };
 
 /// The first contact at a time in [0, duration] of cores that are apart at the start, while B moves by `velocity` in
-/// A's frame. `near`: the gap that counts as contact where no closed form answers.
+/// A's frame. `near`: the gap that counts as contact where no closed form answers. With `steps`, those along separating
+/// lines are recorded there, in A's frame.
 template <class T>
 std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
-                                          const Vec2d& velocity, double duration, double size, double near);
+                                          const Vec2d& velocity, double duration, double size, double near,
+                                          std::vector<TraceStep>* steps = nullptr);
 
 }  // namespace graze::plane

@@ -126,8 +126,12 @@ TraceSupport in_world(const Pose2d& pose, const Vertex& v) {
 void record(const GrowingPolygon& polygon, const Foot& foot, const Vertex& found, const Pose2d& pose, Trace& steps) {
   const Vec2d n = rotate(pose.rotation, foot.normal);
   const double reached = dot(found.point, foot.normal);
+  // Shown as B - A, in which a polygon of A - B runs counter-clockwise too.
+  std::vector<TraceSupport> vertices;
+  for (std::size_t i = 0; i < polygon.size(); ++i) vertices.push_back(in_world(pose, polygon[i]));
   if (foot.inside) {
-    steps.epa.push_back({{n.x, n.y, 0}, foot.reach, reached, in_world(pose, found), polygon.size() + 1});
+    steps.epa.push_back(
+        {{n.x, n.y, 0}, foot.reach, reached, in_world(pose, found), polygon.size() + 1, std::move(vertices)});
     return;
   }
   TraceGjk step;
@@ -135,9 +139,10 @@ void record(const GrowingPolygon& polygon, const Foot& foot, const Vertex& found
   if (foot.parameter > 0) step.simplex.push_back(in_world(pose, polygon[polygon.next(foot.edge)]));
   step.direction = {n.x, n.y, 0};
   step.found = in_world(pose, found);
-  step.lower = greatest(-reached, 0.0);
+  step.lower = greatest(-reached, steps.gjk.empty() ? 0.0 : steps.gjk.back().lower);
   step.upper = length(foot.point);
-  steps.gjk.push_back(step);
+  step.polygon = std::move(vertices);
+  steps.gjk.push_back(std::move(step));
 }
 
 /// The answer on the edge of a foot.

@@ -188,13 +188,14 @@ TEST(ExplainMotion, OfACompositeItTellsHowMuchWasVisited) {
   EXPECT_NE(explanation_text(e).find("visited"), std::string::npos);
 }
 
-TEST(ExplainMotion, InThePlaneNothingOfThePrismIsShown) {
+TEST(ExplainMotion, InThePlaneARayHasTheSpansOfItsEdges) {
   const Explanation box = explain(
       R"({"query": "raycast", "dimension": 2, "a": {"shape": {"type": "box", "box": {"size": [2, 2]}}},
           "ray": {"origin": [-3, 0.5], "direction": [1, 0.2]}})",
       Precision::double_precision);
-  ASSERT_EQ(box.trace.spans.size(), 2u);
-  EXPECT_EQ(box.trace.winner, "slab x");
+  ASSERT_EQ(box.trace.spans.size(), 4u);
+  EXPECT_EQ(box.trace.winner, "edge 3");  // the left one
+  EXPECT_NEAR(box.trace.spans[3].enter, box.ray->hit->t, 1e-12);
   const Explanation circle = explain(
       R"({"query": "raycast", "dimension": 2, "a": {"shape": {"type": "circle", "circle": {"radius": 1}}},
           "ray": {"origin": [-3, 0.5], "direction": [1, 0.05]}})",

@@ -6,6 +6,7 @@
 
 #include "graze/io/protocol.hpp"
 #include "io/answer.hpp"
+#include "io/prism_question.hpp"
 
 namespace graze::io {
 namespace {
@@ -34,7 +35,7 @@ Json by_prisms(const std::string& question) {
   const Json json = parse_json(question);
   JsonWriter out;
   out.open('{');
-  write_answer(read_question<double>(JsonValue(json, "")), out);
+  write_answer(read_prism_question<double>(JsonValue(json, "")), out);
   return Json::parse(out.close('}').take());
 }
 

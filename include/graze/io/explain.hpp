@@ -10,6 +10,7 @@
 
 #include "graze/cast.hpp"
 #include "graze/io/protocol.hpp"
+#include "graze/plane/shape.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 
@@ -32,9 +33,11 @@ struct ExplainedCast {
 /// What was asked, what came out, and what was done for it. Numbers of a question in float are widened.
 struct Explanation {
   std::string query;  ///< "overlap", "distance", "contacts", "raycast", "cast" or "closest"
-  int dimension = 3;  ///< of two, figures are prisms along Z
-  /// Of `closest` B is the point, as a ball of no radius; of `raycast` there is none.
+  int dimension = 3;
+  /// In space. Of `closest` B is the point, as a ball of no radius; of `raycast` there is none.
   std::optional<Placed<double>> a, b;
+  /// In the plane, likewise; all vectors below then have z = 0.
+  std::optional<plane::Placed<double>> plane_a, plane_b;
   bool overlap = false;                      ///< of `raycast` and `cast` whether they hit
   std::optional<Distance<double>> distance;  ///< of `distance` and `closest`
   Manifolds<double> manifolds;               ///< of `contacts`
@@ -54,7 +57,8 @@ GRAZE_API std::string explanation_text(const Explanation& explanation);
 
 /// As a picture: the shapes, the winning axis with the intervals of both, the points of contact with their ids, and all
 /// axes beside each other; of a ray its spans, of bodies that move both at the start and where they meet, and the steps
-/// up to there. Seen across the winning axis, from the side of `toward_viewer`.
+/// up to there. Seen across the winning axis, from the side of `toward_viewer`; the plane is seen from above, with all
+/// axes of two boxes drawn as projections, and below them the Minkowski difference with the steps of GJK and EPA.
 GRAZE_API std::string draw_explanation(const Explanation& explanation, const Vec3d& toward_viewer);
 
 /// The features that a contact's number names: "face 5 of A, vertex 0 of B"; with the shapes known, an edge by the two

@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "graze/motion.hpp"
 #include "graze/plane/query.hpp"
@@ -34,10 +35,24 @@ struct RayHit {
 };
 
 /// The first hit with 0 <= t <= `length`; nothing on a miss, and for a direction that is zero. A ray that starts in a
-/// solid (distance <= 0) hits at t = 0.
+/// solid (distance <= 0) hits at t = 0. A `trace` gets, after the answer, the spans of the ray in what the nearest
+/// piece is made of, or the steps towards it.
 template <class T>
 GRAZE_API std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
-                                           T length = std::numeric_limits<T>::infinity());
+                                           T length = std::numeric_limits<T>::infinity(), Trace* trace = nullptr);
+
+/// Whether the ray hits anything with 0 <= t <= `length`, as for lines of sight: `raycast` would return a hit. Stops at
+/// whichever piece is found first.
+template <class T>
+GRAZE_API bool raycast_any(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
+                           T length = std::numeric_limits<T>::infinity());
+
+/// Appends where the ray enters each piece of the shape with 0 <= t <= `length`, sorted by t (of equals, by piece): at
+/// most one hit for a convex shape, one for each convex piece of a polygon, segment of a chain and convex shape in a
+/// compound. Returns how many were appended.
+template <class T>
+GRAZE_API std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
+                                  std::vector<RayHit<T>>& hits, T length = std::numeric_limits<T>::infinity());
 
 /// How a body moves: at constant speed along a line, turning about its origin (its pose's translation) at constant
 /// rate.
@@ -65,10 +80,18 @@ struct CastHit {
 
 /// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or
 /// overlap at the start hit at t = 0. `duration` is finite and >= 0. A half-plane that turns has a bounded answer at
-/// best.
+/// best. A `trace` gets, after the answer, the Minkowski difference that the motion was followed in, or the steps of
+/// conservative advancement, of the pieces that meet first (of a miss, of the first pair).
 template <class T>
 GRAZE_API std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
                                          const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b,
-                                         T duration);
+                                         T duration, Trace* trace = nullptr);
+
+/// Appends the first contact of every pair of convex pieces of two shapes, as if each were alone, in the order of time
+/// (of equals, by pieces); of convex shapes that is at most one.
+template <class T>
+GRAZE_API void cast_all(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
+                        const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration,
+                        std::vector<CastHit<T>>& hits);
 
 }  // namespace graze::plane

@@ -2,9 +2,9 @@
 //
 // A prism's shortest way out of another lies in the plane as long as both are deeper than the figures are wide, so
 // every query in space answers the question in the plane, and only the z coordinates are left out of the answer.
-#include <cmath>
+#include "io/prism_question.hpp"
 
-#include "io/question.hpp"
+#include <cmath>
 
 namespace graze::io {
 
@@ -136,7 +136,9 @@ T reach(const Shape<T>& shape) {
 }  // namespace
 
 template <class T>
-void read_plane_bodies(const JsonValue& json, Question<T>& question) {
+Question<T> read_prism_question(const JsonValue& json) {
+  Question<T> question;
+  question.query = read_query_kind(json.at("query"));
   // Once without depth, to learn how wide the figures are; then with one that no overlap in the plane can reach.
   const auto both = [&](T depth) {
     question.a = read_plane_body<T>(json.at("a"), depth);
@@ -144,13 +146,15 @@ void read_plane_bodies(const JsonValue& json, Question<T>& question) {
   };
   both(T(0));
   const T wide = reach(question.a->shape) + (question.b ? reach(question.b->shape) : T(0));
-  // The prism is four times as deep as the figures are wide, and a box like any other.
-  if (!(T(4) * wide <= largest_magnitude<T>))
-    throw InvalidValue(question.b ? "a, b" : "a",
-                       "figures that reach at most " + validate::number(static_cast<double>(largest_magnitude<T>) / 4) +
-                           " from their origins, together",
-                       validate::number(static_cast<double>(wide)));
   both(wide > T(0) ? T(2) * wide : T(1));
+  if (const auto m = json.find("margin")) question.margin = m->template length<T>();
+  if (const auto p = json.find("point")) question.point = p->template plane_vector<T>();
+  if (const auto d = json.find("duration")) question.duration = d->template length<T>();
+  if (const auto r = json.find("ray")) {
+    question.ray = Ray<T>{r->at("origin").template plane_vector<T>(), r->at("direction").template plane_vector<T>()};
+    if (const auto l = r->find("length")) question.ray_length = l->template positive_or_zero<T>();
+  }
+  return question;
 }
 
 template <class T>
@@ -158,9 +162,7 @@ Shape<T> read_prism(const JsonValue& json, T depth) {
   return read_figure<T>(json, depth);
 }
 
-template Shape<float> read_prism(const JsonValue&, float);
+template Question<double> read_prism_question(const JsonValue&);
 template Shape<double> read_prism(const JsonValue&, double);
-template void read_plane_bodies(const JsonValue&, Question<float>&);
-template void read_plane_bodies(const JsonValue&, Question<double>&);
 
 }  // namespace graze::io
