@@ -98,37 +98,55 @@ std::int64_t first_crossing(std::span<const Vec2d> outline) {
 }
 
 std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Vec2d> outline) {
-  std::vector<ContactPolygon> rings = triangles(outline);
-  // Which ring an edge belongs to, by its ends.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts;
-  for (std::size_t r = 0; r < rings.size(); ++r)
-    for (std::size_t k = 0; k < rings[r].size(); ++k) {
-      const std::uint32_t a = rings[r][k], b = rings[r][(k + 1) % rings[r].size()];
-      owner[{a, b}] = r;
-      if (owner.count({b, a})) cuts.push_back({a, b});
-    }
-  const auto neighbour = [](const ContactPolygon& ring, std::uint32_t vertex, std::size_t step) {
-    const auto at = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), vertex) - ring.begin());
-    return ring[(at + step) % ring.size()];
+  /// An edge of one ring, with its neighbours in it; `ring` is the one that it began in.
+  struct Edge {
+    std::uint32_t from, to;
+    std::size_t before, after, ring;
   };
-  for (const auto& [a, b] : cuts) {
-    const std::size_t left_of = owner[{a, b}], right_of = owner[{b, a}];
-    if (left_of == right_of) continue;
-    ContactPolygon &l = rings[left_of], &r = rings[right_of];
-    // Convex still at both ends of the cut without it.
-    if (side(outline[neighbour(l, a, l.size() - 1)], outline[a], outline[neighbour(r, a, 1)]) < 0 ||
-        side(outline[neighbour(r, b, r.size() - 1)], outline[b], outline[neighbour(l, b, 1)]) < 0)
-      continue;
-    ContactPolygon merged;
-    for (std::uint32_t v = b; v != a; v = neighbour(l, v, 1)) merged.push_back(v);
-    for (std::uint32_t v = a; v != b; v = neighbour(r, v, 1)) merged.push_back(v);
-    for (std::size_t k = 0; k < merged.size(); ++k) owner[{merged[k], merged[(k + 1) % merged.size()]}] = left_of;
-    l = std::move(merged);
-    r.clear();
+  const std::vector<ContactPolygon> rings = triangles(outline);
+  std::vector<Edge> edges;
+  std::vector<std::size_t> first(rings.size()), joined(rings.size());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> by_ends;
+  std::vector<std::pair<std::size_t, std::size_t>> cuts;  // both edges along each
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const std::size_t start = edges.size();
+    first[r] = start, joined[r] = r;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = rings[r][k], b = rings[r][(k + 1) % 3];
+      by_ends[{a, b}] = edges.size();
+      if (const auto other = by_ends.find({b, a}); other != by_ends.end())
+        cuts.push_back({edges.size(), other->second});
+      edges.push_back({a, b, start + (k + 2) % 3, start + (k + 1) % 3, r});
+    }
   }
-  std::erase_if(rings, [](const ContactPolygon& ring) { return ring.empty(); });
-  return rings;
+  // Rings that were joined are those of a tree; the way to its root is halved on the way (Tarjan, van Leeuwen 1984).
+  const auto root = [&](std::size_t r) {
+    while (joined[r] != r) r = joined[r] = joined[joined[r]];
+    return r;
+  };
+  for (const auto& [l, r] : cuts) {
+    // Convex still at both ends of the cut without it. Two rings of a simple polygon share no more than one.
+    if (side(outline[edges[edges[l].before].from], outline[edges[l].from], outline[edges[edges[r].after].to]) < 0 ||
+        side(outline[edges[edges[r].before].from], outline[edges[l].to], outline[edges[edges[l].after].to]) < 0)
+      continue;
+    const auto link = [&](std::size_t before, std::size_t after) {
+      edges[before].after = after, edges[after].before = before;
+    };
+    const std::size_t left = root(edges[l].ring), start = edges[l].after;
+    link(edges[l].before, edges[r].after);
+    link(edges[r].before, edges[l].after);
+    joined[root(edges[r].ring)] = left;
+    first[left] = start;
+  }
+  std::vector<std::vector<std::uint32_t>> pieces;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (joined[r] != r) continue;
+    std::vector<std::uint32_t>& piece = pieces.emplace_back();
+    std::size_t at = first[r];
+    do piece.push_back(edges[at].from), at = edges[at].after;
+    while (at != first[r]);
+  }
+  return pieces;
 }
 
 }  // namespace graze::plane
