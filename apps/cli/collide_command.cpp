@@ -5,7 +5,9 @@
 #include "collide_frames.hpp"
 #include "commands.hpp"
 #include "graze/io/collide.hpp"
+#include "graze/io/file.hpp"
 #include "graze/io/picture.hpp"
+#include "graze/io/plane_scene.hpp"
 #include "graze/io/scene_writer.hpp"
 #include "graze/io/solid.hpp"
 #include "output.hpp"
@@ -26,18 +28,27 @@ struct CollideArguments {
   std::vector<double> direction{1, 0.7, 1.2};
 };
 
-void print_pairs_as_json(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
+/// A vector with as many coordinates as the scene has.
+Json vector_of(const io::Scene&, const Vec3d& v) { return json_of(v); }
+Json vector_of(const io::PlaneScene&, const Vec3d& v) { return {v.x, v.y}; }
+std::string words_of(const io::Scene&, const Vec3d& v) { return shown(v, 7); }
+std::string words_of(const io::PlaneScene&, const Vec3d& v) {
+  return fmt::format("{:7.4f} {:7.4f}", v.x + 0.0, v.y + 0.0);
+}
+
+template <class AnyScene>
+void print_pairs_as_json(const AnyScene& scene, const std::vector<io::TouchingPair>& pairs) {
   Json out = Json::array();
   for (const io::TouchingPair& pair : pairs) {
     Json manifolds = Json::array();
     for (const auto& m : pair.manifolds) {
       Json points = Json::array();
       for (const auto& p : m.points)
-        points.push_back({{"a", json_of(p.a)},
-                          {"b", json_of(p.b)},
+        points.push_back({{"a", vector_of(scene, p.a)},
+                          {"b", vector_of(scene, p.b)},
                           {"distance", p.distance},
                           {"feature", fmt::format("{:08x}", p.feature)}});
-      manifolds.push_back({{"normal", json_of(m.normal)}, {"points", points}});
+      manifolds.push_back({{"normal", vector_of(scene, m.normal)}, {"points", points}});
     }
     out.push_back({{"a", scene.colliders[pair.a].name},
                    {"b", scene.colliders[pair.b].name},
@@ -52,7 +63,8 @@ void print_pairs_as_json(const io::Scene& scene, const std::vector<io::TouchingP
   print(whole);
 }
 
-void print_pairs_as_table(const io::Scene& scene, const std::vector<io::TouchingPair>& pairs) {
+template <class AnyScene>
+void print_pairs_as_table(const AnyScene& scene, const std::vector<io::TouchingPair>& pairs) {
   print_notes(scene.notices);
   fmt::print("{}: {} in {}, {} in contact\n", scene.source, counted(scene.colliders.size(), "collider"),
              counted(scene.bodies.size(), "body"), counted(pairs.size(), "pair"));
@@ -67,16 +79,42 @@ void print_pairs_as_table(const io::Scene& scene, const std::vector<io::Touching
     const double d = p.manifolds.empty() ? 0 : p.distance();
     const std::string state = p.trigger ? (p.overlap ? "in trigger" : "near trigger")
                                         : fmt::format("{} {:.6g}", p.overlap ? "depth" : "gap", std::abs(d));
-    const std::string normal = shown(p.normal(), 7);
+    const std::string normal = words_of(scene, p.normal());
     fmt::print("{:<{}}  {:<{}}  {:<23}  {:>24}  {:>6}\n", scene.colliders[p.a].name, a, scene.colliders[p.b].name, b,
                state, normal, p.point_count());
   }
 }
 
-std::vector<io::TouchingPair> touching_pairs(const io::Scene& scene, io::CollideOptions how) {
+template <class AnyScene>
+std::vector<io::TouchingPair> touching_pairs(const AnyScene& scene, io::CollideOptions how) {
   Progress progress("colliding");
   how.progress = std::ref(progress);
   return io::collide(scene, how);
+}
+
+/// A scene of the plane is one file.
+bool is_in_plane(const CollideArguments& options) {
+  std::size_t count = 0;
+  for (const std::string& file : options.scene.files) count += io::is_plane_scene(file);
+  if (count == 0) return false;
+  if (options.scene.files.size() > 1)
+    throw InvalidValue("SCENE", "one .svg or .json alone", counted(options.scene.files.size(), "file"));
+  const char* other = options.frames.frames              ? "--frames"
+                      : options.solid                    ? "--solid"
+                      : !options.out.empty()             ? "--out"
+                      : options.points                   ? "--points"
+                      : !options.scene.colliders.empty() ? "--colliders"
+                                                         : nullptr;
+  if (other) throw InvalidValue(other, "a scene in space", "one of the plane");
+  return true;
+}
+
+int run_in_plane(const CollideArguments& options, const io::CollideOptions& how) {
+  const io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
+  const std::vector<io::TouchingPair> pairs = touching_pairs(scene, how);
+  options.json ? print_pairs_as_json(scene, pairs) : print_pairs_as_table(scene, pairs);
+  if (!options.svg.empty()) io::write_file(options.svg, io::draw_picture(scene, pairs));
+  return 0;
 }
 
 int run_collide(const CollideArguments& options) {
@@ -87,6 +125,7 @@ int run_collide(const CollideArguments& options) {
   const Vec3d direction = checked_direction(options.direction);
   check_ending("--svg", options.svg, ".svg");
   check_ending("--out", options.out, ".glb");
+  if (is_in_plane(options)) return run_in_plane(options, how);
   if (options.frames.frames) {
     io::Scene scene = options.scene.load(true);
     if (options.solid) io::make_solid(scene);
@@ -138,11 +177,17 @@ Run add_collide(CLI::App& app) {
   command->footer("Pairs of one body and pairs that collision filters forbid are left out; where anything can move, so "
                   "are pairs of\n"
                   "which neither can. Exit code: 0, or 2 when a file or an option cannot be used.\n\n"
+                  "A scene of the plane is an SVG (rect, circle, ellipse, line, polyline, polygon, path; class static, "
+                  "kinematic,\n"
+                  "dynamic, trigger; data-body, data-systems, data-collide-with and more) or JSON with \"dimension\": "
+                  "2 and bodies\n"
+                  "in the protocol's shapes; docs/plane.md has both. Y points up: a drawing's (x, y) is (x, -y).\n\n"
                   "--frames plays an animation of glTF: nodes that its channels move take their colliders along. Each "
                   "frame is\n"
                   "looked at by itself: what flies through something between two frames is not seen (try more --fps, "
                   "or graze cast).\n\n"
                   "Examples:\n  graze collide scene.glb --margin 0.01 --svg contacts.svg --out contacts.glb\n"
+                  "  graze collide examples/scenes/plane.svg --svg contacts.svg\n"
                   "  graze collide scene.glb --frames --fps 60 --animation walk --json");
   return [options] { return run_collide(*options); };
 }

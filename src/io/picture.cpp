@@ -6,7 +6,9 @@
 #include <set>
 
 #include "graze/io/file.hpp"
+#include "graze/io/plane_scene.hpp"
 #include "io/drawing.hpp"
+#include "io/plane_outline.hpp"
 
 namespace graze::io {
 
@@ -55,7 +57,8 @@ constexpr Tint looks[] = {{"static", fixed_color},
                           {"touching", mixed(moving_color, touching_color, 0.75)},
                           {"trigger", trigger_color}};
 
-std::size_t look_of(const Scene& scene, const Collider& collider, bool touching) {
+template <class AnyScene, class AnyCollider>
+std::size_t look_of(const AnyScene& scene, const AnyCollider& collider, bool touching) {
   if (collider.trigger) return 4;
   const bool fixed = scene.bodies[collider.body].type == MotionType::fixed;
   return (fixed ? 0u : 2u) + (touching ? 1u : 0u);
@@ -67,7 +70,8 @@ std::string counted(std::size_t count, const char* noun) {
 }
 
 /// The title, and below the looks that are in the picture.
-std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs, const std::set<std::size_t>& used) {
+template <class AnyScene>
+std::string legend(const AnyScene& scene, const std::vector<TouchingPair>& pairs, const std::set<std::size_t>& used) {
   std::string out = "<g font-family=\"system-ui, sans-serif\">\n" +
                     text(24, 32, 17,
                          fmt::format("{}: {}, {} in contact", scene.source, counted(scene.colliders.size(), "collider"),
@@ -88,6 +92,16 @@ std::string legend(const Scene& scene, const std::vector<TouchingPair>& pairs, c
   return out + "</g>\n";
 }
 
+/// The numbers of the colliders that touch others.
+std::set<std::uint32_t> touching_colliders(const std::vector<TouchingPair>& pairs) {
+  std::set<std::uint32_t> touching;
+  for (const TouchingPair& p : pairs)
+    if (p.overlap && !p.trigger) touching.insert({p.a, p.b});
+  return touching;
+}
+
+constexpr Panel scene_panel{edge, edge + 25, picture_width - 2 * edge, picture_height - 2 * edge - 30};
+
 }  // namespace
 
 std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pairs, const Vec3d& direction) {
@@ -98,11 +112,8 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
   for (int i = 0; i < 8; ++i)
     corners.push_back(
         {i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y, i & 4 ? box.upper.z : box.lower.z});
-  const View view(direction, corners, {edge, edge + 25, picture_width - 2 * edge, picture_height - 2 * edge - 30});
-  std::set<std::uint32_t> touching;
-  for (const TouchingPair& p : pairs)
-    if (p.overlap && !p.trigger) touching.insert({p.a, p.b});
-
+  const View view(direction, corners, scene_panel);
+  const std::set<std::uint32_t> touching = touching_colliders(pairs);
   std::vector<DrawnFace> faces;
   std::set<std::size_t> used;
   for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
@@ -110,6 +121,25 @@ std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pa
     const std::size_t look = look_of(scene, c, touching.count(i) != 0);
     used.insert(look);
     draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, size, faces);
+  }
+  return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs, used) + "</svg>\n";
+}
+
+std::string draw_picture(const PlaneScene& scene, const std::vector<TouchingPair>& pairs) {
+  Aabbd box = Aabbd::empty();
+  for (const PlaneCollider& c : scene.colliders)
+    if (const Aabbd of = plane_bounds(c.shape, c.pose); max_abs(of.extent()) < 1e300) box = merged(box, of);
+  if (!(box.lower.x <= box.upper.x)) box = {{-1, -1, 0}, {1, 1, 0}};
+  const double size = std::max(max_abs(box.extent()), least_size);
+  const View view({0, 0, 1}, {box.lower, box.upper}, scene_panel);
+  const std::set<std::uint32_t> touching = touching_colliders(pairs);
+  std::vector<DrawnFace> faces;
+  std::set<std::size_t> used;
+  for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
+    const PlaneCollider& c = scene.colliders[i];
+    const std::size_t look = look_of(scene, c, touching.count(i) != 0);
+    used.insert(look);
+    draw_shape(view, plane_polygons(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, 1e300, faces);
   }
   return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs, used) + "</svg>\n";
 }

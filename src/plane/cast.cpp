@@ -191,6 +191,7 @@ void explain_cast(const MovingPair<T>& moving, std::size_t number, double durati
     if (found && found->t > 0) trace.difference = place(0).difference;
     trace.steps = std::move(steps);
     const bool turns = a.velocity.angular != 0 || b.velocity.angular != 0;
+    if (turns) trace.difference.clear();  // another one at every time
     trace.method = turns || !trace.steps.empty() ? "conservative advancement" : "ray against the Minkowski difference";
     if (found && !(found->t > 0)) trace.method = "closed form", trace.reason = "the bodies touch at the start";
   });

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -204,6 +205,34 @@ TEST(Cli, ExplainDrawsThePicturesOfTheDocumentation) {
     EXPECT_EQ(content(picture), content(docs + "-" + line + ".svg")) << "line " << line;
   }
   std::filesystem::remove(picture);
+}
+
+// And so does the page about the plane, of its tables too.
+TEST(Cli, ExplainDrawsThePicturesOfThePlane) {
+  const std::string docs = std::string(GRAZE_SOURCE_DIR) + "/docs/plane";
+  const auto picture = std::filesystem::temp_directory_path() / "graze_explain_plane_test.svg";
+  std::string printed;
+  for (const char* line : {"1", "2", "3", "4", "5", "6", "7"}) {
+    const Result r = run("explain " + docs + ".jsonl --line " + line + " --svg " + picture.string());
+    EXPECT_EQ(r.code, 0);
+    printed += r.output;
+    EXPECT_EQ(content(picture), content(docs + "-" + line + ".svg")) << "line " << line;
+  }
+  const Result scene = run("collide " + std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg --svg " +
+                           picture.string());
+  EXPECT_EQ(scene.code, 0);
+  EXPECT_EQ(content(picture), content(docs + "-scene.svg"));
+  printed += scene.output;
+  std::filesystem::remove(picture);
+  // Every table of the page is a part of what was printed.
+  std::istringstream page(content(docs + ".md"));
+  std::size_t tables = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("    ") || line.starts_with("    graze ")) continue;
+    EXPECT_NE(printed.find(line.substr(4)), std::string::npos) << line;
+    ++tables;
+  }
+  EXPECT_GT(tables, 20u);
 }
 
 TEST(Cli, ExplainNamesTheWinnerAndTheFeatures) {

@@ -1,0 +1,62 @@
+// Scenes of the plane: shapes drawn in SVG or written as JSON, which of them touch, and a picture of that.
+//
+// Guarantee: what a loader returns is valid: finite poses, built shapes, filters in range. A file that is not, whatever
+// its bytes, raises `InvalidValue` naming file, line, element, what was expected and what was found; nothing crashes,
+// hangs or allocates without bound. The plane's Y axis points up, and so SVG's is turned over: a point (x, y) of a
+// drawing is (x, -y) here, and pictures look as the drawing does.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "graze/filter.hpp"
+#include "graze/io/collide.hpp"
+#include "graze/plane/shape.hpp"
+
+namespace graze::io {
+
+/// What moves as one. Its colliders never collide with each other.
+struct PlaneSceneBody {
+  std::string name;
+  MotionType type = MotionType::fixed;
+};
+
+/// One shape of a body, at its pose in the world.
+struct PlaneCollider {
+  std::string name;
+  std::uint32_t body = 0;  ///< index into `PlaneScene::bodies`
+  plane::Shaped shape;
+  plane::Pose2d pose{};
+  Filter filter{};
+  bool trigger = false;
+};
+
+struct PlaneScene {
+  std::string source;
+  std::vector<PlaneSceneBody> bodies;
+  std::vector<PlaneCollider> colliders;
+  std::vector<std::string> notices;            ///< what was skipped, one sentence each
+  std::vector<std::string> collision_systems;  ///< the names behind the filters' bits
+};
+
+/// Whether a file's ending is that of a scene of the plane: .svg or .json.
+GRAZE_API bool is_plane_scene(const std::filesystem::path& file);
+
+/// Reads a scene file of the plane.
+GRAZE_API PlaneScene load_plane_scene(const std::filesystem::path& file);
+
+/// An SVG document, from memory. docs/plane.md says which elements and attributes are read.
+GRAZE_API PlaneScene load_plane_svg(const std::string& bytes, const std::string& source_name);
+
+/// A JSON document `{"dimension": 2, "bodies": [...]}` with the protocol's shapes of the plane, from memory.
+GRAZE_API PlaneScene load_plane_json(const std::string& bytes, const std::string& source_name);
+
+/// As `collide` of scenes in space; vectors of the answer have z = 0. Throws `InvalidValue` for what is too large for
+/// the precision. Cost: n log n, and the pairs whose bounds overlap along X.
+GRAZE_API std::vector<TouchingPair> collide(const PlaneScene& scene, const CollideOptions& options = {});
+
+/// The scene with its contacts and their normals.
+GRAZE_API std::string draw_picture(const PlaneScene& scene, const std::vector<TouchingPair>& pairs);
+
+}  // namespace graze::io

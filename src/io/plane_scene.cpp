@@ -1,0 +1,146 @@
+#include "graze/io/plane_scene.hpp"
+
+#include <algorithm>
+
+#include "graze/io/file.hpp"
+#include "io/plane_question.hpp"
+#include "io/plane_scene_parts.hpp"
+
+namespace graze::io {
+
+namespace {
+
+/// A drawing of this size has more shapes than anybody draws.
+constexpr std::size_t largest_file = std::size_t(1) << 28;
+
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::vector<std::string> read_names(const JsonValue& json) {
+  std::vector<std::string> out;
+  for (const JsonValue& name : json.elements()) out.push_back(name.string());
+  return out;
+}
+
+PlaneSceneBuilder::Role read_role(const JsonValue& json) {
+  PlaneSceneBuilder::Role role;
+  if (const auto b = json.find("body")) role.body = b->string();
+  if (const auto m = json.find("motion")) {
+    const auto motion = motion_named(m->json().is_string() ? m->string() : "");
+    if (!motion) m->fail("one of static, kinematic, dynamic");
+    role.motion = *motion;
+  }
+  if (const auto t = json.find("trigger")) role.trigger = t->boolean();
+  if (const auto s = json.find("systems")) role.systems = read_names(*s);
+  if (const auto s = json.find("collideWith")) role.collide_with = read_names(*s);
+  if (const auto s = json.find("notCollideWith")) role.not_collide_with = read_names(*s);
+  if (json.has("collideWith") && json.has("notCollideWith")) json.at("notCollideWith").fail("none beside collideWith");
+  return role;
+}
+
+void read_collider(const JsonValue& json, std::size_t number, PlaneSceneBuilder& scene) {
+  json.keys({"name", "shape", "translation", "rotation", "body", "motion", "trigger", "systems", "collideWith",
+             "notCollideWith"});
+  std::string name = "collider " + std::to_string(number);
+  if (const auto n = json.find("name")) name = n->string();
+  plane::Pose2d pose;
+  if (const auto v = json.find("translation")) {
+    const Vec3d at = v->plane_vector<double>();
+    pose.translation = {at.x, at.y};
+  }
+  if (const auto r = json.find("rotation")) pose.rotation = plane::Rot2d::from_angle(r->number<double>());
+  scene.add(std::move(name), read_role(json), read_plane_shape<double>(json.at("shape")), pose);
+}
+
+}  // namespace
+
+std::optional<MotionType> motion_named(std::string_view name) {
+  if (name == "static") return MotionType::fixed;
+  if (name == "kinematic") return MotionType::kinematic;
+  if (name == "dynamic") return MotionType::dynamic;
+  return {};
+}
+
+std::uint32_t PlaneSceneBuilder::body_of(const std::string& name, const Role& role) {
+  const auto next = static_cast<std::uint32_t>(scene_.bodies.size());
+  if (!role.body.empty()) {
+    const auto [found, made] = bodies_.emplace(role.body, next);
+    if (!made) {
+      if (scene_.bodies[found->second].type != role.motion)
+        throw InvalidValue("", "one motion of all that belongs to body " + role.body, "two");
+      return found->second;
+    }
+  }
+  scene_.bodies.push_back({role.body.empty() ? name : role.body, role.motion});
+  return next;
+}
+
+std::uint64_t PlaneSceneBuilder::bits_of(const std::vector<std::string>& names) {
+  std::uint64_t bits = 0;
+  for (const std::string& name : names) {
+    const auto [found, made] = systems_.emplace(name, static_cast<std::uint32_t>(systems_.size()));
+    if (found->second >= 63) throw InvalidValue("", "at most 63 collision systems in all", "more");
+    if (made) scene_.collision_systems.push_back(name);
+    bits |= std::uint64_t(1) << found->second;
+  }
+  return bits;
+}
+
+void PlaneSceneBuilder::add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose) {
+  PlaneCollider collider{std::move(name), 0, std::move(shape), pose, {}, role.trigger};
+  collider.body = body_of(collider.name, role);
+  // What belongs to no system has the last bit.
+  collider.filter.category = role.systems.empty() ? std::uint64_t(1) << 63 : bits_of(role.systems);
+  if (!role.collide_with.empty()) collider.filter.mask = bits_of(role.collide_with);
+  if (!role.not_collide_with.empty()) collider.filter.mask = ~bits_of(role.not_collide_with);
+  collider.filter.group = -1 - static_cast<std::int32_t>(collider.body);
+  scene_.colliders.push_back(std::move(collider));
+}
+
+bool is_plane_scene(const std::filesystem::path& file) {
+  const std::string ending = ending_of(file);
+  return ending == ".svg" || ending == ".json";
+}
+
+PlaneScene load_plane_json(const std::string& bytes, const std::string& source_name) {
+  try {
+    const Json json = parse_json(bytes);
+    const JsonValue root(json, "");
+    if (!json.is_object()) root.fail("one JSON object");
+    root.keys({"dimension", "bodies"});
+    if (root.at("dimension").json() != 2) root.at("dimension").fail("2");
+    PlaneSceneBuilder scene(source_name);
+    std::size_t number = 0;
+    for (const JsonValue& body : root.at("bodies").elements()) {
+      try {
+        read_collider(body, number++, scene);
+      } catch (const InvalidValue& e) {
+        if (!e.path().empty()) throw;
+        throw e.below(body.path());
+      }
+    }
+    return scene.take();
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(e.path().empty() ? source_name : source_name + ": " + e.path(), e.expectation(), e.found());
+  }
+}
+
+PlaneScene load_plane_scene(const std::filesystem::path& file) {
+  std::ifstream in = open_file(file);
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed)) throw InvalidValue(file.string(), "", "not a regular file");
+  if (std::filesystem::file_size(file, failed) > largest_file)
+    throw InvalidValue(file.string(), "a file of at most 256 MiB", "a larger one");
+  const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  if (!in && !in.eof()) throw InvalidValue(file.string(), "", "cannot be read to its end");
+  const std::string name = file.filename().string();
+  if (ending_of(file) == ".svg") return load_plane_svg(bytes, name);
+  if (ending_of(file) == ".json") return load_plane_json(bytes, name);
+  throw InvalidValue(file.string(), "a file that ends in .svg or .json", "\"" + ending_of(file) + "\"");
+}
+
+}  // namespace graze::io

@@ -1,0 +1,312 @@
+// Scenes of the plane drawn in SVG.
+//
+// The library behind it, tinyxml2, expands no entities but the five of XML itself and refuses elements nested deeper
+// than it can walk; numbers of elements and points are bounded here.
+#include <tinyxml2.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "graze/error.hpp"
+#include "graze/validate.hpp"
+#include "io/plane_scene_parts.hpp"
+#include "io/svg_path.hpp"
+#include "io/text_lines.hpp"
+
+namespace graze::io {
+
+namespace {
+
+using plane::Pose2d;
+using plane::Vec2d;
+using tinyxml2::XMLElement;
+
+constexpr std::size_t most_elements = 1000000;
+/// Cutting a solid polygon of n vertices takes up to n^2 steps; of all of a file together no more than this, which is
+/// some seconds.
+constexpr double most_cutting = 4e8;
+
+/// What an element hands down to those inside it.
+struct Context {
+  Affine2 map;
+  PlaneSceneBuilder::Role role;
+  std::optional<double> tolerance;
+};
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> out;
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t from = at;
+    while (at < text.size() && !is_space(text[at])) ++at;
+    if (at > from) out.emplace_back(text.substr(from, at - from));
+    while (at < text.size() && is_space(text[at])) ++at;
+  }
+  return out;
+}
+
+class SvgReader {
+ public:
+  SvgReader(const std::string& bytes, const std::string& name) : scene_(name) {
+    if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
+      throw InvalidValue("line " + std::to_string(document_.ErrorLineNum()), "an XML document",
+                         tinyxml2::XMLDocument::ErrorIDToName(document_.ErrorID()));
+    const XMLElement* root = document_.RootElement();
+    if (!root || local_name(*root) != "svg") throw InvalidValue("", "an <svg> element as the root", "none");
+    Context context;
+    context.map = {{1, 0}, {0, -1}, {}};  // the Y axis points up here
+    walk(*root, context);
+    for (const std::string& element : skipped_)
+      scene_.note("<" + element + "> elements are no shapes and were left out");
+  }
+
+  PlaneScene take() { return scene_.take(); }
+
+ private:
+  static std::string local_name(const XMLElement& element) {
+    const std::string name = element.Name();
+    const std::size_t colon = name.find(':');
+    return colon == std::string::npos ? name : name.substr(colon + 1);
+  }
+
+  /// Where an element stands, for errors: "line 12: <rect id=floor>".
+  static std::string place_of(const XMLElement& element) {
+    const char* id = element.Attribute("id");
+    return "line " + std::to_string(element.GetLineNum()) + ": <" + local_name(element) +
+           (id ? " id=" + quoted(id) : std::string()) + ">";
+  }
+
+  /// Calls `f` with the value of an attribute; what it refuses is refused by the attribute's name.
+  template <class F>
+  static void with(const XMLElement& element, const char* name, const F& f) {
+    const char* value = element.Attribute(name);
+    if (!value) return;
+    try {
+      f(std::string_view(value));
+    } catch (const InvalidValue& e) {
+      throw InvalidValue(std::string(name) + (e.path().empty() ? "" : ", " + e.path()), e.expectation(), e.found());
+    }
+  }
+
+  static double number(const XMLElement& element, const char* name, double otherwise) {
+    double out = otherwise;
+    with(element, name, [&](std::string_view text) {
+      if (text.ends_with("px")) text.remove_suffix(2);
+      const auto value = number_in(text);
+      if (!value || !std::isfinite(*value)) throw InvalidValue("", "a number without a unit, or in px", quoted(text));
+      out = *value;
+    });
+    return out;
+  }
+  static double length_of(const XMLElement& element, const char* name, double otherwise = 0) {
+    const double value = number(element, name, otherwise);
+    if (value < 0) throw InvalidValue(name, "a number >= 0", validate::number(value));
+    return value;
+  }
+
+  static bool yes(std::string_view text) {
+    if (text == "true") return true;
+    if (text != "false") throw InvalidValue("", "true or false", quoted(text));
+    return false;
+  }
+
+  /// The attributes that an element adds to what it was handed down.
+  static void add_attributes(const XMLElement& element, Context& context) {
+    with(element, "transform", [&](std::string_view text) { context.map = context.map * read_transform(text); });
+    PlaneSceneBuilder::Role& role = context.role;
+    with(element, "class", [&](std::string_view text) {
+      for (const std::string& word : words_of(text)) {
+        if (const auto motion = motion_named(word)) role.motion = *motion;
+        if (word == "trigger") role.trigger = true;
+      }
+    });
+    with(element, "data-motion", [&](std::string_view text) {
+      const auto motion = motion_named(text);
+      if (!motion) throw InvalidValue("", "one of static, kinematic, dynamic", quoted(text));
+      role.motion = *motion;
+    });
+    with(element, "data-trigger", [&](std::string_view text) { role.trigger = yes(text); });
+    with(element, "data-body", [&](std::string_view text) { role.body = text; });
+    with(element, "data-systems", [&](std::string_view text) { role.systems = words_of(text); });
+    with(element, "data-collide-with", [&](std::string_view text) {
+      role.collide_with = words_of(text);
+      role.not_collide_with.clear();
+    });
+    with(element, "data-not-collide-with", [&](std::string_view text) {
+      if (element.Attribute("data-collide-with")) throw InvalidValue("", "none beside data-collide-with", "both");
+      role.not_collide_with = words_of(text);
+      role.collide_with.clear();
+    });
+    with(element, "data-tolerance", [&](std::string_view text) {
+      const auto value = number_in(text);
+      if (!value || !(*value > 0) || !std::isfinite(*value)) throw InvalidValue("", "a number > 0", quoted(text));
+      context.tolerance = *value;
+    });
+  }
+
+  static bool hidden(const XMLElement& element) {
+    const char *display = element.Attribute("display"), *style = element.Attribute("style");
+    if (display && std::string_view(display) == "none") return true;
+    if (!style) return false;
+    std::string plain;
+    for (const char c : std::string_view(style))
+      if (!is_space(c)) plain += c;
+    return (";" + plain + ";").find(";display:none;") != std::string::npos;
+  }
+
+  /// As deep as the parser goes: 100 elements.
+  void walk(const XMLElement& element, Context context) {
+    if (++elements_ > most_elements)
+      throw InvalidValue("", "at most " + std::to_string(most_elements) + " elements", "more");
+    try {
+      if (hidden(element)) return;
+      const std::string name = local_name(element);
+      const bool group = name == "svg" || name == "g" || name == "a" || name == "switch";
+      if (!group && !is_shape(name)) {
+        // What is drawn and no shape is named; what only describes is not.
+        static const std::set<std::string> drawn{"text", "image", "use", "foreignObject"};
+        if (drawn.count(name)) skipped_.insert(name);
+        return;
+      }
+      add_attributes(element, context);
+      if (!group) return add(element, name, context);
+    } catch (const InvalidValue& e) {
+      throw e.path().starts_with("line ") ? e : e.below(place_of(element));
+    }
+    for (const XMLElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+      walk(*child, context);
+  }
+
+  static bool is_shape(const std::string& name) {
+    static const std::set<std::string> shapes{"rect", "circle", "ellipse", "line", "polyline", "polygon", "path"};
+    return shapes.count(name) != 0;
+  }
+
+  void add(const XMLElement& element, const std::string& name, const Context& context) {
+    const double margin = length_of(element, "data-margin");
+    if (name == "rect") return add_rect(element, context, margin);
+    if (name == "circle" || name == "ellipse") return add_ellipse(element, name, context, margin);
+    bool solid = true;
+    with(element, "data-solid", [&](std::string_view text) { solid = yes(text); });
+    if (name == "line") {
+      const Vec2d p{number(element, "x1", 0), number(element, "y1", 0)},
+          q{number(element, "x2", 0), number(element, "y2", 0)};
+      return add_points(element, {{context.map(p), context.map(q)}, false}, context, margin, false);
+    }
+    if (name == "path") {
+      std::vector<Subpath> paths;
+      with(element, "d", [&](std::string_view text) { paths = read_path(text, context.map, context.tolerance); });
+      std::size_t closed = 0;
+      for (const Subpath& p : paths) closed += p.closed;
+      // Whether one outline is a hole in another is for the fill rule to say, and holes are not read.
+      if (closed > 1 && solid)
+        throw InvalidValue("d", "one closed outline (a path each, or data-solid=\"false\")", std::to_string(closed));
+      for (const Subpath& p : paths) add_points(element, p, context, margin, solid);
+      return;
+    }
+    Subpath path{{}, name == "polygon"};
+    with(element, "points", [&](std::string_view text) {
+      const std::vector<double> numbers = number_list(text);
+      if (numbers.size() % 2)
+        throw InvalidValue("", "two numbers a point", std::to_string(numbers.size()) + " numbers");
+      for (std::size_t i = 0; i < numbers.size(); i += 2)
+        path.points.push_back(context.map(Vec2d{numbers[i], numbers[i + 1]}));
+    });
+    if (!path.points.empty()) add_points(element, path, context, margin, solid);
+  }
+
+  void put(const XMLElement& element, const Context& context, plane::Shaped shape, const Pose2d& pose) {
+    for (const double v : {pose.translation.x, pose.translation.y})
+      if (const char* expectation = validate::fault_of_coordinate(v))
+        throw InvalidValue("position", expectation, validate::number(v));
+    const char* id = element.Attribute("id");
+    std::string name = id ? id : local_name(element) + " " + std::to_string(scene_.size());
+    scene_.add(std::move(name), context.role, std::move(shape), pose);
+  }
+
+  void add_rect(const XMLElement& element, const Context& context, double margin) {
+    const double width = length_of(element, "width"), height = length_of(element, "height");
+    const Vec2d corner{number(element, "x", 0), number(element, "y", 0)};
+    const bool has_x = element.Attribute("rx"), has_y = element.Attribute("ry");
+    double rx = has_x ? length_of(element, "rx") : length_of(element, "ry");
+    double ry = has_y ? length_of(element, "ry") : rx;
+    rx = std::min(rx, width / 2), ry = std::min(ry, height / 2);
+    const Stretches stretches = stretches_of(context.map);
+    const Vec2d center = corner + Vec2d{width, height} * 0.5;
+    if (!stretches.similar) {
+      if (rx > 0 || ry > 0)
+        throw InvalidValue("transform", "no skew and one scale, where corners are round", "another transform");
+      Subpath path{{}, true};
+      for (const Vec2d& p :
+           {corner, corner + Vec2d{width, 0}, corner + Vec2d{width, height}, corner + Vec2d{0, height}})
+        path.points.push_back(context.map(p));
+      return add_points(element, path, context, margin, true);
+    }
+    const double s = stretches.longer;
+    if (rx != ry) {
+      if (!(std::abs(rx - ry) <= 1e-9 * std::max(rx, ry)))
+        throw InvalidValue("ry", "corners as round along both sides", validate::number(ry));
+      ry = rx;
+    }
+    const plane::Rot2d turn{stretches.turn.x, stretches.turn.y};
+    put(element, context, {plane::Box<double>({(width - 2 * rx) * s, (height - 2 * rx) * s}), rx * s + margin},
+        {context.map(center), turn});
+  }
+
+  void add_ellipse(const XMLElement& element, const std::string& name, const Context& context, double margin) {
+    const bool circle = name == "circle";
+    const double rx = length_of(element, circle ? "r" : "rx"), ry = circle ? rx : length_of(element, "ry");
+    const Vec2d center{number(element, "cx", 0), number(element, "cy", 0)};
+    const Stretches radii = stretches_of(context.map * Affine2{{rx, 0}, {0, ry}, {}});
+    const Pose2d pose{context.map(center), {radii.turn.x, radii.turn.y}};
+    if (radii.similar)
+      return put(element, context, {plane::Circle<double>(radii.longer), margin}, {pose.translation, {}});
+    put(element, context, {plane::Ellipse<double>({radii.longer, radii.shorter}), margin}, pose);
+  }
+
+  /// A closed outline as a solid polygon or a closed chain, an open one as a chain; two points as a segment.
+  void add_points(const XMLElement& element, Subpath path, const Context& context, double margin, bool solid) {
+    std::vector<Vec2d>& points = path.points;
+    const auto repeats = [](const Vec2d& p, const Vec2d& q) { return p == q; };
+    points.erase(std::unique(points.begin(), points.end(), repeats), points.end());
+    while (path.closed && points.size() > 1 && points.back() == points.front()) points.pop_back();
+    Vec2d low = points[0], high = points[0];
+    for (const Vec2d& p : points) low = plane::least(low, p), high = plane::greatest(high, p);
+    const Pose2d pose{(low + high) * 0.5, {}};
+    for (Vec2d& p : points) p -= pose.translation;
+    if (points.size() == 1) return put(element, context, {plane::Segment<double>(points[0], points[0]), margin}, pose);
+    if (points.size() == 2) return put(element, context, {plane::Segment<double>(points[0], points[1]), margin}, pose);
+    if (path.closed && solid) {
+      cutting_ += double(points.size()) * double(points.size());
+      if (!(cutting_ <= most_cutting))
+        throw InvalidValue("", "solid outlines of fewer points, in all (20,000 in one; chains may have more)",
+                           std::to_string(points.size()) + " more");
+      return put(element, context, {plane::Polygon<double>(points), margin}, pose);
+    }
+    plane::ChainSides sides = plane::ChainSides::both;
+    with(element, "data-sides", [&](std::string_view text) {
+      if (text != "one" && text != "both") throw InvalidValue("", "one or both", quoted(text));
+      if (text == "one") sides = plane::ChainSides::one;
+    });
+    put(element, context, {plane::Chain<double>(points, path.closed, sides), margin}, pose);
+  }
+
+  tinyxml2::XMLDocument document_;
+  PlaneSceneBuilder scene_;
+  std::set<std::string> skipped_;
+  std::size_t elements_ = 0;
+  double cutting_ = 0;
+};
+
+}  // namespace
+
+PlaneScene load_plane_svg(const std::string& bytes, const std::string& source_name) {
+  try {
+    return SvgReader(bytes, source_name).take();
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(e.path().empty() ? source_name : source_name + ": " + e.path(), e.expectation(), e.found());
+  }
+}
+
+}  // namespace graze::io
