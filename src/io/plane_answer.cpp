@@ -77,7 +77,7 @@ void write_plane_raycast(const PlaneQuestion<T>& q, Trace* trace, JsonWriter& ou
 template <class T>
 std::optional<plane::CastHit<T>> cast_of(const PlaneQuestion<T>& q, Trace* trace) {
   const auto &a = *q.a, &b = *q.b;
-  return plane::cast(a.shape, a.pose, a.velocity, b.shape, b.pose, b.velocity, q.duration, trace);
+  return plane::cast(a.shape, a.pose, a.velocity, b.shape, b.pose, b.velocity, q.duration, {}, trace);
 }
 
 template <class T>

@@ -2,94 +2,15 @@
 
 #include <algorithm>
 
+#include "plane/advance.hpp"
 #include "plane/explain_motion.hpp"
 #include "plane/first_contact.hpp"
 #include "plane/leaves.hpp"
+#include "plane/sliding.hpp"
 
 namespace graze::plane {
 
 namespace {
-
-/// The most steps of conservative advancement of bodies that turn.
-constexpr int most_advances = 2000;
-
-Pose2d moved(const Pose2d& pose, const Velocity<double>& velocity, double t) {
-  Pose2d out{pose.translation + velocity.linear * t, pose.rotation};
-  if (velocity.angular != 0) out.rotation = normalized(Rot2d::from_angle(velocity.angular * t) * pose.rotation);
-  return out;
-}
-
-/// A convex piece and how it moves: of a compound's child, that turns with its body, the pose at any time.
-template <class T>
-struct Mover {
-  const Core<T>& core;
-  Pose2d in_body;  ///< the piece seen from its body
-  Pose2d body;
-  Velocity<double> velocity;
-  double reach;  ///< of the piece from the body's origin
-
-  Pose2d at(double t) const { return compose(moved(body, velocity, t), in_body); }
-  /// How much further than `height` the piece may reach along a fixed direction once its body has turned by `angle`:
-  /// its points lie below that height and no further than `reach` from the body's origin.
-  double gain(double height, double angle) const {
-    if (angle == 0 || !(height < reach)) return 0;
-    const double away = std::acos(greatest(height / reach, -1.0));
-    return reach * std::cos(greatest(away - angle, 0.0)) - height;
-  }
-};
-
-struct WorldContact {
-  double t = 0;
-  Vec2d point{}, normal{};
-  double depth = 0;
-  Status status = Status::converged;
-};
-
-/// The longest time, up to `longest`, in which `closing` (which grows) stays below `gap`: by bisection to a double's
-/// digits.
-template <class F>
-double time_to_close(double gap, double longest, const F& closing) {
-  double low = 0, high = longest;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (closing(middle) < gap ? low : high) = middle;
-  }
-  return low;
-}
-
-/// Conservative advancement: along the normal of the nearest points no body gets further than its origin moves and the
-/// turn of the piece's outermost points adds.
-template <class T>
-std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near,
-                                    std::vector<TraceStep>* steps) {
-  WorldContact out;
-  const Vec2d linear = b.velocity.linear - a.velocity.linear;
-  for (int step = 0; step < most_advances; ++step) {
-    const Pose2d pose_a = a.at(out.t), pose_b = b.at(out.t);
-    const Nearest found = nearest(a.core, b.core, relative(pose_a, pose_b), size);
-    const double gap = found.distance - found.error - a.core.radius - b.core.radius;
-    out.normal = rotate(pose_a.rotation, found.normal);
-    const Vec2d on_a = transform(pose_a, found.a.point + found.normal * a.core.radius);
-    out.point = on_a + out.normal * (gap / 2);
-    if (steps) steps->push_back({out.t, gap, {out.normal.x, out.normal.y, 0}});
-    if (gap <= near) return out;
-    const double approach = greatest(-dot(linear, out.normal), 0.0);
-    const double height_a = dot(on_a - a.body.translation - a.velocity.linear * out.t, out.normal);
-    const double height_b = -dot(on_a + out.normal * gap - b.body.translation - b.velocity.linear * out.t, out.normal);
-    const auto closing = [&](double time) {
-      return approach * time + a.gain(height_a, std::abs(a.velocity.angular) * time) +
-             b.gain(height_b, std::abs(b.velocity.angular) * time);
-    };
-    // To half of what counts as contact, so that the last step does not fall short by rounding.
-    const double left_over = duration - out.t;
-    if (closing(left_over) < gap - near / 2) return {};
-    const double later = out.t + time_to_close(gap - near / 2, left_over, closing);
-    if (later == out.t) return out;
-    out.t = later;
-  }
-  out.status = Status::bounded;
-  return out;
-}
 
 /// The first contact of two convex pieces. With `steps`, those of the search are recorded there.
 template <class T>
@@ -105,7 +26,12 @@ std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, doub
     out.point = transform(pose_a, start.a.point + start.normal * (a.core.radius + (out.depth > 0 ? gap / 2 : 0.0)));
     return out;
   }
-  if (a.velocity.angular != 0 || b.velocity.angular != 0) return advance(a, b, duration, size, near, steps);
+  if (a.velocity.angular != 0 || b.velocity.angular != 0) {
+    const auto seen = [&](const Nearby& now) {
+      if (steps) steps->push_back({now.contact.t, now.gap, {now.contact.normal.x, now.contact.normal.y, 0}});
+    };
+    return advance(a, b, 0, duration, size, near, near, seen);
+  }
   const Vec2d velocity = inverse_rotate(pose_a.rotation, b.velocity.linear - a.velocity.linear);
   const auto hit = first_contact(a.core, b.core, b_in_a, velocity, duration, size, near, steps);
   if (steps)
@@ -152,15 +78,21 @@ struct MovingPair {
   void for_each(F&& f) const {
     for_each_pair(a, Pose2<T>{}, b, Pose2<T>{}, f);
   }
+  /// The contact of one pair of pieces, no later than `until` of the whole `duration`.
   std::optional<WorldContact> contact(const LeafPair<T>& pair, double until, double duration,
-                                      std::vector<TraceStep>* steps = nullptr) const {
+                                      const CastOptions& options, std::vector<TraceStep>* steps = nullptr) const {
     const Mover<T> at_a = mover_a(pair), at_b = mover_b(pair);
     const double size = greatest(at_a.reach, at_b.reach), way = length(of_b.linear - of_a.linear) * duration;
     // Half of D: the other half is for rounding the time.
     const double near =
         double(cast_tolerance<T>) / 2 * size +
         4 * std::numeric_limits<double>::epsilon() * (way + length(body_b.translation - body_a.translation));
-    return pair_cast(at_a, at_b, until, size, near, steps);
+    if (options.separating == Separating::hit) return pair_cast(at_a, at_b, until, size, near, steps);
+    // What slides until the end is known of the whole time only.
+    auto first = pair_cast(at_a, at_b, duration, size, near, steps);
+    if (first) first = pressing(at_a, at_b, *first, duration, pair, near);
+    if (first && first->t > until) first.reset();
+    return first;
   }
   CastHit<T> hit(const WorldContact& contact, const LeafPair<T>& pair) const {
     return {rounded_down<T>(contact.t),
@@ -175,12 +107,13 @@ struct MovingPair {
 
 /// What a cast did about the pair of pieces that it stands on: those numbered `number`.
 template <class T>
-void explain_cast(const MovingPair<T>& moving, std::size_t number, double duration, Trace& trace) {
+void explain_cast(const MovingPair<T>& moving, std::size_t number, double duration, const CastOptions& options,
+                  Trace& trace) {
   std::size_t i = 0;
   moving.for_each([&](const LeafPair<T>& pair) {
     if (i++ != number) return;
     std::vector<TraceStep> steps;
-    const auto found = moving.contact(pair, duration, duration, &steps);
+    const auto found = moving.contact(pair, duration, duration, options, &steps);
     const Mover<T> a = moving.mover_a(pair), b = moving.mover_b(pair);
     const auto place = [&](double t) {
       const Pose2d at_a = a.at(t), at_b = b.at(t);
@@ -257,30 +190,31 @@ Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t) {
 template <class T>
 std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
                                const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration,
-                               Trace* trace) {
+                               const CastOptions& options, Trace* trace) {
   const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
   std::optional<CastHit<T>> best;
   double until = double(duration);
   std::size_t number = 0, first = 0;
   moving.for_each([&](const LeafPair<T>& pair) {
     const std::size_t own = number++;
-    const auto hit = moving.contact(pair, until, double(duration));
+    const auto hit = moving.contact(pair, until, double(duration), options);
     if (!hit || (best && hit->t == until && !(hit->depth > double(best->depth)))) return;
     until = hit->t;
     best = moving.hit(*hit, pair);
     first = own;
   });
-  if (trace) explain_cast(moving, first, double(duration), *trace);
+  if (trace) explain_cast(moving, first, double(duration), options, *trace);
   return best;
 }
 
 template <class T>
 void cast_all(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
-              const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::vector<CastHit<T>>& hits) {
+              const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration, std::vector<CastHit<T>>& hits,
+              const CastOptions& options) {
   const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
   const auto before = static_cast<std::ptrdiff_t>(hits.size());
   moving.for_each([&](const LeafPair<T>& pair) {
-    if (const auto hit = moving.contact(pair, double(duration), double(duration)))
+    if (const auto hit = moving.contact(pair, double(duration), double(duration), options))
       hits.push_back(moving.hit(*hit, pair));
   });
   std::stable_sort(hits.begin() + before, hits.end(), [](const CastHit<T>& p, const CastHit<T>& q) {
@@ -365,9 +299,9 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T
 #define GRAZE_PLANE_CASTS(T)                                                                                           \
   template Pose2<T> pose_at(const Pose2<T>&, const Velocity<T>&, T);                                                   \
   template std::optional<CastHit<T>> cast(const Shape<T>&, const Pose2<T>&, const Velocity<T>&, const Shape<T>&,       \
-                                          const Pose2<T>&, const Velocity<T>&, T, Trace*);                             \
+                                          const Pose2<T>&, const Velocity<T>&, T, const CastOptions&, Trace*);         \
   template void cast_all(const Shape<T>&, const Pose2<T>&, const Velocity<T>&, const Shape<T>&, const Pose2<T>&,       \
-                         const Velocity<T>&, T, std::vector<CastHit<T>>&);                                             \
+                         const Velocity<T>&, T, std::vector<CastHit<T>>&, const CastOptions&);                         \
   template std::optional<RayHit<T>> raycast(const Shape<T>&, const Pose2<T>&, const Ray<T>&, T, Trace*);               \
   template bool raycast_any(const Shape<T>&, const Pose2<T>&, const Ray<T>&, T);                                       \
   template std::size_t raycast_all(const Shape<T>&, const Pose2<T>&, const Ray<T>&, std::vector<RayHit<T>>&, T);

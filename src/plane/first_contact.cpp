@@ -92,6 +92,7 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
     if (!(closing > 0)) return {};
     // To half of what counts as contact, so that the last step does not fall short by rounding.
     const double later = out.t + (gap - near / 2) / closing;
+    if (later == infinity) return {};
     if (!(later <= duration)) {
       // What remains of the gap at the end may count as contact.
       const Nearest last = nearest(a, b, moved(duration), size);

@@ -97,7 +97,7 @@ TEST(PlaneCast, AllContactsOfACastAreThoseOfThePieces) {
   EXPECT_EQ(hits[0].piece_a, 0u);
   EXPECT_EQ(hits[1].piece_a, 1u);
   Trace trace;
-  const auto first = cast(two, Pose2d{}, {}, bar, Pose2d{{-5, 1}, {}}, Velocity<double>{{1, 0}, 0}, 10.0, &trace);
+  const auto first = cast(two, Pose2d{}, {}, bar, Pose2d{{-5, 1}, {}}, Velocity<double>{{1, 0}, 0}, 10.0, {}, &trace);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->t, 4.25);
   EXPECT_EQ(trace.pieces, 2u);

@@ -79,19 +79,19 @@ struct CastHit {
 };
 
 /// The first contact at a time in [0, duration] of two bodies that start at the poses given. Shapes that touch or
-/// overlap at the start hit at t = 0. `duration` is finite and >= 0. A half-plane that turns has a bounded answer at
-/// best. A `trace` gets, after the answer, the Minkowski difference that the motion was followed in, or the steps of
-/// conservative advancement, of the pieces that meet first (of a miss, of the first pair).
+/// overlap at the start hit at t = 0 (but see `Separating`). `duration` is finite and >= 0. A half-plane that turns has
+/// a bounded answer at best. A `trace` gets, after the answer, the Minkowski difference that the motion was followed
+/// in, or the steps of conservative advancement, of the pieces that meet first (of a miss, of the first pair).
 template <class T>
 GRAZE_API std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a,
                                          const Shape<T>& b, const Pose2<T>& pose_b, const Velocity<T>& velocity_b,
-                                         T duration, Trace* trace = nullptr);
+                                         T duration, const CastOptions& options = {}, Trace* trace = nullptr);
 
 /// Appends the first contact of every pair of convex pieces of two shapes, as if each were alone, in the order of time
 /// (of equals, by pieces); of convex shapes that is at most one.
 template <class T>
 GRAZE_API void cast_all(const Shape<T>& a, const Pose2<T>& pose_a, const Velocity<T>& velocity_a, const Shape<T>& b,
                         const Pose2<T>& pose_b, const Velocity<T>& velocity_b, T duration,
-                        std::vector<CastHit<T>>& hits);
+                        std::vector<CastHit<T>>& hits, const CastOptions& options = {});
 
 }  // namespace graze::plane

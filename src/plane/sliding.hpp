@@ -1,0 +1,79 @@
+// Whether pieces that touch press against each other, or slide along each other and leave.
+//
+// Guarantee: `Separating::ignored` of `graze/motion.hpp`. Pieces slide as long as their signed distance, which for
+// convex pieces is the gap along the plane that keeps them furthest apart, stays above what it was at the start less
+// what they may sink; that is a part of the way to the middle of each other, so nothing passes through by sliding.
+#pragma once
+
+#include "plane/advance.hpp"
+#include "plane/leaves.hpp"
+
+namespace graze::plane {
+
+/// The part of the way to the middle of each other that pieces may sink, and of the size of the smaller one that
+/// rounding of coordinates may make them; as `src/cast/sliding.hpp`.
+inline constexpr double sinking_of_way = 1.0 / 4, slack_of_size = 1.0 / 16;
+
+/// How wide a piece is along a direction of the world; infinite of a half-plane.
+template <class T>
+double width(const Mover<T>& piece, const Vec2d& normal, double t) {
+  if (piece.core.kind == CoreKind::half_plane) return std::numeric_limits<double>::infinity();
+  const Vec2d own = inverse_rotate(piece.at(t).rotation, normal);
+  return dot(own, support(piece.core, own).point - support(piece.core, -own).point) + 2 * piece.core.radius;
+}
+
+/// How much deeper than `depth` the pieces of a contact may get.
+template <class T>
+double may_sink(const Mover<T>& a, const Mover<T>& b, const WorldContact& contact, double duration,
+                const LeafPair<T>& pair, double near) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto size = [](const Core<T>& core, double extent) {
+    return core.kind == CoreKind::half_plane ? infinite : extent;
+  };
+  const double smaller = least(size(pair.a, pair.extent_a), size(pair.b, pair.extent_b));
+  double reach = 0;
+  for (const Mover<T>* m : {&a, &b})
+    reach = greatest(reach, max_abs(m->body.translation) + length(m->velocity.linear) * duration);
+  const double rounding = 4 * double(std::numeric_limits<T>::epsilon()) * reach;
+  const double sink = sinking * double(cast_tolerance<T>) * smaller + least(rounding, smaller * slack_of_size);
+  const double way = (width(a, contact.normal, contact.t) + width(b, contact.normal, contact.t)) / 2 - contact.depth;
+  // No less than what a distance is off by.
+  return greatest(least(sink, way * sinking_of_way), near / 8);
+}
+
+/// Whether the bodies come closer where they touch.
+template <class T>
+bool approaches(const Mover<T>& a, const Mover<T>& b, const WorldContact& contact) {
+  const auto velocity = [&](const Mover<T>& m) {
+    const Vec2d arm = contact.point - m.body.translation - m.velocity.linear * contact.t;
+    return m.velocity.linear + left(arm) * m.velocity.angular;
+  };
+  return dot(velocity(b) - velocity(a), contact.normal) < 0;
+}
+
+/// From when on two pieces press that touch `first` at a time; nothing where they slide or leave until the end.
+/// `near`: half of the D of `graze/plane/cast.hpp`.
+template <class T>
+std::optional<WorldContact> pressing(const Mover<T>& a, const Mover<T>& b, const WorldContact& first, double duration,
+                                     const LeafPair<T>& pair, double near) {
+  if (!pair.bounded() && pair.a.kind == pair.b.kind) return first;  // two half-planes
+  if (first.status != Status::converged) return first;
+  const double size = pair.size();
+  const double deep = first.depth + may_sink(a, b, first, duration, pair, near);
+  WorldContact press = first;
+  bool apart = false;
+  const auto seen = [&](const Nearby& now) {
+    if (now.contact.t == first.t || now.gap < -first.depth) return;
+    press = now.contact;
+    apart = now.gap > near;
+  };
+  if (!advance(a, b, first.t, duration, size, -deep, near, seen)) {
+    // With no time left to get as deep, what presses counts from D on.
+    const Nearby last = nearby(a, b, duration, size);
+    if (!(last.gap < -first.depth - 2 * near) || !approaches(a, b, last.contact)) return {};
+  }
+  // What has left the other and comes back touches it anew.
+  return apart ? advance(a, b, press.t, duration, size, near) : press;
+}
+
+}  // namespace graze::plane
