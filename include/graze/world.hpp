@@ -35,36 +35,44 @@ struct WorldSettings {
   std::optional<std::size_t> points_per_pair;
 };
 
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API World {
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+  using Pose = typename Space::Pose;
+  using Shape = typename Space::Shape;
+  using Ray = typename Space::Ray;
+  using BackFaces = typename Space::BackFaces;
+  using Velocity = typename Space::Velocity;
+
  public:
   /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
   explicit World(WorldSettings<T> settings = {}, Executor* executor = nullptr)
       : settings_(std::move(settings)),
         executor_(executor ? executor : &serial_),
         bodies_(settings_.margin),
-        manifolds_(settings_.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
+        manifolds_(settings_.points_per_pair.value_or(ManifoldFinder<T, Space>::all_points)) {}
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`.
-  BodyId add(Body<T> body) { return bodies_.add(std::move(body)); }
+  BodyId add(Body<T, Space> body) { return bodies_.add(std::move(body)); }
   /// These throw `InvalidValue` for a handle whose body was removed, and for what `add` refuses.
   void remove(BodyId id) { bodies_.remove(id); }
   /// Puts a body elsewhere; its velocities stay what they are.
-  void move(BodyId id, const Pose<T>& pose) { bodies_.move(id, pose); }
+  void move(BodyId id, const Pose& pose) { bodies_.move(id, pose); }
   /// Puts a body elsewhere with other velocities, linear and angular in world axes.
-  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
+  void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular) {
     bodies_.move(id, pose, linear, angular);
   }
-  void set_shape(BodyId id, Shape<T> shape) { bodies_.set_shape(id, std::move(shape)); }
+  void set_shape(BodyId id, Shape shape) { bodies_.set_shape(id, std::move(shape)); }
   void set_filter(BodyId id, const Filter& filter) { bodies_.set_filter(id, filter); }
   /// Whether the body is asked what it would pass through.
   void set_fast(BodyId id, bool fast) { bodies_.set_fast(id, fast); }
   /// Another last word than that of the settings, from the next update on; none allows all.
   void set_allow(std::function<bool(BodyId, BodyId)> allow) { settings_.allow = std::move(allow); }
 
-  const BodyArrays<T>& bodies() const { return bodies_; }
+  const BodyArrays<T, Space>& bodies() const { return bodies_; }
 
   /// Finds what touches now; and, given the time to the next update, what fast bodies would pass through until then.
   /// Costs what changed since the last update while that is little, and the casts. Throws `InvalidValue` for a duration
@@ -76,40 +84,39 @@ class GRAZE_API World {
   void find_impacts(T duration);
 
   /// What the last update found. Solvers write the points' impulses.
-  ContactArrays<T>& contacts() { return manifolds_.contacts(); }
-  const ContactArrays<T>& contacts() const { return manifolds_.contacts(); }
+  ContactArrays<T, Space>& contacts() { return manifolds_.contacts(); }
+  const ContactArrays<T, Space>& contacts() const { return manifolds_.contacts(); }
   std::span<const ContactEvent> events() const { return tracker_.events(); }
   /// What fast bodies would meet in the duration of the last update or `find_impacts`, in the order of time.
-  std::span<const Impact<T>> impacts() const { return impacts_; }
+  std::span<const Impact<T, Space>> impacts() const { return impacts_; }
 
   /// Appends the bodies that touch a shape, by index. A point is a sphere without radius.
-  void overlapping(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter,
-                   std::vector<BodyId>& out) const;
+  void overlapping(const Shape& shape, const Pose& pose, const QueryFilter& filter, std::vector<BodyId>& out) const;
   /// Whether there is any: stops at the first.
-  bool overlaps_any(const Shape<T>& shape, const Pose<T>& pose, const QueryFilter& filter = {}) const;
+  bool overlaps_any(const Shape& shape, const Pose& pose, const QueryFilter& filter = {}) const;
   /// Appends the `count` bodies nearest to a shape, of those that are not further than `limit`, the nearest first.
   /// Without a count all of them.
-  void nearest(const Shape<T>& shape, const Pose<T>& pose, std::size_t count, T limit, const QueryFilter& filter,
-               std::vector<BodyDistance<T>>& out) const;
-  std::optional<BodyDistance<T>> closest(const Shape<T>& shape, const Pose<T>& pose,
-                                         T limit = std::numeric_limits<T>::infinity(),
-                                         const QueryFilter& filter = {}) const;
+  void nearest(const Shape& shape, const Pose& pose, std::size_t count, T limit, const QueryFilter& filter,
+               std::vector<BodyDistance<T, Space>>& out) const;
+  std::optional<BodyDistance<T, Space>> closest(const Shape& shape, const Pose& pose,
+                                                T limit = std::numeric_limits<T>::infinity(),
+                                                const QueryFilter& filter = {}) const;
 
   /// The first body that a ray hits; whether it hits any; and all that it hits, each where it is first hit, in the
   /// order of the ray. Rays and back faces as for `graze::raycast`.
-  std::optional<BodyRayHit<T>> raycast(const Ray<T>& ray, T length = std::numeric_limits<T>::infinity(),
-                                       const QueryFilter& filter = {}, BackFaces back = BackFaces::hit) const;
-  bool raycast_any(const Ray<T>& ray, T length = std::numeric_limits<T>::infinity(), const QueryFilter& filter = {},
-                   BackFaces back = BackFaces::hit) const;
-  void raycast_all(const Ray<T>& ray, T length, const QueryFilter& filter, std::vector<BodyRayHit<T>>& out,
-                   BackFaces back = BackFaces::hit) const;
+  std::optional<BodyRayHit<T, Space>> raycast(const Ray& ray, T length = std::numeric_limits<T>::infinity(),
+                                              const QueryFilter& filter = {}, BackFaces back = {}) const;
+  bool raycast_any(const Ray& ray, T length = std::numeric_limits<T>::infinity(), const QueryFilter& filter = {},
+                   BackFaces back = {}) const;
+  void raycast_all(const Ray& ray, T length, const QueryFilter& filter, std::vector<BodyRayHit<T, Space>>& out,
+                   BackFaces back = {}) const;
 
   /// The first body that a shape meets while it moves for `duration` and the bodies stand still; and all, each where it
   /// is first met, in the order of time. As `graze::cast`.
-  std::optional<BodyCastHit<T>> cast(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity,
-                                     T duration, const QueryFilter& filter = {}, const CastOptions& options = {}) const;
-  void cast_all(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
-                const QueryFilter& filter, std::vector<BodyCastHit<T>>& out, const CastOptions& options = {}) const;
+  std::optional<BodyCastHit<T, Space>> cast(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration,
+                                            const QueryFilter& filter = {}, const CastOptions& options = {}) const;
+  void cast_all(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration, const QueryFilter& filter,
+                std::vector<BodyCastHit<T, Space>>& out, const CastOptions& options = {}) const;
 
   /// Bytes that are held, shapes' own data apart.
   std::size_t memory() const;
@@ -120,26 +127,26 @@ class GRAZE_API World {
   const DynamicTree<T>& tree() const;
   bool is_asked(const QueryFilter& filter, std::uint32_t index) const;
   template <class F>
-  void each_hit(const Ray<T>& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const;
+  void each_hit(const Ray& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const;
   template <class F>
-  void each_met(const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
-                const QueryFilter& filter, const CastOptions& options, F&& f) const;
+  void each_met(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration, const QueryFilter& filter,
+                const CastOptions& options, F&& f) const;
 
   static constexpr std::uint64_t no_revision = ~std::uint64_t{0};
 
   WorldSettings<T> settings_;
   SerialExecutor serial_;
   Executor* executor_;
-  BodyArrays<T> bodies_;
+  BodyArrays<T, Space> bodies_;
   // Questions, too, bring these up to date, one thread at a time.
   mutable std::vector<Aabb<T>> boxes_;
   mutable CandidateFinder<T> candidates_;
   mutable std::mutex mutex_;
   mutable std::atomic<std::uint64_t> tree_revision_ = no_revision;  ///< of the bodies, as the tree knows them
   std::vector<IdPair> allowed_;
-  ManifoldFinder<T> manifolds_;
+  ManifoldFinder<T, Space> manifolds_;
   EventTracker tracker_;
-  std::vector<Impact<T>> impacts_;
+  std::vector<Impact<T, Space>> impacts_;
 };
 
 using Worldf = World<float>;

@@ -30,9 +30,9 @@ bool any_overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, co
 
 /// What stands still beside either shape and may continue its surface: contacts that only the seams make are settled as
 /// those between the pieces of one shape are.
-template <class T>
+template <class T, class PlacedRef = graze::PlacedRef<T>>
 struct Surroundings {
-  std::span<const PlacedRef<T>> of_a = {}, of_b = {};
+  std::span<const PlacedRef> of_a = {}, of_b = {};
 
   bool empty() const { return of_a.empty() && of_b.empty(); }
 };

@@ -137,6 +137,17 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
 }
 
 template <class T>
+void reduce(Manifold<T>& manifold, std::size_t count) {
+  while (manifold.points.size() > count) {
+    std::size_t least_deep = 0;
+    for (std::size_t i = 1; i < manifold.points.size(); ++i)
+      if (manifold.points[i].distance >= manifold.points[least_deep].distance) least_deep = i;
+    for (std::size_t i = least_deep + 1; i < manifold.points.size(); ++i) manifold.points[i - 1] = manifold.points[i];
+    manifold.points.truncate(manifold.points.size() - 1);
+  }
+}
+
+template <class T>
 T contact_margin(const Shape<T>& a, const Shape<T>& b) {
   constexpr T unbounded = std::numeric_limits<T>::infinity();
   const auto size = [](const Shape<T>& shape) {
@@ -167,6 +178,7 @@ Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& p
   template Distance<T> distance(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, Trace*);           \
   template bool contacts(const Shape<T>&, const Pose2<T>&, const Shape<T>&, const Pose2<T>&, T, Manifolds<T>&,         \
                          Trace*);                                                                                      \
+  template void reduce(Manifold<T>&, std::size_t);                                                                     \
   template T contact_margin(const Shape<T>&, const Shape<T>&);                                                         \
   template Closest<T> closest(const Shape<T>&, const Pose2<T>&, const Vec2<T>&, Trace*);
 GRAZE_PLANE_QUERIES(float)

@@ -3,11 +3,13 @@
 #include <array>
 #include <utility>
 
+#include "graze/plane/space.hpp"
+
 namespace graze {
 
-template <class T>
-void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out) {
-  constexpr std::size_t types = Shape<T>::count;
+template <class T, class Space>
+void bin_pairs(std::span<const IdPair> pairs, std::span<const typename Space::Shape> shapes, Bins& out) {
+  constexpr std::size_t types = Space::Shape::count;
   // A byte a shape is near whichever pair asks for it.
   out.types.resize(shapes.size());
   const auto look = [&](std::uint32_t i) { out.types[i] = static_cast<std::uint8_t>(shapes[i].index()); };
@@ -43,7 +45,12 @@ void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, 
       [&](std::size_t part, std::size_t i) { out.order[next[part][bin(pairs[i])]++] = static_cast<std::uint32_t>(i); });
 }
 
-template void bin_pairs(std::span<const IdPair>, std::span<const Shape<float>>, Bins&);
-template void bin_pairs(std::span<const IdPair>, std::span<const Shape<double>>, Bins&);
+#define GRAZE_INSTANTIATE(T, Space)                                                                                    \
+  template void bin_pairs<T, Space<T>>(std::span<const IdPair>, std::span<const Space<T>::Shape>, Bins&);
+GRAZE_INSTANTIATE(float, Space)
+GRAZE_INSTANTIATE(double, Space)
+GRAZE_INSTANTIATE(float, plane::Space)
+GRAZE_INSTANTIATE(double, plane::Space)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "graze/query.hpp"
-#include "graze/validate.hpp"
+#include "graze/plane/space.hpp"
 
 namespace graze {
 
@@ -13,39 +12,34 @@ namespace {
 /// One in so many bodies that changed, from which on to look at all of them costs less than to sort those.
 constexpr std::size_t many = 16;
 
-template <class T>
-Pose<T> checked_pose(const Pose<T>& pose) {
-  return {validate::point(pose.translation, "pose.translation"), validate::rotation(pose.rotation, "pose.rotation")};
-}
-
 }  // namespace
 
-template <class T>
-T BodyArrays<T>::margin_of(const Shape<T>& shape) const {
+template <class T, class Space>
+T BodyArrays<T, Space>::margin_of(const Shape& shape) const {
   if (margin_) return *margin_;
-  return shape.template as<HalfSpace<T>>() ? std::numeric_limits<T>::infinity() : contact_margin(shape, shape);
+  return shape.template as<typename Space::HalfSpace>() ? std::numeric_limits<T>::infinity()
+                                                        : contact_margin(shape, shape);
 }
 
-template <class T>
-std::uint32_t BodyArrays<T>::checked(BodyId id) const {
+template <class T, class Space>
+std::uint32_t BodyArrays<T, Space>::checked(BodyId id) const {
   if (!contains(id))
     throw InvalidValue("body", "the handle of a body that is in the world",
                        std::to_string(id.index) + " of generation " + std::to_string(id.generation));
   return id.index;
 }
 
-template <class T>
-void BodyArrays<T>::change(std::uint32_t index) {
+template <class T, class Space>
+void BodyArrays<T, Space>::change(std::uint32_t index) {
   ++revision_;
   if (changed_[index] == 0) changes_.push_back(index);
   changed_[index] = 1;
 }
 
-template <class T>
-BodyId BodyArrays<T>::add(Body<T> body) {
-  const Pose<T> pose = checked_pose(body.pose);
-  validate::point(body.linear, "linear");
-  validate::point(body.angular, "angular");
+template <class T, class Space>
+BodyId BodyArrays<T, Space>::add(Body<T, Space> body) {
+  const Pose pose = Space::checked(body.pose);
+  Space::check(body.linear, body.angular);
   const T margin = margin_of(body.shape);
   std::uint32_t index{};
   if (free_.empty()) {
@@ -77,28 +71,27 @@ BodyId BodyArrays<T>::add(Body<T> body) {
   return id(index);
 }
 
-template <class T>
-void BodyArrays<T>::remove(BodyId id) {
+template <class T, class Space>
+void BodyArrays<T, Space>::remove(BodyId id) {
   const std::uint32_t index = checked(id);
   alive_[index] = 0;
   ++generations_[index];
-  shapes_[index] = Sphere<T>(T(0));  // lets go of what the shape shares
+  shapes_[index] = Space::nothing();  // lets go of what the shape shares
   free_.push_back(index);
   change(index);
 }
 
-template <class T>
-void BodyArrays<T>::move(BodyId id, const Pose<T>& pose) {
+template <class T, class Space>
+void BodyArrays<T, Space>::move(BodyId id, const Pose& pose) {
   const std::uint32_t index = checked(id);
   move(id, pose, linear_[index], angular_[index]);
 }
 
-template <class T>
-void BodyArrays<T>::move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
+template <class T, class Space>
+void BodyArrays<T, Space>::move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular) {
   const std::uint32_t index = checked(id);
-  const Pose<T> to = checked_pose(pose);
-  validate::point(linear, "linear");
-  validate::point(angular, "angular");
+  const Pose to = Space::checked(pose);
+  Space::check(linear, angular);
   linear_[index] = linear;
   angular_[index] = angular;
   if (to == poses_[index]) return;
@@ -106,34 +99,34 @@ void BodyArrays<T>::move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, 
   change(index);
 }
 
-template <class T>
-void BodyArrays<T>::set_shape(BodyId id, Shape<T> shape) {
+template <class T, class Space>
+void BodyArrays<T, Space>::set_shape(BodyId id, Shape shape) {
   const std::uint32_t index = checked(id);
   margins_[index] = margin_of(shape);
   shapes_[index] = std::move(shape);
   change(index);
 }
 
-template <class T>
-void BodyArrays<T>::set_filter(BodyId id, const Filter& filter) {
+template <class T, class Space>
+void BodyArrays<T, Space>::set_filter(BodyId id, const Filter& filter) {
   filters_[checked(id)] = filter;
   filtered_ |= filter != Filter{};
 }
 
-template <class T>
-void BodyArrays<T>::set_fast(BodyId id, bool fast) {
+template <class T, class Space>
+void BodyArrays<T, Space>::set_fast(BodyId id, bool fast) {
   fast_[checked(id)] = fast ? 1 : 0;
 }
 
-template <class T>
-Body<T> BodyArrays<T>::body(BodyId id) const {
+template <class T, class Space>
+Body<T, Space> BodyArrays<T, Space>::body(BodyId id) const {
   const std::uint32_t i = checked(id);
   return {shapes_[i],  poses_[i],      linear_[i],        angular_[i],
           filters_[i], fixed_[i] != 0, triggers_[i] != 0, fast_[i] != 0};
 }
 
-template <class T>
-std::span<const std::uint32_t> BodyArrays<T>::changes() {
+template <class T, class Space>
+std::span<const std::uint32_t> BodyArrays<T, Space>::changes() {
   if (std::is_sorted(changes_.begin(), changes_.end())) return changes_;
   if (changes_.size() < changed_.size() / many) {
     std::sort(changes_.begin(), changes_.end());
@@ -145,20 +138,22 @@ std::span<const std::uint32_t> BodyArrays<T>::changes() {
   return changes_;
 }
 
-template <class T>
-void BodyArrays<T>::settle() {
+template <class T, class Space>
+void BodyArrays<T, Space>::settle() {
   for (const std::uint32_t index : changes_) changed_[index] = 0;
   changes_.clear();
 }
 
-template <class T>
-std::size_t BodyArrays<T>::memory() const {
-  const std::size_t each =
-      sizeof(Shape<T>) + sizeof(Pose<T>) + 2 * sizeof(Vec3<T>) + sizeof(Filter) + sizeof(T) + 5 + sizeof(std::uint32_t);
+template <class T, class Space>
+std::size_t BodyArrays<T, Space>::memory() const {
+  const std::size_t each = sizeof(Shape) + sizeof(Pose) + sizeof(Vec) + sizeof(Turning) + sizeof(Filter) + sizeof(T) +
+                           5 + sizeof(std::uint32_t);
   return shapes_.capacity() * each + (free_.capacity() + changes_.capacity()) * sizeof(std::uint32_t);
 }
 
 template class BodyArrays<float>;
 template class BodyArrays<double>;
+template class BodyArrays<float, plane::Space<float>>;
+template class BodyArrays<double, plane::Space<double>>;
 
 }  // namespace graze

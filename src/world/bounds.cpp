@@ -1,5 +1,7 @@
 #include "graze/world/bounds.hpp"
 
+#include "graze/plane/space.hpp"
+
 namespace graze {
 
 namespace {
@@ -9,21 +11,27 @@ constexpr std::size_t bodies_per_task = 512;
 
 }  // namespace
 
-template <class T>
-void find_bounds(std::span<const Shape<T>> shapes, std::span<const Pose<T>> poses, std::span<const T> margins,
-                 std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes, Executor& executor) {
+template <class T, class Space>
+void find_bounds(std::span<const typename Space::Shape> shapes, std::span<const typename Space::Pose> poses,
+                 std::span<const T> margins, std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes,
+                 Executor& executor) {
   for_each_chunk(executor, which.size(), bodies_per_task, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = which[k];
       const T margin = margins[i] < std::numeric_limits<T>::infinity() ? margins[i] : T(0);
-      boxes[i] = inflated(bounds(shapes[i], poses[i]), margin);
+      boxes[i] = inflated(Space::bounds(shapes[i], poses[i]), margin);
     }
   });
 }
 
-template void find_bounds(std::span<const Shape<float>>, std::span<const Pose<float>>, std::span<const float>,
-                          std::span<const std::uint32_t>, std::span<Aabb<float>>, Executor&);
-template void find_bounds(std::span<const Shape<double>>, std::span<const Pose<double>>, std::span<const double>,
-                          std::span<const std::uint32_t>, std::span<Aabb<double>>, Executor&);
+#define GRAZE_INSTANTIATE(T, Space)                                                                                    \
+  template void find_bounds<T, Space<T>>(std::span<const Space<T>::Shape>, std::span<const Space<T>::Pose>,            \
+                                         std::span<const T>, std::span<const std::uint32_t>, std::span<Aabb<T>>,       \
+                                         Executor&);
+GRAZE_INSTANTIATE(float, Space)
+GRAZE_INSTANTIATE(double, Space)
+GRAZE_INSTANTIATE(float, plane::Space)
+GRAZE_INSTANTIATE(double, plane::Space)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

@@ -3,6 +3,8 @@
 #include <tuple>
 #include <utility>
 
+#include "graze/plane/space.hpp"
+
 namespace graze {
 
 namespace {
@@ -17,8 +19,8 @@ bool before(const BodyId& a, const BodyId& b, const BodyId& other_a, const BodyI
 
 }  // namespace
 
-template <class T>
-void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPair<T>> pairs) {
+template <class T, class Space>
+void EventTracker::update(const BodyArrays<T, Space>& bodies, std::span<const ContactPair<T>> pairs) {
   std::swap(now_, last_);
   now_.clear();
   const std::span<const ContactEvent> last = last_.filled();
@@ -64,7 +66,12 @@ void EventTracker::update(const BodyArrays<T>& bodies, std::span<const ContactPa
   now_.shorten(static_cast<std::size_t>(to - first));
 }
 
-template void EventTracker::update(const BodyArrays<float>&, std::span<const ContactPair<float>>);
-template void EventTracker::update(const BodyArrays<double>&, std::span<const ContactPair<double>>);
+#define GRAZE_INSTANTIATE(T, Space)                                                                                    \
+  template void EventTracker::update(const BodyArrays<T, Space<T>>&, std::span<const ContactPair<T>>);
+GRAZE_INSTANTIATE(float, Space)
+GRAZE_INSTANTIATE(double, Space)
+GRAZE_INSTANTIATE(float, plane::Space)
+GRAZE_INSTANTIATE(double, plane::Space)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

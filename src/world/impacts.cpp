@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "composite/sweep.hpp"
-#include "shape/reach.hpp"
+#include "graze/plane/space.hpp"
 
 namespace graze {
 
@@ -13,30 +13,29 @@ namespace {
 constexpr std::size_t bodies_per_task = 16;
 
 /// How far any point of a body gets at most in a unit of time.
-template <class T>
-T speed_of(const BodyArrays<T>& bodies, std::uint32_t i) {
-  const T turning = length(bodies.angular()[i]);
-  return length(bodies.linear()[i]) + (turning > T(0) ? turning * reach_of(bodies.shapes()[i]) : T(0));
+template <class T, class Space>
+T speed_of(const BodyArrays<T, Space>& bodies, std::uint32_t i) {
+  return length(bodies.linear()[i]) + Space::speed_of_turning(bodies.shapes()[i], bodies.angular()[i]);
 }
 
 /// All that the body sweeps, however it turns on the way.
-template <class T>
-Sweep<T> sweep_of(const BodyArrays<T>& bodies, std::uint32_t i, T duration, T room) {
-  return safe_sweep(bounds_turning(bodies.shapes()[i], bodies.poses()[i], bodies.angular()[i]),
-                    bodies.linear()[i] * duration, room);
+template <class T, class Space>
+Sweep<T> sweep_of(const BodyArrays<T, Space>& bodies, std::uint32_t i, T duration, T room) {
+  return safe_sweep(Space::bounds_turning(bodies.shapes()[i], bodies.poses()[i], bodies.angular()[i]),
+                    Space::among_boxes(bodies.linear()[i] * duration), room);
 }
 
-template <class T>
-bool before(const Impact<T>& p, const Impact<T>& q) {
+template <class T, class Space>
+bool before(const Impact<T, Space>& p, const Impact<T, Space>& q) {
   return std::tie(p.hit.t, p.a, p.b) < std::tie(q.hit.t, q.a, q.b);
 }
 
 }  // namespace
 
-template <class T>
-void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T duration,
+template <class T, class Space>
+void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree, T duration,
                   const std::function<bool(std::uint32_t, std::uint32_t)>& allowed, Executor& executor,
-                  std::vector<Impact<T>>& out) {
+                  std::vector<Impact<T, Space>>& out) {
   out.clear();
   std::vector<std::uint32_t> fast;
   T fastest(0);  // of those that are not fast: so far they come towards a sweep
@@ -47,13 +46,15 @@ void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T dur
     else if (bodies.fixed()[i] == 0)
       fastest = greatest(fastest, speed_of(bodies, i));
   }
-  std::vector<std::vector<Impact<T>>> found((fast.size() + bodies_per_task - 1) / bodies_per_task);
-  const auto meet = [&](std::uint32_t i, std::uint32_t j, std::vector<Impact<T>>& impacts) {
+  std::vector<std::vector<Impact<T, Space>>> found((fast.size() + bodies_per_task - 1) / bodies_per_task);
+  const auto meet = [&](std::uint32_t i, std::uint32_t j, std::vector<Impact<T, Space>>& impacts) {
     if (i == j || !allowed(i, j)) return;
     const std::uint32_t a = std::min(i, j), b = std::max(i, j);
-    const auto velocity = [&](std::uint32_t k) { return Velocity<T>{bodies.linear()[k], bodies.angular()[k]}; };
-    const auto hit = cast<T>(bodies.shapes()[a], bodies.poses()[a], velocity(a), bodies.shapes()[b], bodies.poses()[b],
-                             velocity(b), duration, CastOptions{Separating::ignored});
+    const auto velocity = [&](std::uint32_t k) {
+      return typename Space::Velocity{bodies.linear()[k], bodies.angular()[k]};
+    };
+    const auto hit = Space::cast(bodies.shapes()[a], bodies.poses()[a], velocity(a), bodies.shapes()[b],
+                                 bodies.poses()[b], velocity(b), duration, CastOptions{Separating::ignored});
     const bool trigger = bodies.triggers()[a] != 0 || bodies.triggers()[b] != 0;
     if (hit) impacts.push_back({bodies.id(a), bodies.id(b), trigger, *hit});
   };
@@ -75,15 +76,17 @@ void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T dur
     }
   });
   for (const auto& of_task : found) out.insert(out.end(), of_task.begin(), of_task.end());
-  std::sort(out.begin(), out.end(), before<T>);
+  std::sort(out.begin(), out.end(), before<T, Space>);
 }
 
-#define GRAZE_INSTANTIATE(T)                                                                                           \
-  template void find_impacts(const BodyArrays<T>&, const DynamicTree<T>&, T,                                           \
+#define GRAZE_INSTANTIATE(T, Space)                                                                                    \
+  template void find_impacts(const BodyArrays<T, Space<T>>&, const DynamicTree<T>&, T,                                 \
                              const std::function<bool(std::uint32_t, std::uint32_t)>&, Executor&,                      \
-                             std::vector<Impact<T>>&);
-GRAZE_INSTANTIATE(float)
-GRAZE_INSTANTIATE(double)
+                             std::vector<Impact<T, Space<T>>>&);
+GRAZE_INSTANTIATE(float, Space)
+GRAZE_INSTANTIATE(double, Space)
+GRAZE_INSTANTIATE(float, plane::Space)
+GRAZE_INSTANTIATE(double, plane::Space)
 #undef GRAZE_INSTANTIATE
 
 }  // namespace graze

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "composite/composite.hpp"
+#include "graze/plane/space.hpp"
 #include "graze/world/manifolds.hpp"
 
 namespace graze {
@@ -15,8 +16,8 @@ constexpr std::size_t pairs_per_range = 4096, tasks_per_copy = 8;
 }  // namespace
 
 /// The pairs that touch, in their order.
-template <class T>
-void ManifoldFinder<T>::join_pairs(Executor& executor) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::join_pairs(Executor& executor) {
   std::size_t manifolds = 0, points = 0;
   for (Task& task : tasks_) {
     task.to_manifold = std::exchange(manifolds, manifolds + task.manifold_count);
@@ -40,8 +41,8 @@ void ManifoldFinder<T>::join_pairs(Executor& executor) {
 }
 
 /// Those from `begin` to `end`, of which the first that touches comes to stand at `place`.
-template <class T>
-void ManifoldFinder<T>::join_pairs(std::size_t begin, std::size_t end, std::uint32_t place) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::join_pairs(std::size_t begin, std::size_t end, std::uint32_t place) {
   // No branch would foresee which touch: each is written down, and written over by the next one where it does not.
   std::uint32_t touching[pairs_per_range];
   std::size_t count = 0;
@@ -60,8 +61,8 @@ void ManifoldFinder<T>::join_pairs(std::size_t begin, std::size_t end, std::uint
 
 /// The manifolds and points, task by task; and beside that what the caller does with the pairs, which takes longer than
 /// any of the copies and is begun first.
-template <class T>
-void ManifoldFinder<T>::join_tasks(Executor& executor, const std::function<void()>& paired) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::join_tasks(Executor& executor, const std::function<void()>& paired) {
   const bool in_place = std::all_of(tasks_.begin(), tasks_.end(), [](const Task& task) { return task.found == 0; });
   if (in_place) return paired();
   executor.run(1 + (tasks_.size() + tasks_per_copy - 1) / tasks_per_copy, [&](std::size_t i) {
@@ -72,12 +73,12 @@ void ManifoldFinder<T>::join_tasks(Executor& executor, const std::function<void(
   });
 }
 
-template <class T>
-void ManifoldFinder<T>::join_task(const Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::join_task(const Task& task) {
   const Found& found = found_[task.found];
   const auto shift = static_cast<std::uint32_t>(task.to_point - task.first_point);  // modulo its range
-  ContactManifold<T>* to = now_.manifolds.data() + task.to_manifold;
-  for (ContactManifold<T> m : found.manifolds.filled().subspan(task.first_manifold, task.manifold_count)) {
+  ContactManifold<T, Space>* to = now_.manifolds.data() + task.to_manifold;
+  for (ContactManifold<T, Space> m : found.manifolds.filled().subspan(task.first_manifold, task.manifold_count)) {
     m.first_point += shift;
     *to++ = m;
   }
@@ -86,5 +87,7 @@ void ManifoldFinder<T>::join_task(const Task& task) {
 
 template class ManifoldFinder<float>;
 template class ManifoldFinder<double>;
+template class ManifoldFinder<float, plane::Space<float>>;
+template class ManifoldFinder<double, plane::Space<double>>;
 
 }  // namespace graze

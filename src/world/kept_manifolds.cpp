@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "composite/composite.hpp"
+#include "graze/plane/space.hpp"
 #include "graze/world/manifolds.hpp"
 
 namespace graze {
@@ -15,8 +16,8 @@ constexpr std::size_t few_points = 16;
 }  // namespace
 
 /// Finds what is known of each pair from the last call: both lists are sorted. Returns whether they differ.
-template <class T>
-bool ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
+template <class T, class Space>
+bool ManifoldFinder<T, Space>::remember(std::span<const IdPair> pairs) {
   if (std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
   last_pairs_.swap(pairs_);
   last_contact_.swap(contact_);
@@ -32,7 +33,7 @@ bool ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
     while (known < count && last_pairs_[known] < pairs[i]) ++known;
     const bool same = known < count && last_pairs_[known] == pairs[i];
     contact_[i] = same ? last_contact_[known] : unknown;
-    if (keeps_axes_) axes_[i] = same ? last_axes_[known] : Vec3<T>{};
+    if (keeps_axes_) axes_[i] = same ? last_axes_[known] : Vec{};
     known += same;
   }
   return true;
@@ -40,8 +41,8 @@ bool ManifoldFinder<T>::remember(std::span<const IdPair> pairs) {
 
 /// Whether a pair with a fixed body came or went though neither body changed: by its filters then. What the other one
 /// stands on beside it may be met otherwise.
-template <class T>
-bool ManifoldFinder<T>::ground_pairs_differ() const {
+template <class T, class Space>
+bool ManifoldFinder<T, Space>::ground_pairs_differ() const {
   const auto matters = [&](const IdPair& p) {
     return ((seen_[p.a].traits | seen_[p.b].traits) & (fixed | changed)) == fixed;
   };
@@ -59,8 +60,8 @@ bool ManifoldFinder<T>::ground_pairs_differ() const {
 }
 
 /// For each body that moves, the fixed bodies it stands in a pair with, in the order of the pairs.
-template <class T>
-void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_neighbours(const BodyArrays<T, Space>& bodies) {
   const auto each = [&](const auto& f) {
     for (const IdPair& p : pairs_) {
       if ((seen_[p.a].traits & fixed) != 0) f(p.b, p.a);
@@ -81,8 +82,8 @@ void ManifoldFinder<T>::find_neighbours(const BodyArrays<T>& bodies) {
 }
 
 /// A pair of which nothing changed has what it had. What stood one behind the other is copied as one.
-template <class T>
-void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::keep_last(std::uint32_t place, Run& run, Task& task) {
   const std::uint32_t contact = contact_[place];
   if (contact == apart) return;
   const ContactPair<T>& last = last_.pairs[contact];
@@ -98,8 +99,8 @@ void ManifoldFinder<T>::keep_last(std::uint32_t place, Run& run, Task& task) {
 }
 
 /// What a pair had after the last call; its points stand one behind the other.
-template <class T>
-std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(std::uint32_t place) const {
+template <class T, class Space>
+std::span<const SolverPoint<T, Space>> ManifoldFinder<T, Space>::last_points(std::uint32_t place) const {
   const std::uint32_t contact = contact_[place];
   if (contact >= apart) return {};
   const auto manifolds = last_.manifolds_of(last_.pairs[contact]);
@@ -110,11 +111,11 @@ std::span<const SolverPoint<T>> ManifoldFinder<T>::last_points(std::uint32_t pla
 
 /// To points of the same features, which are single in the one manifold of two convex shapes; mostly they are the same
 /// ones in the same order.
-template <class T>
-void ManifoldFinder<T>::carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::carry_one(std::uint32_t place, std::span<SolverPoint<T, Space>> points) const {
   const auto last = last_points(place);
   std::size_t at = 0;
-  for (SolverPoint<T>& point : points) {
+  for (SolverPoint<T, Space>& point : points) {
     for (std::size_t tried = 0; tried < last.size(); ++tried, ++at) {
       if (at >= last.size()) at = 0;
       if (last[at].feature != point.feature) continue;
@@ -125,25 +126,27 @@ void ManifoldFinder<T>::carry_one(std::uint32_t place, std::span<SolverPoint<T>>
 }
 
 /// To points of the same features; of several, which only composites have, to the nearest.
-template <class T>
-void ManifoldFinder<T>::carry_many(std::uint32_t place, std::span<SolverPoint<T>> points,
-                                   std::vector<SolverPoint<T>>& sorted) const {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::carry_many(std::uint32_t place, std::span<SolverPoint<T, Space>> points,
+                                          std::vector<SolverPoint<T, Space>>& sorted) const {
   const auto last = last_points(place);
-  const auto by_feature = [](const SolverPoint<T>& p, const SolverPoint<T>& q) { return p.feature < q.feature; };
+  const auto by_feature = [](const SolverPoint<T, Space>& p, const SolverPoint<T, Space>& q) {
+    return p.feature < q.feature;
+  };
   const bool few = last.size() <= few_points;
   if (!few) {
     sorted.assign(last.begin(), last.end());
     std::stable_sort(sorted.begin(), sorted.end(), by_feature);
   }
-  for (SolverPoint<T>& point : points) {
+  for (SolverPoint<T, Space>& point : points) {
     auto candidates = last;
     if (!few) {
       const auto [begin, end] = std::equal_range(sorted.begin(), sorted.end(), point, by_feature);
-      candidates = std::span<const SolverPoint<T>>(sorted).subspan(static_cast<std::size_t>(begin - sorted.begin()),
-                                                                   static_cast<std::size_t>(end - begin));
+      candidates = std::span<const SolverPoint<T, Space>>(sorted).subspan(
+          static_cast<std::size_t>(begin - sorted.begin()), static_cast<std::size_t>(end - begin));
     }
-    const SolverPoint<T>* nearest = nullptr;
-    for (const SolverPoint<T>& p : candidates)
+    const SolverPoint<T, Space>* nearest = nullptr;
+    for (const SolverPoint<T, Space>& p : candidates)
       if (p.feature == point.feature &&
           (!nearest || length_squared(p.a - point.a) < length_squared(nearest->a - point.a)))
         nearest = &p;
@@ -152,39 +155,42 @@ void ManifoldFinder<T>::carry_many(std::uint32_t place, std::span<SolverPoint<T>
 }
 
 /// Copies the manifolds of a run with their points, impulses included, which stand in the same order.
-template <class T>
-void ManifoldFinder<T>::copy_last(Run& run, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::copy_last(Run& run, Task& task) {
   if (run.begin == run.end) return;
   Found& found = found_[task.found];
-  const ContactManifold<T>&front = last_.manifolds[run.begin], &back = last_.manifolds[run.end - 1];
+  const ContactManifold<T, Space>&front = last_.manifolds[run.begin], &back = last_.manifolds[run.end - 1];
   const auto shift = static_cast<std::uint32_t>(found.points.size()) - front.first_point;  // modulo its range
   const auto points =
       std::span(last_.points).subspan(front.first_point, back.first_point + back.point_count - front.first_point);
   std::copy(points.begin(), points.end(), found.points.extend(points.size()));
-  ContactManifold<T>* to = found.manifolds.extend(run.end - run.begin);
-  for (ContactManifold<T> m : std::span(last_.manifolds).subspan(run.begin, run.end - run.begin)) {
+  ContactManifold<T, Space>* to = found.manifolds.extend(run.end - run.begin);
+  for (ContactManifold<T, Space> m : std::span(last_.manifolds).subspan(run.begin, run.end - run.begin)) {
     m.first_point += shift;
     *to++ = m;
   }
   run = {};
 }
 
-template <class T>
-std::size_t ManifoldFinder<T>::memory() const {
+template <class T, class Space>
+std::size_t ManifoldFinder<T, Space>::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) + bytes(around_) +
                     bytes(neighbours_) + bytes(last_changes_) + bytes(generations_) + bytes(found_) + bytes(pairs_) +
                     bytes(last_pairs_) + bytes(contact_) + bytes(last_contact_) + bytes(axes_) + bytes(last_axes_) +
                     bytes(tasks_) + bytes(touches_) + bytes(first_contacts_);
   for (const Found& found : found_)
-    sum += found.manifolds.capacity() * sizeof(ContactManifold<T>) + found.points.capacity() * sizeof(SolverPoint<T>) +
-           bytes(found.composite) + bytes(found.sorted) + found.choice.memory();
-  for (const ContactArrays<T>* arrays : {&now_, &last_})
+    sum += found.manifolds.capacity() * sizeof(ContactManifold<T, Space>) +
+           found.points.capacity() * sizeof(SolverPoint<T, Space>) + bytes(found.composite) + bytes(found.sorted) +
+           found.choice.memory();
+  for (const ContactArrays<T, Space>* arrays : {&now_, &last_})
     sum += bytes(arrays->pairs) + bytes(arrays->manifolds) + bytes(arrays->points);
   return sum;
 }
 
 template class ManifoldFinder<float>;
 template class ManifoldFinder<double>;
+template class ManifoldFinder<float, plane::Space<float>>;
+template class ManifoldFinder<double, plane::Space<double>>;
 
 }  // namespace graze

@@ -4,11 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "composite/composite.hpp"
-#include "composite/internal_edges/face_contact.hpp"
-#include "narrow/batch/lane_pairs.hpp"
-#include "narrow/pair_table.hpp"
-#include "narrow/sat/cached_axis.hpp"
+#include "world/pair_contacts.hpp"
 #include "world/shares.hpp"
 
 namespace graze {
@@ -24,31 +20,33 @@ constexpr std::size_t few_pairs = 4096;
 }  // namespace
 
 /// Pairs that wait for a kernel, all for the same.
-template <class T>
+template <class T, class Space>
 struct Waiting {
-  LanesFor lanes;
+  typename PairContacts<T, Space>::Lanes lanes;
   std::size_t count = 0;
-  PairRef<T> pairs[most_chunk];
+  typename PairContacts<T, Space>::Pair pairs[most_chunk];
   std::uint32_t places[most_chunk];
 };
 
-template <class T>
-void ManifoldFinder<T>::look_at(const BodyArrays<T>& bodies, std::uint32_t i) {
-  const Shape<T>& shape = bodies.shapes()[i];
+template <class T, class Space>
+void ManifoldFinder<T, Space>::look_at(const BodyArrays<T, Space>& bodies, std::uint32_t i) {
+  const Shape& shape = bodies.shapes()[i];
   const bool stands = bodies.fixed()[i] != 0, moved = bodies.changed()[i] != 0;
   const std::uint32_t generation = bodies.id(i).generation;
   const bool another = std::exchange(generations_[i], generation) != generation;
-  ground_ += stands;
-  ground_ -= (seen_[i].traits & fixed) != 0;
-  seen_[i] = {concrete_for_lanes(shape), bodies.margins()[i],
+  if constexpr (Space::joins_fixed) {
+    ground_ += stands;
+    ground_ -= (seen_[i].traits & fixed) != 0;
+    ground_changed_ |= stands && moved;
+  }
+  seen_[i] = {PairContacts<T, Space>::concrete(shape), bodies.margins()[i],
               static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
                                         (stands ? fixed : 0) | (another ? fresh : 0))};
-  ground_changed_ |= stands && moved;
 }
 
 /// Looks at what changed, or at all bodies where they have come to stand elsewhere in memory.
-template <class T>
-void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::look(const BodyArrays<T, Space>& bodies) {
   ground_changed_ = false;
   generations_.resize(bodies.size());
   const std::span<const std::uint32_t> changes = bodies.unsorted_changes();
@@ -64,14 +62,14 @@ void ManifoldFinder<T>::look(const BodyArrays<T>& bodies) {
   last_changes_.assign(changes.begin(), changes.end());
 }
 
-template <class T>
-std::span<const PlacedRef<T>> ManifoldFinder<T>::neighbours_of(std::uint32_t index) const {
+template <class T, class Space>
+auto ManifoldFinder<T, Space>::neighbours_of(std::uint32_t index) const -> std::span<const PlacedRef> {
   return std::span(neighbours_).subspan(around_[index].first, around_[index].count);
 }
 
-template <class T>
-void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor,
-                             const std::function<void()>& paired) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find(const BodyArrays<T, Space>& bodies, std::span<const IdPair> pairs,
+                                    Executor& executor, const std::function<void()>& paired) {
   if (bodies.unsorted_changes().empty() && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end()))
     return paired();
   SerialExecutor serial;
@@ -79,7 +77,7 @@ void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
   // Three parts that know nothing of each other, the longest, which takes as long as the other two, first.
   bool same_pairs = false;
   some.run(3, [&](std::size_t part) {
-    if (part == 0) bin_pairs<T>(pairs, bodies.shapes(), bins_);
+    if (part == 0) bin_pairs<T, Space>(pairs, bodies.shapes(), bins_);
     if (part == 1) same_pairs = !remember(pairs);
     if (part == 2) look(bodies);
   });
@@ -94,8 +92,8 @@ void ManifoldFinder<T>::find(const BodyArrays<T>& bodies, std::span<const IdPair
 
 /// The tasks of the first thread follow each other from the first one on: what it finds of them stands where it stays.
 /// All else is put there when everything is found, from wherever its thread had it.
-template <class T>
-void ManifoldFinder<T>::find_on_threads(const BodyArrays<T>& bodies, Executor& executor) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_on_threads(const BodyArrays<T, Space>& bodies, Executor& executor) {
   static_assert(pairs_per_task <= most_chunk);
   const std::size_t tasks = (pairs_.size() + pairs_per_task - 1) / pairs_per_task;
   const std::size_t threads = std::clamp<std::size_t>(tasks, 1, executor.concurrency());
@@ -120,19 +118,20 @@ void ManifoldFinder<T>::find_on_threads(const BodyArrays<T>& bodies, Executor& e
 }
 
 /// Kernels do not look at an axis, and for pairs that have one it would be as much memory again as all else about them.
-template <class T>
-void ManifoldFinder<T>::keep_axes_where_of_use() {
-  if (keeps_axes_) return;
+template <class T, class Space>
+void ManifoldFinder<T, Space>::keep_axes_where_of_use() {
+  using Contacts = PairContacts<T, Space>;
+  if (keeps_axes_ || !Contacts::has_axes) return;
   keeps_axes_ = std::any_of(bins_.bins.begin(), bins_.bins.end(), [](const Bin& bin) {
-    return !with_contact_lanes(lane_table<T>(bin.type_a, bin.type_b).pair);
+    return !Contacts::has_kernel(Contacts::lanes(bin.type_a, bin.type_b));
   });
   if (keeps_axes_) axes_.assign(pairs_.size(), {});
 }
 
 /// What moves goes over the fixed bodies as over one; those that it may touch count among them the one of this pair.
-template <class T>
-Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
-  Surroundings<T> beside;
+template <class T, class Space>
+auto ManifoldFinder<T, Space>::beside(const IdPair& pair) const -> Surroundings<T, PlacedRef> {
+  Surroundings<T, PlacedRef> beside;
   if (ground_ < 2) return beside;
   if ((seen_[pair.a].traits & fixed) != 0) beside.of_a = neighbours_of(pair.b);
   if ((seen_[pair.b].traits & fixed) != 0) beside.of_b = neighbours_of(pair.a);
@@ -141,10 +140,10 @@ Surroundings<T> ManifoldFinder<T>::beside(const IdPair& pair) const {
   return beside;
 }
 
-template <class T>
-void ManifoldFinder<T>::run_task(const BodyArrays<T>& bodies, std::size_t number, std::size_t found) {
-  const Refilled<ContactManifold<T>>& manifolds = found_[found].manifolds;
-  const Refilled<SolverPoint<T>>& points = found_[found].points;
+template <class T, class Space>
+void ManifoldFinder<T, Space>::run_task(const BodyArrays<T, Space>& bodies, std::size_t number, std::size_t found) {
+  const Refilled<ContactManifold<T, Space>>& manifolds = found_[found].manifolds;
+  const Refilled<SolverPoint<T, Space>>& points = found_[found].points;
   Task task{.number = number, .found = found, .first_manifold = manifolds.size(), .first_point = points.size()};
   find_some(bodies, task);
   task.manifold_count = manifolds.size() - task.first_manifold;
@@ -153,14 +152,14 @@ void ManifoldFinder<T>::run_task(const BodyArrays<T>& bodies, std::size_t number
 }
 
 /// The pairs of a task, which follow each other in the bins' order, kind by kind.
-template <class T>
-void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_some(const BodyArrays<T, Space>& bodies, Task& task) {
   const std::size_t begin = task.number * pairs_per_task, end = std::min(pairs_.size(), begin + pairs_per_task);
-  Waiting<T> waiting;
+  Waiting<T, Space> waiting;
   const auto ends_before = [](std::size_t place, const Bin& bin) { return place < bin.end; };
   auto bin = std::upper_bound(bins_.bins.begin(), bins_.bins.end(), begin, ends_before);
   for (; bin != bins_.bins.end() && bin->begin < end; ++bin) {
-    waiting.lanes = lane_table<T>(bin->type_a, bin->type_b);
+    waiting.lanes = PairContacts<T, Space>::lanes(bin->type_a, bin->type_b);
     const std::size_t first = std::max<std::size_t>(begin, bin->begin), last = std::min<std::size_t>(end, bin->end);
     find_of_a_kind(bodies, std::span(bins_.order).subspan(first, last - first), waiting, task);
   }
@@ -168,12 +167,14 @@ void ManifoldFinder<T>::find_some(const BodyArrays<T>& bodies, Task& task) {
 
 /// Pairs of kinds with a kernel that are to be asked about anew are put together for it, all others taken one by one;
 /// so are those whose contacts what stands beside may change.
-template <class T>
-void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places,
-                                       Waiting<T>& waiting, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_of_a_kind(const BodyArrays<T, Space>& bodies, std::span<const std::uint32_t> places,
+                                              Waiting<T, Space>& waiting, Task& task) {
+  using Contacts = PairContacts<T, Space>;
+  using Pair = typename Contacts::Pair;
   Run kept;
-  const bool together = with_contact_lanes(waiting.lanes.pair);
-  const Pose<T>* const poses = bodies.poses().data();
+  const bool together = Contacts::has_kernel(waiting.lanes);
+  const Pose* const poses = bodies.poses().data();
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (k + ahead < places.size()) fetch(bodies, pairs_[places[k + ahead]].b);
     const std::uint32_t place = places[k];
@@ -192,9 +193,9 @@ void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<co
     }
     const T margin = least(a.margin, b.margin);
     waiting.places[waiting.count] = place;
-    waiting.pairs[waiting.count++] = waiting.lanes.turned
-                                         ? PairRef<T>{b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}
-                                         : PairRef<T>{a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin};
+    waiting.pairs[waiting.count++] = Contacts::is_turned(waiting.lanes)
+                                         ? Pair{b.concrete, a.concrete, poses + pair.b, poses + pair.a, margin}
+                                         : Pair{a.concrete, b.concrete, poses + pair.a, poses + pair.b, margin};
   }
   copy_last(kept, task);
   find_waiting(bodies, waiting, task);
@@ -202,8 +203,8 @@ void ManifoldFinder<T>::find_of_a_kind(const BodyArrays<T>& bodies, std::span<co
 
 /// Fetches what a pair asks of a body. Pairs are sorted by the first of their two, so the second is the one that may
 /// stand anywhere.
-template <class T>
-void ManifoldFinder<T>::fetch(const BodyArrays<T>& bodies, std::uint32_t i) const {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::fetch(const BodyArrays<T, Space>& bodies, std::uint32_t i) const {
   __builtin_prefetch(seen_.data() + i);
   __builtin_prefetch(bodies.poses().data() + i);
   __builtin_prefetch(bodies.shapes().data() + i);
@@ -211,43 +212,40 @@ void ManifoldFinder<T>::fetch(const BodyArrays<T>& bodies, std::uint32_t i) cons
 
 /// Notes a pair that touches, whose manifolds stand one behind the other among what its thread found. What is known of
 /// it from the last call is forgotten.
-template <class T>
-void ManifoldFinder<T>::touch(std::uint32_t place, Task& task, std::size_t first_manifold, std::size_t manifolds,
-                              bool overlap) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::touch(std::uint32_t place, Task& task, std::size_t first_manifold, std::size_t manifolds,
+                                     bool overlap) {
   const auto number = static_cast<std::uint32_t>(task.number * pairs_per_task + task.contacts++);
   touches_[number] = {static_cast<std::uint32_t>(first_manifold - task.first_manifold),
                       static_cast<std::uint32_t>(manifolds), overlap};
   contact_[place] = number;
 }
 
-template <class T>
-void ManifoldFinder<T>::keep_apart(std::uint32_t place) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::keep_apart(std::uint32_t place) {
   contact_[place] = apart;
 }
 
 /// Whether the contacts of two convex bodies are what they are of all that stands still beside either, too.
-template <class T>
-bool ManifoldFinder<T>::stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,
-                              std::span<const SolverPoint<T>> points) const {
-  const Surroundings<T> beside = this->beside(pair);
-  if (beside.empty()) return true;
-  const auto piece = [&](std::uint32_t i, std::span<const PlacedRef<T>> around) {
-    const Shape<T>& shape = bodies.shapes()[i];
-    const Pose<T>& pose = bodies.poses()[i];
-    return LeafInContext<T>{shape, pose, shape, pose, around};
-  };
-  const LeafInContext<T> a = piece(pair.a, beside.of_a), b = piece(pair.b, beside.of_b);
-  return (a.beside.empty() || stands_clear(a, b, normal, standing_point(points, &ContactPoint<T>::a))) &&
-         (b.beside.empty() || stands_clear(b, a, -normal, standing_point(points, &ContactPoint<T>::b)));
+template <class T, class Space>
+bool ManifoldFinder<T, Space>::stays(const BodyArrays<T, Space>& bodies, const IdPair& pair, const Vec& normal,
+                                     std::span<const SolverPoint<T, Space>> points) const {
+  if constexpr (Space::joins_fixed) {
+    const Surroundings<T, PlacedRef> beside = this->beside(pair);
+    const auto placed = [&](std::uint32_t i) { return PlacedRef{&bodies.shapes()[i], &bodies.poses()[i]}; };
+    return beside.empty() || PairContacts<T, Space>::stays(placed(pair.a), placed(pair.b), beside, normal, points);
+  } else {
+    return true;
+  }
 }
 
 /// Notes the one manifold of a pair of convex bodies, whose points are the last ones that were found.
-template <class T>
-void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, Task& task, bool overlap,
-                             const Vec3<T>& normal, std::size_t points) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::keep(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task, bool overlap,
+                                    const Vec& normal, std::size_t points) {
   Found& found = found_[task.found];
   const std::size_t first = found.points.size() - points;
-  const std::span<SolverPoint<T>> of_pair = found.points.filled().subspan(first);
+  const std::span<SolverPoint<T, Space>> of_pair = found.points.filled().subspan(first);
   if (!stays(bodies, pairs_[place], normal, of_pair)) {
     found.points.shorten(first);
     return find_composite(bodies, place, task);
@@ -260,13 +258,13 @@ void ManifoldFinder<T>::keep(const BodyArrays<T>& bodies, std::uint32_t place, T
 }
 
 /// The sink (`narrow/batch/contact_sink.hpp`) of a task: carries on what is kept of a pair from the last call.
-template <class T>
-class ManifoldFinder<T>::TaskSink {
+template <class T, class Space>
+class ManifoldFinder<T, Space>::TaskSink {
  public:
   using Scalar = T;
   static constexpr std::size_t most = most_chunk;
 
-  TaskSink(ManifoldFinder& finder, const BodyArrays<T>& bodies, const Waiting<T>& waiting, Task& task)
+  TaskSink(ManifoldFinder& finder, const BodyArrays<T, Space>& bodies, const Waiting<T, Space>& waiting, Task& task)
       : finder_(finder),
         bodies_(bodies),
         places_(waiting.places),
@@ -275,96 +273,112 @@ class ManifoldFinder<T>::TaskSink {
 
   void apart(std::size_t i) { finder_.keep_apart(places_[i]); }
   void unknown(std::size_t i) { finder_.find_one(bodies_, places_[i], task_); }
-  void one(std::size_t i, const PointContact<T>& contact) {
+  template <class Contact>
+  void one(std::size_t i, const Contact& contact) {
     points_.push_back({contact.point, {}});
     keep(i, contact.point.distance, contact.normal, 1);
   }
   template <class Points>
-  void several(std::size_t i, T distance, const Vec3<T>& normal, const Points& points, std::size_t) {
+  void several(std::size_t i, T distance, const Vec& normal, const Points& points, std::size_t) {
     keep(i, distance, normal, points.append(points_));
   }
-  void met(const MetPairs<T>& some, bool turned) {
-    const ContactPoint<T>* from = some.points;
+  template <class Met>
+  void met(const Met& some, bool turned) {
+    const auto* from = some.points;
     for (std::size_t k = 0; k < some.count; ++k) {
       const std::uint32_t size = some.points_of(k);
-      SolverPoint<T>* p = points_.extend(size);
-      for (const ContactPoint<T>* const end = from + size; from < end; ++from, ++p)
-        *p = {turned ? mirrored(*from) : *from, {}};
-      const Vec3<T> normal = some.normal(k);
+      SolverPoint<T, Space>* p = points_.extend(size);
+      for (const auto* const end = from + size; from < end; ++from, ++p) *p = {turned ? mirrored(*from) : *from, {}};
+      const Vec normal = some.normal(k);
       keep(some.place(k), some.distance(k), turned ? -normal : normal, size);
     }
     fetch_for_writing(points_.data() + points_.size(), some.point_count);
   }
 
  private:
-  void keep(std::size_t i, T distance, const Vec3<T>& normal, std::size_t points) {
+  void keep(std::size_t i, T distance, const Vec& normal, std::size_t points) {
     finder_.keep(bodies_, places_[i], task_, distance <= T(0), normal, points);
   }
 
   ManifoldFinder& finder_;
-  const BodyArrays<T>& bodies_;
+  const BodyArrays<T, Space>& bodies_;
   const std::uint32_t* places_;
   Task& task_;
-  Refilled<SolverPoint<T>>& points_;
+  Refilled<SolverPoint<T, Space>>& points_;
 };
 
 /// Asks the kernel about the pairs that wait for it; then none do.
-template <class T>
-void ManifoldFinder<T>::find_waiting(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_waiting(const BodyArrays<T, Space>& bodies, Waiting<T, Space>& waiting,
+                                            Task& task) {
   const std::size_t count = std::exchange(waiting.count, 0);
   if (count == 0) return;
   TaskSink sink(*this, bodies, waiting, task);
-  visit_lane_contacts(waiting.lanes, waiting.pairs, count, sink);
+  PairContacts<T, Space>::visit(waiting.lanes, waiting.pairs, count, sink);
 }
 
 /// Of two bodies the smaller margin; none of two that have no size.
-template <class T>
-T ManifoldFinder<T>::margin_of(const IdPair& pair) const {
+template <class T, class Space>
+T ManifoldFinder<T, Space>::margin_of(const IdPair& pair) const {
   const T margin = least(seen_[pair.a].margin, seen_[pair.b].margin);
   return margin < std::numeric_limits<T>::infinity() ? margin : T(0);
 }
 
-template <class T>
-void ManifoldFinder<T>::find_one(const BodyArrays<T>& bodies, std::uint32_t place, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_one(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task) {
   const IdPair pair = pairs_[place];
   const int either = seen_[pair.a].traits | seen_[pair.b].traits;
-  const Shape<T>&a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
-  const Pose<T>&pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
+  const Shape &a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
+  const Pose &pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
+  using Contacts = PairContacts<T, Space>;
   if ((either & trigger) != 0) {
-    const bool overlap = any_overlap<T>(a, pose_a, b, pose_b);
+    const bool overlap = Contacts::overlap(a, pose_a, b, pose_b);
     if (!overlap) return keep_apart(place);
     return touch(place, task, found_[task.found].manifolds.size(), 0, true);
   }
-  if (!a.convex() || !b.convex()) return find_composite(bodies, place, task);
-  const T margin = margin_of(pair);
-  Vec3<T>* const axis = keeps_axes_ ? &axes_[place] : nullptr;
-  if (axis && *axis != Vec3<T>{} && still_apart(a, pose_a, b, pose_b, *axis, margin)) return keep_apart(place);
-  Manifold<T> manifold;
-  const bool overlap = convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold) <= T(0);
-  const bool none = manifold.points.empty();
-  if (axis) *axis = none ? rotate(conjugate(pose_a.rotation), manifold.normal) : Vec3<T>{};
-  if (none && !overlap) return keep_apart(place);
-  if (none) return touch(place, task, found_[task.found].manifolds.size(), 0, true);
-  for (const ContactPoint<T>& p : manifold.points) found_[task.found].points.push_back({p, {}});
-  keep(bodies, place, task, overlap, manifold.normal, manifold.points.size());
+  if constexpr (Contacts::has_axes)
+    if (Contacts::is_single(a, b)) return find_single(bodies, place, task);
+  find_composite(bodies, place, task);
+}
+
+/// Two convex bodies: first along the axis in which they were apart.
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_single(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task) {
+  const IdPair pair = pairs_[place];
+  const Shape &a = bodies.shapes()[pair.a], &b = bodies.shapes()[pair.b];
+  const Pose &pose_a = bodies.poses()[pair.a], &pose_b = bodies.poses()[pair.b];
+  using Contacts = PairContacts<T, Space>;
+  if constexpr (Contacts::has_axes) {
+    const T margin = margin_of(pair);
+    Vec* const axis = keeps_axes_ ? &axes_[place] : nullptr;
+    if (axis && *axis != Vec{} && Contacts::still_apart(a, pose_a, b, pose_b, *axis, margin)) return keep_apart(place);
+    typename Space::Manifold manifold;
+    const bool overlap = Contacts::single(a, pose_a, b, pose_b, margin, manifold);
+    const bool none = manifold.points.empty();
+    if (axis) *axis = none ? Contacts::in_frame(pose_a, manifold.normal) : Vec{};
+    if (none && !overlap) return keep_apart(place);
+    if (none) return touch(place, task, found_[task.found].manifolds.size(), 0, true);
+    for (const auto& p : manifold.points) found_[task.found].points.push_back({p, {}});
+    keep(bodies, place, task, overlap, manifold.normal, manifold.points.size());
+  }
 }
 
 /// What consists of pieces, or meets several bodies that stand still as if they were one.
-template <class T>
-void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_t place, Task& task) {
+template <class T, class Space>
+void ManifoldFinder<T, Space>::find_composite(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task) {
   const IdPair pair = pairs_[place];
   Found& found = found_[task.found];
   const std::size_t first_point = found.points.size();
   found.composite.clear();
-  const T distance = any_contacts<T>(bodies.shapes()[pair.a], bodies.poses()[pair.a], bodies.shapes()[pair.b],
-                                     bodies.poses()[pair.b], margin_of(pair), found.composite, beside(pair));
-  const bool overlap = distance <= T(0);
+  const bool overlap =
+      PairContacts<T, Space>::all(bodies.shapes()[pair.a], bodies.poses()[pair.a], bodies.shapes()[pair.b],
+                                  bodies.poses()[pair.b], margin_of(pair), found.composite, beside(pair));
   if (!overlap && found.composite.empty()) return keep_apart(place);
   const std::size_t first_manifold = found.manifolds.size();
-  for (const Manifold<T>& m : found.composite) {
+  for (const auto& m : found.composite) {
     found.manifolds.push_back({m.normal, m.piece_a, m.piece_b, static_cast<std::uint32_t>(found.points.size()),
                                static_cast<std::uint32_t>(m.points.size())});
-    for (const ContactPoint<T>& p : m.points) found.points.push_back({p, {}});
+    for (const auto& p : m.points) found.points.push_back({p, {}});
   }
   if (found.points.size() - first_point > points_per_pair_) reduce_many(found, first_manifold, first_point);
   carry_many(place, found.points.filled().subspan(first_point), found.sorted);
@@ -373,5 +387,7 @@ void ManifoldFinder<T>::find_composite(const BodyArrays<T>& bodies, std::uint32_
 
 template class ManifoldFinder<float>;
 template class ManifoldFinder<double>;
+template class ManifoldFinder<float, plane::Space<float>>;
+template class ManifoldFinder<double, plane::Space<double>>;
 
 }  // namespace graze

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "graze/plane/space.hpp"
+
 namespace graze {
 
-template <class T>
-void PointChoice<T>::choose(std::size_t count) {
+template <class T, class Space>
+void PointChoice<T, Space>::choose(std::size_t count) {
   if (count == 0) return;
   if (points_.front().manifold == points_.back().manifold) return choose_of_one(count);
   Candidate& deepest = *std::min_element(points_.begin(), points_.end(),
@@ -27,23 +29,25 @@ void PointChoice<T>::choose(std::size_t count) {
 }
 
 /// Further from what is kept, or as far and deeper.
-template <class T>
-bool PointChoice<T>::before(const Candidate& p, const Candidate& q) {
+template <class T, class Space>
+bool PointChoice<T, Space>::before(const Candidate& p, const Candidate& q) {
   return p.apart_squared > q.apart_squared || (p.apart_squared == q.apart_squared && p.distance < q.distance);
 }
 
 /// The points of one manifold, by its own `reduce`; `feature` takes a point's number through.
-template <class T>
-void PointChoice<T>::choose_of_one(std::size_t count) {
+template <class T, class Space>
+void PointChoice<T, Space>::choose_of_one(std::size_t count) {
   one_.normal = points_[0].normal;
   one_.points.truncate(0);
   for (std::size_t i = 0; i < points_.size(); ++i)
     one_.points.push_back({points_[i].place, points_[i].place, points_[i].distance, static_cast<std::uint32_t>(i)});
   reduce(one_, count);
-  for (const ContactPoint<T>& p : one_.points) points_[p.feature].kept = true;
+  for (const auto& p : one_.points) points_[p.feature].kept = true;
 }
 
 template class PointChoice<float>;
 template class PointChoice<double>;
+template class PointChoice<float, plane::Space<float>>;
+template class PointChoice<double, plane::Space<double>>;
 
 }  // namespace graze

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "graze/plane/space.hpp"
 #include "graze/world/point_choice.hpp"
 
 namespace graze {
@@ -13,10 +14,10 @@ namespace graze {
 namespace {
 
 /// Contacts in three arrays: pairs, manifolds and points, the latter two in one order.
-template <class T, class Arrays>
+template <class T, class Space, class Arrays>
 void reduce_arrays(Arrays& arrays, std::size_t count) {
   std::vector<unsigned char> left_out;  // of the points; made when the first is
-  PointChoice<T> choice;
+  PointChoice<T, Space> choice;
   for (const auto& pair : arrays.pairs) {
     const auto manifolds = std::span(arrays.manifolds).subspan(pair.first_manifold, pair.manifold_count);
     std::size_t points = 0;
@@ -76,18 +77,19 @@ void reduce(Manifolds<T>& manifolds, std::size_t count) {
 
 template <class T>
 void reduce(BatchContacts<T>& contacts, std::size_t count) {
-  reduce_arrays<T>(contacts, count);
+  reduce_arrays<T, Space<T>>(contacts, count);
 }
 
-template <class T>
-void reduce(ContactArrays<T>& contacts, std::size_t count) {
-  reduce_arrays<T>(contacts, count);
+template <class T, class Space>
+void reduce(ContactArrays<T, Space>& contacts, std::size_t count) {
+  reduce_arrays<T, Space>(contacts, count);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template void reduce(Manifolds<T>&, std::size_t);                                                                    \
   template void reduce(BatchContacts<T>&, std::size_t);                                                                \
-  template void reduce(ContactArrays<T>&, std::size_t);
+  template void reduce(ContactArrays<T>&, std::size_t);                                                                \
+  template void reduce(ContactArrays<T, plane::Space<T>>&, std::size_t);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

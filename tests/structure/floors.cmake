@@ -8,7 +8,7 @@ set(floors
     "^src/(narrow|cast|rays|broad|plane)/|^include/graze/(plane/|(broad_phase|dynamic_tree|pairs)\\.hpp$)"
     "^src/composite/"
     "^src/query/|^include/graze/(query|cast|raycast|batch|batch_raycast|contact_motion)\\.hpp$"
-    "^src/world/|^include/graze/(world[./]|slide\\.hpp$)"
+    "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(space|world)\\.hpp$)"
     "^src/dynamics/|^include/graze/(free_motion|impulse|blows|mass|material|dynamics|joint|simulation)\\.hpp$"
     "^src/(tbb|io)/|^include/graze/(io/|tbb_executor\\.hpp$)"
     "^include/graze/graze\\.hpp$")

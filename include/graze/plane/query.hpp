@@ -56,6 +56,10 @@ struct Manifold {
 template <class T>
 using Manifolds = std::vector<Manifold<T>>;
 
+/// Keeps the `count` deepest points, in their order; of equally deep ones the first.
+template <class T>
+GRAZE_API void reduce(Manifold<T>& manifold, std::size_t count);
+
 /// Whether the shapes touch: distance <= 0.
 template <class T>
 GRAZE_API bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,

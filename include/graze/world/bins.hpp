@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "graze/broad_phase.hpp"
-#include "graze/shape.hpp"
+#include "graze/world/space.hpp"
 
 namespace graze {
 
@@ -25,7 +25,7 @@ struct Bins {
 };
 
 /// Sorts `pairs` of places in `shapes` by counting: linear in their number.
-template <class T>
-GRAZE_API void bin_pairs(std::span<const IdPair> pairs, std::span<const Shape<T>> shapes, Bins& out);
+template <class T, class Space = graze::Space<T>>
+GRAZE_API void bin_pairs(std::span<const IdPair> pairs, std::span<const typename Space::Shape> shapes, Bins& out);
 
 }  // namespace graze

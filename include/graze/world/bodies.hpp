@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "graze/filter.hpp"
-#include "graze/shape.hpp"
 #include "graze/validate.hpp"
+#include "graze/world/space.hpp"
 
 namespace graze {
 
@@ -25,11 +25,12 @@ struct BodyId {
 };
 
 /// What is said of a body when it is added.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct Body {
-  Shape<T> shape;
-  Pose<T> pose{};
-  Vec3<T> linear{}, angular{};  ///< velocity of the pose's origin, and the turning about it, in world space
+  typename Space::Shape shape;
+  typename Space::Pose pose{};
+  typename Space::Vec linear{};       ///< velocity of the pose's origin
+  typename Space::Turning angular{};  ///< the turning about it, in world space
   Filter filter{};
   bool fixed = false;    ///< never moves by itself: two fixed bodies are no pair
   bool trigger = false;  ///< tells that something is inside it; has no contact points
@@ -37,8 +38,13 @@ struct Body {
 };
 
 /// The bodies of a world, an array for each of their parts. At indices that are not `alive` the rest means nothing.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API BodyArrays {
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+  using Pose = typename Space::Pose;
+  using Shape = typename Space::Shape;
+
  public:
   /// With `margin` contacts begin that far from every body, without it at each one's `contact_margin`.
   /// Throws `InvalidValue` for a margin that is negative, not finite or larger than `largest_magnitude`.
@@ -47,17 +53,17 @@ class GRAZE_API BodyArrays {
   }
 
   /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`; turns the
-  /// quaternion to unit length.
-  BodyId add(Body<T> body);
+  /// rotation to unit length.
+  BodyId add(Body<T, Space> body);
   /// These throw `InvalidValue` for a handle whose body is gone.
   void remove(BodyId id);
   /// The velocities stay what they are where none are given.
-  void move(BodyId id, const Pose<T>& pose);
-  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular);
-  void set_shape(BodyId id, Shape<T> shape);
+  void move(BodyId id, const Pose& pose);
+  void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular);
+  void set_shape(BodyId id, Shape shape);
   void set_filter(BodyId id, const Filter& filter);
   void set_fast(BodyId id, bool fast);
-  Body<T> body(BodyId id) const;
+  Body<T, Space> body(BodyId id) const;
 
   bool contains(BodyId id) const {
     return id.index < generations_.size() && alive_[id.index] != 0 && generations_[id.index] == id.generation;
@@ -67,10 +73,10 @@ class GRAZE_API BodyArrays {
   std::size_t count() const { return shapes_.size() - free_.size(); }
   std::size_t size() const { return shapes_.size(); }
 
-  std::span<const Shape<T>> shapes() const { return shapes_; }
-  std::span<const Pose<T>> poses() const { return poses_; }
-  std::span<const Vec3<T>> linear() const { return linear_; }
-  std::span<const Vec3<T>> angular() const { return angular_; }
+  std::span<const Shape> shapes() const { return shapes_; }
+  std::span<const Pose> poses() const { return poses_; }
+  std::span<const Vec> linear() const { return linear_; }
+  std::span<const Turning> angular() const { return angular_; }
   std::span<const Filter> filters() const { return filters_; }
   /// Whether any was ever given a filter of its own: without, all may collide.
   bool filtered() const { return filtered_; }
@@ -95,13 +101,14 @@ class GRAZE_API BodyArrays {
 
  private:
   std::uint32_t checked(BodyId id) const;
-  T margin_of(const Shape<T>& shape) const;
+  T margin_of(const Shape& shape) const;
   void change(std::uint32_t index);
 
   std::optional<T> margin_;
-  std::vector<Shape<T>> shapes_;
-  std::vector<Pose<T>> poses_;
-  std::vector<Vec3<T>> linear_, angular_;
+  std::vector<Shape> shapes_;
+  std::vector<Pose> poses_;
+  std::vector<Vec> linear_;
+  std::vector<Turning> angular_;
   std::vector<Filter> filters_;
   std::vector<T> margins_;
   std::vector<std::uint8_t> alive_, fixed_, triggers_, fast_, changed_;

@@ -6,14 +6,15 @@
 #include <span>
 
 #include "graze/executor.hpp"
-#include "graze/shape.hpp"
+#include "graze/world/space.hpp"
 
 namespace graze {
 
 /// boxes[i] = the bounds of body i grown by its margin, for each i of `which`. An infinite margin, a half-space's, adds
 /// nothing: the other body's counts.
-template <class T>
-GRAZE_API void find_bounds(std::span<const Shape<T>> shapes, std::span<const Pose<T>> poses, std::span<const T> margins,
-                           std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes, Executor& executor);
+template <class T, class Space = graze::Space<T>>
+GRAZE_API void find_bounds(std::span<const typename Space::Shape> shapes, std::span<const typename Space::Pose> poses,
+                           std::span<const T> margins, std::span<const std::uint32_t> which, std::span<Aabb<T>> boxes,
+                           Executor& executor);
 
 }  // namespace graze

@@ -30,8 +30,8 @@ struct ContactEvent {
 class GRAZE_API EventTracker {
  public:
   /// `pairs` as the manifolds' stage leaves them, sorted.
-  template <class T>
-  void update(const BodyArrays<T>& bodies, std::span<const ContactPair<T>> pairs);
+  template <class T, class Space = graze::Space<T>>
+  void update(const BodyArrays<T, Space>& bodies, std::span<const ContactPair<T>> pairs);
 
   /// Those of the last update.
   std::span<const ContactEvent> events() const { return now_.filled(); }

@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "graze/cast.hpp"
 #include "graze/dynamic_tree.hpp"
 #include "graze/executor.hpp"
 #include "graze/world/bodies.hpp"
@@ -14,18 +13,18 @@
 namespace graze {
 
 /// Two bodies and when they first meet: a.index < b.index, the normal of the hit from a to b.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct Impact {
   BodyId a, b;
   bool trigger;  ///< one of them is a trigger
-  CastHit<T> hit;
+  typename Space::CastHit hit;
 };
 
 /// `allowed(i, j)` tells whether two indices may meet; it is called from any thread. Bodies that touch and part, or
 /// slide, do not meet. Cost: a cast with each body whose bounds the sweep of a fast one touches.
-template <class T>
-GRAZE_API void find_impacts(const BodyArrays<T>& bodies, const DynamicTree<T>& tree, T duration,
+template <class T, class Space = graze::Space<T>>
+GRAZE_API void find_impacts(const BodyArrays<T, Space>& bodies, const DynamicTree<T>& tree, T duration,
                             const std::function<bool(std::uint32_t, std::uint32_t)>& allowed, Executor& executor,
-                            std::vector<Impact<T>>& out);
+                            std::vector<Impact<T, Space>>& out);
 
 }  // namespace graze

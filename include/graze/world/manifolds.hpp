@@ -23,9 +23,9 @@
 
 namespace graze {
 
-template <class T>
+template <class T, class PlacedRef>
 struct Surroundings;
-template <class T>
+template <class T, class Space>
 struct Waiting;
 
 /// Two bodies within the margin of each other, and where their manifolds stand.
@@ -37,36 +37,42 @@ struct ContactPair {
 };
 
 /// Points that share a normal, and where they stand.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct ContactManifold {
-  Vec3<T> normal{};
+  typename Space::Vec normal{};
   std::uint32_t piece_a, piece_b;  ///< of a composite: the first triangle or child of it that touches
   std::uint32_t first_point, point_count;
 };
 
 /// A point of contact and what a solver has pushed there so far.
-template <class T>
-struct SolverPoint : ContactPoint<T> {
-  Vec3<T> impulse{};  ///< the solver's own: carried on to the same point of the next update, zero at a new one
+template <class T, class Space = graze::Space<T>>
+struct SolverPoint : Space::ContactPoint {
+  typename Space::Vec
+      impulse{};  ///< the solver's own: carried on to the same point of the next update, zero at a new one
 };
 
 /// What an update found. The solver writes the points' impulses, nobody anything else.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct ContactArrays {
-  std::vector<ContactPair<T>> pairs;          ///< sorted
-  std::vector<ContactManifold<T>> manifolds;  ///< in an order of their own, as are the points
-  std::vector<SolverPoint<T>> points;
+  std::vector<ContactPair<T>> pairs;                 ///< sorted
+  std::vector<ContactManifold<T, Space>> manifolds;  ///< in an order of their own, as are the points
+  std::vector<SolverPoint<T, Space>> points;
 
-  std::span<const ContactManifold<T>> manifolds_of(const ContactPair<T>& p) const {
+  std::span<const ContactManifold<T, Space>> manifolds_of(const ContactPair<T>& p) const {
     return std::span(manifolds).subspan(p.first_manifold, p.manifold_count);
   }
-  std::span<const SolverPoint<T>> points_of(const ContactManifold<T>& m) const {
+  std::span<const SolverPoint<T, Space>> points_of(const ContactManifold<T, Space>& m) const {
     return std::span(points).subspan(m.first_point, m.point_count);
   }
 };
 
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API ManifoldFinder {
+  using Vec = typename Space::Vec;
+  using Shape = typename Space::Shape;
+  using Pose = typename Space::Pose;
+  using PlacedRef = typename Space::PlacedRef;
+
  public:
   static constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
 
@@ -78,11 +84,11 @@ class GRAZE_API ManifoldFinder {
   /// done. Calls `paired` once, from any thread, when those in contact stand in `contacts().pairs`; their manifolds and
   /// points may still be put together while it runs.
   void find(
-      const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Executor& executor,
+      const BodyArrays<T, Space>& bodies, std::span<const IdPair> pairs, Executor& executor,
       const std::function<void()>& paired = [] {});
 
-  ContactArrays<T>& contacts() { return now_; }
-  const ContactArrays<T>& contacts() const { return now_; }
+  ContactArrays<T, Space>& contacts() { return now_; }
+  const ContactArrays<T, Space>& contacts() const { return now_; }
 
   std::size_t memory() const;
 
@@ -93,12 +99,12 @@ class GRAZE_API ManifoldFinder {
   static constexpr std::size_t pairs_per_task = 256;
   /// What one thread finds, one behind the other, on lines that no other thread writes.
   struct alignas(64) Found {
-    Refilled<ContactManifold<T>> manifolds;
-    Refilled<SolverPoint<T>> points;
+    Refilled<ContactManifold<T, Space>> manifolds;
+    Refilled<SolverPoint<T, Space>> points;
     // Kept for their storage.
-    Manifolds<T> composite;
-    std::vector<SolverPoint<T>> sorted;
-    PointChoice<T> choice;
+    std::vector<typename Space::Manifold> composite;
+    std::vector<SolverPoint<T, Space>> sorted;
+    PointChoice<T, Space> choice;
   };
   /// A task's pairs and where what is found of them stands: among what its thread found, and in the end.
   struct Task {
@@ -129,64 +135,66 @@ class GRAZE_API ManifoldFinder {
   /// `fresh`: another body had its index in the last call.
   static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4, fresh = 8;
 
-  void look(const BodyArrays<T>& bodies);
-  void look_at(const BodyArrays<T>& bodies, std::uint32_t index);
+  void look(const BodyArrays<T, Space>& bodies);
+  void look_at(const BodyArrays<T, Space>& bodies, std::uint32_t index);
   bool remember(std::span<const IdPair> pairs);
   void keep_axes_where_of_use();
-  void find_neighbours(const BodyArrays<T>& bodies);
+  void find_neighbours(const BodyArrays<T, Space>& bodies);
   bool ground_pairs_differ() const;
-  std::span<const PlacedRef<T>> neighbours_of(std::uint32_t index) const;
-  Surroundings<T> beside(const IdPair& pair) const;
-  void find_some(const BodyArrays<T>& bodies, Task& task);
-  void find_of_a_kind(const BodyArrays<T>& bodies, std::span<const std::uint32_t> places, Waiting<T>& waiting,
-                      Task& task);
+  std::span<const PlacedRef> neighbours_of(std::uint32_t index) const;
+  Surroundings<T, PlacedRef> beside(const IdPair& pair) const;
+  void find_some(const BodyArrays<T, Space>& bodies, Task& task);
+  void find_of_a_kind(const BodyArrays<T, Space>& bodies, std::span<const std::uint32_t> places,
+                      Waiting<T, Space>& waiting, Task& task);
   class TaskSink;
-  void find_waiting(const BodyArrays<T>& bodies, Waiting<T>& waiting, Task& task);
-  void find_one(const BodyArrays<T>& bodies, std::uint32_t place, Task& task);
-  void find_composite(const BodyArrays<T>& bodies, std::uint32_t place, Task& task);
-  bool stays(const BodyArrays<T>& bodies, const IdPair& pair, const Vec3<T>& normal,
-             std::span<const SolverPoint<T>> points) const;
+  void find_waiting(const BodyArrays<T, Space>& bodies, Waiting<T, Space>& waiting, Task& task);
+  void find_one(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task);
+  void find_single(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task);
+  void find_composite(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task);
+  bool stays(const BodyArrays<T, Space>& bodies, const IdPair& pair, const Vec& normal,
+             std::span<const SolverPoint<T, Space>> points) const;
   void keep_last(std::uint32_t place, Run& run, Task& task);
   void copy_last(Run& run, Task& task);
   void keep_apart(std::uint32_t place);
-  void fetch(const BodyArrays<T>& bodies, std::uint32_t index) const;
+  void fetch(const BodyArrays<T, Space>& bodies, std::uint32_t index) const;
   void touch(std::uint32_t place, Task& task, std::size_t first_manifold, std::size_t manifolds, bool overlap);
   T margin_of(const IdPair& pair) const;
-  void keep(const BodyArrays<T>& bodies, std::uint32_t place, Task& task, bool overlap, const Vec3<T>& normal,
+  void keep(const BodyArrays<T, Space>& bodies, std::uint32_t place, Task& task, bool overlap, const Vec& normal,
             std::size_t points);
-  std::size_t reduce_one(Found& found, const Vec3<T>& normal, std::size_t first_point) const;
+  std::size_t reduce_one(Found& found, const Vec& normal, std::size_t first_point) const;
   void reduce_many(Found& found, std::size_t first_manifold, std::size_t first_point) const;
-  void find_on_threads(const BodyArrays<T>& bodies, Executor& executor);
-  void run_task(const BodyArrays<T>& bodies, std::size_t number, std::size_t found);
+  void find_on_threads(const BodyArrays<T, Space>& bodies, Executor& executor);
+  void run_task(const BodyArrays<T, Space>& bodies, std::size_t number, std::size_t found);
   void join_pairs(Executor& executor);
   void join_pairs(std::size_t begin, std::size_t end, std::uint32_t place);
   void join_tasks(Executor& executor, const std::function<void()>& paired);
   void join_task(const Task& task);
-  void carry_one(std::uint32_t place, std::span<SolverPoint<T>> points) const;
-  void carry_many(std::uint32_t place, std::span<SolverPoint<T>> points, std::vector<SolverPoint<T>>& sorted) const;
-  std::span<const SolverPoint<T>> last_points(std::uint32_t place) const;
+  void carry_one(std::uint32_t place, std::span<SolverPoint<T, Space>> points) const;
+  void carry_many(std::uint32_t place, std::span<SolverPoint<T, Space>> points,
+                  std::vector<SolverPoint<T, Space>>& sorted) const;
+  std::span<const SolverPoint<T, Space>> last_points(std::uint32_t place) const;
 
   std::size_t points_per_pair_;
   std::vector<Seen> seen_;  ///< of each body
   Bins bins_;
-  const Shape<T>* shapes_ = nullptr;         ///< where those stood
+  const Shape* shapes_ = nullptr;            ///< where those stood
   std::vector<std::uint32_t> last_changes_;  ///< which of them are seen as changed
   std::vector<std::uint32_t> generations_;   ///< of each body
   std::vector<Around> around_;               ///< of each body that is in a pair with a fixed one
-  std::vector<PlacedRef<T>> neighbours_;
+  std::vector<PlacedRef> neighbours_;
   std::size_t ground_ = 0;       ///< how many bodies are fixed
   bool ground_changed_ = false;  ///< some of them did
   std::vector<IdPair> pairs_, last_pairs_;
   /// Of each pair: its place among those in contact, or as above; once it was looked at and until all were, its touch.
   std::vector<std::uint32_t> contact_, last_contact_;
   /// Of each pair, in the frame of a: along it they were apart; zero for none. Only where pairs without a kernel are.
-  std::vector<Vec3<T>> axes_, last_axes_;
+  std::vector<Vec> axes_, last_axes_;
   bool keeps_axes_ = false;
   std::vector<Found> found_;
   std::vector<Task> tasks_;
   std::vector<Touch> touches_;                 ///< room for as many of each task as it has pairs
   std::vector<std::uint32_t> first_contacts_;  ///< of each range of pairs
-  ContactArrays<T> now_, last_;
+  ContactArrays<T, Space> now_, last_;
 };
 
 }  // namespace graze

@@ -6,17 +6,19 @@
 #include <cstddef>
 #include <vector>
 
-#include "graze/contact.hpp"
+#include "graze/world/space.hpp"
 
 namespace graze {
 
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API PointChoice {
+  using Vec = typename Space::Vec;
+
  public:
   /// Forgets the points of the last pair.
   void clear() { points_.clear(); }
   /// Adds a point of the manifold with that number and normal (unit, from A to B).
-  void add(const ContactPoint<T>& p, const Vec3<T>& normal, std::size_t manifold) {
+  void add(const typename Space::ContactPoint& p, const Vec& normal, std::size_t manifold) {
     points_.push_back({p.position(), normal, p.distance, T(0), manifold, false});
   }
   std::size_t size() const { return points_.size(); }
@@ -29,7 +31,7 @@ class GRAZE_API PointChoice {
 
  private:
   struct Candidate {
-    Vec3<T> place, normal;
+    Vec place, normal;
     T distance;
     T apart_squared;  ///< from the nearest that is kept
     std::size_t manifold;
@@ -40,7 +42,7 @@ class GRAZE_API PointChoice {
   void choose_of_one(std::size_t count);
 
   std::vector<Candidate> points_;
-  Manifold<T> one_;
+  typename Space::Manifold one_;
 };
 
 }  // namespace graze

@@ -9,9 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "graze/cast.hpp"
-#include "graze/query.hpp"
-#include "graze/raycast.hpp"
 #include "graze/world/bodies.hpp"
 
 namespace graze {
@@ -24,24 +21,24 @@ struct QueryFilter {
 };
 
 /// A body and how far it is from the shape that was asked about, which is A of the distance.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct BodyDistance {
   BodyId body;
-  Distance<T> distance;
+  typename Space::Distance distance;
 };
 
 /// A body that a ray hits.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct BodyRayHit {
   BodyId body;
-  RayHit<T> hit;
+  typename Space::RayHit hit;
 };
 
 /// A body that a moving shape hits, which is A of the hit.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct BodyCastHit {
   BodyId body;
-  CastHit<T> hit;
+  typename Space::CastHit hit;
 };
 
 }  // namespace graze

@@ -27,7 +27,7 @@ GRAZE_API void reduce(BatchContacts<T>& contacts, std::size_t count);
 /// impulses on to what is found next, pairs of which nothing changed keep what is left, and all others are found whole
 /// again. A point that was left out and comes back starts without an impulse. Where every update is to be reduced,
 /// `WorldSettings::points_per_pair` does it pair by pair, on the world's threads.
-template <class T>
-GRAZE_API void reduce(ContactArrays<T>& contacts, std::size_t count);
+template <class T, class Space>
+GRAZE_API void reduce(ContactArrays<T, Space>& contacts, std::size_t count);
 
 }  // namespace graze

@@ -1,0 +1,70 @@
+// What a world has to know of the space that it is in.
+//
+// Guarantee: `World` and its stages are written once, over a trait of this form; `Space` is that of three dimensions,
+// `plane::Space` (`graze/plane/space.hpp`) that of two. Boxes that broad phases sort have three dimensions in either:
+// broad phases know no shapes, and what lies in the plane z = 0 overlaps there as it does in the plane.
+#pragma once
+
+#include <optional>
+
+#include "graze/cast.hpp"
+#include "graze/contact.hpp"
+#include "graze/query.hpp"
+#include "graze/raycast.hpp"
+#include "graze/validate.hpp"
+
+namespace graze {
+
+template <class T>
+struct GRAZE_API Space {
+  using Vec = Vec3<T>;
+  using Turning = Vec3<T>;  ///< an angular velocity
+  using Pose = graze::Pose<T>;
+  using Shape = graze::Shape<T>;
+  using HalfSpace = graze::HalfSpace<T>;
+  using PlacedRef = graze::PlacedRef<T>;
+  using Distance = graze::Distance<T>;
+  using ContactPoint = graze::ContactPoint<T>;
+  using Manifold = graze::Manifold<T>;
+  using Ray = graze::Ray<T>;
+  using RayHit = graze::RayHit<T>;
+  using BackFaces = graze::BackFaces;
+  using Velocity = graze::Velocity<T>;
+  using CastHit = graze::CastHit<T>;
+
+  /// Whether what moves over fixed bodies side by side meets them as if they were one.
+  static constexpr bool joins_fixed = true;
+
+  /// What stands at an index whose body is gone.
+  static Shape nothing() { return Sphere<T>(T(0)); }
+  /// The bounds of a shape.
+  static Aabb<T> bounds(const Shape& shape, const Pose& pose) { return graze::bounds(shape, pose); }
+  /// The bounds of a shape, or, of one that turns, of all places that it may come to.
+  static Aabb<T> bounds_turning(const Shape& shape, const Pose& pose, const Turning& angular);
+  /// A vector among those boxes.
+  static const Vec3<T>& among_boxes(const Vec& v) { return v; }
+  /// How far any point of a shape gets by its turning in a unit of time, at most.
+  static T speed_of_turning(const Shape& shape, const Turning& angular);
+
+  /// The pose, its rotation of unit length. Throws `InvalidValue` for one that is not finite or larger than
+  /// `largest_magnitude`.
+  static Pose checked(const Pose& pose) {
+    return {validate::point(pose.translation, "pose.translation"), validate::rotation(pose.rotation, "pose.rotation")};
+  }
+  /// Throws `InvalidValue` for velocities that are not finite or larger than `largest_magnitude`.
+  static void check(const Vec& linear, const Turning& angular) {
+    validate::point(linear, "linear");
+    validate::point(angular, "angular");
+  }
+
+  static std::optional<RayHit> raycast(const Shape& shape, const Pose& pose, const Ray& ray, T length, BackFaces back) {
+    return graze::raycast(shape, pose, ray, length, back);
+  }
+  static std::optional<CastHit> cast(const Shape& a, const Pose& pose_a, const Velocity& velocity_a, const Shape& b,
+                                     const Pose& pose_b, const Velocity& velocity_b, T duration,
+                                     const CastOptions& options) {
+    return graze::cast(a, pose_a, velocity_a, b, pose_b, velocity_b, duration, options);
+  }
+};
+
+}  // namespace graze

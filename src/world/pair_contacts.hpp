@@ -1,0 +1,100 @@
+// How a world finds the contacts of a pair: what the finding of manifolds does not share between spaces.
+//
+// Guarantee: for each pair what `contacts` of its space answers, bit for bit, but for what stands beside.
+#pragma once
+
+#include "composite/composite.hpp"
+#include "composite/internal_edges/face_contact.hpp"
+#include "graze/plane/space.hpp"
+#include "narrow/batch/lane_pairs.hpp"
+#include "narrow/pair_table.hpp"
+#include "narrow/sat/cached_axis.hpp"
+
+namespace graze {
+
+template <class T, class Space>
+struct PairContacts;
+
+/// In three dimensions: kinds of pairs with a kernel across lanes, other convex pairs one by one with the direction in
+/// which they were apart, and composites.
+template <class T>
+struct PairContacts<T, Space<T>> {
+  using Lanes = LanesFor;
+  using Pair = PairRef<T>;
+
+  static Lanes lanes(std::uint8_t type_a, std::uint8_t type_b) { return lane_table<T>(type_a, type_b); }
+  static bool has_kernel(const Lanes& lanes) { return with_contact_lanes(lanes.pair); }
+  static bool is_turned(const Lanes& lanes) { return lanes.turned; }
+  /// The shape as kernels take it, or null.
+  static const void* concrete(const Shape<T>& shape) { return concrete_for_lanes(shape); }
+  template <class Sink>
+  static void visit(const Lanes& lanes, const Pair* pairs, std::size_t count, Sink& sink) {
+    visit_lane_contacts(lanes, pairs, count, sink);
+  }
+
+  static bool overlap(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b) {
+    return any_overlap<T>(a, pose_a, b, pose_b);
+  }
+  /// Whether pairs are asked for a single manifold, with an axis.
+  static constexpr bool has_axes = true;
+  static bool is_single(const Shape<T>& a, const Shape<T>& b) { return a.convex() && b.convex(); }
+  static bool still_apart(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                          const Vec3<T>& axis, T margin) {
+    return graze::still_apart(a, pose_a, b, pose_b, axis, margin);
+  }
+  /// The manifold of two convex shapes; returns whether they overlap.
+  static bool single(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                     Manifold<T>& manifold) {
+    return convex_contacts<T>(a, pose_a, b, pose_b, margin, manifold) <= T(0);
+  }
+  /// An axis of the world in the frame of a body.
+  static Vec3<T> in_frame(const Pose<T>& pose, const Vec3<T>& axis) { return rotate(conjugate(pose.rotation), axis); }
+  /// Appends all manifolds of a pair; returns whether it overlaps.
+  static bool all(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                  Manifolds<T>& manifolds, const Surroundings<T>& beside) {
+    return any_contacts<T>(a, pose_a, b, pose_b, margin, manifolds, beside) <= T(0);
+  }
+
+  /// Whether the contacts of two convex shapes are what they are of all that stands still beside either, too.
+  static bool stays(const PlacedRef<T>& first, const PlacedRef<T>& second, const Surroundings<T>& beside,
+                    const Vec3<T>& normal, std::span<const SolverPoint<T>> points) {
+    const auto piece = [](const PlacedRef<T>& of, std::span<const PlacedRef<T>> around) {
+      return LeafInContext<T>{*of.shape, *of.pose, *of.shape, *of.pose, around};
+    };
+    const LeafInContext<T> a = piece(first, beside.of_a), b = piece(second, beside.of_b);
+    return (a.beside.empty() || stands_clear(a, b, normal, standing_point(points, &ContactPoint<T>::a))) &&
+           (b.beside.empty() || stands_clear(b, a, -normal, standing_point(points, &ContactPoint<T>::b)));
+  }
+};
+
+/// In the plane: each pair by itself, whatever its kind.
+template <class T>
+struct PairContacts<T, plane::Space<T>> {
+  using Shape = plane::Shape<T>;
+  using Pose = plane::Pose2<T>;
+  using Around = Surroundings<T, plane::PlacedRef<T>>;
+  struct Lanes {};
+  struct Pair {
+    const void *a, *b;
+    const Pose *pose_a, *pose_b;
+    T margin;
+  };
+
+  static Lanes lanes(std::uint8_t, std::uint8_t) { return {}; }
+  static bool has_kernel(const Lanes&) { return false; }
+  static bool is_turned(const Lanes&) { return false; }
+  static const void* concrete(const Shape&) { return nullptr; }
+  template <class Sink>
+  static void visit(const Lanes&, const Pair*, std::size_t, Sink&) {}
+
+  static bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
+    return plane::overlap(a, pose_a, b, pose_b);
+  }
+  static constexpr bool has_axes = false;
+  static bool all(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, T margin,
+                  plane::Manifolds<T>& manifolds, const Around&) {
+    return plane::contacts(a, pose_a, b, pose_b, margin, manifolds);
+  }
+};
+
+}  // namespace graze
