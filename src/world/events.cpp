@@ -10,7 +10,7 @@ namespace graze {
 namespace {
 
 /// By the indices of the two, and where these were given to another body, by that.
-bool before(const BodyId& a, const BodyId& b, const BodyId& other_a, const BodyId& other_b) {
+inline bool before(const BodyId& a, const BodyId& b, const BodyId& other_a, const BodyId& other_b) {
   const auto key = [](const BodyId& one, const BodyId& two) {
     return std::tuple(one.index, two.index, one.generation, two.generation);
   };
