@@ -1,5 +1,5 @@
-# graze_kernels(<target> <sources...>): compiles each source once for every level of the instruction set and puts all of
-# the objects into the target. The source sees GRAZE_ISA, the namespace it is to define its functions in; which of them
+# graze_kernels(<name> <sources...>): compiles each source once for every level of the instruction set and names all of
+# the objects in <name>_kernel_objects; <name>_objects is the target whose files call them. The source sees GRAZE_ISA, the namespace it is to define its functions in; which of them
 # is called is chosen at run time by simd/dispatch.hpp.
 #
 # Object libraries, because one target cannot compile a source twice. Their objects are linked for everyone, also on
@@ -46,8 +46,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 function(graze_kernels target)
+  set(kernel_objects "")
   if(graze_only_level)
-    target_compile_definitions(${target} PRIVATE GRAZE_ONLY_LEVEL=${graze_only_level})
+    target_compile_definitions(${target}_objects PRIVATE GRAZE_ONLY_LEVEL=${graze_only_level})
   endif()
   string(REPLACE "," ";" graze_sanitizers "${GRAZE_SANITIZE}")
   foreach(level IN LISTS graze_levels)
@@ -75,6 +76,7 @@ function(graze_kernels target)
     endif()
     # Last, so that it wins over a -march among the user's own flags.
     target_compile_options(${objects} PRIVATE ${graze_flags_${level}})
-    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    list(APPEND kernel_objects $<TARGET_OBJECTS:${objects}>)
   endforeach()
+  set(${target}_kernel_objects ${kernel_objects} PARENT_SCOPE)
 endfunction()

@@ -75,6 +75,16 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set(graze_keep_reached -Wl,--gc-sections)
 endif()
 
+# graze_c_target(<target>): the same of a program in C.
+function(graze_c_target target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -pedantic -Wshadow -Wstrict-prototypes ${graze_sanitize})
+  target_link_options(${target} PRIVATE ${graze_sanitize})
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
+  if(GRAZE_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
 function(graze_target target)
   target_compile_options(${target} PRIVATE ${graze_warnings} ${graze_floating_point} ${graze_sections} ${graze_sanitize})
   target_link_options(${target} PRIVATE ${graze_sanitize})

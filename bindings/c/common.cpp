@@ -1,0 +1,37 @@
+// What the C interface has once for both scalars: the last error, the version, default filters.
+#include <cstring>
+
+#include "c/error.hpp"
+
+namespace graze::c {
+
+namespace {
+
+constexpr std::size_t longest_message = 1024;
+thread_local char last_message[longest_message] = "";
+
+}  // namespace
+
+GrazeStatus failed(GrazeStatus status, const char* message) noexcept {
+  const std::size_t length = std::strlen(message);
+  const std::size_t kept = length < longest_message ? length : longest_message - 1;
+  std::memcpy(last_message, message, kept);
+  last_message[kept] = '\0';
+  return status;
+}
+
+}  // namespace graze::c
+
+extern "C" {
+
+const char* graze_last_error(void) { return graze::c::last_message; }
+
+std::uint32_t graze_version(void) { return GRAZE_VERSION; }
+
+const char* graze_version_string(void) { return GRAZE_VERSION_STRING; }
+
+GrazeFilter graze_filter_default(void) { return {1, ~std::uint64_t{0}, 0}; }
+
+GrazeQueryFilter graze_query_filter_default(void) { return {graze_filter_default(), false, nullptr, nullptr}; }
+
+}  // extern "C"

@@ -1,0 +1,22 @@
+// The C interface for double. Its text is written once, with names in place of types: see the files that are included.
+#include "c/callbacks.hpp"
+#include "c/gathered.hpp"
+#include "graze/graze.hpp"
+
+#define GRAZE_C_SCALAR double
+#define GRAZE_C_TAG 0x67720d00u
+#define TYPE(name) Graze##name##d
+#define NAME(name) graze_##name##_d
+
+#include "c/handles.inc"
+#include "c/shapes.inc"
+
+#include "c/queries.inc"
+
+#include "c/batches.inc"
+
+#include "c/worlds.inc"
+
+#include "c/simulations.inc"
+
+#include "c/plane.inc"

@@ -1,0 +1,1702 @@
+// The C interface of Graze: the whole library for programs in C99 and for all languages that can call C.
+//
+// Guarantee: answers are those of the C++ interface, bit for bit, and so are their guarantees, which stand in the C++
+// headers named below. No exception leaves a function. A function that can fail returns a GrazeStatus and, where that
+// is not GRAZE_OK, has changed nothing: neither what it was asked to change nor what its result pointers point to.
+// `graze_last_error` then says which value is at fault, what was expected there and what was found. A null pointer is
+// refused that way unless a comment says "or null"; so are a pose whose rotation is not of unit length (a pose of
+// zeros, say), numbers that are not finite, and handles of another kind. Handles that were released, and pointers to
+// less memory than is said, cannot be told: they are the caller's to keep right.
+//
+// Everything exists twice: names that end in d are for double, those that end in f for float. What is said of the one
+// holds for the other, whose declarations follow at the end.
+//
+// Lengths, masses and times are in the caller's units, angles in radians. Normals are unit vectors that point from A to
+// B; distances are signed: positive between separated shapes, negative when they overlap.
+//
+// Arrays are read where they stand. With each comes its stride: how many bytes lie between the beginnings of two
+// elements, or 0 where they stand one behind the other. So the positions of a caller's own structs can be asked about
+// without a copy.
+//
+// Threads: queries about shapes may be asked from any thread, also about the same shapes. What changes a world, a
+// simulation or a buffer needs it alone. The last error is each thread's own.
+#ifndef GRAZE_GRAZE_H
+#define GRAZE_GRAZE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__) && !defined(_WIN32)
+#define GRAZE_C_API __attribute__((visibility("default")))
+#else
+#define GRAZE_C_API
+#endif
+
+// The version of this header; that of the library is `graze_version`.
+#define GRAZE_VERSION_MAJOR 0
+#define GRAZE_VERSION_MINOR 1
+#define GRAZE_VERSION_PATCH 0
+#define GRAZE_VERSION_STRING "0.1.0"
+#define GRAZE_VERSION (GRAZE_VERSION_MAJOR * 1000000 + GRAZE_VERSION_MINOR * 1000 + GRAZE_VERSION_PATCH)
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Errors and version
+// ---------------------------------------------------------------------------------------------------------------------
+
+typedef enum GrazeStatus {
+  GRAZE_OK = 0,
+  GRAZE_INVALID_VALUE = 1,  // a value was refused: the message names it
+  GRAZE_OUT_OF_MEMORY = 2,
+  GRAZE_FAILED = 3  // a callback threw, or the library has a defect
+} GrazeStatus;
+
+// What was wrong with the last call of this thread that failed: "path: expected this, got that". Never null; stays
+// valid until the next failure in this thread.
+GRAZE_C_API const char *graze_last_error(void);
+
+// The version of the library that is linked, as GRAZE_VERSION and as GRAZE_VERSION_STRING.
+GRAZE_C_API uint32_t graze_version(void);
+GRAZE_C_API const char *graze_version_string(void);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// What float and double have in common
+// ---------------------------------------------------------------------------------------------------------------------
+
+// How sure an answer is (graze/result.hpp).
+typedef enum GrazeCertainty {
+  GRAZE_CONVERGED = 0,  // right within the tolerance
+  GRAZE_BOUNDED = 1,    // right within the answer's `error`
+  GRAZE_UNBOUNDED = 2   // two half-spaces that are not opposite: they overlap without a finite depth
+} GrazeCertainty;
+
+typedef enum GrazeShapeKind {
+  GRAZE_SPHERE = 0,
+  GRAZE_CAPSULE = 1,
+  GRAZE_BOX = 2,
+  GRAZE_RECTANGLE = 3,
+  GRAZE_CYLINDER = 4,
+  GRAZE_ELLIPSOID = 5,
+  GRAZE_SEGMENT = 6,
+  GRAZE_TRIANGLE = 7,
+  GRAZE_CONVEX_HULL = 8,
+  GRAZE_USER_CONVEX = 9,
+  GRAZE_HALF_SPACE = 10,
+  GRAZE_MESH = 11,
+  GRAZE_HEIGHT_FIELD = 12,
+  GRAZE_COMPOUND = 13
+} GrazeShapeKind;
+
+typedef enum GrazePlaneShapeKind {
+  GRAZE_PLANE_CIRCLE = 0,
+  GRAZE_PLANE_CAPSULE = 1,
+  GRAZE_PLANE_BOX = 2,
+  GRAZE_PLANE_SEGMENT = 3,
+  GRAZE_PLANE_CONVEX = 4,
+  GRAZE_PLANE_ELLIPSE = 5,
+  GRAZE_PLANE_USER_CONVEX = 6,
+  GRAZE_PLANE_HALF_PLANE = 7,
+  GRAZE_PLANE_POLYGON = 8,
+  GRAZE_PLANE_CHAIN = 9,
+  GRAZE_PLANE_COMPOUND = 10
+} GrazePlaneShapeKind;
+
+// Which sides of a surface without thickness push (graze/shape/sides.hpp); of a chain in the plane, the right one.
+typedef enum GrazeSides { GRAZE_SIDES_BOTH = 0, GRAZE_SIDES_FRONT = 1 } GrazeSides;
+
+// What a ray meets that comes upon a triangle from behind.
+typedef enum GrazeBackFaces { GRAZE_BACK_FACES_HIT = 0, GRAZE_BACK_FACES_IGNORED = 1 } GrazeBackFaces;
+
+// What becomes of shapes that touch or overlap at the start of a cast and do not approach (graze/motion.hpp).
+typedef enum GrazeSeparating { GRAZE_SEPARATING_HIT = 0, GRAZE_SEPARATING_IGNORED = 1 } GrazeSeparating;
+
+// Places in two arrays of bodies.
+typedef struct GrazeIdPair {
+  uint32_t a, b;
+} GrazeIdPair;
+
+// A body of a world: the index in all of its arrays, and how often the index was given away before.
+typedef struct GrazeBodyId {
+  uint32_t index, generation;
+} GrazeBodyId;
+
+typedef struct GrazeJointId {
+  uint32_t index, generation;
+} GrazeJointId;
+
+// What a body is and what it collides with (graze/filter.hpp).
+typedef struct GrazeFilter {
+  uint64_t category;  // the bits that this body belongs to
+  uint64_t mask;      // the bits that it collides with
+  int32_t group;      // of equal groups: positive always collide, negative never; 0 is no group
+} GrazeFilter;
+
+// Category 1, all bits of the mask, no group.
+GRAZE_C_API GrazeFilter graze_filter_default(void);
+
+// Which bodies a question about a world is about.
+typedef struct GrazeQueryFilter {
+  GrazeFilter filter;  // of the one who asks: it finds what it may collide with
+  bool triggers;       // finds triggers too
+  bool (*accept)(void *user, GrazeBodyId body);  // a last word, or null
+  void *user;
+} GrazeQueryFilter;
+
+GRAZE_C_API GrazeQueryFilter graze_query_filter_default(void);
+
+// Threads come from the caller (graze/executor.hpp): a job system behind two functions. It outlives what uses it.
+typedef struct GrazeExecutor {
+  size_t (*concurrency)(void *user);  // how many tasks may run at a time: at least 1
+  // Calls task(context, i) once for each i < count, in any order and from any threads, and returns when all have
+  // returned.
+  void (*run)(void *user, size_t count, void (*task)(void *context, size_t i), void *context);
+  void *user;
+} GrazeExecutor;
+
+typedef enum GrazeEventKind { GRAZE_EVENT_BEGIN = 0, GRAZE_EVENT_STAY = 1, GRAZE_EVENT_END = 2 } GrazeEventKind;
+
+#define GRAZE_NO_PAIR UINT32_MAX
+
+// Two bodies and what became of their touching (graze/world/events.hpp).
+typedef struct GrazeContactEvent {
+  uint8_t kind;      // a GrazeEventKind
+  bool trigger;      // one of them is a trigger
+  GrazeBodyId a, b;  // a.index < b.index; at the end they may have been removed
+  uint32_t pair;     // the place among the pairs of the update; GRAZE_NO_PAIR at an end
+} GrazeContactEvent;
+
+// Whether the i-th pair of a batch overlaps, and where its manifolds stand.
+typedef struct GrazePairContacts {
+  bool overlap;  // distance <= 0, whatever the margin
+  uint32_t first_manifold, manifold_count;
+} GrazePairContacts;
+
+// Two bodies of a world within the margin of each other, and where their manifolds stand.
+typedef struct GrazeWorldPair {
+  uint32_t a, b;  // indices of bodies, a < b; normals point from a to b
+  bool overlap;   // distance <= 0
+  uint32_t first_manifold, manifold_count;
+} GrazeWorldPair;
+
+// How the numbers of two materials become one (graze/material.hpp).
+typedef enum GrazeCombine {
+  GRAZE_COMBINE_UNSET = 0,
+  GRAZE_COMBINE_AVERAGE = 1,
+  GRAZE_COMBINE_MINIMUM = 2,
+  GRAZE_COMBINE_MAXIMUM = 3,
+  GRAZE_COMBINE_MULTIPLY = 4
+} GrazeCombine;
+
+// What a limit or a drive of a joint is about (graze/joint.hpp).
+typedef enum GrazeJointSpace { GRAZE_JOINT_LINEAR = 0, GRAZE_JOINT_ANGULAR = 1 } GrazeJointSpace;
+
+// Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.
+typedef enum GrazeDriveMode { GRAZE_DRIVE_FORCE = 0, GRAZE_DRIVE_ACCELERATION = 1 } GrazeDriveMode;
+
+// The joints with a name; each is made of limits, which the caller may change.
+typedef enum GrazeJointKind {
+  GRAZE_JOINT_FIXED = 0,  // the frames stay one
+  GRAZE_JOINT_BALL = 1,   // the origins of the frames stay one
+  GRAZE_JOINT_HINGE = 2,  // a turn about the x axis is free
+  GRAZE_JOINT_SLIDER = 3  // a way along the x axis is free
+} GrazeJointKind;
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Double
+// ---------------------------------------------------------------------------------------------------------------------
+// <double>
+
+typedef struct GrazeVec3d {
+  double x, y, z;
+} GrazeVec3d;
+
+// x i + y j + z k + w; a rotation when of unit length. The rotation that turns nothing is {0, 0, 0, 1}.
+typedef struct GrazeQuatd {
+  double x, y, z, w;
+} GrazeQuatd;
+
+// Where a body stands and how it is turned: p -> translation + rotation p.
+typedef struct GrazePosed {
+  GrazeVec3d translation;
+  GrazeQuatd rotation;
+} GrazePosed;
+
+// A 3 by 3 matrix by rows.
+typedef struct GrazeMat3d {
+  GrazeVec3d row[3];
+} GrazeMat3d;
+
+typedef struct GrazeAabbd {
+  GrazeVec3d lower, upper;
+} GrazeAabbd;
+
+// At the origin and not turned; at a place and not turned; at a place and turned by `angle` about the unit vector
+// `axis`.
+GRAZE_C_API GrazePosed graze_pose_identity_d(void);
+GRAZE_C_API GrazePosed graze_pose_at_place_d(double x, double y, double z);
+GRAZE_C_API GrazePosed graze_pose_turned_d(GrazeVec3d translation, GrazeVec3d axis, double angle);
+
+// Shapes --------------------------------------------------------------------------------------------------------------
+//
+// A shape is a counted handle to something that never changes: whoever makes or retains one releases it. Worlds,
+// simulations and compounds keep shares of their own. Constructors are those of the headers in graze/shape/ and refuse
+// what these refuse: sizes that are negative, not finite or too large.
+
+typedef struct GrazeShaped GrazeShaped;
+
+GRAZE_C_API GrazeStatus graze_shape_sphere_d(double radius, GrazeVec3d center, GrazeShaped **shape);
+// `height` between the centres of the balls, which lie on the Y axis about the origin.
+GRAZE_C_API GrazeStatus graze_shape_capsule_d(double height, double radius_bottom, double radius_top,
+                                              GrazeShaped **shape);
+// Full edge lengths.
+GRAZE_C_API GrazeStatus graze_shape_box_d(GrazeVec3d size, GrazeShaped **shape);
+// In the XZ plane, without thickness, its normal +Y.
+GRAZE_C_API GrazeStatus graze_shape_rectangle_d(double size_x, double size_z, GrazeShaped **shape);
+// Along the Y axis about the origin; a radius of 0 makes a cone, two that differ a truncated one.
+GRAZE_C_API GrazeStatus graze_shape_cylinder_d(double height, double radius_bottom, double radius_top,
+                                               GrazeShaped **shape);
+GRAZE_C_API GrazeStatus graze_shape_ellipsoid_d(GrazeVec3d radii, GrazeShaped **shape);
+GRAZE_C_API GrazeStatus graze_shape_segment_d(GrazeVec3d a, GrazeVec3d b, GrazeShaped **shape);
+// Counter-clockwise seen from its front.
+GRAZE_C_API GrazeStatus graze_shape_triangle_d(GrazeVec3d a, GrazeVec3d b, GrazeVec3d c, GrazeShaped **shape);
+// All points with y <= 0.
+GRAZE_C_API GrazeStatus graze_shape_half_space_d(GrazeShaped **shape);
+// The convex hull of at least one point.
+GRAZE_C_API GrazeStatus graze_shape_convex_hull_d(const GrazeVec3d *points, size_t stride, size_t count,
+                                                  GrazeShaped **shape);
+// Three indices of points for each triangle, counter-clockwise seen from outside; `triangle_stride` is from one triple
+// to the next. A `solid` mesh has to be closed, and its inside counts.
+GRAZE_C_API GrazeStatus graze_shape_mesh_d(const GrazeVec3d *points, size_t point_stride, size_t point_count,
+                                           const uint32_t *triangles, size_t triangle_stride, size_t triangle_count,
+                                           GrazeSides sides, bool solid, GrazeShaped **shape);
+// heights[r * columns + c] over x and z about the origin (graze/shape/height_field.hpp); one that is not a number is a
+// hole, and so is one for which `holes` (as many bytes one behind the other, or null) is not 0.
+GRAZE_C_API GrazeStatus graze_shape_height_field_d(const double *heights, size_t stride, size_t columns, size_t rows,
+                                                   const uint8_t *holes, double spacing_x, double spacing_z,
+                                                   GrazeSides sides, GrazeShaped **shape);
+
+typedef struct GrazeChildd {
+  const GrazeShaped *shape;
+  GrazePosed pose;
+} GrazeChildd;
+
+// Several shapes that move as one. The compound keeps shares of its children.
+GRAZE_C_API GrazeStatus graze_shape_compound_d(const GrazeChildd *children, size_t stride, size_t count,
+                                               GrazeShaped **shape);
+
+// A convex shape of the caller's own. `support` returns a point of the shape that lies furthest along `direction`,
+// which is not zero and need not be unit; the same one whenever asked, from any thread. `release` (or null) is called
+// with `user` once, when the last share of the shape is gone, and not where this function fails.
+GRAZE_C_API GrazeStatus graze_shape_user_d(GrazeVec3d (*support)(const void *user, GrazeVec3d direction),
+                                           void (*release)(void *user), void *user, GrazeShaped **shape);
+// The shape with a ball of radius `rounding` added (its Minkowski sum), besides what rounding it has; only of convex
+// shapes.
+GRAZE_C_API GrazeStatus graze_shape_rounded_d(const GrazeShaped *shape, double rounding, GrazeShaped **rounded);
+// What a bounded convex shape, standing at `pose`, sweeps while it moves by `motion` without turning (graze/swept.hpp).
+GRAZE_C_API GrazeStatus graze_shape_swept_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d motion,
+                                            GrazeShaped **swept);
+
+// One more share, and one less; null is left alone.
+GRAZE_C_API void graze_shape_retain_d(const GrazeShaped *shape);
+GRAZE_C_API void graze_shape_release_d(const GrazeShaped *shape);
+
+GRAZE_C_API GrazeStatus graze_shape_kind_d(const GrazeShaped *shape, GrazeShapeKind *kind);
+GRAZE_C_API GrazeStatus graze_shape_rounding_d(const GrazeShaped *shape, double *rounding);
+// What bounds the shape under a pose; a half-space's reach to infinity.
+GRAZE_C_API GrazeStatus graze_shape_bounds_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeAabbd *bounds);
+// The point of a bounded convex shape furthest along `direction`, in the shape's frame.
+GRAZE_C_API GrazeStatus graze_shape_support_d(const GrazeShaped *shape, GrazeVec3d direction, GrazeVec3d *point);
+
+// Of a body of density one; the inertia is about `center`, in the shape's frame. Volume 0 of what has none.
+typedef struct GrazeMassPropertiesd {
+  double volume;
+  GrazeVec3d center;
+  GrazeMat3d inertia;
+} GrazeMassPropertiesd;
+
+GRAZE_C_API GrazeStatus graze_shape_mass_properties_d(const GrazeShaped *shape, GrazeMassPropertiesd *properties);
+
+// Answers -------------------------------------------------------------------------------------------------------------
+
+typedef struct GrazeDistanced {
+  double distance;
+  GrazeVec3d normal;  // unit, from A to B; moving B by -distance * normal makes the shapes touch
+  GrazeVec3d a, b;    // on the surfaces: b - a = distance * normal
+  uint8_t certainty;  // a GrazeCertainty
+  double error;       // a bound of |distance - truth| where the certainty is GRAZE_BOUNDED
+} GrazeDistanced;
+
+typedef struct GrazeClosestd {
+  double distance;    // negative inside a solid
+  GrazeVec3d point;   // on the surface
+  GrazeVec3d normal;  // unit, outward: question - point = distance * normal
+  uint8_t certainty;
+  double error;
+} GrazeClosestd;
+
+// Two convex pieces and how far apart they are: the triangle of a mesh or the child of the outermost compound, else 0.
+typedef struct GrazePieceDistanced {
+  uint32_t piece_a, piece_b;
+  GrazeDistanced distance;
+} GrazePieceDistanced;
+
+typedef struct GrazeContactPointd {
+  GrazeVec3d a, b;   // on the surface of A, and of B
+  double distance;   // negative is penetration
+  uint32_t feature;  // names the features that touch: the same while they do
+  double weight;     // the point that a solver wants is a + (b - a) * weight
+} GrazeContactPointd;
+
+typedef struct GrazeManifoldd {
+  GrazeVec3d normal;  // unit, from A to B
+  uint32_t piece_a, piece_b;
+  uint32_t first_point, point_count;
+} GrazeManifoldd;
+
+// Contacts of one pair: manifolds and their points, which belong to the buffer.
+typedef struct GrazeContactsd {
+  bool overlap;       // distance <= 0, whatever the margin
+  uint8_t certainty;  // GRAZE_BOUNDED where that of any manifold is
+  double error;       // the largest
+  const GrazeManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazeContactPointd *points;
+  size_t point_count;
+} GrazeContactsd;
+
+// Contacts of many pairs, which belong to the buffer.
+typedef struct GrazeBatchContactsd {
+  const GrazePairContacts *pairs;  // one for each pair, in the order of the batch
+  size_t pair_count;
+  const GrazeManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazeContactPointd *points;
+  size_t point_count;
+} GrazeBatchContactsd;
+
+typedef struct GrazeRayd {
+  GrazeVec3d origin, direction;  // the direction need not be unit
+} GrazeRayd;
+
+typedef struct GrazeRayHitd {
+  double t;           // along the ray, in units of length
+  GrazeVec3d point;   // on the surface; the ray's origin when that lies inside a solid
+  GrazeVec3d normal;  // unit, against the ray
+  uint32_t piece;
+} GrazeRayHitd;
+
+typedef struct GrazeVelocityd {
+  GrazeVec3d linear;
+  GrazeVec3d angular;  // about the pose's origin, in world axes; its length is the rate
+} GrazeVelocityd;
+
+typedef struct GrazeCastHitd {
+  double t;
+  GrazeVec3d point;   // in the world at time t
+  GrazeVec3d normal;  // unit, from A to B, at time t
+  double depth;       // of shapes that overlap at the start
+  uint8_t certainty;
+  uint32_t piece_a, piece_b;
+} GrazeCastHitd;
+
+// Room for answers of no fixed number, which grows where it must and is used again by the next question. What a
+// function says that it gave belongs to the buffer and is valid until that is used again or destroyed.
+typedef struct GrazeBufferd GrazeBufferd;
+
+GRAZE_C_API GrazeStatus graze_buffer_create_d(GrazeBufferd **buffer);
+GRAZE_C_API void graze_buffer_destroy_d(GrazeBufferd *buffer);
+
+// Questions about two shapes (graze/query.hpp, graze/cast.hpp) --------------------------------------------------------
+
+GRAZE_C_API GrazeStatus graze_overlap_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                        const GrazePosed *pose_b, bool *overlap);
+// Cheaper and conservative: false only where the shapes do not touch.
+GRAZE_C_API GrazeStatus graze_may_overlap_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                            const GrazePosed *pose_b, bool *may_overlap);
+GRAZE_C_API GrazeStatus graze_distance_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                         const GrazePosed *pose_b, GrazeDistanced *distance);
+// The distance of shapes no further apart than `limit` >= 0: `found` says whether they are; else `distance` stays.
+GRAZE_C_API GrazeStatus graze_distance_up_to_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                               const GrazePosed *pose_b, double limit, bool *found,
+                                               GrazeDistanced *distance);
+GRAZE_C_API GrazeStatus graze_within_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                       const GrazePosed *pose_b, double limit, bool *within);
+// Every pair of convex pieces no further apart than `margin` >= 0.
+GRAZE_C_API GrazeStatus graze_near_pieces_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                            const GrazePosed *pose_b, double margin, GrazeBufferd *buffer,
+                                            const GrazePieceDistanced **pieces, size_t *count);
+// All points of contact up to `margin` >= 0 apart.
+GRAZE_C_API GrazeStatus graze_contacts_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                         const GrazePosed *pose_b, double margin, GrazeBufferd *buffer,
+                                         GrazeContactsd *contacts);
+// The same, of which at most `most` >= 1 points are kept: those that span most (graze/world/reduce.hpp).
+GRAZE_C_API GrazeStatus graze_contacts_reduced_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                                 const GrazePosed *pose_b, double margin, size_t most,
+                                                 GrazeBufferd *buffer, GrazeContactsd *contacts);
+// A margin with which a body at rest keeps its points from frame to frame.
+GRAZE_C_API GrazeStatus graze_contact_margin_d(const GrazeShaped *a, const GrazeShaped *b, double *margin);
+// The point of the shape's surface nearest to a point of the world.
+GRAZE_C_API GrazeStatus graze_closest_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d point,
+                                        GrazeClosestd *closest);
+
+// The first hit with 0 <= t <= `length` (INFINITY for no end): `found` says whether there is one; else `hit` stays.
+GRAZE_C_API GrazeStatus graze_raycast_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
+                                        double length, GrazeBackFaces back, bool *found, GrazeRayHitd *hit);
+GRAZE_C_API GrazeStatus graze_raycast_any_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
+                                            double length, GrazeBackFaces back, bool *found);
+// Where the ray enters each piece, in the order of the ray.
+GRAZE_C_API GrazeStatus graze_raycast_all_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
+                                            double length, GrazeBackFaces back, GrazeBufferd *buffer,
+                                            const GrazeRayHitd **hits, size_t *count);
+
+// A body and how it moves: at constant speed along a line, turning about its origin at constant rate.
+typedef struct GrazeMovingd {
+  const GrazeShaped *shape;
+  GrazePosed pose;
+  GrazeVelocityd velocity;
+} GrazeMovingd;
+
+// The first contact at a time in [0, duration]: `found` says whether there is one; else `hit` stays.
+GRAZE_C_API GrazeStatus graze_cast_d(const GrazeMovingd *a, const GrazeMovingd *b, double duration,
+                                     GrazeSeparating separating, bool *found, GrazeCastHitd *hit);
+// The first contact of every pair of pieces, in the order of time.
+GRAZE_C_API GrazeStatus graze_cast_all_d(const GrazeMovingd *a, const GrazeMovingd *b, double duration,
+                                         GrazeSeparating separating, GrazeBufferd *buffer, const GrazeCastHitd **hits,
+                                         size_t *count);
+// Where a body stands at time t.
+GRAZE_C_API GrazeStatus graze_pose_at_d(const GrazePosed *pose, const GrazeVelocityd *velocity, double t,
+                                        GrazePosed *result);
+
+// Questions about many pairs (graze/batch.hpp) ------------------------------------------------------------------------
+//
+// The bits are those of each pair alone.
+
+// Shapes and where they stand. There are as many shapes as poses, or one shape for all poses, or one pose for all
+// shapes. Every pointer goes through an array of its own stride.
+typedef struct GrazeBodiesd {
+  const GrazeShaped *const *shapes;
+  size_t shape_stride, shape_count;
+  const GrazeVec3d *translations;
+  size_t translation_stride;
+  const GrazeQuatd *rotations;  // or null: nothing is turned
+  size_t rotation_stride;
+  size_t pose_count;
+} GrazeBodiesd;
+
+// Bodies of shapes one behind the other, and of poses one behind the other.
+GRAZE_C_API GrazeBodiesd graze_bodies_d(const GrazeShaped *const *shapes, size_t shape_count, const GrazePosed *poses,
+                                        size_t pose_count);
+
+// Which pairs: `places` in a and in b. With a null pointer, and a count of 0, the first of A with the first of B and so
+// on; where one of them has a single body, that with all of the other.
+typedef struct GrazeBatchd {
+  GrazeBodiesd a, b;
+  const GrazeIdPair *places;
+  size_t place_stride, place_count;
+} GrazeBatchd;
+
+// How many pairs a batch has: as many answers its questions write.
+GRAZE_C_API GrazeStatus graze_batch_size_d(const GrazeBatchd *batch, size_t *size);
+
+// Of each pair: 1 or 0.
+GRAZE_C_API GrazeStatus graze_overlap_batch_d(const GrazeBatchd *batch, uint8_t *touch, size_t stride);
+GRAZE_C_API GrazeStatus graze_distance_batch_d(const GrazeBatchd *batch, GrazeDistanced *distances, size_t stride);
+GRAZE_C_API GrazeStatus graze_contacts_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
+                                               GrazeBatchContactsd *contacts);
+// The pieces of all pairs, those of a pair one behind the other; `ends[i]`, one for each pair, is where those of the
+// i-th end.
+GRAZE_C_API GrazeStatus graze_near_pieces_batch_d(const GrazeBatchd *batch, double margin, GrazeBufferd *buffer,
+                                                  const GrazePieceDistanced **pieces, const size_t **ends,
+                                                  size_t *count);
+// One shape and many points.
+GRAZE_C_API GrazeStatus graze_closest_batch_d(const GrazeShaped *shape, const GrazePosed *pose,
+                                              const GrazeVec3d *points, size_t point_stride, size_t count,
+                                              GrazeClosestd *closest, size_t closest_stride);
+// One shape and many rays (graze/batch_raycast.hpp). A ray that hits nothing leaves its place among `hits` as it is and
+// writes 0 to `found`, else 1. `hits` may be null: then it is only asked whether each ray hits.
+GRAZE_C_API GrazeStatus graze_raycast_batch_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *rays,
+                                              size_t ray_stride, size_t count, double length, GrazeBackFaces back,
+                                              uint8_t *found, size_t found_stride, GrazeRayHitd *hits,
+                                              size_t hit_stride);
+// The first of A with the first of B, and so on.
+GRAZE_C_API GrazeStatus graze_cast_batch_d(const GrazeMovingd *a, size_t a_stride, const GrazeMovingd *b,
+                                           size_t b_stride, size_t count, double duration, GrazeSeparating separating,
+                                           uint8_t *found, size_t found_stride, GrazeCastHitd *hits, size_t hit_stride);
+
+// Worlds (graze/world.hpp) --------------------------------------------------------------------------------------------
+
+typedef struct GrazeWorldd GrazeWorldd;
+
+typedef struct GrazeWorldSettingsd {
+  bool has_margin;
+  double margin;  // contacts are reported up to this far apart; without it up to graze_contact_margin of the two
+  bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b);  // a last word on a pair that its filters allow, or null
+  void *user;
+  size_t points_per_pair;  // a pair keeps at most so many points; 0: all
+} GrazeWorldSettingsd;
+
+GRAZE_C_API GrazeWorldSettingsd graze_world_settings_default_d(void);
+
+typedef struct GrazeBodyd {
+  const GrazeShaped *shape;
+  GrazePosed pose;
+  GrazeVec3d linear, angular;  // velocity of the pose's origin, and the turning about it, in world axes
+  GrazeFilter filter;
+  bool fixed;    // never moves by itself: two fixed bodies are no pair
+  bool trigger;  // tells that something is inside it; has no contact points
+  bool fast;     // is asked what it would pass through before the next update
+} GrazeBodyd;
+
+// A body that stands at the origin, may move, and collides with everything.
+GRAZE_C_API GrazeBodyd graze_body_default_d(const GrazeShaped *shape);
+
+// `settings` and `executor` may be null: the defaults, and the calling thread. The executor is copied, what its `user`
+// points to is not.
+GRAZE_C_API GrazeStatus graze_world_create_d(const GrazeWorldSettingsd *settings, const GrazeExecutor *executor,
+                                             GrazeWorldd **world);
+GRAZE_C_API void graze_world_destroy_d(GrazeWorldd *world);
+
+// The world of a simulation may be asked, but not changed, by the functions that follow.
+GRAZE_C_API GrazeStatus graze_world_add_d(GrazeWorldd *world, const GrazeBodyd *body, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_world_remove_d(GrazeWorldd *world, GrazeBodyId id);
+// Puts a body elsewhere; with `velocity` (or null) it has another one from now on.
+GRAZE_C_API GrazeStatus graze_world_move_d(GrazeWorldd *world, GrazeBodyId id, const GrazePosed *pose,
+                                           const GrazeVelocityd *velocity);
+// Puts many bodies elsewhere. Where one of the bodies or poses is refused none is moved.
+GRAZE_C_API GrazeStatus graze_world_move_batch_d(GrazeWorldd *world, const GrazeBodyId *ids, size_t id_stride,
+                                                 const GrazePosed *poses, size_t pose_stride, size_t count);
+GRAZE_C_API GrazeStatus graze_world_set_shape_d(GrazeWorldd *world, GrazeBodyId id, const GrazeShaped *shape);
+GRAZE_C_API GrazeStatus graze_world_set_filter_d(GrazeWorldd *world, GrazeBodyId id, GrazeFilter filter);
+GRAZE_C_API GrazeStatus graze_world_set_fast_d(GrazeWorldd *world, GrazeBodyId id, bool fast);
+// Another last word than that of the settings; null allows all.
+GRAZE_C_API GrazeStatus graze_world_set_allow_d(GrazeWorldd *world,
+                                                bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b), void *user);
+
+// How many bodies there are, and how many indices: those of bodies are smaller.
+GRAZE_C_API GrazeStatus graze_world_counts_d(const GrazeWorldd *world, size_t *bodies, size_t *indices);
+GRAZE_C_API GrazeStatus graze_world_contains_d(const GrazeWorldd *world, GrazeBodyId id, bool *contains);
+// The handle of the body that has the index now; `found` says whether there is one.
+GRAZE_C_API GrazeStatus graze_world_body_at_d(const GrazeWorldd *world, uint32_t index, bool *found, GrazeBodyId *id);
+// What is known of a body. Its shape is one more share, for the caller to release.
+GRAZE_C_API GrazeStatus graze_world_body_d(const GrazeWorldd *world, GrazeBodyId id, GrazeBodyd *body);
+// All poses by index, valid until a body is added or moved; at an index without a body any pose.
+GRAZE_C_API GrazeStatus graze_world_poses_d(const GrazeWorldd *world, const GrazePosed **poses, size_t *count);
+
+// Finds what touches now; and, given the time to the next update (or 0), what fast bodies would pass through until
+// then.
+GRAZE_C_API GrazeStatus graze_world_update_d(GrazeWorldd *world, double duration);
+// Only the latter, by the velocities that bodies have now.
+GRAZE_C_API GrazeStatus graze_world_find_impacts_d(GrazeWorldd *world, double duration);
+
+typedef struct GrazeSolverPointd {
+  GrazeVec3d a, b;
+  double distance;
+  uint32_t feature;
+  double weight;
+  GrazeVec3d impulse;  // the solver's own: carried on to the same point of the next update, zero at a new one
+} GrazeSolverPointd;
+
+// What the last update found, which belongs to the world until the next.
+typedef struct GrazeWorldContactsd {
+  const GrazeWorldPair *pairs;  // sorted
+  size_t pair_count;
+  const GrazeManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazeSolverPointd *points;
+  size_t point_count;
+} GrazeWorldContactsd;
+
+GRAZE_C_API GrazeStatus graze_world_contacts_d(const GrazeWorldd *world, GrazeWorldContactsd *contacts);
+// The same points for a solver, which writes their impulses and nothing else.
+GRAZE_C_API GrazeStatus graze_world_solver_points_d(GrazeWorldd *world, GrazeSolverPointd **points, size_t *count);
+// Leaves at most `most` >= 1 points of every pair.
+GRAZE_C_API GrazeStatus graze_world_reduce_d(GrazeWorldd *world, size_t most);
+GRAZE_C_API GrazeStatus graze_world_events_d(const GrazeWorldd *world, const GrazeContactEvent **events, size_t *count);
+
+// Two bodies and when they first meet: a.index < b.index, the normal of the hit from a to b.
+typedef struct GrazeImpactd {
+  GrazeBodyId a, b;
+  bool trigger;
+  GrazeCastHitd hit;
+} GrazeImpactd;
+
+// What fast bodies would meet, in the order of time.
+GRAZE_C_API GrazeStatus graze_world_impacts_d(const GrazeWorldd *world, const GrazeImpactd **impacts, size_t *count);
+
+// A body and how far it is from the shape that was asked about, which is A.
+typedef struct GrazeBodyDistanced {
+  GrazeBodyId body;
+  GrazeDistanced distance;
+} GrazeBodyDistanced;
+
+typedef struct GrazeBodyRayHitd {
+  GrazeBodyId body;
+  GrazeRayHitd hit;
+} GrazeBodyRayHitd;
+
+typedef struct GrazeBodyCastHitd {
+  GrazeBodyId body;
+  GrazeCastHitd hit;
+} GrazeBodyCastHitd;
+
+// Questions about bodies where they were last put. `filter` may be null: that of graze_query_filter_default.
+GRAZE_C_API GrazeStatus graze_world_overlapping_d(const GrazeWorldd *world, const GrazeShaped *shape,
+                                                  const GrazePosed *pose, const GrazeQueryFilter *filter,
+                                                  GrazeBufferd *buffer, const GrazeBodyId **bodies, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_overlaps_any_d(const GrazeWorldd *world, const GrazeShaped *shape,
+                                                   const GrazePosed *pose, const GrazeQueryFilter *filter, bool *any);
+// The `most` bodies nearest to the shape, of those no further than `limit` (INFINITY for all), the nearest first.
+GRAZE_C_API GrazeStatus graze_world_nearest_d(const GrazeWorldd *world, const GrazeShaped *shape,
+                                              const GrazePosed *pose, size_t most, double limit,
+                                              const GrazeQueryFilter *filter, GrazeBufferd *buffer,
+                                              const GrazeBodyDistanced **bodies, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_raycast_d(const GrazeWorldd *world, const GrazeRayd *ray, double length,
+                                              const GrazeQueryFilter *filter, GrazeBackFaces back, bool *found,
+                                              GrazeBodyRayHitd *hit);
+GRAZE_C_API GrazeStatus graze_world_raycast_any_d(const GrazeWorldd *world, const GrazeRayd *ray, double length,
+                                                  const GrazeQueryFilter *filter, GrazeBackFaces back, bool *found);
+GRAZE_C_API GrazeStatus graze_world_raycast_all_d(const GrazeWorldd *world, const GrazeRayd *ray, double length,
+                                                  const GrazeQueryFilter *filter, GrazeBackFaces back,
+                                                  GrazeBufferd *buffer, const GrazeBodyRayHitd **hits, size_t *count);
+// What a shape meets that moves for `duration` while the bodies stand still.
+GRAZE_C_API GrazeStatus graze_world_cast_d(const GrazeWorldd *world, const GrazeMovingd *moving, double duration,
+                                           const GrazeQueryFilter *filter, GrazeSeparating separating, bool *found,
+                                           GrazeBodyCastHitd *hit);
+GRAZE_C_API GrazeStatus graze_world_cast_all_d(const GrazeWorldd *world, const GrazeMovingd *moving, double duration,
+                                               const GrazeQueryFilter *filter, GrazeSeparating separating,
+                                               GrazeBufferd *buffer, const GrazeBodyCastHitd **hits, size_t *count);
+// Moves a shape by `motion` until it touches, then along the surface, and so on, by at most `casts` casts
+// (graze/slide.hpp): where it ends, what was left of the motion, and what was in the way.
+GRAZE_C_API GrazeStatus graze_world_slide_d(const GrazeWorldd *world, const GrazeShaped *shape, const GrazePosed *pose,
+                                            GrazeVec3d motion, int casts, const GrazeQueryFilter *filter,
+                                            GrazeBufferd *buffer, GrazePosed *end, GrazeVec3d *left,
+                                            const GrazeBodyCastHitd **touched, size_t *count);
+// Bytes that are held, shapes' own data apart.
+GRAZE_C_API GrazeStatus graze_world_memory_d(const GrazeWorldd *world, size_t *bytes);
+
+// Simulation (graze/simulation.hpp) -----------------------------------------------------------------------------------
+
+typedef struct GrazeSimulationd GrazeSimulationd;
+
+typedef struct GrazeSimulationSettingsd {
+  GrazeVec3d gravity;
+  int32_t sub_steps;       // of a step, at least; a power of two
+  int32_t most_sub_steps;  // of an island that bears much; a power of two
+  bool sleep;              // islands at rest cost nothing and do not move
+  bool continuous;         // what moves fast passes through nothing
+  double longest_step;     // a longer step is refused
+} GrazeSimulationSettingsd;
+
+GRAZE_C_API GrazeSimulationSettingsd graze_simulation_settings_default_d(void);
+
+// How a body is moved (graze/dynamics.hpp). What it has not follows from the shape and the density.
+typedef struct GrazeDynamicsd {
+  bool has_mass, has_center_of_mass, has_inertia;
+  double mass;  // > 0; INFINITY for a body that nothing pushes
+  GrazeVec3d center_of_mass;
+  GrazeVec3d inertia_diagonal;
+  GrazeQuatd inertia_orientation;
+  double density;
+  double gravity_factor;
+  double linear_damping, angular_damping;
+  bool kinematic;  // keeps the velocity that it is given: pushes and is not pushed
+  bool may_sleep;
+} GrazeDynamicsd;
+
+GRAZE_C_API GrazeDynamicsd graze_dynamics_default_d(void);
+
+typedef struct GrazeMateriald {
+  double static_friction, dynamic_friction;
+  double restitution;       // 0 to 1
+  double rolling_friction;  // a length
+  uint8_t friction_combine, restitution_combine;  // a GrazeCombine
+  GrazeVec3d surface_velocity;  // of a conveyor, in the body's frame
+} GrazeMateriald;
+
+GRAZE_C_API GrazeMateriald graze_material_default_d(void);
+
+// Bounds on the axes of frame A that are named: on one, or on two or three together.
+typedef struct GrazeJointLimitd {
+  uint8_t space;  // a GrazeJointSpace
+  bool axes[3];
+  double min, max;   // min <= max, either may be infinite; equal for what is held
+  double stiffness;  // 0: hard; else force per length or torque per radian beyond the bounds
+  double damping;    // of the soft limit
+} GrazeJointLimitd;
+
+// stiffness (position_target - position) + damping (velocity_target - velocity) on one axis of frame A.
+typedef struct GrazeJointDrived {
+  uint8_t space;  // a GrazeJointSpace
+  uint8_t mode;   // a GrazeDriveMode
+  uint8_t axis;   // 0, 1, 2
+  double position_target, velocity_target;
+  double stiffness, damping;
+  double max_force;
+} GrazeJointDrived;
+
+typedef struct GrazeJointd {
+  GrazeBodyId a, b;             // a fixed body ties the other to the world
+  GrazePosed frame_a, frame_b;  // each in its body's frame
+  const GrazeJointLimitd *limits;
+  size_t limit_count;
+  const GrazeJointDrived *drives;
+  size_t drive_count;
+  bool enable_collision;  // otherwise the two do not touch each other
+} GrazeJointd;
+
+// A joint of that kind without drives. Its limits are constants of the library.
+GRAZE_C_API GrazeStatus graze_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePosed *frame_a,
+                                              GrazeBodyId b, const GrazePosed *frame_b, GrazeJointd *joint);
+
+// What a step did (graze/simulation.hpp); times by the clock in milliseconds.
+typedef struct GrazeStepReportd {
+  size_t awake, islands, contacts, colors;
+  int32_t most_sub_steps;
+  size_t stopped;
+  double deepest, mean_depth, residual;
+  double kinetic_energy, potential_energy;
+  GrazeVec3d momentum, angular_momentum;
+  double collide_ms, prepare_ms, solve_ms, continuous_ms, whole_ms;
+} GrazeStepReportd;
+
+// Everything that a simulation goes back to.
+typedef struct GrazeStated GrazeStated;
+
+// `settings` and `executor` may be null, as for a world.
+GRAZE_C_API GrazeStatus graze_simulation_create_d(const GrazeSimulationSettingsd *settings,
+                                                  const GrazeExecutor *executor, GrazeSimulationd **simulation);
+GRAZE_C_API void graze_simulation_destroy_d(GrazeSimulationd *simulation);
+
+// `dynamics` and `material` may be null: the defaults.
+GRAZE_C_API GrazeStatus graze_simulation_add_d(GrazeSimulationd *simulation, const GrazeBodyd *body,
+                                               const GrazeDynamicsd *dynamics, const GrazeMateriald *material,
+                                               GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_simulation_remove_d(GrazeSimulationd *simulation, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_simulation_add_joint_d(GrazeSimulationd *simulation, const GrazeJointd *joint,
+                                                     GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_simulation_remove_joint_d(GrazeSimulationd *simulation, GrazeJointId id);
+
+// Moves everything by `dt` > 0.
+GRAZE_C_API GrazeStatus graze_simulation_step_d(GrazeSimulationd *simulation, double dt);
+
+GRAZE_C_API GrazeStatus graze_simulation_apply_impulse_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                         GrazeVec3d impulse, GrazeVec3d point);
+GRAZE_C_API GrazeStatus graze_simulation_apply_angular_impulse_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                                 GrazeVec3d impulse);
+// Throughout the next step: a force on the centre of mass, and a torque.
+GRAZE_C_API GrazeStatus graze_simulation_apply_force_d(GrazeSimulationd *simulation, GrazeBodyId id, GrazeVec3d force);
+GRAZE_C_API GrazeStatus graze_simulation_apply_torque_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                        GrazeVec3d torque);
+GRAZE_C_API GrazeStatus graze_simulation_set_velocity_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                        const GrazeVelocityd *velocity);
+GRAZE_C_API GrazeStatus graze_simulation_set_pose_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                    const GrazePosed *pose);
+// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
+GRAZE_C_API GrazeStatus graze_simulation_move_to_d(GrazeSimulationd *simulation, GrazeBodyId id, const GrazePosed *pose,
+                                                   double dt);
+GRAZE_C_API GrazeStatus graze_simulation_set_material_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                        const GrazeMateriald *material);
+GRAZE_C_API GrazeStatus graze_simulation_set_gravity_d(GrazeSimulationd *simulation, GrazeVec3d gravity);
+GRAZE_C_API GrazeStatus graze_simulation_wake_d(GrazeSimulationd *simulation, GrazeBodyId id);
+
+GRAZE_C_API GrazeStatus graze_simulation_pose_d(const GrazeSimulationd *simulation, GrazeBodyId id, GrazePosed *pose);
+// All poses by index, valid until the simulation changes; at an index without a body any pose.
+GRAZE_C_API GrazeStatus graze_simulation_poses_d(const GrazeSimulationd *simulation, const GrazePosed **poses,
+                                                 size_t *count);
+// The velocity of the centre of mass and the turning about it, and where that centre is in the world.
+GRAZE_C_API GrazeStatus graze_simulation_motion_d(const GrazeSimulationd *simulation, GrazeBodyId id,
+                                                  GrazeVelocityd *velocity, GrazeVec3d *center_of_mass);
+GRAZE_C_API GrazeStatus graze_simulation_angular_momentum_d(const GrazeSimulationd *simulation, GrazeBodyId id,
+                                                            GrazeVec3d *momentum);
+// Infinite for what is fixed or kinematic.
+GRAZE_C_API GrazeStatus graze_simulation_mass_d(const GrazeSimulationd *simulation, GrazeBodyId id, double *mass);
+GRAZE_C_API GrazeStatus graze_simulation_asleep_d(const GrazeSimulationd *simulation, GrazeBodyId id, bool *asleep);
+// The impulses of the last step, a number for each row of the joint, valid until the next step.
+GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_d(const GrazeSimulationd *simulation, GrazeJointId id,
+                                                          const double **impulses, size_t *count);
+GRAZE_C_API GrazeStatus graze_simulation_report_d(const GrazeSimulationd *simulation, GrazeStepReportd *report);
+// The world of the simulation, which belongs to it: contacts, events and all questions.
+GRAZE_C_API GrazeStatus graze_simulation_world_d(const GrazeSimulationd *simulation, const GrazeWorldd **world);
+
+GRAZE_C_API GrazeStatus graze_simulation_save_d(const GrazeSimulationd *simulation, GrazeStated **state);
+// Goes back to a state of this simulation, between which and now no bodies or joints came or went.
+GRAZE_C_API GrazeStatus graze_simulation_restore_d(GrazeSimulationd *simulation, const GrazeStated *state);
+GRAZE_C_API void graze_state_destroy_d(GrazeStated *state);
+
+// The plane (graze/plane/) --------------------------------------------------------------------------------------------
+//
+// The same words in two dimensions.
+
+typedef struct GrazeVec2d {
+  double x, y;
+} GrazeVec2d;
+
+// A rotation is the unit vector to which it turns the X axis; the one that turns nothing is {1, 0}.
+typedef struct GrazeRot2d {
+  double cosine, sine;
+} GrazeRot2d;
+
+typedef struct GrazePose2d {
+  GrazeVec2d translation;
+  GrazeRot2d rotation;
+} GrazePose2d;
+
+typedef struct GrazeAabb2d {
+  GrazeVec2d lower, upper;
+} GrazeAabb2d;
+
+GRAZE_C_API GrazePose2d graze_plane_pose_d(double x, double y, double angle);
+
+typedef struct GrazePlaneShaped GrazePlaneShaped;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_circle_d(double radius, GrazePlaneShaped **shape);
+// `height` between the centres of the discs, which lie on the Y axis about the origin.
+GRAZE_C_API GrazeStatus graze_plane_shape_capsule_d(double height, double radius_bottom, double radius_top,
+                                                    GrazePlaneShaped **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_box_d(GrazeVec2d size, GrazePlaneShaped **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_segment_d(GrazeVec2d a, GrazeVec2d b, GrazePlaneShaped **shape);
+// The convex hull of at least one point.
+GRAZE_C_API GrazeStatus graze_plane_shape_convex_d(const GrazeVec2d *points, size_t stride, size_t count,
+                                                   GrazePlaneShaped **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_ellipse_d(GrazeVec2d radii, GrazePlaneShaped **shape);
+// All points with y <= 0.
+GRAZE_C_API GrazeStatus graze_plane_shape_half_plane_d(GrazePlaneShaped **shape);
+// A solid polygon, convex or not: at least three points around it, either way, without crossings.
+GRAZE_C_API GrazeStatus graze_plane_shape_polygon_d(const GrazeVec2d *points, size_t stride, size_t count,
+                                                    GrazePlaneShaped **shape);
+// Segments joined end to end; a `closed` chain goes on from the last point to the first.
+GRAZE_C_API GrazeStatus graze_plane_shape_chain_d(const GrazeVec2d *points, size_t stride, size_t count, bool closed,
+                                                  GrazeSides sides, GrazePlaneShaped **shape);
+
+typedef struct GrazePlaneChildd {
+  const GrazePlaneShaped *shape;
+  GrazePose2d pose;
+} GrazePlaneChildd;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_compound_d(const GrazePlaneChildd *children, size_t stride, size_t count,
+                                                     GrazePlaneShaped **shape);
+// As graze_shape_user_d.
+GRAZE_C_API GrazeStatus graze_plane_shape_user_d(GrazeVec2d (*support)(const void *user, GrazeVec2d direction),
+                                                 void (*release)(void *user), void *user, GrazePlaneShaped **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_rounded_d(const GrazePlaneShaped *shape, double rounding,
+                                                    GrazePlaneShaped **rounded);
+GRAZE_C_API void graze_plane_shape_retain_d(const GrazePlaneShaped *shape);
+GRAZE_C_API void graze_plane_shape_release_d(const GrazePlaneShaped *shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_kind_d(const GrazePlaneShaped *shape, GrazePlaneShapeKind *kind);
+GRAZE_C_API GrazeStatus graze_plane_shape_rounding_d(const GrazePlaneShaped *shape, double *rounding);
+GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                   GrazeAabb2d *bounds);
+
+typedef struct GrazePlaneDistanced {
+  double distance;
+  GrazeVec2d normal, a, b;
+  uint8_t certainty;
+  double error;
+} GrazePlaneDistanced;
+
+typedef struct GrazePlaneClosestd {
+  double distance;
+  GrazeVec2d point, normal;
+  uint8_t certainty;
+  double error;
+} GrazePlaneClosestd;
+
+typedef struct GrazePlaneContactPointd {
+  GrazeVec2d a, b;
+  double distance;
+  uint32_t feature;
+  double weight;
+} GrazePlaneContactPointd;
+
+typedef struct GrazePlaneManifoldd {
+  GrazeVec2d normal;
+  uint32_t piece_a, piece_b;
+  uint32_t first_point, point_count;
+} GrazePlaneManifoldd;
+
+typedef struct GrazePlaneContactsd {
+  bool overlap;
+  uint8_t certainty;
+  double error;
+  const GrazePlaneManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazePlaneContactPointd *points;
+  size_t point_count;
+} GrazePlaneContactsd;
+
+typedef struct GrazePlaneBatchContactsd {
+  const GrazePairContacts *pairs;
+  size_t pair_count;
+  const GrazePlaneManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazePlaneContactPointd *points;
+  size_t point_count;
+} GrazePlaneBatchContactsd;
+
+typedef struct GrazePlaneRayd {
+  GrazeVec2d origin, direction;
+} GrazePlaneRayd;
+
+typedef struct GrazePlaneRayHitd {
+  double t;
+  GrazeVec2d point, normal;
+  uint32_t piece;
+  uint8_t certainty;
+} GrazePlaneRayHitd;
+
+typedef struct GrazePlaneVelocityd {
+  GrazeVec2d linear;
+  double angular;  // counter-clockwise
+} GrazePlaneVelocityd;
+
+typedef struct GrazePlaneCastHitd {
+  double t;
+  GrazeVec2d point, normal;
+  double depth;
+  uint8_t certainty;
+  uint32_t piece_a, piece_b;
+} GrazePlaneCastHitd;
+
+typedef struct GrazePlaneMovingd {
+  const GrazePlaneShaped *shape;
+  GrazePose2d pose;
+  GrazePlaneVelocityd velocity;
+} GrazePlaneMovingd;
+
+GRAZE_C_API GrazeStatus graze_plane_overlap_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                              const GrazePlaneShaped *b, const GrazePose2d *pose_b, bool *overlap);
+GRAZE_C_API GrazeStatus graze_plane_distance_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                               const GrazePlaneShaped *b, const GrazePose2d *pose_b,
+                                               GrazePlaneDistanced *distance);
+GRAZE_C_API GrazeStatus graze_plane_contacts_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                               const GrazePlaneShaped *b, const GrazePose2d *pose_b, double margin,
+                                               GrazeBufferd *buffer, GrazePlaneContactsd *contacts);
+GRAZE_C_API GrazeStatus graze_plane_contact_margin_d(const GrazePlaneShaped *a, const GrazePlaneShaped *b,
+                                                     double *margin);
+GRAZE_C_API GrazeStatus graze_plane_closest_d(const GrazePlaneShaped *shape, const GrazePose2d *pose, GrazeVec2d point,
+                                              GrazePlaneClosestd *closest);
+GRAZE_C_API GrazeStatus graze_plane_raycast_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                              const GrazePlaneRayd *ray, double length, bool *found,
+                                              GrazePlaneRayHitd *hit);
+GRAZE_C_API GrazeStatus graze_plane_cast_d(const GrazePlaneMovingd *a, const GrazePlaneMovingd *b, double duration,
+                                           bool *found, GrazePlaneCastHitd *hit);
+GRAZE_C_API GrazeStatus graze_plane_pose_at_d(const GrazePose2d *pose, const GrazePlaneVelocityd *velocity, double t,
+                                              GrazePose2d *result);
+
+// Shapes and where they stand, as GrazeBodiesd.
+typedef struct GrazePlaneBodiesd {
+  const GrazePlaneShaped *const *shapes;
+  size_t shape_stride, shape_count;
+  const GrazeVec2d *translations;
+  size_t translation_stride;
+  const GrazeRot2d *rotations;  // or null: nothing is turned
+  size_t rotation_stride;
+  size_t pose_count;
+} GrazePlaneBodiesd;
+
+GRAZE_C_API GrazePlaneBodiesd graze_plane_bodies_d(const GrazePlaneShaped *const *shapes, size_t shape_count,
+                                                   const GrazePose2d *poses, size_t pose_count);
+
+typedef struct GrazePlaneBatchd {
+  GrazePlaneBodiesd a, b;
+  const GrazeIdPair *places;
+  size_t place_stride, place_count;
+} GrazePlaneBatchd;
+
+GRAZE_C_API GrazeStatus graze_plane_batch_size_d(const GrazePlaneBatchd *batch, size_t *size);
+GRAZE_C_API GrazeStatus graze_plane_overlap_batch_d(const GrazePlaneBatchd *batch, uint8_t *touch, size_t stride);
+GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *batch, GrazePlaneDistanced *distances,
+                                                     size_t stride);
+GRAZE_C_API GrazeStatus graze_plane_contacts_batch_d(const GrazePlaneBatchd *batch, double margin,
+                                                     GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts);
+
+// </double>
+// ---------------------------------------------------------------------------------------------------------------------
+// Float: the same, written by bindings/c/write_float.sh from the part for double.
+// ---------------------------------------------------------------------------------------------------------------------
+// <float>
+
+typedef struct GrazeVec3f {
+  float x, y, z;
+} GrazeVec3f;
+
+typedef struct GrazeQuatf {
+  float x, y, z, w;
+} GrazeQuatf;
+
+typedef struct GrazePosef {
+  GrazeVec3f translation;
+  GrazeQuatf rotation;
+} GrazePosef;
+
+typedef struct GrazeMat3f {
+  GrazeVec3f row[3];
+} GrazeMat3f;
+
+typedef struct GrazeAabbf {
+  GrazeVec3f lower, upper;
+} GrazeAabbf;
+
+GRAZE_C_API GrazePosef graze_pose_identity_f(void);
+GRAZE_C_API GrazePosef graze_pose_at_place_f(float x, float y, float z);
+GRAZE_C_API GrazePosef graze_pose_turned_f(GrazeVec3f translation, GrazeVec3f axis, float angle);
+
+typedef struct GrazeShapef GrazeShapef;
+
+GRAZE_C_API GrazeStatus graze_shape_sphere_f(float radius, GrazeVec3f center, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_capsule_f(float height, float radius_bottom, float radius_top,
+                                              GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_box_f(GrazeVec3f size, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_rectangle_f(float size_x, float size_z, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_cylinder_f(float height, float radius_bottom, float radius_top,
+                                               GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_ellipsoid_f(GrazeVec3f radii, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_segment_f(GrazeVec3f a, GrazeVec3f b, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_triangle_f(GrazeVec3f a, GrazeVec3f b, GrazeVec3f c, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_half_space_f(GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_convex_hull_f(const GrazeVec3f *points, size_t stride, size_t count,
+                                                  GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_mesh_f(const GrazeVec3f *points, size_t point_stride, size_t point_count,
+                                           const uint32_t *triangles, size_t triangle_stride, size_t triangle_count,
+                                           GrazeSides sides, bool solid, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_height_field_f(const float *heights, size_t stride, size_t columns, size_t rows,
+                                                   const uint8_t *holes, float spacing_x, float spacing_z,
+                                                   GrazeSides sides, GrazeShapef **shape);
+
+typedef struct GrazeChildf {
+  const GrazeShapef *shape;
+  GrazePosef pose;
+} GrazeChildf;
+
+GRAZE_C_API GrazeStatus graze_shape_compound_f(const GrazeChildf *children, size_t stride, size_t count,
+                                               GrazeShapef **shape);
+
+GRAZE_C_API GrazeStatus graze_shape_user_f(GrazeVec3f (*support)(const void *user, GrazeVec3f direction),
+                                           void (*release)(void *user), void *user, GrazeShapef **shape);
+GRAZE_C_API GrazeStatus graze_shape_rounded_f(const GrazeShapef *shape, float rounding, GrazeShapef **rounded);
+GRAZE_C_API GrazeStatus graze_shape_swept_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeVec3f motion,
+                                            GrazeShapef **swept);
+
+GRAZE_C_API void graze_shape_retain_f(const GrazeShapef *shape);
+GRAZE_C_API void graze_shape_release_f(const GrazeShapef *shape);
+
+GRAZE_C_API GrazeStatus graze_shape_kind_f(const GrazeShapef *shape, GrazeShapeKind *kind);
+GRAZE_C_API GrazeStatus graze_shape_rounding_f(const GrazeShapef *shape, float *rounding);
+GRAZE_C_API GrazeStatus graze_shape_bounds_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeAabbf *bounds);
+GRAZE_C_API GrazeStatus graze_shape_support_f(const GrazeShapef *shape, GrazeVec3f direction, GrazeVec3f *point);
+
+typedef struct GrazeMassPropertiesf {
+  float volume;
+  GrazeVec3f center;
+  GrazeMat3f inertia;
+} GrazeMassPropertiesf;
+
+GRAZE_C_API GrazeStatus graze_shape_mass_properties_f(const GrazeShapef *shape, GrazeMassPropertiesf *properties);
+
+typedef struct GrazeDistancef {
+  float distance;
+  GrazeVec3f normal;
+  GrazeVec3f a, b;
+  uint8_t certainty;
+  float error;
+} GrazeDistancef;
+
+typedef struct GrazeClosestf {
+  float distance;
+  GrazeVec3f point;
+  GrazeVec3f normal;
+  uint8_t certainty;
+  float error;
+} GrazeClosestf;
+
+typedef struct GrazePieceDistancef {
+  uint32_t piece_a, piece_b;
+  GrazeDistancef distance;
+} GrazePieceDistancef;
+
+typedef struct GrazeContactPointf {
+  GrazeVec3f a, b;
+  float distance;
+  uint32_t feature;
+  float weight;
+} GrazeContactPointf;
+
+typedef struct GrazeManifoldf {
+  GrazeVec3f normal;
+  uint32_t piece_a, piece_b;
+  uint32_t first_point, point_count;
+} GrazeManifoldf;
+
+typedef struct GrazeContactsf {
+  bool overlap;
+  uint8_t certainty;
+  float error;
+  const GrazeManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazeContactPointf *points;
+  size_t point_count;
+} GrazeContactsf;
+
+typedef struct GrazeBatchContactsf {
+  const GrazePairContacts *pairs;
+  size_t pair_count;
+  const GrazeManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazeContactPointf *points;
+  size_t point_count;
+} GrazeBatchContactsf;
+
+typedef struct GrazeRayf {
+  GrazeVec3f origin, direction;
+} GrazeRayf;
+
+typedef struct GrazeRayHitf {
+  float t;
+  GrazeVec3f point;
+  GrazeVec3f normal;
+  uint32_t piece;
+} GrazeRayHitf;
+
+typedef struct GrazeVelocityf {
+  GrazeVec3f linear;
+  GrazeVec3f angular;
+} GrazeVelocityf;
+
+typedef struct GrazeCastHitf {
+  float t;
+  GrazeVec3f point;
+  GrazeVec3f normal;
+  float depth;
+  uint8_t certainty;
+  uint32_t piece_a, piece_b;
+} GrazeCastHitf;
+
+typedef struct GrazeBufferf GrazeBufferf;
+
+GRAZE_C_API GrazeStatus graze_buffer_create_f(GrazeBufferf **buffer);
+GRAZE_C_API void graze_buffer_destroy_f(GrazeBufferf *buffer);
+
+GRAZE_C_API GrazeStatus graze_overlap_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                        const GrazePosef *pose_b, bool *overlap);
+GRAZE_C_API GrazeStatus graze_may_overlap_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                            const GrazePosef *pose_b, bool *may_overlap);
+GRAZE_C_API GrazeStatus graze_distance_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                         const GrazePosef *pose_b, GrazeDistancef *distance);
+GRAZE_C_API GrazeStatus graze_distance_up_to_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                               const GrazePosef *pose_b, float limit, bool *found,
+                                               GrazeDistancef *distance);
+GRAZE_C_API GrazeStatus graze_within_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                       const GrazePosef *pose_b, float limit, bool *within);
+GRAZE_C_API GrazeStatus graze_near_pieces_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                            const GrazePosef *pose_b, float margin, GrazeBufferf *buffer,
+                                            const GrazePieceDistancef **pieces, size_t *count);
+GRAZE_C_API GrazeStatus graze_contacts_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                         const GrazePosef *pose_b, float margin, GrazeBufferf *buffer,
+                                         GrazeContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_contacts_reduced_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                                 const GrazePosef *pose_b, float margin, size_t most,
+                                                 GrazeBufferf *buffer, GrazeContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_contact_margin_f(const GrazeShapef *a, const GrazeShapef *b, float *margin);
+GRAZE_C_API GrazeStatus graze_closest_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeVec3f point,
+                                        GrazeClosestf *closest);
+
+GRAZE_C_API GrazeStatus graze_raycast_f(const GrazeShapef *shape, const GrazePosef *pose, const GrazeRayf *ray,
+                                        float length, GrazeBackFaces back, bool *found, GrazeRayHitf *hit);
+GRAZE_C_API GrazeStatus graze_raycast_any_f(const GrazeShapef *shape, const GrazePosef *pose, const GrazeRayf *ray,
+                                            float length, GrazeBackFaces back, bool *found);
+GRAZE_C_API GrazeStatus graze_raycast_all_f(const GrazeShapef *shape, const GrazePosef *pose, const GrazeRayf *ray,
+                                            float length, GrazeBackFaces back, GrazeBufferf *buffer,
+                                            const GrazeRayHitf **hits, size_t *count);
+
+typedef struct GrazeMovingf {
+  const GrazeShapef *shape;
+  GrazePosef pose;
+  GrazeVelocityf velocity;
+} GrazeMovingf;
+
+GRAZE_C_API GrazeStatus graze_cast_f(const GrazeMovingf *a, const GrazeMovingf *b, float duration,
+                                     GrazeSeparating separating, bool *found, GrazeCastHitf *hit);
+GRAZE_C_API GrazeStatus graze_cast_all_f(const GrazeMovingf *a, const GrazeMovingf *b, float duration,
+                                         GrazeSeparating separating, GrazeBufferf *buffer, const GrazeCastHitf **hits,
+                                         size_t *count);
+GRAZE_C_API GrazeStatus graze_pose_at_f(const GrazePosef *pose, const GrazeVelocityf *velocity, float t,
+                                        GrazePosef *result);
+
+typedef struct GrazeBodiesf {
+  const GrazeShapef *const *shapes;
+  size_t shape_stride, shape_count;
+  const GrazeVec3f *translations;
+  size_t translation_stride;
+  const GrazeQuatf *rotations;
+  size_t rotation_stride;
+  size_t pose_count;
+} GrazeBodiesf;
+
+GRAZE_C_API GrazeBodiesf graze_bodies_f(const GrazeShapef *const *shapes, size_t shape_count, const GrazePosef *poses,
+                                        size_t pose_count);
+
+typedef struct GrazeBatchf {
+  GrazeBodiesf a, b;
+  const GrazeIdPair *places;
+  size_t place_stride, place_count;
+} GrazeBatchf;
+
+GRAZE_C_API GrazeStatus graze_batch_size_f(const GrazeBatchf *batch, size_t *size);
+
+GRAZE_C_API GrazeStatus graze_overlap_batch_f(const GrazeBatchf *batch, uint8_t *touch, size_t stride);
+GRAZE_C_API GrazeStatus graze_distance_batch_f(const GrazeBatchf *batch, GrazeDistancef *distances, size_t stride);
+GRAZE_C_API GrazeStatus graze_contacts_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
+                                               GrazeBatchContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_near_pieces_batch_f(const GrazeBatchf *batch, float margin, GrazeBufferf *buffer,
+                                                  const GrazePieceDistancef **pieces, const size_t **ends,
+                                                  size_t *count);
+GRAZE_C_API GrazeStatus graze_closest_batch_f(const GrazeShapef *shape, const GrazePosef *pose,
+                                              const GrazeVec3f *points, size_t point_stride, size_t count,
+                                              GrazeClosestf *closest, size_t closest_stride);
+GRAZE_C_API GrazeStatus graze_raycast_batch_f(const GrazeShapef *shape, const GrazePosef *pose, const GrazeRayf *rays,
+                                              size_t ray_stride, size_t count, float length, GrazeBackFaces back,
+                                              uint8_t *found, size_t found_stride, GrazeRayHitf *hits,
+                                              size_t hit_stride);
+GRAZE_C_API GrazeStatus graze_cast_batch_f(const GrazeMovingf *a, size_t a_stride, const GrazeMovingf *b,
+                                           size_t b_stride, size_t count, float duration, GrazeSeparating separating,
+                                           uint8_t *found, size_t found_stride, GrazeCastHitf *hits, size_t hit_stride);
+
+typedef struct GrazeWorldf GrazeWorldf;
+
+typedef struct GrazeWorldSettingsf {
+  bool has_margin;
+  float margin;
+  bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b);
+  void *user;
+  size_t points_per_pair;
+} GrazeWorldSettingsf;
+
+GRAZE_C_API GrazeWorldSettingsf graze_world_settings_default_f(void);
+
+typedef struct GrazeBodyf {
+  const GrazeShapef *shape;
+  GrazePosef pose;
+  GrazeVec3f linear, angular;
+  GrazeFilter filter;
+  bool fixed;
+  bool trigger;
+  bool fast;
+} GrazeBodyf;
+
+GRAZE_C_API GrazeBodyf graze_body_default_f(const GrazeShapef *shape);
+
+GRAZE_C_API GrazeStatus graze_world_create_f(const GrazeWorldSettingsf *settings, const GrazeExecutor *executor,
+                                             GrazeWorldf **world);
+GRAZE_C_API void graze_world_destroy_f(GrazeWorldf *world);
+
+GRAZE_C_API GrazeStatus graze_world_add_f(GrazeWorldf *world, const GrazeBodyf *body, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_world_remove_f(GrazeWorldf *world, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_world_move_f(GrazeWorldf *world, GrazeBodyId id, const GrazePosef *pose,
+                                           const GrazeVelocityf *velocity);
+GRAZE_C_API GrazeStatus graze_world_move_batch_f(GrazeWorldf *world, const GrazeBodyId *ids, size_t id_stride,
+                                                 const GrazePosef *poses, size_t pose_stride, size_t count);
+GRAZE_C_API GrazeStatus graze_world_set_shape_f(GrazeWorldf *world, GrazeBodyId id, const GrazeShapef *shape);
+GRAZE_C_API GrazeStatus graze_world_set_filter_f(GrazeWorldf *world, GrazeBodyId id, GrazeFilter filter);
+GRAZE_C_API GrazeStatus graze_world_set_fast_f(GrazeWorldf *world, GrazeBodyId id, bool fast);
+GRAZE_C_API GrazeStatus graze_world_set_allow_f(GrazeWorldf *world,
+                                                bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b), void *user);
+
+GRAZE_C_API GrazeStatus graze_world_counts_f(const GrazeWorldf *world, size_t *bodies, size_t *indices);
+GRAZE_C_API GrazeStatus graze_world_contains_f(const GrazeWorldf *world, GrazeBodyId id, bool *contains);
+GRAZE_C_API GrazeStatus graze_world_body_at_f(const GrazeWorldf *world, uint32_t index, bool *found, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_world_body_f(const GrazeWorldf *world, GrazeBodyId id, GrazeBodyf *body);
+GRAZE_C_API GrazeStatus graze_world_poses_f(const GrazeWorldf *world, const GrazePosef **poses, size_t *count);
+
+GRAZE_C_API GrazeStatus graze_world_update_f(GrazeWorldf *world, float duration);
+GRAZE_C_API GrazeStatus graze_world_find_impacts_f(GrazeWorldf *world, float duration);
+
+typedef struct GrazeSolverPointf {
+  GrazeVec3f a, b;
+  float distance;
+  uint32_t feature;
+  float weight;
+  GrazeVec3f impulse;
+} GrazeSolverPointf;
+
+typedef struct GrazeWorldContactsf {
+  const GrazeWorldPair *pairs;
+  size_t pair_count;
+  const GrazeManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazeSolverPointf *points;
+  size_t point_count;
+} GrazeWorldContactsf;
+
+GRAZE_C_API GrazeStatus graze_world_contacts_f(const GrazeWorldf *world, GrazeWorldContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_world_solver_points_f(GrazeWorldf *world, GrazeSolverPointf **points, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_reduce_f(GrazeWorldf *world, size_t most);
+GRAZE_C_API GrazeStatus graze_world_events_f(const GrazeWorldf *world, const GrazeContactEvent **events, size_t *count);
+
+typedef struct GrazeImpactf {
+  GrazeBodyId a, b;
+  bool trigger;
+  GrazeCastHitf hit;
+} GrazeImpactf;
+
+GRAZE_C_API GrazeStatus graze_world_impacts_f(const GrazeWorldf *world, const GrazeImpactf **impacts, size_t *count);
+
+typedef struct GrazeBodyDistancef {
+  GrazeBodyId body;
+  GrazeDistancef distance;
+} GrazeBodyDistancef;
+
+typedef struct GrazeBodyRayHitf {
+  GrazeBodyId body;
+  GrazeRayHitf hit;
+} GrazeBodyRayHitf;
+
+typedef struct GrazeBodyCastHitf {
+  GrazeBodyId body;
+  GrazeCastHitf hit;
+} GrazeBodyCastHitf;
+
+GRAZE_C_API GrazeStatus graze_world_overlapping_f(const GrazeWorldf *world, const GrazeShapef *shape,
+                                                  const GrazePosef *pose, const GrazeQueryFilter *filter,
+                                                  GrazeBufferf *buffer, const GrazeBodyId **bodies, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_overlaps_any_f(const GrazeWorldf *world, const GrazeShapef *shape,
+                                                   const GrazePosef *pose, const GrazeQueryFilter *filter, bool *any);
+GRAZE_C_API GrazeStatus graze_world_nearest_f(const GrazeWorldf *world, const GrazeShapef *shape,
+                                              const GrazePosef *pose, size_t most, float limit,
+                                              const GrazeQueryFilter *filter, GrazeBufferf *buffer,
+                                              const GrazeBodyDistancef **bodies, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_raycast_f(const GrazeWorldf *world, const GrazeRayf *ray, float length,
+                                              const GrazeQueryFilter *filter, GrazeBackFaces back, bool *found,
+                                              GrazeBodyRayHitf *hit);
+GRAZE_C_API GrazeStatus graze_world_raycast_any_f(const GrazeWorldf *world, const GrazeRayf *ray, float length,
+                                                  const GrazeQueryFilter *filter, GrazeBackFaces back, bool *found);
+GRAZE_C_API GrazeStatus graze_world_raycast_all_f(const GrazeWorldf *world, const GrazeRayf *ray, float length,
+                                                  const GrazeQueryFilter *filter, GrazeBackFaces back,
+                                                  GrazeBufferf *buffer, const GrazeBodyRayHitf **hits, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_cast_f(const GrazeWorldf *world, const GrazeMovingf *moving, float duration,
+                                           const GrazeQueryFilter *filter, GrazeSeparating separating, bool *found,
+                                           GrazeBodyCastHitf *hit);
+GRAZE_C_API GrazeStatus graze_world_cast_all_f(const GrazeWorldf *world, const GrazeMovingf *moving, float duration,
+                                               const GrazeQueryFilter *filter, GrazeSeparating separating,
+                                               GrazeBufferf *buffer, const GrazeBodyCastHitf **hits, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_slide_f(const GrazeWorldf *world, const GrazeShapef *shape, const GrazePosef *pose,
+                                            GrazeVec3f motion, int casts, const GrazeQueryFilter *filter,
+                                            GrazeBufferf *buffer, GrazePosef *end, GrazeVec3f *left,
+                                            const GrazeBodyCastHitf **touched, size_t *count);
+GRAZE_C_API GrazeStatus graze_world_memory_f(const GrazeWorldf *world, size_t *bytes);
+
+typedef struct GrazeSimulationf GrazeSimulationf;
+
+typedef struct GrazeSimulationSettingsf {
+  GrazeVec3f gravity;
+  int32_t sub_steps;
+  int32_t most_sub_steps;
+  bool sleep;
+  bool continuous;
+  float longest_step;
+} GrazeSimulationSettingsf;
+
+GRAZE_C_API GrazeSimulationSettingsf graze_simulation_settings_default_f(void);
+
+typedef struct GrazeDynamicsf {
+  bool has_mass, has_center_of_mass, has_inertia;
+  float mass;
+  GrazeVec3f center_of_mass;
+  GrazeVec3f inertia_diagonal;
+  GrazeQuatf inertia_orientation;
+  float density;
+  float gravity_factor;
+  float linear_damping, angular_damping;
+  bool kinematic;
+  bool may_sleep;
+} GrazeDynamicsf;
+
+GRAZE_C_API GrazeDynamicsf graze_dynamics_default_f(void);
+
+typedef struct GrazeMaterialf {
+  float static_friction, dynamic_friction;
+  float restitution;
+  float rolling_friction;
+  uint8_t friction_combine, restitution_combine;
+  GrazeVec3f surface_velocity;
+} GrazeMaterialf;
+
+GRAZE_C_API GrazeMaterialf graze_material_default_f(void);
+
+typedef struct GrazeJointLimitf {
+  uint8_t space;
+  bool axes[3];
+  float min, max;
+  float stiffness;
+  float damping;
+} GrazeJointLimitf;
+
+typedef struct GrazeJointDrivef {
+  uint8_t space;
+  uint8_t mode;
+  uint8_t axis;
+  float position_target, velocity_target;
+  float stiffness, damping;
+  float max_force;
+} GrazeJointDrivef;
+
+typedef struct GrazeJointf {
+  GrazeBodyId a, b;
+  GrazePosef frame_a, frame_b;
+  const GrazeJointLimitf *limits;
+  size_t limit_count;
+  const GrazeJointDrivef *drives;
+  size_t drive_count;
+  bool enable_collision;
+} GrazeJointf;
+
+GRAZE_C_API GrazeStatus graze_joint_of_kind_f(GrazeJointKind kind, GrazeBodyId a, const GrazePosef *frame_a,
+                                              GrazeBodyId b, const GrazePosef *frame_b, GrazeJointf *joint);
+
+typedef struct GrazeStepReportf {
+  size_t awake, islands, contacts, colors;
+  int32_t most_sub_steps;
+  size_t stopped;
+  float deepest, mean_depth, residual;
+  float kinetic_energy, potential_energy;
+  GrazeVec3f momentum, angular_momentum;
+  float collide_ms, prepare_ms, solve_ms, continuous_ms, whole_ms;
+} GrazeStepReportf;
+
+typedef struct GrazeStatef GrazeStatef;
+
+GRAZE_C_API GrazeStatus graze_simulation_create_f(const GrazeSimulationSettingsf *settings,
+                                                  const GrazeExecutor *executor, GrazeSimulationf **simulation);
+GRAZE_C_API void graze_simulation_destroy_f(GrazeSimulationf *simulation);
+
+GRAZE_C_API GrazeStatus graze_simulation_add_f(GrazeSimulationf *simulation, const GrazeBodyf *body,
+                                               const GrazeDynamicsf *dynamics, const GrazeMaterialf *material,
+                                               GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_simulation_remove_f(GrazeSimulationf *simulation, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_simulation_add_joint_f(GrazeSimulationf *simulation, const GrazeJointf *joint,
+                                                     GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_simulation_remove_joint_f(GrazeSimulationf *simulation, GrazeJointId id);
+
+GRAZE_C_API GrazeStatus graze_simulation_step_f(GrazeSimulationf *simulation, float dt);
+
+GRAZE_C_API GrazeStatus graze_simulation_apply_impulse_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                         GrazeVec3f impulse, GrazeVec3f point);
+GRAZE_C_API GrazeStatus graze_simulation_apply_angular_impulse_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                                 GrazeVec3f impulse);
+GRAZE_C_API GrazeStatus graze_simulation_apply_force_f(GrazeSimulationf *simulation, GrazeBodyId id, GrazeVec3f force);
+GRAZE_C_API GrazeStatus graze_simulation_apply_torque_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                        GrazeVec3f torque);
+GRAZE_C_API GrazeStatus graze_simulation_set_velocity_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                        const GrazeVelocityf *velocity);
+GRAZE_C_API GrazeStatus graze_simulation_set_pose_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                    const GrazePosef *pose);
+GRAZE_C_API GrazeStatus graze_simulation_move_to_f(GrazeSimulationf *simulation, GrazeBodyId id, const GrazePosef *pose,
+                                                   float dt);
+GRAZE_C_API GrazeStatus graze_simulation_set_material_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                        const GrazeMaterialf *material);
+GRAZE_C_API GrazeStatus graze_simulation_set_gravity_f(GrazeSimulationf *simulation, GrazeVec3f gravity);
+GRAZE_C_API GrazeStatus graze_simulation_wake_f(GrazeSimulationf *simulation, GrazeBodyId id);
+
+GRAZE_C_API GrazeStatus graze_simulation_pose_f(const GrazeSimulationf *simulation, GrazeBodyId id, GrazePosef *pose);
+GRAZE_C_API GrazeStatus graze_simulation_poses_f(const GrazeSimulationf *simulation, const GrazePosef **poses,
+                                                 size_t *count);
+GRAZE_C_API GrazeStatus graze_simulation_motion_f(const GrazeSimulationf *simulation, GrazeBodyId id,
+                                                  GrazeVelocityf *velocity, GrazeVec3f *center_of_mass);
+GRAZE_C_API GrazeStatus graze_simulation_angular_momentum_f(const GrazeSimulationf *simulation, GrazeBodyId id,
+                                                            GrazeVec3f *momentum);
+GRAZE_C_API GrazeStatus graze_simulation_mass_f(const GrazeSimulationf *simulation, GrazeBodyId id, float *mass);
+GRAZE_C_API GrazeStatus graze_simulation_asleep_f(const GrazeSimulationf *simulation, GrazeBodyId id, bool *asleep);
+GRAZE_C_API GrazeStatus graze_simulation_joint_impulses_f(const GrazeSimulationf *simulation, GrazeJointId id,
+                                                          const float **impulses, size_t *count);
+GRAZE_C_API GrazeStatus graze_simulation_report_f(const GrazeSimulationf *simulation, GrazeStepReportf *report);
+GRAZE_C_API GrazeStatus graze_simulation_world_f(const GrazeSimulationf *simulation, const GrazeWorldf **world);
+
+GRAZE_C_API GrazeStatus graze_simulation_save_f(const GrazeSimulationf *simulation, GrazeStatef **state);
+GRAZE_C_API GrazeStatus graze_simulation_restore_f(GrazeSimulationf *simulation, const GrazeStatef *state);
+GRAZE_C_API void graze_state_destroy_f(GrazeStatef *state);
+
+typedef struct GrazeVec2f {
+  float x, y;
+} GrazeVec2f;
+
+typedef struct GrazeRot2f {
+  float cosine, sine;
+} GrazeRot2f;
+
+typedef struct GrazePose2f {
+  GrazeVec2f translation;
+  GrazeRot2f rotation;
+} GrazePose2f;
+
+typedef struct GrazeAabb2f {
+  GrazeVec2f lower, upper;
+} GrazeAabb2f;
+
+GRAZE_C_API GrazePose2f graze_plane_pose_f(float x, float y, float angle);
+
+typedef struct GrazePlaneShapef GrazePlaneShapef;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_circle_f(float radius, GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_capsule_f(float height, float radius_bottom, float radius_top,
+                                                    GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_box_f(GrazeVec2f size, GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_segment_f(GrazeVec2f a, GrazeVec2f b, GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_convex_f(const GrazeVec2f *points, size_t stride, size_t count,
+                                                   GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_ellipse_f(GrazeVec2f radii, GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_half_plane_f(GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_polygon_f(const GrazeVec2f *points, size_t stride, size_t count,
+                                                    GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_chain_f(const GrazeVec2f *points, size_t stride, size_t count, bool closed,
+                                                  GrazeSides sides, GrazePlaneShapef **shape);
+
+typedef struct GrazePlaneChildf {
+  const GrazePlaneShapef *shape;
+  GrazePose2f pose;
+} GrazePlaneChildf;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_compound_f(const GrazePlaneChildf *children, size_t stride, size_t count,
+                                                     GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_user_f(GrazeVec2f (*support)(const void *user, GrazeVec2f direction),
+                                                 void (*release)(void *user), void *user, GrazePlaneShapef **shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_rounded_f(const GrazePlaneShapef *shape, float rounding,
+                                                    GrazePlaneShapef **rounded);
+GRAZE_C_API void graze_plane_shape_retain_f(const GrazePlaneShapef *shape);
+GRAZE_C_API void graze_plane_shape_release_f(const GrazePlaneShapef *shape);
+GRAZE_C_API GrazeStatus graze_plane_shape_kind_f(const GrazePlaneShapef *shape, GrazePlaneShapeKind *kind);
+GRAZE_C_API GrazeStatus graze_plane_shape_rounding_f(const GrazePlaneShapef *shape, float *rounding);
+GRAZE_C_API GrazeStatus graze_plane_shape_bounds_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                   GrazeAabb2f *bounds);
+
+typedef struct GrazePlaneDistancef {
+  float distance;
+  GrazeVec2f normal, a, b;
+  uint8_t certainty;
+  float error;
+} GrazePlaneDistancef;
+
+typedef struct GrazePlaneClosestf {
+  float distance;
+  GrazeVec2f point, normal;
+  uint8_t certainty;
+  float error;
+} GrazePlaneClosestf;
+
+typedef struct GrazePlaneContactPointf {
+  GrazeVec2f a, b;
+  float distance;
+  uint32_t feature;
+  float weight;
+} GrazePlaneContactPointf;
+
+typedef struct GrazePlaneManifoldf {
+  GrazeVec2f normal;
+  uint32_t piece_a, piece_b;
+  uint32_t first_point, point_count;
+} GrazePlaneManifoldf;
+
+typedef struct GrazePlaneContactsf {
+  bool overlap;
+  uint8_t certainty;
+  float error;
+  const GrazePlaneManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazePlaneContactPointf *points;
+  size_t point_count;
+} GrazePlaneContactsf;
+
+typedef struct GrazePlaneBatchContactsf {
+  const GrazePairContacts *pairs;
+  size_t pair_count;
+  const GrazePlaneManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazePlaneContactPointf *points;
+  size_t point_count;
+} GrazePlaneBatchContactsf;
+
+typedef struct GrazePlaneRayf {
+  GrazeVec2f origin, direction;
+} GrazePlaneRayf;
+
+typedef struct GrazePlaneRayHitf {
+  float t;
+  GrazeVec2f point, normal;
+  uint32_t piece;
+  uint8_t certainty;
+} GrazePlaneRayHitf;
+
+typedef struct GrazePlaneVelocityf {
+  GrazeVec2f linear;
+  float angular;
+} GrazePlaneVelocityf;
+
+typedef struct GrazePlaneCastHitf {
+  float t;
+  GrazeVec2f point, normal;
+  float depth;
+  uint8_t certainty;
+  uint32_t piece_a, piece_b;
+} GrazePlaneCastHitf;
+
+typedef struct GrazePlaneMovingf {
+  const GrazePlaneShapef *shape;
+  GrazePose2f pose;
+  GrazePlaneVelocityf velocity;
+} GrazePlaneMovingf;
+
+GRAZE_C_API GrazeStatus graze_plane_overlap_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                              const GrazePlaneShapef *b, const GrazePose2f *pose_b, bool *overlap);
+GRAZE_C_API GrazeStatus graze_plane_distance_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                               const GrazePlaneShapef *b, const GrazePose2f *pose_b,
+                                               GrazePlaneDistancef *distance);
+GRAZE_C_API GrazeStatus graze_plane_contacts_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                               const GrazePlaneShapef *b, const GrazePose2f *pose_b, float margin,
+                                               GrazeBufferf *buffer, GrazePlaneContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_plane_contact_margin_f(const GrazePlaneShapef *a, const GrazePlaneShapef *b,
+                                                     float *margin);
+GRAZE_C_API GrazeStatus graze_plane_closest_f(const GrazePlaneShapef *shape, const GrazePose2f *pose, GrazeVec2f point,
+                                              GrazePlaneClosestf *closest);
+GRAZE_C_API GrazeStatus graze_plane_raycast_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                              const GrazePlaneRayf *ray, float length, bool *found,
+                                              GrazePlaneRayHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_cast_f(const GrazePlaneMovingf *a, const GrazePlaneMovingf *b, float duration,
+                                           bool *found, GrazePlaneCastHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_pose_at_f(const GrazePose2f *pose, const GrazePlaneVelocityf *velocity, float t,
+                                              GrazePose2f *result);
+
+typedef struct GrazePlaneBodiesf {
+  const GrazePlaneShapef *const *shapes;
+  size_t shape_stride, shape_count;
+  const GrazeVec2f *translations;
+  size_t translation_stride;
+  const GrazeRot2f *rotations;
+  size_t rotation_stride;
+  size_t pose_count;
+} GrazePlaneBodiesf;
+
+GRAZE_C_API GrazePlaneBodiesf graze_plane_bodies_f(const GrazePlaneShapef *const *shapes, size_t shape_count,
+                                                   const GrazePose2f *poses, size_t pose_count);
+
+typedef struct GrazePlaneBatchf {
+  GrazePlaneBodiesf a, b;
+  const GrazeIdPair *places;
+  size_t place_stride, place_count;
+} GrazePlaneBatchf;
+
+GRAZE_C_API GrazeStatus graze_plane_batch_size_f(const GrazePlaneBatchf *batch, size_t *size);
+GRAZE_C_API GrazeStatus graze_plane_overlap_batch_f(const GrazePlaneBatchf *batch, uint8_t *touch, size_t stride);
+GRAZE_C_API GrazeStatus graze_plane_distance_batch_f(const GrazePlaneBatchf *batch, GrazePlaneDistancef *distances,
+                                                     size_t stride);
+GRAZE_C_API GrazeStatus graze_plane_contacts_batch_f(const GrazePlaneBatchf *batch, float margin,
+                                                     GrazeBufferf *buffer, GrazePlaneBatchContactsf *contacts);
+
+// </float>
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

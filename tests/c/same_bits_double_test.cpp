@@ -1,0 +1,15 @@
+// The C interface gives the bits of the C++ one, in double.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "common/specimen.hpp"
+#include "graze/graze.h"
+#include "graze/graze.hpp"
+
+#define GRAZE_TEST_SCALAR double
+#define TYPE(name) Graze##name##d
+#define NAME(name) graze_##name##_d
+
+#include "c/same_bits.inc"

@@ -1,0 +1,15 @@
+// The C interface gives the bits of the C++ one, in float.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+
+#include "common/specimen.hpp"
+#include "graze/graze.h"
+#include "graze/graze.hpp"
+
+#define GRAZE_TEST_SCALAR float
+#define TYPE(name) Graze##name##f
+#define NAME(name) graze_##name##_f
+
+#include "c/same_bits.inc"
