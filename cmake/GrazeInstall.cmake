@@ -5,7 +5,10 @@ include(CMakePackageConfigHelpers)
 set(graze_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
 
 install(TARGETS graze EXPORT grazeTargets)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze" TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp"
+if(TARGET graze_shared)
+  install(TARGETS graze_shared EXPORT grazeTargets)
+endif()
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze" TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h"
         PATTERN "io" EXCLUDE PATTERN "tbb_executor.hpp" EXCLUDE)
 install(EXPORT grazeTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" TYPE DOC)
@@ -28,7 +31,7 @@ endif()
 
 # What an installation needs, and nothing else that the build tree may hold.
 add_custom_target(graze_installed)
-foreach(target IN ITEMS graze graze_io graze_tbb graze_cli)
+foreach(target IN ITEMS graze graze_shared graze_io graze_tbb graze_cli)
   if(TARGET ${target})
     add_dependencies(graze_installed ${target})
   endif()
@@ -44,5 +47,7 @@ install(FILES "${PROJECT_BINARY_DIR}/grazeConfig.cmake" "${PROJECT_BINARY_DIR}/g
 
 file(RELATIVE_PATH graze_pc_to_prefix "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 list(JOIN graze_keep_reached " " graze_pc_link_options)
+# Two packages, since a compiler of C refuses the standard that C++ has to be told.
 configure_file("${PROJECT_SOURCE_DIR}/cmake/graze.pc.in" "${PROJECT_BINARY_DIR}/graze.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/graze.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/graze-c.pc.in" "${PROJECT_BINARY_DIR}/graze-c.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/graze.pc" "${PROJECT_BINARY_DIR}/graze-c.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

@@ -33,6 +33,13 @@
 #define GRAZE_C_API
 #endif
 
+// Seen from C++ an enumeration is an int, so that a number that is no enumerator is a value like any other: refused.
+#ifdef __cplusplus
+#define GRAZE_AS_INT : int32_t
+#else
+#define GRAZE_AS_INT
+#endif
+
 // The version of this header; that of the library is `graze_version`.
 #define GRAZE_VERSION_MAJOR 0
 #define GRAZE_VERSION_MINOR 1
@@ -48,7 +55,7 @@ extern "C" {
 // Errors and version
 // ---------------------------------------------------------------------------------------------------------------------
 
-typedef enum GrazeStatus {
+typedef enum GrazeStatus GRAZE_AS_INT {
   GRAZE_OK = 0,
   GRAZE_INVALID_VALUE = 1,  // a value was refused: the message names it
   GRAZE_OUT_OF_MEMORY = 2,
@@ -68,13 +75,13 @@ GRAZE_C_API const char *graze_version_string(void);
 // ---------------------------------------------------------------------------------------------------------------------
 
 // How sure an answer is (graze/result.hpp).
-typedef enum GrazeCertainty {
+typedef enum GrazeCertainty GRAZE_AS_INT {
   GRAZE_CONVERGED = 0,  // right within the tolerance
   GRAZE_BOUNDED = 1,    // right within the answer's `error`
   GRAZE_UNBOUNDED = 2   // two half-spaces that are not opposite: they overlap without a finite depth
 } GrazeCertainty;
 
-typedef enum GrazeShapeKind {
+typedef enum GrazeShapeKind GRAZE_AS_INT {
   GRAZE_SPHERE = 0,
   GRAZE_CAPSULE = 1,
   GRAZE_BOX = 2,
@@ -91,7 +98,7 @@ typedef enum GrazeShapeKind {
   GRAZE_COMPOUND = 13
 } GrazeShapeKind;
 
-typedef enum GrazePlaneShapeKind {
+typedef enum GrazePlaneShapeKind GRAZE_AS_INT {
   GRAZE_PLANE_CIRCLE = 0,
   GRAZE_PLANE_CAPSULE = 1,
   GRAZE_PLANE_BOX = 2,
@@ -106,13 +113,13 @@ typedef enum GrazePlaneShapeKind {
 } GrazePlaneShapeKind;
 
 // Which sides of a surface without thickness push (graze/shape/sides.hpp); of a chain in the plane, the right one.
-typedef enum GrazeSides { GRAZE_SIDES_BOTH = 0, GRAZE_SIDES_FRONT = 1 } GrazeSides;
+typedef enum GrazeSides GRAZE_AS_INT { GRAZE_SIDES_BOTH = 0, GRAZE_SIDES_FRONT = 1 } GrazeSides;
 
 // What a ray meets that comes upon a triangle from behind.
-typedef enum GrazeBackFaces { GRAZE_BACK_FACES_HIT = 0, GRAZE_BACK_FACES_IGNORED = 1 } GrazeBackFaces;
+typedef enum GrazeBackFaces GRAZE_AS_INT { GRAZE_BACK_FACES_HIT = 0, GRAZE_BACK_FACES_IGNORED = 1 } GrazeBackFaces;
 
 // What becomes of shapes that touch or overlap at the start of a cast and do not approach (graze/motion.hpp).
-typedef enum GrazeSeparating { GRAZE_SEPARATING_HIT = 0, GRAZE_SEPARATING_IGNORED = 1 } GrazeSeparating;
+typedef enum GrazeSeparating GRAZE_AS_INT { GRAZE_SEPARATING_HIT = 0, GRAZE_SEPARATING_IGNORED = 1 } GrazeSeparating;
 
 // Places in two arrays of bodies.
 typedef struct GrazeIdPair {
@@ -157,7 +164,11 @@ typedef struct GrazeExecutor {
   void *user;
 } GrazeExecutor;
 
-typedef enum GrazeEventKind { GRAZE_EVENT_BEGIN = 0, GRAZE_EVENT_STAY = 1, GRAZE_EVENT_END = 2 } GrazeEventKind;
+typedef enum GrazeEventKind GRAZE_AS_INT {
+  GRAZE_EVENT_BEGIN = 0,
+  GRAZE_EVENT_STAY = 1,
+  GRAZE_EVENT_END = 2
+} GrazeEventKind;
 
 #define GRAZE_NO_PAIR UINT32_MAX
 
@@ -183,7 +194,7 @@ typedef struct GrazeWorldPair {
 } GrazeWorldPair;
 
 // How the numbers of two materials become one (graze/material.hpp).
-typedef enum GrazeCombine {
+typedef enum GrazeCombine GRAZE_AS_INT {
   GRAZE_COMBINE_UNSET = 0,
   GRAZE_COMBINE_AVERAGE = 1,
   GRAZE_COMBINE_MINIMUM = 2,
@@ -192,13 +203,13 @@ typedef enum GrazeCombine {
 } GrazeCombine;
 
 // What a limit or a drive of a joint is about (graze/joint.hpp).
-typedef enum GrazeJointSpace { GRAZE_JOINT_LINEAR = 0, GRAZE_JOINT_ANGULAR = 1 } GrazeJointSpace;
+typedef enum GrazeJointSpace GRAZE_AS_INT { GRAZE_JOINT_LINEAR = 0, GRAZE_JOINT_ANGULAR = 1 } GrazeJointSpace;
 
 // Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.
-typedef enum GrazeDriveMode { GRAZE_DRIVE_FORCE = 0, GRAZE_DRIVE_ACCELERATION = 1 } GrazeDriveMode;
+typedef enum GrazeDriveMode GRAZE_AS_INT { GRAZE_DRIVE_FORCE = 0, GRAZE_DRIVE_ACCELERATION = 1 } GrazeDriveMode;
 
 // The joints with a name; each is made of limits, which the caller may change.
-typedef enum GrazeJointKind {
+typedef enum GrazeJointKind GRAZE_AS_INT {
   GRAZE_JOINT_FIXED = 0,  // the frames stay one
   GRAZE_JOINT_BALL = 1,   // the origins of the frames stay one
   GRAZE_JOINT_HINGE = 2,  // a turn about the x axis is free

@@ -1,5 +1,6 @@
 # What public headers promise of themselves, tried with each compiler of COMPILERS: they compile without exceptions and
-# run-time type information, an older standard is refused in one line, and graze.hpp includes all of the core.
+# run-time type information, also into a program that is linked with LIBRARY and runs; an older standard is refused in one
+# line, graze.hpp includes all of the core, and graze.h is C99 and C++.
 cmake_minimum_required(VERSION 3.22)
 
 file(MAKE_DIRECTORY "${WORK}")
@@ -11,12 +12,18 @@ set(everything "")
 foreach(header IN LISTS headers)
   string(APPEND everything "#include <${header}>\n")
 endforeach()
-file(WRITE "${WORK}/everything.cpp" "${everything}")
+file(WRITE "${WORK}/everything.hpp" "${everything}#include <graze/graze.h>\n")
+file(WRITE "${WORK}/header.c" "#include <graze/graze.h>\n")
 file(WRITE "${WORK}/core.cpp" "#include <graze/graze.hpp>\n")
 
 foreach(compiler IN LISTS COMPILERS)
-  execute_process(COMMAND "${compiler}" -std=c++20 -fsyntax-only -fno-exceptions -fno-rtti "-I${INCLUDE}" "${WORK}/everything.cpp"
+  set(program "${WORK}/no_exceptions")
+  execute_process(COMMAND "${compiler}" -std=c++20 -fno-exceptions -fno-rtti "-I${INCLUDE}" "-I${WORK}"
+                          "${CMAKE_CURRENT_LIST_DIR}/no_exceptions.cpp" "${LIBRARY}" -o "${program}"
                           COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${program}" COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${compiler}" -x c -std=c99 -pedantic -Wall -Wextra -Werror -fsyntax-only "-I${INCLUDE}"
+                          "${WORK}/header.c" COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND "${compiler}" -std=c++17 -fsyntax-only "-I${INCLUDE}" "${WORK}/core.cpp"
                   RESULT_VARIABLE result ERROR_VARIABLE errors)
   if(result EQUAL 0 OR NOT errors MATCHES "Graze needs C\\+\\+20")

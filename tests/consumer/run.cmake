@@ -18,7 +18,7 @@ run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installed" ${confi
 file(RENAME "${WORK}/installed" "${WORK}/moved")
 
 # graze_ROOT is searched before every other place, so a Graze that is installed on this machine is not taken.
-run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/cmake" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}"
+run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/cmake" -G "${GENERATOR}" "-DCMAKE_CXX_COMPILER=${CXX}" "-DCMAKE_C_COMPILER=${CC}"
     "-DCMAKE_BUILD_TYPE=${CONFIG}" "-Dgraze_ROOT=${WORK}/moved")
 run("${CMAKE_COMMAND}" --build "${WORK}/cmake" ${config})
 run("${WORK}/cmake/consumer")
@@ -33,7 +33,8 @@ if(CONFIG STREQUAL "Release" AND strip AND CMAKE_HOST_SYSTEM_NAME STREQUAL "Linu
     message(FATAL_ERROR "a program that asks for the distance of two boxes has ${size} bytes; expected at most 1,500,000")
   endif()
 endif()
-foreach(component IN ITEMS io tbb)
+run("${WORK}/cmake/consumer_c")
+foreach(component IN ITEMS shared c_shared io tbb)
   if(EXISTS "${WORK}/cmake/consumer_${component}")
     run("${WORK}/cmake/consumer_${component}")
   endif()
@@ -42,8 +43,9 @@ endforeach()
 find_program(make NAMES gmake make REQUIRED)
 set(ENV{PKG_CONFIG_PATH} "${WORK}/moved/${LIBDIR}/pkgconfig")
 set(ENV{LD_LIBRARY_PATH} "${WORK}/moved/${LIBDIR}") # for shared builds
-run("${make}" -C "${SOURCE}" "CXX=${CXX}" "OUT=${WORK}/consumer_pkgconfig")
+run("${make}" -C "${SOURCE}" "CXX=${CXX}" "CC=${CC}" "OUT=${WORK}/consumer_pkgconfig")
 run("${WORK}/consumer_pkgconfig")
+run("${WORK}/consumer_pkgconfig_c")
 
 if(EXISTS "${WORK}/moved/bin/graze")
   run("${WORK}/moved/bin/graze" --help)
