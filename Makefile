@@ -126,6 +126,11 @@ install: ## install library, headers and program below PREFIX (default /usr/loca
 	$(call build,release) --target graze_installed
 	cmake --install build/release --prefix $(PREFIX)
 
+.PHONY: abi
+abi: ## compare the binary interface of graze.h with the one recorded in bindings/c/abi.xml
+	@scripts/setup.sh abi
+	bindings/c/abi.sh
+
 .PHONY: clean
 clean: ## remove everything that was built
 	rm -rf build

@@ -100,6 +100,7 @@ struct Calls {
   GrazeStated* state = nullptr;
   std::vector<GrazeBodyId> bodies, simulated;
   std::vector<GrazeJointId> joints;
+  int masses = 0;  ///< how often those of a shape were asked for
 
   explicit Calls(Bytes bytes) : in(bytes) {
     require(graze_buffer_create_d(&buffer) == GRAZE_OK);
@@ -218,7 +219,8 @@ struct Calls {
     GrazeClosestd closest;
     told(graze_shape_bounds_d(s, in.maybe(&pose), in.maybe(&bounds)));
     told(graze_shape_support_d(s, in.vector(), in.maybe(&point)));
-    told(graze_shape_mass_properties_d(s, in.maybe(&mass)));
+    // Of a shape known by its support alone they cost the hull of 20,000 points.
+    if (masses < 1 && in.byte() < 64) ++masses, told(graze_shape_mass_properties_d(s, in.maybe(&mass)));
     told(graze_shape_kind_d(s, in.maybe(&kind)));
     if (told(graze_closest_d(s, &pose, in.vector(), &closest))) require(closest.certainty <= GRAZE_UNBOUNDED);
   }
@@ -349,7 +351,7 @@ struct Calls {
     b.pose = graze_pose_at_place_d((in.byte() - 128) / 32.0, (in.byte() - 128) / 32.0, 0);
     b.linear = {};
     GrazeDynamicsd dynamics = graze_dynamics_default_d();
-    dynamics.has_mass = dynamics.has_inertia = in.byte() < 128;
+    dynamics.has_mass = dynamics.has_inertia = dynamics.has_center_of_mass = in.byte() < 128 || ++masses > 2;
     dynamics.mass = in.length();
     dynamics.inertia_diagonal = {in.length(), in.length(), in.length()};
     GrazeMateriald material = graze_material_default_d();

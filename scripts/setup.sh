@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -32,8 +32,14 @@ lint=(clang clang-format clang-tidy)
 arm=(g++-aarch64-linux-gnu qemu-user)
 wasm=(emscripten)
 
+# What compares the C interface with the recorded one.
+abi=(gcc abigail-tools)
+
+# What takes packages apart and computes what they depend on.
+package=(dpkg-dev fakeroot file)
+
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package ..." >&2
   exit 2
 }
 
@@ -51,6 +57,8 @@ for arg in "$@"; do
     lint) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${lint[@]}") ;;
     arm) wanted+=("${base[@]}" "${arm[@]}") ;;
     wasm) wanted+=("${base[@]}" "${wasm[@]}") ;;
+    abi) wanted+=("${base[@]}" "${abi[@]}") ;;
+    package) wanted+=("${base[@]}" "${demo[@]}" "${threads[@]}" "${package[@]}") ;;
     *) usage ;;
   esac
 done
