@@ -131,6 +131,15 @@ abi: ## compare the binary interface of graze.h with the one recorded in binding
 	@scripts/setup.sh abi
 	bindings/c/abi.sh
 
+# Taken apart below build/package/root and run from there, as on a machine that has nothing of this tree.
+.PHONY: package
+package: ## write Debian packages (library, -dev, program) below build/package, and try them
+	@scripts/setup.sh package
+	$(call configure,package)
+	$(call build,package)
+	cd build/package && cpack -G DEB
+	tests/package/run.sh build/package
+
 .PHONY: clean
 clean: ## remove everything that was built
 	rm -rf build
