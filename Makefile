@@ -10,7 +10,7 @@ CTEST_ARGS ?=
 # One thing at a time even under `make -j`: the targets share build trees, and each runs in parallel by itself.
 .NOTPARALLEL:
 
-sources = $(shell find $(wildcard include src apps tests fuzz bench examples) -name '*.hpp' -o -name '*.cpp')
+sources = $(shell find $(wildcard include src bindings apps tests fuzz bench examples) -name '*.hpp' -o -name '*.cpp')
 configure = cmake --preset $(1) $(CMAKE_ARGS)
 build = cmake --build --preset $(1) --parallel $(JOBS)
 check = ctest --preset $(1) --parallel $(JOBS) $(CTEST_ARGS)

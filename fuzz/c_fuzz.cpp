@@ -262,7 +262,7 @@ struct Calls {
   }
 
   void ask_cast() {
-    // Slow where numbers are far apart: what moves is near and as slow as it is large.
+    // What turns while it lies deep in its like takes seconds: most of these begin apart and meet.
     const auto moving = [&] {
       GrazeMovingd m{shape(), graze_pose_at_place_d((in.byte() - 128) / 32.0, (in.byte() - 128) / 32.0, 0), {}};
       m.velocity.linear = {(in.byte() - 128) / 32.0, (in.byte() - 128) / 32.0, 0};
@@ -270,7 +270,10 @@ struct Calls {
       if (in.byte() < 4) m.velocity.angular.x = in.number() * 0;  // not a number, at times
       return m;
     };
-    const GrazeMovingd a = moving(), b = moving();
+    const GrazeMovingd a = moving();
+    GrazeMovingd b = moving();
+    b.pose.translation.x += 16;
+    b.velocity.linear.x -= 12;
     bool found = false;
     GrazeCastHitd hit;
     const double duration = in.byte() < 8 ? in.number() * 1e-9 : in.byte() / 128.0;

@@ -16,9 +16,11 @@ namespace graze::c {
 /// Keeps `message` (or as much as there is room for) as the thread's last error; returns `status`.
 GrazeStatus failed(GrazeStatus status, const char* message) noexcept;
 
-/// What `work` comes to: GRAZE_OK, or the status of what it threw.
+/// What `work` comes to: GRAZE_OK, or the status of what it threw. Where the library is compiled without exceptions, a
+/// value that is refused ends the program, as it does for C++.
 template <class F>
 GrazeStatus guarded(const F& work) noexcept {
+#ifdef __cpp_exceptions
   try {
     work();
     return GRAZE_OK;
@@ -33,6 +35,10 @@ GrazeStatus guarded(const F& work) noexcept {
   } catch (...) {
     return failed(GRAZE_FAILED, "a callback threw something that is no std::exception");
   }
+#else
+  work();
+  return GRAZE_OK;
+#endif
 }
 
 }  // namespace graze::c
