@@ -1,6 +1,7 @@
 # What public headers promise of themselves, tried with each compiler of COMPILERS: they compile without exceptions and
-# run-time type information, also into a program that is linked with LIBRARY and runs; an older standard is refused in one
-# line, graze.hpp includes all of the core, and graze.h is C99 and C++.
+# run-time type information, also into a program that is linked with LIBRARY and runs; with other containers than the
+# library's a program is not linked; an older standard is refused in one line, graze.hpp includes all of the core, and
+# graze.h is C99 and C++.
 cmake_minimum_required(VERSION 3.22)
 
 file(MAKE_DIRECTORY "${WORK}")
@@ -21,6 +22,16 @@ foreach(compiler IN LISTS COMPILERS)
   execute_process(COMMAND "${compiler}" -std=c++20 -fno-exceptions -fno-rtti "-I${INCLUDE}" "-I${WORK}"
                           "${CMAKE_CURRENT_LIST_DIR}/no_exceptions.cpp" "${LIBRARY}" -o "${program}"
                           COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND "${program}" COMMAND_ERROR_IS_FATAL ANY)
+  # Containers that are not the library's are no crash but no program; the C interface takes none.
+  execute_process(COMMAND "${compiler}" -std=c++20 -D_GLIBCXX_DEBUG "-I${INCLUDE}" "${CMAKE_CURRENT_LIST_DIR}/main.cpp"
+                          "${LIBRARY}" -o "${program}"
+                  RESULT_VARIABLE result ERROR_VARIABLE errors)
+  if(result EQUAL 0 OR NOT errors MATCHES "library_with_glibcxx_debug")
+    message(FATAL_ERROR "${compiler} -D_GLIBCXX_DEBUG is linked with a library without: ${errors}")
+  endif()
+  execute_process(COMMAND "${compiler}" -std=c++20 -D_GLIBCXX_DEBUG "-I${INCLUDE}" -x c++ "${CMAKE_CURRENT_LIST_DIR}/main.c"
+                          -x none "${LIBRARY}" -o "${program}" COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND "${program}" COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND "${compiler}" -x c -std=c99 -pedantic -Wall -Wextra -Werror -fsyntax-only "-I${INCLUDE}"
                           "${WORK}/header.c" COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)

@@ -1,0 +1,13 @@
+#include "graze/standard.hpp"
+
+#if defined(__GNUC__)
+namespace graze::detail {
+
+#ifdef _GLIBCXX_DEBUG
+const char library_with_glibcxx_debug = 1;
+#else
+const char library_without_glibcxx_debug = 1;
+#endif
+
+}  // namespace graze::detail
+#endif
