@@ -86,6 +86,14 @@ wasm: ## build for WebAssembly and compare its answers, in Node
 	$(call build,wasm)
 	$(call check,wasm)
 
+# Debian's interpreter and NumPy, whatever stands first on the path. In the tree of `make test`: the library is built once.
+.PHONY: python
+python: ## build the Python package and run its tests
+	@scripts/setup.sh python
+	$(call configure,release) -DGRAZE_BUILD_PYTHON=ON
+	$(call build,release) --target graze_python
+	PYTHONPATH=build/release/python /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python
+
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while
 	@scripts/setup.sh test fuzz

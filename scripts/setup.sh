@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package|python [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -38,8 +38,11 @@ abi=(gcc abigail-tools)
 # What takes packages apart and computes what they depend on.
 package=(dpkg-dev fakeroot file)
 
+# The Python package: the interpreter's headers, what writes the module, and what its tests and example use.
+python=(python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-pytest python3-matplotlib)
+
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package|python ..." >&2
   exit 2
 }
 
@@ -59,6 +62,7 @@ for arg in "$@"; do
     wasm) wanted+=("${base[@]}" "${wasm[@]}") ;;
     abi) wanted+=("${base[@]}" "${abi[@]}") ;;
     package) wanted+=("${base[@]}" "${demo[@]}" "${threads[@]}" "${package[@]}") ;;
+    python) wanted+=("${base[@]}" "${demo[@]}" "${python[@]}") ;;
     *) usage ;;
   esac
 done

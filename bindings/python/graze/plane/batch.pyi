@@ -1,0 +1,20 @@
+from collections.abc import Iterable
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import PoseLike, Shape
+
+Shapes = Union[Shape, Iterable[Shape]]
+Poses = Union[PoseLike, Iterable[PoseLike]]
+
+def overlap(
+    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, pairs: ArrayLike | None = None
+) -> NDArray[np.bool_]: ...
+def distance(
+    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, pairs: ArrayLike | None = None
+) -> NDArray[Any]: ...
+def contacts(
+    a: Shapes, poses_a: Poses, b: Shapes, poses_b: Poses, margin: float = 0.0, pairs: ArrayLike | None = None
+) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]: ...

@@ -1,0 +1,184 @@
+#include "answers.hpp"
+
+#include <pybind11/stl.h>
+
+namespace graze::python {
+
+namespace {
+
+template <class C, class T>
+auto vector_of(Vec3<T> C::*member) {
+  return [member](const C& c) { return array_of(c.*member); };
+}
+
+py::tuple object_of(const TraceSupport& s) { return py::make_tuple(tuple_of(s.a), tuple_of(s.b)); }
+
+template <class List, class F>
+py::list list_of(const List& list, F&& f) {
+  py::list out;
+  for (const auto& item : list) out.append(f(item));
+  return out;
+}
+
+std::string text_of(double value) { return validate::number(value); }
+
+std::string text_of(const Vec3d& v) {
+  return "[" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + "]";
+}
+
+void add_distances(py::module_& m) {
+  py::class_<Distance<double>>(m, "Distance", "A signed distance: b - a = distance * normal.")
+      .def_readonly("distance", &Distance<double>::distance)
+      .def_property_readonly("normal", vector_of(&Distance<double>::normal), "Unit, from a to b.")
+      .def_property_readonly("a", vector_of(&Distance<double>::a), "On the surface of a, in the world.")
+      .def_property_readonly("b", vector_of(&Distance<double>::b), "On the surface of b.")
+      .def_property_readonly("status", [](const Distance<double>& d) { return python::text_of(d.status); },
+                             "'converged', 'bounded' (right within `error`) or 'unbounded'.")
+      .def_readonly("error", &Distance<double>::error)
+      .def("__float__", [](const Distance<double>& d) { return d.distance; })
+      .def("__repr__", [](const Distance<double>& d) {
+        return "graze.Distance(" + text_of(d.distance) + ", normal=" + text_of(d.normal) + ")";
+      });
+  py::class_<Closest<double>>(m, "Closest", "A point of a surface: question - point = distance * normal.")
+      .def_readonly("distance", &Closest<double>::distance, "Negative inside a solid.")
+      .def_property_readonly("point", vector_of(&Closest<double>::point))
+      .def_property_readonly("normal", vector_of(&Closest<double>::normal), "Unit, outward.")
+      .def_property_readonly("status", [](const Closest<double>& c) { return python::text_of(c.status); })
+      .def_readonly("error", &Closest<double>::error)
+      .def("__repr__", [](const Closest<double>& c) {
+        return "graze.Closest(" + text_of(c.distance) + ", point=" + text_of(c.point) + ")";
+      });
+}
+
+void add_hits(py::module_& m) {
+  py::class_<RayHit<double>>(m, "RayHit", "Where a ray meets a shape.")
+      .def_readonly("t", &RayHit<double>::t, "Along the ray, a length.")
+      .def_property_readonly("point", vector_of(&RayHit<double>::point))
+      .def_property_readonly("normal", vector_of(&RayHit<double>::normal), "Unit, against the ray.")
+      .def_readonly("piece", &RayHit<double>::piece, "The triangle of a mesh or the child of a compound, else 0.")
+      .def("__repr__", [](const RayHit<double>& h) {
+        return "graze.RayHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
+      });
+  py::class_<CastHit<double>>(m, "CastHit", "When and where two moving bodies first touch.")
+      .def_readonly("t", &CastHit<double>::t)
+      .def_property_readonly("point", vector_of(&CastHit<double>::point), "In the world at time t.")
+      .def_property_readonly("normal", vector_of(&CastHit<double>::normal), "Unit, from a to b.")
+      .def_readonly("depth", &CastHit<double>::depth, "Of bodies that overlap from the start, else 0.")
+      .def_property_readonly("status", [](const CastHit<double>& h) { return python::text_of(h.status); })
+      .def_readonly("piece_a", &CastHit<double>::piece_a)
+      .def_readonly("piece_b", &CastHit<double>::piece_b)
+      .def("__repr__", [](const CastHit<double>& h) {
+        return "graze.CastHit(t=" + text_of(h.t) + ", point=" + text_of(h.point) + ")";
+      });
+}
+
+void add_contacts(py::module_& m) {
+  py::class_<ContactPoint<double>>(m, "ContactPoint", "One point of contact: b - a = distance * normal.")
+      .def_property_readonly("a", vector_of(&ContactPoint<double>::a))
+      .def_property_readonly("b", vector_of(&ContactPoint<double>::b))
+      .def_readonly("distance", &ContactPoint<double>::distance, "Negative is penetration.")
+      .def_readonly("feature", &ContactPoint<double>::feature, "The same as long as the same features touch.")
+      .def_property_readonly("position", [](const ContactPoint<double>& p) { return array_of(p.position()); },
+                             "The point between the two that a solver wants.")
+      .def("__repr__", [](const ContactPoint<double>& p) {
+        return "graze.ContactPoint(" + text_of(p.distance) + ", position=" + text_of(p.position()) + ")";
+      });
+  py::class_<Manifold<double>>(m, "Manifold", "Points of contact that share a normal.")
+      .def_property_readonly("normal", vector_of(&Manifold<double>::normal), "Unit, from a to b.")
+      .def_property_readonly("points",
+                             [](const Manifold<double>& manifold) {
+                               return list_of(manifold.points, [](const auto& p) { return py::cast(p); });
+                             })
+      .def_readonly("piece_a", &Manifold<double>::piece_a)
+      .def_readonly("piece_b", &Manifold<double>::piece_b)
+      .def_property_readonly("status", [](const Manifold<double>& x) { return python::text_of(x.status); })
+      .def_readonly("error", &Manifold<double>::error)
+      .def(
+          "reduce", [](Manifold<double>& manifold, std::size_t count) { reduce(manifold, count); }, py::arg("count"),
+          "Keeps the `count` points that span most.")
+      .def("__len__", [](const Manifold<double>& manifold) { return manifold.points.size(); })
+      .def("__repr__", [](const Manifold<double>& manifold) {
+        return "graze.Manifold(normal=" + text_of(manifold.normal) + ", " + std::to_string(manifold.points.size()) +
+               " points)";
+      });
+}
+
+}  // namespace
+
+py::dict object_of(const Trace& trace) {
+  py::dict out;
+  out["method"] = trace.method;
+  out["axes"] = list_of(trace.axes, [](const TraceAxis& axis) {
+    py::dict a;
+    a["name"] = axis.name;
+    a["direction"] = tuple_of(axis.direction);
+    a["a"] = py::make_tuple(axis.a_lower, axis.a_upper);
+    a["b"] = py::make_tuple(axis.b_lower, axis.b_upper);
+    a["overlap"] = axis.overlap();
+    return a;
+  });
+  out["gjk"] = list_of(trace.gjk, [](const TraceGjk& step) {
+    py::dict s;
+    s["simplex"] = list_of(step.simplex, [](const TraceSupport& v) { return object_of(v); });
+    s["direction"] = tuple_of(step.direction);
+    s["found"] = object_of(step.found);
+    s["lower"] = step.lower;
+    s["upper"] = step.upper;
+    return s;
+  });
+  out["epa"] = list_of(trace.epa, [](const TraceEpa& step) {
+    py::dict s;
+    s["normal"] = tuple_of(step.normal);
+    s["face_depth"] = step.face_depth;
+    s["found_depth"] = step.found_depth;
+    s["found"] = object_of(step.found);
+    s["faces"] = step.faces;
+    return s;
+  });
+  out["polytope"] = list_of(trace.polytope, [](const TraceSupport& v) { return object_of(v); });
+  out["triangles"] = list_of(trace.triangles, [](const auto& t) { return py::make_tuple(t[0], t[1], t[2]); });
+  out["spans"] = list_of(trace.spans, [](const TraceSpan& span) {
+    py::dict s;
+    s["name"] = span.name;
+    s["normal"] = tuple_of(span.normal);
+    s["enter"] = span.enter;
+    s["leave"] = span.leave;
+    return s;
+  });
+  out["steps"] = list_of(trace.steps, [](const TraceStep& step) {
+    py::dict s;
+    s["t"] = step.t;
+    s["distance"] = step.distance;
+    s["normal"] = tuple_of(step.normal);
+    return s;
+  });
+  out["nodes"] = trace.nodes;
+  out["pieces"] = trace.pieces;
+  out["winner"] = trace.winner;
+  out["reason"] = trace.reason;
+  return out;
+}
+
+py::dtype distance_type() {
+  using D = Distance<double>;
+  return record_type({{"distance", "f8", offsetof(D, distance)}, {"normal", "(3,)f8", offsetof(D, normal)},
+                      {"a", "(3,)f8", offsetof(D, a)}, {"b", "(3,)f8", offsetof(D, b)},
+                      {"status", "u1", offsetof(D, status)}, {"error", "f8", offsetof(D, error)}},
+                     sizeof(D));
+}
+
+py::dtype point_type() {
+  using P = ContactPoint<double>;
+  return record_type({{"a", "(3,)f8", offsetof(P, a)}, {"b", "(3,)f8", offsetof(P, b)},
+                      {"distance", "f8", offsetof(P, distance)}, {"feature", "u4", offsetof(P, feature)},
+                      {"weight", "f8", offsetof(P, weight)}},
+                     sizeof(P));
+}
+
+void add_answers(py::module_& m) {
+  add_distances(m);
+  add_hits(m);
+  add_contacts(m);
+}
+
+}  // namespace graze::python

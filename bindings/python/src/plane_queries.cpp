@@ -1,0 +1,152 @@
+// The questions about one pair, one shape or one ray of the plane.
+#include "plane_convert.hpp"
+
+namespace graze::python {
+
+namespace {
+
+using plane::Shaped;
+
+/// The answer, or (answer, trace) where that is asked for.
+template <class F>
+py::object answered(bool explain, F&& ask) {
+  if (!explain) return object_of_answer(ask(nullptr));
+  Trace trace;
+  py::object answer = object_of_answer(ask(&trace));
+  return py::make_tuple(answer, object_of(trace));
+}
+
+template <class Hit>
+py::object object_or_none(const std::optional<Hit>& hit) {
+  return hit ? py::cast(*hit) : py::none();
+}
+
+double checked_limit(double limit, const char* name) {
+  if (!(limit >= 0)) validate::fail(name, "a number >= 0", limit);
+  return limit;
+}
+
+double finite(double value, const char* name) {
+  if (const char* expectation = validate::fault_of_coordinate(value)) validate::fail(name, expectation, value);
+  return value;
+}
+
+void add_pairs(py::module_& m) {
+  m.def(
+      "overlap",
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, bool trace) {
+        return answered(trace, [&](Trace* t) { return overlap(a, pose_a.value, b, pose_b.value, t); });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
+      R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace).
+
+>>> from graze import plane
+>>> plane.overlap(plane.Box((2, 2)), None, plane.Circle(0.5), (1.4, 0))
+True
+)");
+  m.def(
+      "distance",
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, bool trace) {
+        return answered(trace, [&](Trace* t) { return distance(a, pose_a.value, b, pose_b.value, t); });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
+      R"(The signed distance of two shapes, the points that realise it, and the normal from a to b.
+
+Negative where they overlap: minus the length of the shortest translation that separates them.
+
+>>> from graze import plane
+>>> d = plane.distance(plane.Box((2, 2)), None, plane.Circle(0.5), (3, 0))
+>>> d.distance, d.normal
+(1.5, array([1., 0.]))
+)");
+  m.def(
+      "contacts",
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double margin,
+         bool trace) {
+        checked_limit(margin, "margin");
+        return answered(trace, [&](Trace* t) {
+          plane::Manifolds<double> manifolds;
+          contacts(a, pose_a.value, b, pose_b.value, margin, manifolds, t);
+          py::list found;
+          for (const plane::Manifold<double>& manifold : manifolds) found.append(py::cast(manifold));
+          return found;
+        });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("trace") = false,
+      R"(Where two shapes touch, or are up to `margin` apart: a list of Manifold.
+
+>>> from graze import plane
+>>> [m] = plane.contacts(plane.HalfPlane(), None, plane.Box((2, 2)), (0, 1))
+>>> len(m.points), m.normal
+(2, array([0., 1.]))
+)");
+  m.def(
+      "contact_margin", [](const Shaped& a, const Shaped& b) { return contact_margin(a, b); }, py::arg("a"),
+      py::arg("b"), "A margin with which a body at rest keeps its points: a hundredth of the smaller one's size.");
+  m.def(
+      "closest",
+      [](const Shaped& shape, const Placement2& pose, const Vector2& point, bool trace) {
+        const plane::Vec2d p = checked(point.value, "point");
+        return answered(trace, [&](Trace* t) { return closest(shape, pose.value, p, t); });
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("point"), py::arg("trace") = false,
+      "The point of a shape's surface nearest to a point; the distance is negative inside a solid.");
+}
+
+void add_motion(py::module_& m) {
+  m.def(
+      "raycast",
+      [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
+        return object_or_none(raycast(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
+                                      checked_limit(length, "length")));
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(),
+      R"(What a ray hits first within `length`: a RayHit, or None.
+
+direction need not be of unit length; t of the hit is a length.
+
+>>> from graze import plane
+>>> plane.raycast(plane.Circle(1), None, (-3, 0), (1, 0)).t
+2.0
+)");
+  m.def(
+      "cast",
+      [](const Shaped& a, const Placement2& pose_a, const Vector2& linear_a, const Shaped& b, const Placement2& pose_b,
+         const Vector2& linear_b, double duration, double angular_a, double angular_b) {
+        const plane::Velocity<double> v{checked(linear_a.value, "linear_a"), finite(angular_a, "angular_a")};
+        const plane::Velocity<double> w{checked(linear_b.value, "linear_b"), finite(angular_b, "angular_b")};
+        finite(checked_limit(duration, "duration"), "duration");
+        return object_or_none(cast(a, pose_a.value, v, b, pose_b.value, w, duration));
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("linear_a"), py::arg("b"), py::arg("pose_b"), py::arg("linear_b"),
+      py::arg("duration") = 1.0, py::arg("angular_a") = 0.0, py::arg("angular_b") = 0.0,
+      R"(When two moving bodies first touch within `duration`: a CastHit, or None.
+
+Velocities in units of length and radians (counter-clockwise) per unit of time.
+
+>>> from graze import plane
+>>> plane.cast(plane.Box((2, 2)), None, (0, 0), plane.Circle(0.5), (9, 0), (-15, 0)).t
+0.5
+)");
+}
+
+}  // namespace
+
+void add_plane_queries(py::module_& m) {
+  add_pairs(m);
+  add_motion(m);
+}
+
+void add_plane(py::module_& m) {
+  py::module_ plane = m.def_submodule("_plane", "The same words in two dimensions.");
+  plane.attr("__name__") = "graze.plane";  // what its classes say they belong to
+  add_plane_pose(plane);
+  add_plane_shapes(plane);
+  add_plane_answers(plane);
+  add_plane_queries(plane);
+  add_plane_batches(plane);
+}
+
+}  // namespace graze::python

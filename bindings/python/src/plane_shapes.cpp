@@ -1,0 +1,308 @@
+// The shapes of the plane as Python classes.
+#include <pybind11/stl.h>
+
+#include "plane_convert.hpp"
+
+namespace graze::python {
+
+namespace {
+
+using plane::Shaped;
+
+/// A shape of one kind, so that Python has a class for each.
+template <class C>
+struct Of : Shaped {
+  using Shaped::Shaped;
+  explicit Of(const Shaped& shape) : Shaped(shape) {}
+  const C& concrete() const { return *as<C>(); }
+};
+
+using Circle = plane::Circle<double>;
+using Capsule = plane::Capsule<double>;
+using Box = plane::Box<double>;
+using Segment = plane::Segment<double>;
+using ConvexPolygon = plane::ConvexPolygon<double>;
+using Ellipse = plane::Ellipse<double>;
+using UserConvex = plane::UserConvex<double>;
+using HalfPlane = plane::HalfPlane<double>;
+using Polygon = plane::Polygon<double>;
+using Chain = plane::Chain<double>;
+using Compound = plane::Compound<double>;
+
+/// A support function of Python's.
+class PythonSupport final : public plane::SupportFunction<double> {
+ public:
+  explicit PythonSupport(py::function function) : function_(std::move(function)) {}
+  PythonSupport(const PythonSupport&) = delete;
+  PythonSupport& operator=(const PythonSupport&) = delete;
+  ~PythonSupport() override {
+    const py::gil_scoped_acquire lock;
+    function_ = py::function();
+  }
+
+  /// What Python raises in a query cannot pass through it: it is reported as Python reports errors in destructors, and
+  /// the origin answers.
+  plane::Vec2d support(const plane::Vec2d& direction) const override {
+    const py::gil_scoped_acquire lock;
+    try {
+      plane::Vec2d found;
+      if (read_vector(function_(array_of(direction)), found)) return found;
+      PyErr_SetString(PyExc_TypeError, "a support function has to return two numbers");
+      PyErr_WriteUnraisable(function_.ptr());
+    } catch (py::error_already_set& error) {
+      error.discard_as_unraisable("the support function of a graze.plane.UserConvex");
+    }
+    return {};
+  }
+
+  const py::function& function() const { return function_; }
+
+ private:
+  py::function function_;
+};
+
+// Polygons and chains hold their pieces, not what they were made of: their classes keep the points besides.
+
+struct OfPolygon : Of<Polygon> {
+  OfPolygon(std::vector<plane::Vec2d> given, double rounding)
+      : Of<Polygon>(Polygon(given), rounding), points(std::make_shared<std::vector<plane::Vec2d>>(std::move(given))) {}
+  std::shared_ptr<const std::vector<plane::Vec2d>> points;
+};
+
+struct OfChain : Of<Chain> {
+  OfChain(std::vector<plane::Vec2d> given, bool closed, plane::ChainSides sides, double rounding)
+      : Of<Chain>(Chain(given, closed, sides), rounding),
+        points(std::make_shared<std::vector<plane::Vec2d>>(std::move(given))) {}
+  std::shared_ptr<const std::vector<plane::Vec2d>> points;
+};
+
+// The arguments that make a shape anew, by name.
+
+py::dict arguments(const Of<Circle>& s) {
+  py::dict a;
+  a["radius"] = s.concrete().radius();
+  return a;
+}
+py::dict arguments(const Of<Capsule>& s) {
+  py::dict a;
+  a["height"] = 2 * s.concrete().half_height();
+  a["radius"] = s.concrete().radius_bottom();
+  if (s.concrete().tapered()) a["radius_top"] = s.concrete().radius_top();
+  return a;
+}
+py::dict arguments(const Of<Box>& s) {
+  py::dict a;
+  a["size"] = tuple_of(s.concrete().half_extents() * 2.0);
+  return a;
+}
+py::dict arguments(const Of<Segment>& s) {
+  py::dict a;
+  a["a"] = tuple_of(s.concrete().a());
+  a["b"] = tuple_of(s.concrete().b());
+  return a;
+}
+py::dict arguments(const Of<ConvexPolygon>& s) {
+  py::dict a;
+  a["points"] = array_of_points(s.concrete().vertices());
+  return a;
+}
+py::dict arguments(const Of<Ellipse>& s) {
+  py::dict a;
+  a["radii"] = tuple_of(s.concrete().radii());
+  return a;
+}
+py::dict arguments(const Of<UserConvex>& s) {
+  py::dict a;
+  if (const auto* python = dynamic_cast<const PythonSupport*>(&s.concrete().function()))
+    a["support"] = python->function();
+  return a;
+}
+py::dict arguments(const Of<HalfPlane>&) { return {}; }
+py::dict arguments(const OfPolygon& s) {
+  py::dict a;
+  a["points"] = array_of_points(*s.points);
+  return a;
+}
+py::dict arguments(const OfChain& s) {
+  py::dict a;
+  a["points"] = array_of_points(*s.points);
+  if (s.concrete().closed()) a["closed"] = true;
+  if (s.concrete().sides() == plane::ChainSides::one) a["one_sided"] = true;
+  return a;
+}
+
+template <class Class>
+py::dict all_arguments(const Class& shape) {
+  py::dict a = arguments(shape);
+  if (shape.rounding() != 0) a["rounding"] = shape.rounding();
+  return a;
+}
+
+/// What `repr` shows of an argument: of an array only how large it is.
+std::string text_of_argument(py::handle value) {
+  if (py::isinstance<py::array>(value)) return "<array of shape " + std::string(py::str(value.attr("shape"))) + ">";
+  return std::string(py::str(py::repr(value)));
+}
+
+/// A class of one kind of shape, which still lacks its constructor.
+template <class Class>
+py::class_<Class, Shaped> shape_class(py::module_& m, const char* name, const char* doc) {
+  py::class_<Class, Shaped> type(m, name, doc);
+  type.def("__repr__",
+           [name](const Class& shape) {
+             std::string text = std::string("graze.plane.") + name + "(";
+             const char* comma = "";
+             for (const auto& [key, value] : all_arguments(shape)) {
+               text += comma + std::string(py::str(key)) + "=" + text_of_argument(value);
+               comma = ", ";
+             }
+             return text + ")";
+           })
+      .def("__reduce__", [name](const Class& shape) {
+        const py::module_ functools = py::module_::import("functools");
+        const py::object make = py::module_::import("graze.plane").attr(name);
+        return py::make_tuple(functools.attr("partial")(make, **all_arguments(shape)), py::tuple());
+      });
+  return type;
+}
+
+void add_round(py::module_& m) {
+  shape_class<Of<Circle>>(m, "Circle", "A disc of `radius` >= 0 about the origin.")
+      .def(py::init([](double radius) { return Of<Circle>(Circle(radius)); }), py::arg("radius"))
+      .def_property_readonly("radius", [](const Of<Circle>& s) { return s.concrete().radius(); });
+  shape_class<Of<Capsule>>(m, "Capsule", R"(Two discs and all between them, about the origin along Y.
+
+height: between the centres of the discs. radius: of the lower, and of the upper one too
+unless `radius_top` is given. All >= 0.)")
+      .def(py::init([](double height, double radius, std::optional<double> top, double rounding) {
+             return Of<Capsule>(Capsule(height, radius, top.value_or(radius)), rounding);
+           }),
+           py::arg("height"), py::arg("radius"), py::arg("radius_top") = py::none(), py::arg("rounding") = 0.0)
+      .def_property_readonly("height", [](const Of<Capsule>& s) { return 2 * s.concrete().half_height(); })
+      .def_property_readonly("radius", [](const Of<Capsule>& s) { return s.concrete().radius_bottom(); })
+      .def_property_readonly("radius_top", [](const Of<Capsule>& s) { return s.concrete().radius_top(); });
+  shape_class<Of<Ellipse>>(m, "Ellipse", "An ellipse about the origin; `radii` along the axes, each >= 0.")
+      .def(py::init([](const Vector2& radii, double rounding) { return Of<Ellipse>(Ellipse(radii.value), rounding); }),
+           py::arg("radii"), py::arg("rounding") = 0.0)
+      .def_property_readonly("radii", [](const Of<Ellipse>& s) { return array_of(s.concrete().radii()); });
+}
+
+void add_flat(py::module_& m) {
+  shape_class<Of<Box>>(m, "Box", R"(A solid rectangle about the origin, its edges along the axes.
+
+size: the full edge lengths, each >= 0. rounding: the radius of a disc that is added, >= 0.
+
+>>> from graze import plane
+>>> plane.Box((2, 1), rounding=0.1)
+graze.plane.Box(size=(2.0, 1.0), rounding=0.1)
+)")
+      .def(py::init([](const Vector2& size, double rounding) { return Of<Box>(Box(size.value), rounding); }),
+           py::arg("size"), py::arg("rounding") = 0.0)
+      .def_property_readonly("size", [](const Of<Box>& s) { return array_of(s.concrete().half_extents() * 2.0); });
+  shape_class<Of<Segment>>(m, "Segment", "The straight piece between two points; with a rounding a capsule.")
+      .def(py::init([](const Vector2& a, const Vector2& b, double rounding) {
+             return Of<Segment>(Segment(a.value, b.value), rounding);
+           }),
+           py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0)
+      .def_property_readonly("a", [](const Of<Segment>& s) { return array_of(s.concrete().a()); })
+      .def_property_readonly("b", [](const Of<Segment>& s) { return array_of(s.concrete().b()); });
+  shape_class<Of<HalfPlane>>(m, "HalfPlane",
+                             "All points with y <= 0 in its own frame; a rounding moves its surface up.")
+      .def(py::init([](double rounding) { return Of<HalfPlane>(HalfPlane(), rounding); }), py::arg("rounding") = 0.0);
+  shape_class<Of<ConvexPolygon>>(m, "ConvexPolygon", "The convex hull of at least one point: `points` of shape (n, 2).")
+      .def(py::init([](const py::object& points, double rounding) {
+             return Of<ConvexPolygon>(ConvexPolygon(points_of_plane(points, "points")), rounding);
+           }),
+           py::arg("points"), py::arg("rounding") = 0.0)
+      .def_property_readonly(
+          "vertices", [](const Of<ConvexPolygon>& s) { return array_of_points(s.concrete().vertices()); },
+          "Of the hull, counter-clockwise: an array of shape (m, 2).");
+  shape_class<Of<UserConvex>>(m, "UserConvex", R"(Your own convex shape: one support function.
+
+support: takes a direction (an array of two numbers, not zero) and returns the point of the set
+that lies furthest along it. It has to be a function of its argument alone; what it raises in a
+query is reported and not passed on.)")
+      .def(py::init([](py::function support, double rounding) {
+             return Of<UserConvex>(UserConvex(std::make_shared<PythonSupport>(std::move(support))), rounding);
+           }),
+           py::arg("support"), py::arg("rounding") = 0.0);
+}
+
+void add_outlined(py::module_& m) {
+  shape_class<OfPolygon>(m, "Polygon", R"(A solid polygon, convex or not, without holes.
+
+points: shape (n, 2) with n >= 3, around the polygon either way. Raises ValueError that names the
+point where the outline turns back on itself, crosses or touches itself.)")
+      .def(py::init([](const py::object& points, double rounding) {
+             return OfPolygon(points_of_plane(points, "points"), rounding);
+           }),
+           py::arg("points"), py::arg("rounding") = 0.0)
+      .def_property_readonly("points", [](const OfPolygon& s) { return array_of_points(*s.points); });
+  shape_class<OfChain>(m, "Chain", R"(Segments joined end to end, without an inside.
+
+points: shape (n, 2) with n >= 2, no two in a row the same. closed: it goes on from the last to
+the first. one_sided: contacts push to the right of its segments alone.)")
+      .def(py::init([](const py::object& points, bool closed, bool one_sided, double rounding) {
+             return OfChain(points_of_plane(points, "points"), closed,
+                            one_sided ? plane::ChainSides::one : plane::ChainSides::both, rounding);
+           }),
+           py::arg("points"), py::arg("closed") = false, py::arg("one_sided") = false, py::arg("rounding") = 0.0)
+      .def_property_readonly("points", [](const OfChain& s) { return array_of_points(*s.points); })
+      .def_property_readonly("closed", [](const OfChain& s) { return s.concrete().closed(); });
+}
+
+/// A compound, and the Python objects of its children.
+struct OfCompound : Of<Compound> {
+  OfCompound(std::vector<plane::Placed<double>> placed, py::list given)
+      : Of<Compound>(Compound(std::move(placed))), children(std::move(given)) {}
+  py::list children;
+};
+
+py::dict arguments(const OfCompound& s) {
+  py::dict a;
+  a["children"] = s.children;
+  return a;
+}
+
+OfCompound compound_of(const py::iterable& children) {
+  std::vector<plane::Placed<double>> placed;
+  py::list kept;
+  for (const py::handle child : children) {
+    const std::string name = "children[" + std::to_string(placed.size()) + "]";
+    plane::Pose2d pose;
+    const auto pair = py::reinterpret_borrow<py::object>(child);
+    if (!py::isinstance<py::tuple>(pair) || py::len(pair) != 2 || !py::isinstance<Shaped>(pair[py::int_(0)]))
+      throw py::type_error(name + ": expected a pair (shape, pose)");
+    try {
+      if (!read_pose(py::object(pair[py::int_(1)]), pose)) throw py::type_error(name + "[1]: expected a pose");
+    } catch (const InvalidValue& error) {
+      throw error.below(name);
+    }
+    placed.push_back({py::object(pair[py::int_(0)]).cast<const Shaped&>(), pose});
+    kept.append(py::make_tuple(py::object(pair[py::int_(0)]), pose));
+  }
+  return {std::move(placed), std::move(kept)};
+}
+
+}  // namespace
+
+void add_plane_shapes(py::module_& m) {
+  py::class_<Shaped>(m, "Shape", "Any shape of the plane: immutable, and cheap to copy.")
+      .def_property_readonly("rounding", &Shaped::rounding, "The radius of the disc that is added to it.")
+      .def(
+          "bounds",
+          [](const Shaped& shape, const Placement2& pose) {
+            const plane::Aabb2<double> box = bounds(shape, pose.value);
+            return py::make_tuple(array_of(box.lower), array_of(box.upper));
+          },
+          py::arg("pose") = py::none(),
+          "The lower and upper corner of a rectangle about the shape; not less than the true one.");
+  add_round(m);
+  add_flat(m);
+  add_outlined(m);
+  shape_class<OfCompound>(m, "Compound", "Several shapes as one: `children`, pairs (shape, pose), at least one.")
+      .def(py::init(&compound_of), py::arg("children"))
+      .def_property_readonly("children", [](const OfCompound& s) { return py::list(s.children); });
+}
+
+}  // namespace graze::python

@@ -1,0 +1,204 @@
+// The questions about one pair, one shape or one ray.
+#include "answers.hpp"
+#include "shapes.hpp"
+
+namespace graze::python {
+
+namespace {
+
+/// The answer, or (answer, trace) where that is asked for.
+template <class F>
+py::object answered(bool explain, F&& ask) {
+  if (!explain) return object_of_answer(ask(nullptr));
+  Trace trace;
+  py::object answer = object_of_answer(ask(&trace));
+  return py::make_tuple(answer, object_of(trace));
+}
+
+double checked_limit(double limit, const char* name) {
+  if (!(limit >= 0)) validate::fail(name, "a number >= 0", limit);
+  return limit;
+}
+
+Velocity<double> velocity_of(const Vector& linear, const Vector& angular, const char* name) {
+  return {validate::point(linear.value, std::string(name) + ".linear"),
+          validate::point(angular.value, std::string(name) + ".angular")};
+}
+
+void add_pairs(py::module_& m) {
+  const auto pair = [](const char* text) { return std::string(text); };
+  m.def(
+      "overlap",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, bool trace) -> py::object {
+        if (!trace) return py::bool_(overlap(a, pose_a.value, b, pose_b.value));
+        return answered(true, [&](Trace* t) { return overlap(a, pose_a.value, b, pose_b.value, t); });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
+      pair(R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace).
+
+>>> import graze
+>>> graze.overlap(graze.Box((2, 2, 2)), None, graze.Sphere(0.5), (1.4, 0, 0))
+True
+)").c_str());
+  m.def(
+      "distance",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, bool trace) {
+        return answered(trace, [&](Trace* t) { return distance(a, pose_a.value, b, pose_b.value, t); });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
+      R"(The signed distance of two shapes, the points that realise it, and the normal from a to b.
+
+Negative where they overlap: minus the length of the shortest translation that separates them.
+
+>>> import graze
+>>> d = graze.distance(graze.Box((2, 2, 2)), None, graze.Sphere(0.5), (1.4, 0, 0))
+>>> round(d.distance, 12), d.normal
+(-0.1, array([1., 0., 0.]))
+)");
+  m.def(
+      "distance_up_to",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double limit) -> py::object {
+        const auto d = distance_up_to(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
+        return d ? py::cast(*d) : py::none();
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
+      "The distance of shapes no further apart than `limit` >= 0, else None; costs what lies within the limit.");
+  m.def(
+      "within",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double limit) {
+        return within(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("limit"),
+      "Whether two shapes are no further apart than `limit` >= 0.");
+  m.def(
+      "near_pieces",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin) {
+        std::vector<PieceDistance<double>> pieces;
+        near_pieces(a, pose_a.value, b, pose_b.value, checked_limit(margin, "margin"), pieces);
+        py::list found;
+        for (const auto& piece : pieces) found.append(py::make_tuple(piece.piece_a, piece.piece_b, piece.distance));
+        return found;
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin"),
+      "All pairs of convex pieces within `margin`: (piece of a, piece of b, Distance).");
+  m.def(
+      "contacts",
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin, bool trace) {
+        checked_limit(margin, "margin");
+        return answered(trace, [&](Trace* t) {
+          Manifolds<double> manifolds;
+          contacts(a, pose_a.value, b, pose_b.value, margin, manifolds, t);
+          py::list found;
+          for (Manifold<double>& manifold : manifolds) found.append(py::cast(std::move(manifold)));
+          return found;
+        });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("margin") = 0.0,
+      py::arg("trace") = false,
+      R"(Where two shapes touch, or are up to `margin` apart: a list of Manifold.
+
+>>> import graze
+>>> box = graze.Box((1, 1, 1))
+>>> [m] = graze.contacts(box, None, box, (0, 0.99, 0))
+>>> len(m.points), m.normal
+(4, array([0., 1., 0.]))
+)");
+  m.def("contact_margin", [](const Shaped& a, const Shaped& b) { return contact_margin(a, b); }, py::arg("a"),
+        py::arg("b"), "The margin that a world uses for the two: a hundredth of the smaller one's size.");
+}
+
+void add_points_and_rays(py::module_& m) {
+  m.def(
+      "closest",
+      [](const Shaped& shape, const Placement& pose, const Vector& point, bool trace) {
+        const Vec3d p = validate::point(point.value, "point");
+        return answered(trace, [&](Trace* t) { return closest(shape, pose.value, p, t); });
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("point"), py::arg("trace") = false,
+      "The point of a shape's surface nearest to a point; the distance is negative inside a solid.");
+  m.def(
+      "raycast",
+      [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
+         bool back_faces, bool trace) {
+        const Ray<double> ray{origin.value, direction.value};
+        return answered(trace, [&](Trace* t) -> py::object {
+          const auto hit = raycast(shape, pose.value, ray, checked_limit(length, "length"),
+                                   back_faces ? BackFaces::hit : BackFaces::ignored, t);
+          return hit ? py::cast(*hit) : py::none();
+        });
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
+      py::arg("trace") = false,
+      R"(What a ray hits first within `length`: a RayHit, or None.
+
+direction need not be of unit length; t of the hit is a length.
+
+>>> import graze
+>>> graze.raycast(graze.Sphere(1), None, (-3, 0, 0), (1, 0, 0)).t
+2.0
+)");
+  m.def(
+      "raycast_any",
+      [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
+         bool back_faces) {
+        return raycast_any(shape, pose.value, Ray<double>{origin.value, direction.value},
+                           checked_limit(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
+      "Whether a ray hits anything within `length`.");
+  m.def(
+      "raycast_all",
+      [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
+         bool back_faces) {
+        std::vector<RayHit<double>> hits;
+        raycast_all(shape, pose.value, Ray<double>{origin.value, direction.value}, hits,
+                    checked_limit(length, "length"), back_faces ? BackFaces::hit : BackFaces::ignored);
+        py::list found;
+        for (const auto& hit : hits) found.append(py::cast(hit));
+        return found;
+      },
+      py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
+      py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("back_faces") = true,
+      "Where a ray enters each piece of the shape, in the order of the ray.");
+}
+
+void add_casts(py::module_& m) {
+  m.def(
+      "cast",
+      [](const Shaped& a, const Placement& pose_a, const Vector& linear_a, const Shaped& b, const Placement& pose_b,
+         const Vector& linear_b, double duration, const Vector& angular_a, const Vector& angular_b,
+         bool ignore_separating, bool trace) {
+        const Velocity<double> v = velocity_of(linear_a, angular_a, "a"), w = velocity_of(linear_b, angular_b, "b");
+        if (!(checked_limit(duration, "duration") <= largest_magnitude<double>))
+          validate::fail("duration", "a finite number >= 0", duration);
+        const CastOptions options{ignore_separating ? Separating::ignored : Separating::hit};
+        return answered(trace, [&](Trace* t) -> py::object {
+          const auto hit = cast(a, pose_a.value, v, b, pose_b.value, w, duration, options, t);
+          return hit ? py::cast(*hit) : py::none();
+        });
+      },
+      py::arg("a"), py::arg("pose_a"), py::arg("linear_a"), py::arg("b"), py::arg("pose_b"), py::arg("linear_b"),
+      py::arg("duration") = 1.0, py::arg("angular_a") = Vector{}, py::arg("angular_b") = Vector{},
+      py::arg("ignore_separating") = false, py::arg("trace") = false,
+      R"(When two moving bodies first touch within `duration`: a CastHit, or None.
+
+Velocities in units of length and radians per unit of time, in world axes.
+
+>>> import graze
+>>> hit = graze.cast(graze.Box((2, 2, 2)), None, (0, 0, 0), graze.Sphere(0.5), (9, 0, 0), (-15, 0, 0))
+>>> round(hit.t, 6)
+0.5
+)");
+}
+
+}  // namespace
+
+void add_queries(py::module_& m) {
+  add_pairs(m);
+  add_points_and_rays(m);
+  add_casts(m);
+}
+
+}  // namespace graze::python

@@ -1,0 +1,391 @@
+#include "shapes.hpp"
+
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+namespace graze::python {
+
+namespace {
+
+/// A shape of one kind, so that Python has a class for each.
+template <class C>
+struct Of : Shaped {
+  using Shaped::Shaped;
+  explicit Of(const Shaped& shape) : Shaped(shape) {}
+  const C& concrete() const { return *as<C>(); }
+};
+
+/// A support function of Python's.
+class PythonSupport final : public SupportFunction<double> {
+ public:
+  explicit PythonSupport(py::function function) : function_(std::move(function)) {}
+  PythonSupport(const PythonSupport&) = delete;
+  PythonSupport& operator=(const PythonSupport&) = delete;
+  ~PythonSupport() override {
+    const py::gil_scoped_acquire lock;
+    function_ = py::function();
+  }
+
+  /// What Python raises in a query cannot pass through it: it is reported as Python reports errors in destructors, and
+  /// the origin answers.
+  Vec3d support(const Vec3d& direction) const override {
+    const py::gil_scoped_acquire lock;
+    try {
+      Vec3d found;
+      if (read_vector(function_(array_of(direction)), found)) return found;
+      throw py::type_error("a support function has to return three numbers");
+    } catch (py::error_already_set& error) {
+      error.discard_as_unraisable("the support function of a graze.UserConvex");
+    } catch (const py::builtin_exception& error) {
+      error.set_error();
+      PyErr_WriteUnraisable(function_.ptr());
+    }
+    return {};
+  }
+
+  const py::function& function() const { return function_; }
+
+ private:
+  py::function function_;
+};
+
+// The arguments that make a shape anew, by name.
+
+py::dict arguments(const Sphere<double>& s) {
+  py::dict a;
+  a["radius"] = s.radius();
+  if (s.center() != Vec3d{}) a["center"] = tuple_of(s.center());
+  return a;
+}
+template <class C>
+py::dict tapered_arguments(const C& c) {
+  py::dict a;
+  a["height"] = 2 * c.half_height();
+  a["radius"] = c.radius_bottom();
+  if (c.radius_top() != c.radius_bottom()) a["radius_top"] = c.radius_top();
+  return a;
+}
+py::dict arguments(const Capsule<double>& c) { return tapered_arguments(c); }
+py::dict arguments(const Cylinder<double>& c) { return tapered_arguments(c); }
+py::dict arguments(const Box<double>& b) {
+  py::dict a;
+  a["size"] = tuple_of(b.half_extents() * 2.0);
+  return a;
+}
+py::dict arguments(const Rectangle<double>& r) {
+  py::dict a;
+  a["size_x"] = 2 * r.as_box().half_extents().x;
+  a["size_z"] = 2 * r.as_box().half_extents().z;
+  return a;
+}
+py::dict arguments(const Ellipsoid<double>& e) {
+  py::dict a;
+  a["radii"] = tuple_of(e.radii());
+  return a;
+}
+py::dict arguments(const LineSegment<double>& s) {
+  py::dict a;
+  a["a"] = tuple_of(s.point(0));
+  a["b"] = tuple_of(s.point(1));
+  return a;
+}
+py::dict arguments(const Triangle<double>& t) {
+  py::dict a;
+  a["a"] = tuple_of(t.point(0));
+  a["b"] = tuple_of(t.point(1));
+  a["c"] = tuple_of(t.point(2));
+  return a;
+}
+py::array_t<double> array_of_points(std::span<const Vec3d> points) {
+  py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  double* out = array.mutable_data();
+  for (const Vec3d& p : points)
+    for (std::size_t i = 0; i < 3; ++i) *out++ = p[i];
+  return array;
+}
+py::array_t<std::uint32_t> array_of_triangles(std::span<const Mesh<double>::Index> triangles) {
+  py::array_t<std::uint32_t> array({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
+  std::uint32_t* out = array.mutable_data();
+  for (const auto& t : triangles) out = std::copy(t.begin(), t.end(), out);
+  return array;
+}
+py::dict arguments(const ConvexHull<double>& hull) {
+  py::dict a;
+  a["points"] = array_of_points(hull.data().vertices);
+  return a;
+}
+py::dict arguments(const UserConvex<double>& user) {
+  py::dict a;
+  if (const auto* python = dynamic_cast<const PythonSupport*>(&user.function())) a["support"] = python->function();
+  return a;
+}
+py::dict arguments(const HalfSpace<double>&) { return {}; }
+py::dict arguments(const Mesh<double>& mesh) {
+  py::dict a;
+  a["vertices"] = array_of_points(mesh.points());
+  a["faces"] = array_of_triangles(mesh.triangles());
+  if (mesh.sides() == Sides::front) a["front_only"] = true;
+  if (mesh.solid()) a["solid"] = true;
+  return a;
+}
+py::dict arguments(const HeightField<double>& field) {
+  py::array_t<double> heights({static_cast<py::ssize_t>(field.rows()), static_cast<py::ssize_t>(field.columns())});
+  std::copy(field.heights().begin(), field.heights().end(), heights.mutable_data());
+  py::dict a;
+  a["heights"] = heights;
+  a["spacing_x"] = field.spacing_x();
+  a["spacing_z"] = field.spacing_z();
+  if (field.sides() == Sides::front) a["front_only"] = true;
+  return a;
+}
+py::dict arguments(const Compound<double>& compound) {
+  py::list children;
+  for (const auto& child : compound.children()) children.append(py::make_tuple(object_of(child.shape), child.pose));
+  py::dict a;
+  a["children"] = children;
+  return a;
+}
+
+/// What `repr` shows of an argument: of an array only how large it is.
+std::string text_of_argument(py::handle value) {
+  if (py::isinstance<py::array>(value))
+    return "<array of shape " + std::string(py::str(value.attr("shape"))) + ">";
+  return py::str(py::repr(value));
+}
+
+template <class C>
+py::dict all_arguments(const Of<C>& shape) {
+  py::dict a = arguments(shape.concrete());
+  if (shape.rounding() != 0) a["rounding"] = shape.rounding();
+  return a;
+}
+
+/// A class of one kind of shape, which still lacks its constructor.
+template <class C>
+py::class_<Of<C>, Shaped> shape_class(py::module_& m, const char* name, const char* doc) {
+  py::class_<Of<C>, Shaped> type(m, name, doc);
+  type.def("__repr__",
+           [name](const Of<C>& shape) {
+             std::string text = std::string("graze.") + name + "(";
+             const char* comma = "";
+             for (const auto& [key, value] : all_arguments(shape)) {
+               text += comma + std::string(py::str(key)) + "=" + text_of_argument(value);
+               comma = ", ";
+             }
+             return text + ")";
+           })
+      .def("__reduce__", [m, name](const Of<C>& shape) {
+        const py::object make = py::module_::import("graze").attr("_make_shape");
+        return py::make_tuple(make, py::make_tuple(name, all_arguments(shape)));
+      });
+  return type;
+}
+
+template <class C>
+py::class_<Of<C>, Shaped> tapered_class(py::module_& m, const char* name, const char* doc) {
+  auto type = shape_class<C>(m, name, doc);
+  type.def(py::init([](double height, double radius, std::optional<double> radius_top, double rounding) {
+             return Of<C>(C(height, radius, radius_top.value_or(radius)), rounding);
+           }),
+           py::arg("height"), py::arg("radius"), py::arg("radius_top") = py::none(), py::arg("rounding") = 0.0)
+      .def_property_readonly("height", [](const Of<C>& s) { return 2 * s.concrete().half_height(); })
+      .def_property_readonly("radius", [](const Of<C>& s) { return s.concrete().radius_bottom(); })
+      .def_property_readonly("radius_top", [](const Of<C>& s) { return s.concrete().radius_top(); });
+  return type;
+}
+
+void add_round(py::module_& m) {
+  shape_class<Sphere<double>>(m, "Sphere", "A ball of `radius` >= 0 about `center` in its own frame.")
+      .def(py::init([](double radius, const Vector& center) {
+             return Of<Sphere<double>>(Sphere<double>(radius, center.value));
+           }),
+           py::arg("radius"), py::arg("center") = Vector{})
+      .def_property_readonly("radius", [](const Of<Sphere<double>>& s) { return s.concrete().radius(); })
+      .def_property_readonly("center", [](const Of<Sphere<double>>& s) { return array_of(s.concrete().center()); });
+  tapered_class<Capsule<double>>(m, "Capsule", R"(Two balls and all between them, about the origin along Y.
+
+height: between the centres of the balls. radius: of the lower, and of the upper one too
+unless `radius_top` is given. All >= 0.)");
+  tapered_class<Cylinder<double>>(m, "Cylinder", R"(A cylinder, cone or truncated cone about the origin along Y.
+
+height: full. radius: of the lower cap, and of the upper one too unless `radius_top` is
+given (0 makes a cone). rounding: the radius of a ball that is added. All >= 0.)");
+  shape_class<Ellipsoid<double>>(m, "Ellipsoid", "An ellipsoid about the origin; `radii` along the axes, each >= 0.")
+      .def(py::init([](const Vector& radii, double rounding) {
+             return Of<Ellipsoid<double>>(Ellipsoid<double>(radii.value), rounding);
+           }),
+           py::arg("radii"), py::arg("rounding") = 0.0)
+      .def_property_readonly("radii", [](const Of<Ellipsoid<double>>& e) { return array_of(e.concrete().radii()); });
+}
+
+void add_flat(py::module_& m) {
+  shape_class<Box<double>>(m, "Box", R"(A solid box about the origin, its edges along the axes.
+
+size: the full edge lengths, each >= 0. rounding: the radius of a ball that is added (the
+Minkowski sum), >= 0. Raises ValueError.
+
+>>> import graze
+>>> graze.Box((2, 2, 1), rounding=0.1)
+graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
+)")
+      .def(py::init([](const Vector& size, double rounding) {
+             return Of<Box<double>>(Box<double>(size.value), rounding);
+           }),
+           py::arg("size"), py::arg("rounding") = 0.0)
+      .def_property_readonly("size",
+                             [](const Of<Box<double>>& b) { return array_of(b.concrete().half_extents() * 2.0); });
+  shape_class<Rectangle<double>>(m, "Rectangle", "A rectangle about the origin in the plane y = 0; full edge lengths >= 0.")
+      .def(py::init([](double x, double z, double rounding) {
+             return Of<Rectangle<double>>(Rectangle<double>(x, z), rounding);
+           }),
+           py::arg("size_x"), py::arg("size_z"), py::arg("rounding") = 0.0);
+  shape_class<Triangle<double>>(m, "Triangle", "A triangle; seen from its front the corners run counter-clockwise.")
+      .def(py::init([](const Vector& a, const Vector& b, const Vector& c, double rounding) {
+             return Of<Triangle<double>>(Triangle<double>(a.value, b.value, c.value), rounding);
+           }),
+           py::arg("a"), py::arg("b"), py::arg("c"), py::arg("rounding") = 0.0);
+  shape_class<LineSegment<double>>(m, "Segment", "The straight piece between two points; with a rounding a capsule.")
+      .def(py::init([](const Vector& a, const Vector& b, double rounding) {
+             return Of<LineSegment<double>>(LineSegment<double>(a.value, b.value), rounding);
+           }),
+           py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0);
+  shape_class<HalfSpace<double>>(m, "HalfSpace", "All points with y <= 0 in its own frame; a rounding moves its surface up.")
+      .def(py::init([](double rounding) { return Of<HalfSpace<double>>(HalfSpace<double>(), rounding); }),
+           py::arg("rounding") = 0.0);
+}
+
+void add_convex(py::module_& m) {
+  shape_class<ConvexHull<double>>(m, "ConvexHull", "The hull of at least one point: `points` of shape (n, 3).")
+      .def(py::init([](const py::object& points, double rounding) {
+             const std::vector<Vec3d> given = points_of(rows(points, 3, "points"));
+             return Of<ConvexHull<double>>(ConvexHull<double>(given), rounding);
+           }),
+           py::arg("points"), py::arg("rounding") = 0.0)
+      .def_property_readonly("vertices", [](const Of<ConvexHull<double>>& h) {
+        return array_of_points(h.concrete().data().vertices);
+      });
+  shape_class<UserConvex<double>>(m, "UserConvex", R"(Your own convex shape: one support function.
+
+support: takes a direction (an array of three numbers, not zero) and returns the point of the
+set that lies furthest along it. Called from any query, so it has to be a function of its
+argument alone; what it raises is reported and not passed on.)")
+      .def(py::init([](py::function support, double rounding) {
+             return Of<UserConvex<double>>(UserConvex<double>(std::make_shared<PythonSupport>(std::move(support))), rounding);
+           }),
+           py::arg("support"), py::arg("rounding") = 0.0);
+}
+
+void add_composites(py::module_& m) {
+  shape_class<Mesh<double>>(m, "Mesh", R"(Triangles that share vertices.
+
+vertices: shape (n, 3). faces: shape (m, 3) of indices, counter-clockwise seen from outside, as
+trimesh has them. solid: the inside counts as well; the mesh has to be closed. front_only:
+contacts push out of the front alone. Raises ValueError that names the index or coordinate.)")
+      .def(py::init([](const py::object& vertices, const py::object& faces, bool solid, bool front_only) {
+             const IndexRows indices = index_rows(faces, 3, "faces");
+             std::vector<Mesh<double>::Index> triangles(static_cast<std::size_t>(indices.shape(0)));
+             for (std::size_t i = 0; i < triangles.size(); ++i)
+               std::copy_n(indices.data() + 3 * i, 3, triangles[i].begin());
+             return Of<Mesh<double>>(Mesh<double>(points_of(rows(vertices, 3, "vertices")), std::move(triangles),
+                                                  front_only ? Sides::front : Sides::both, solid));
+           }),
+           py::arg("vertices"), py::arg("faces"), py::arg("solid") = false, py::arg("front_only") = false)
+      .def_property_readonly("vertices", [](const Of<Mesh<double>>& m) { return array_of_points(m.concrete().points()); })
+      .def_property_readonly("faces",
+                             [](const Of<Mesh<double>>& m) { return array_of_triangles(m.concrete().triangles()); })
+      .def_property_readonly("closed", [](const Of<Mesh<double>>& m) { return m.concrete().closed(); })
+      .def_property_readonly("solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); });
+  shape_class<HeightField<double>>(m, "HeightField", R"(Heights over a grid in the plane of x and z, centred on the origin.
+
+heights: shape (rows, columns); heights[r, c] stands at x = (c - (columns - 1) / 2) spacing_x and
+z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
+      .def(py::init([](const Rows& heights, double spacing_x, double spacing_z, bool front_only) {
+             if (heights.ndim() != 2)
+               validate::fail("heights", "an array of two dimensions", static_cast<double>(heights.ndim()));
+             return Of<HeightField<double>>(HeightField<double>(
+                 static_cast<std::size_t>(heights.shape(1)), static_cast<std::size_t>(heights.shape(0)),
+                 std::vector<double>(heights.data(), heights.data() + heights.size()), spacing_x, spacing_z,
+                 front_only ? Sides::front : Sides::both));
+           }),
+           py::arg("heights"), py::arg("spacing_x") = 1.0, py::arg("spacing_z") = 1.0, py::arg("front_only") = false);
+  shape_class<Compound<double>>(m, "Compound", "Several shapes as one: `children`, pairs (shape, pose), at least one.")
+      .def(py::init([](const std::vector<std::pair<std::reference_wrapper<const Shaped>, Placement>>& children) {
+             std::vector<Placed<double>> placed;
+             for (const auto& [shape, pose] : children) placed.push_back({shape.get(), pose.value});
+             return Of<Compound<double>>(Compound<double>(std::move(placed)));
+           }),
+           py::arg("children"))
+      .def_property_readonly("children", [](const Of<Compound<double>>& c) {
+        return arguments(c.concrete())["children"].cast<py::list>();
+      });
+}
+
+}  // namespace
+
+py::object object_of(const Shaped& shape) {
+  return shape.visit([&]<class C>(const C&) { return py::cast(Of<C>(shape)); });
+}
+
+void add_shapes(py::module_& m) {
+  py::class_<Shaped>(m, "Shape", "Any shape: immutable, and cheap to copy, since big ones share their data.")
+      .def_property_readonly("rounding", &Shaped::rounding, "The radius of the ball that is added to it.")
+      .def_property_readonly("convex", &Shaped::convex)
+      .def(
+          "bounds",
+          [](const Shaped& shape, const Placement& pose) {
+            const Aabb<double> box = bounds(shape, pose.value);
+            return py::make_tuple(array_of(box.lower), array_of(box.upper));
+          },
+          py::arg("pose") = py::none(), "The lower and upper corner of a box about the shape; not less than the true one.")
+      .def(
+          "support",
+          [](const Shaped& shape, const Vector& direction) {
+            if (!shape.convex() || shape.as<HalfSpace<double>>())
+              validate::fail("shape", "a bounded convex shape", shape.name());
+            return array_of(support(shape, validate::point(direction.value, "direction")));
+          },
+          py::arg("direction"), "The point of a bounded convex shape furthest along a direction in its frame.")
+      .def(
+          "mass_properties",
+          [](const Shaped& shape) {
+            const MassProperties<double> mass = mass_properties(shape);
+            py::array_t<double> inertia({3, 3});
+            for (std::size_t i = 0; i < 3; ++i)
+              for (std::size_t j = 0; j < 3; ++j) inertia.mutable_data()[3 * i + j] = mass.inertia.row[i][j];
+            return py::make_tuple(mass.volume, array_of(mass.center), inertia);
+          },
+          "(volume, centre of mass, inertia about it) of density one; volume 0 for what is no solid.");
+  add_round(m);
+  add_flat(m);
+  add_convex(m);
+  add_composites(m);
+
+  py::class_<ShapeArray>(m, "ShapeArray", "Shapes for a batch: converted once, used many times.")
+      .def(py::init([](const std::vector<std::reference_wrapper<const Shaped>>& shapes) {
+             return ShapeArray{std::vector<Shaped>(shapes.begin(), shapes.end())};
+           }),
+           py::arg("shapes"))
+      .def_static(
+          "boxes",
+          [](const py::object& sizes) {
+            ShapeArray array;
+            for (const Vec3d& size : points_of(rows(sizes, 3, "sizes"))) array.shapes.emplace_back(Box<double>(size));
+            return array;
+          },
+          py::arg("sizes"), "Boxes of the full edge lengths of each row.")
+      .def_static(
+          "spheres",
+          [](const py::array_t<double, py::array::c_style | py::array::forcecast>& radii) {
+            ShapeArray array;
+            for (py::ssize_t i = 0; i < radii.size(); ++i) array.shapes.emplace_back(Sphere<double>(radii.data()[i]));
+            return array;
+          },
+          py::arg("radii"))
+      .def("__len__", [](const ShapeArray& a) { return a.shapes.size(); })
+      .def("__getitem__", [](const ShapeArray& a, std::size_t i) {
+        if (i >= a.shapes.size()) throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(a.shapes.size()) + " shapes");
+        return object_of(a.shapes[i]);
+      });
+}
+
+}  // namespace graze::python

@@ -1,0 +1,227 @@
+"""The plane: answers against closed forms and each other, batches, poses, errors, pickles."""
+
+import itertools
+import math
+import pickle
+import threading
+
+import numpy as np
+import pytest
+
+from graze import plane
+
+SHAPES = {
+    "circle": plane.Circle(0.5),
+    "capsule": plane.Capsule(1.0, 0.4),
+    "tapered": plane.Capsule(1.0, 0.4, 0.1),
+    "box": plane.Box((2, 1), rounding=0.1),
+    "segment": plane.Segment((-1, 0), (1, 0.5), rounding=0.2),
+    "convex": plane.ConvexPolygon([(0, 0), (2, 0), (1, 1), (1, 0.2)]),
+    "ellipse": plane.Ellipse((1.0, 0.5)),
+    "user": plane.UserConvex(lambda d: (math.copysign(1, d[0]), math.copysign(0.5, d[1]))),
+    "half_plane": plane.HalfPlane(),
+    "polygon": plane.Polygon([(0, 0), (2, 0), (2, 2), (1, 0.5), (0, 2)]),
+    "chain": plane.Chain([(-2, 0), (0, 0.5), (2, 0)]),
+    "compound": plane.Compound([(plane.Circle(0.5), (1, 0)), (plane.Box((1, 1)), ((-1, 0), 0.3))]),
+}
+PAIRS = list(itertools.product(SHAPES, SHAPES))
+
+
+def random_rows(rng, count, reach):
+    angle = rng.uniform(-math.pi, math.pi, count)
+    return np.column_stack([rng.uniform(-reach, reach, (count, 2)), np.cos(angle), np.sin(angle)])
+
+
+def test_distance_of_circles_is_the_closed_form():
+    rng = np.random.default_rng(1)
+    for x, y, r, s in rng.uniform(0.1, 3, (200, 4)):
+        d = plane.distance(plane.Circle(r), None, plane.Circle(s), (x, y))
+        assert d.distance == pytest.approx(math.hypot(x, y) - r - s, abs=1e-12)
+        np.testing.assert_allclose(d.normal, np.array([x, y]) / math.hypot(x, y), atol=1e-12)
+
+
+def test_distance_of_circle_and_box_is_the_closed_form():
+    rng = np.random.default_rng(2)
+    box = plane.Box((2, 1))
+    for x, y, angle in rng.uniform(-3, 3, (200, 3)):
+        local = np.array([math.cos(angle) * x + math.sin(angle) * y, math.cos(angle) * y - math.sin(angle) * x])
+        gap = np.abs(local) - (1, 0.5)
+        truth = np.linalg.norm(np.maximum(gap, 0)) + min(gap.max(), 0) - 0.25
+        d = plane.distance(box, ((0, 0), angle), plane.Circle(0.25), (x, y))
+        assert d.distance == pytest.approx(truth, abs=1e-12)
+        c = plane.closest(box, (0, 0, angle), (x, y))
+        assert c.distance == pytest.approx(truth + 0.25, abs=1e-12)
+
+
+@pytest.mark.parametrize("a,b", PAIRS)
+def test_questions_agree(a, b):
+    rng = np.random.default_rng(PAIRS.index((a, b)))
+    for row in random_rows(rng, 8, 3.0):
+        here, there = ((0.3, -0.2), 0.4), row
+        d = plane.distance(SHAPES[a], here, SHAPES[b], there)
+        if d.status == "unbounded":
+            assert plane.overlap(SHAPES[a], here, SHAPES[b], there)
+            continue
+        assert plane.overlap(SHAPES[a], here, SHAPES[b], there) == (d.distance <= 0)
+        np.testing.assert_allclose(d.b - d.a, d.distance * d.normal, atol=1e-9)
+        swapped = plane.distance(SHAPES[b], there, SHAPES[a], here)
+        assert swapped.distance == pytest.approx(d.distance, abs=1e-8)
+        explained, trace = plane.distance(SHAPES[a], here, SHAPES[b], there, trace=True)
+        assert explained.distance == d.distance and isinstance(trace["method"], str)
+        if d.distance > 0:  # what is a gap is closed after that way
+            hit = plane.cast(SHAPES[a], here, (0, 0), SHAPES[b], there, -2 * d.distance * d.normal)
+            assert hit is not None and hit.t <= 0.5 + 1e-6
+            assert plane.contacts(SHAPES[a], here, SHAPES[b], there) == []
+
+
+@pytest.mark.parametrize("a,b", PAIRS)
+def test_batch_is_each_alone(a, b):
+    rows = random_rows(np.random.default_rng(PAIRS.index((a, b))), 20, 2.0)
+    here = plane.Pose((0.1, 0.2), 0.3)
+    touch = plane.batch.overlap(SHAPES[a], here, SHAPES[b], rows)
+    found = plane.batch.distance(SHAPES[a], here, SHAPES[b], rows)
+    pairs, manifolds, points = plane.batch.contacts(SHAPES[a], here, SHAPES[b], rows, margin=0.1)
+    poses = [pickle.loads(pickle.dumps(plane.Pose.from_matrix(matrix_of(row)))) for row in rows]
+    assert touch.dtype == bool and len(found) == len(pairs) == 20
+    for i in range(20):
+        d = plane.distance(SHAPES[a], here, SHAPES[b], poses[i])
+        assert found["distance"][i] == pytest.approx(d.distance, abs=1e-9)
+        assert bool(touch[i]) == (found["distance"][i] <= 0) or found["status"][i] == 2
+        alone = plane.contacts(SHAPES[a], here, SHAPES[b], rows[i], margin=0.1)
+        assert pairs["manifold_count"][i] == len(alone)
+        groups = manifolds[pairs["first_manifold"][i] :][: len(alone)]
+        for group, manifold in zip(groups, alone):
+            np.testing.assert_allclose(group["normal"], manifold.normal, atol=1e-9)
+            mine = points[group["first_point"] :][: group["point_count"]]
+            assert [p.feature for p in manifold.points] == list(mine["feature"])
+            np.testing.assert_allclose(mine["a"], [p.a for p in manifold.points], atol=1e-9)
+
+
+def matrix_of(row):
+    x, y, c, s = row
+    return np.array([[c, -s, x], [s, c, y], [0, 0, 1]])
+
+
+def test_batch_takes_pairs_and_shares_memory_of_answers():
+    boxes = [plane.Box((1, 1)), plane.Box((3, 3))]
+    rows = np.array([[0, 0, 1, 0], [1.5, 0, 1, 0]], dtype=float)
+    touch = plane.batch.overlap(boxes, rows, boxes, rows, pairs=[(0, 1), (1, 1), (0, 0)])
+    assert touch.tolist() == [True, True, True]
+    assert not touch.flags.owndata  # the library's own vector, not a copy
+    far = rows.copy()
+    far[1, 0] = 2.5
+    assert plane.batch.distance(boxes, far, boxes, far, pairs=[(0, 1)])["distance"][0] == 0.5
+
+
+def test_pose_forms_are_the_same():
+    c, s = math.cos(0.7), math.sin(0.7)
+    forms = [plane.Pose((1, 2), 0.7), ((1, 2), 0.7), (1, 2, 0.7), (1, 2, c, s), np.array([1, 2, c, s])]
+    forms += [matrix_of((1, 2, c, s)), np.float32([1, 2, c, s])]
+    boxes = plane.Box((2, 1)), plane.Box((1, 3))
+    answers = [plane.distance(boxes[0], None, boxes[1], form).distance for form in forms]
+    assert answers[:5] == [answers[0]] * 5
+    np.testing.assert_allclose(answers, answers[0], atol=1e-6)
+    pose = forms[0]
+    np.testing.assert_allclose((pose @ pose.inverse()).matrix, np.eye(3), atol=1e-15)
+    np.testing.assert_allclose(pose @ (1, 0), [1 + c, 2 + s])
+    assert pose == plane.Pose((1, 2), 0.7) and hash(pose) == hash(plane.Pose((1, 2), 0.7))
+
+
+@pytest.mark.parametrize("name", [n for n in SHAPES if n != "user"])
+def test_pickle_and_repr(name):
+    shape = SHAPES[name]
+    again = pickle.loads(pickle.dumps(shape))
+    assert type(again) is type(shape) and repr(again) == repr(shape)
+    assert repr(shape).startswith("graze.plane.")
+    for row in random_rows(np.random.default_rng(3), 5, 2.0):
+        one = plane.distance(shape, None, plane.Circle(0.3), row)
+        assert plane.distance(again, None, plane.Circle(0.3), row).distance == one.distance
+    pose = plane.Pose((1, 2), 0.3)
+    assert pickle.loads(pickle.dumps(pose)) == pose
+
+
+@pytest.mark.parametrize(
+    "make,named",
+    [
+        (lambda: plane.Circle(-1), "radius: expected a finite number >= 0, got -1"),
+        (lambda: plane.Box((1, float("nan"))), "size[1]"),
+        (lambda: plane.Polygon([(0, 0), (1, 1), (1, 0), (0, 1)]), "points"),
+        (lambda: plane.Chain([(0, 0), (0, 0)]), "points"),
+        (lambda: plane.ConvexPolygon([(0, 0, 0)]), "shape (n, 2)"),
+        (lambda: plane.Compound([]), "children"),
+        (lambda: plane.Pose((0, float("inf"))), "translation[1]"),
+        (lambda: plane.overlap(plane.Circle(1), np.diag([2.0, 2.0, 1.0]), plane.Circle(1), None), "pose"),
+        (lambda: plane.contacts(plane.Circle(1), None, plane.Circle(1), None, margin=-1), "margin"),
+        (lambda: plane.batch.overlap(plane.Circle(1), None, plane.Circle(1), np.ones((2, 4))), "poses_b[0].rotation"),
+        (lambda: plane.batch.overlap(plane.Circle(1), None, plane.Circle(1), None, pairs=[(0, 7)]), "pairs"),
+    ],
+)
+def test_errors_name_the_value(make, named):
+    with pytest.raises(ValueError) as caught:
+        make()
+    assert named in str(caught.value)
+
+
+def test_what_is_no_pose_is_a_type_error():
+    with pytest.raises(TypeError):
+        plane.overlap(plane.Circle(1), "here", plane.Circle(1), None)
+    with pytest.raises(TypeError):
+        plane.Compound([plane.Circle(1)])
+
+
+def test_ray_and_cast():
+    hit = plane.raycast(plane.Box((2, 2)), None, (-4, 0.5), (2, 0))
+    assert hit.t == pytest.approx(3) and hit.normal.tolist() == [-1, 0]
+    assert plane.raycast(plane.Box((2, 2)), None, (-4, 0.5), (2, 0), length=2.9) is None
+    # A bar of half length 2 that turns at pi a unit of time reaches a ball of radius 1/2 at (0, 1.5) after nearly 1/2.
+    hit = plane.cast(plane.Segment((-2, 0), (2, 0)), None, (0, 0), plane.Circle(0.5), (0, 1.5), (0, 0), angular_a=math.pi)
+    assert hit.t == pytest.approx(0.5 - math.asin(0.5 / 1.5) / math.pi, abs=1e-4)
+
+
+def test_shapes_outlive_what_they_were_made_of():
+    points = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0)])
+    polygon = plane.Polygon(points)
+    points[:] = 99
+    assert plane.closest(polygon, None, (1.9, 1.0)).distance < 0
+    compound = plane.Compound([(plane.Polygon(polygon.points), None)])
+    del polygon
+    assert plane.closest(compound, None, (1.9, 1.0)).distance < 0
+
+
+def test_batches_run_beside_other_threads():
+    rng = np.random.default_rng(5)
+    rows = random_rows(rng, 20000, 20.0)
+    shape = plane.Polygon([(0, 0), (2, 0), (2, 2), (1, 0.5), (0, 2)])
+    expected = plane.batch.distance(shape, None, shape, rows)["distance"]
+    answers = [None] * 4
+
+    def ask(i):
+        answers[i] = plane.batch.distance(shape, None, shape, rows)["distance"]
+
+    threads = [threading.Thread(target=ask, args=(i,)) for i in range(4)]
+    for thread in threads:
+        thread.start()
+    ticks = 0
+    while any(thread.is_alive() for thread in threads):
+        ticks += 1
+    for thread in threads:
+        thread.join()
+    assert ticks > 100 and all(np.array_equal(a, expected) for a in answers)
+
+
+def test_an_error_in_a_support_function_is_reported(monkeypatch):
+    import sys
+
+    calls = []
+    reported = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda args: reported.append(args))
+
+    def support(direction):
+        calls.append(1)
+        if len(calls) > 4:
+            raise RuntimeError("no")
+        return (0.0, 0.0)
+
+    shape = plane.UserConvex(support)
+    plane.distance(shape, None, plane.Circle(1), (3, 0))
+    assert reported
