@@ -95,6 +95,7 @@ struct Calls {
   std::vector<GrazePlaneShaped*> plane_shapes;
   GrazeShapef* small = nullptr;
   GrazeBufferd* buffer = nullptr;
+  GrazeTrace* trace = nullptr;
   GrazeWorldd* world = nullptr;
   GrazeSimulationd* simulation = nullptr;
   GrazeStated* state = nullptr;
@@ -104,6 +105,7 @@ struct Calls {
 
   explicit Calls(Bytes bytes) : in(bytes) {
     require(graze_buffer_create_d(&buffer) == GRAZE_OK);
+    require(graze_trace_create(&trace) == GRAZE_OK);
     require(graze_world_create_d(nullptr, nullptr, &world) == GRAZE_OK);
     require(graze_simulation_create_d(nullptr, nullptr, &simulation) == GRAZE_OK);
     require(graze_shape_sphere_f(1, {0, 0, 0}, &small) == GRAZE_OK);
@@ -116,6 +118,7 @@ struct Calls {
     graze_simulation_destroy_d(simulation);
     graze_world_destroy_d(world);
     graze_buffer_destroy_d(buffer);
+    graze_trace_destroy(trace);
   }
   Calls(const Calls&) = delete;
   Calls& operator=(const Calls&) = delete;
@@ -243,6 +246,26 @@ struct Calls {
     if (told(graze_contacts_reduced_d(a, pa, b, pb, in.length(), in.byte(), in.maybe(buffer), &contacts)))
       for (std::size_t i = 0; i < contacts.manifold_count; ++i)
         require(contacts.manifolds[i].first_point + contacts.manifolds[i].point_count <= contacts.point_count);
+    GrazeDistanced explained{};
+    GrazeTraceView view;
+    if (graze_distance_d(a, &pose_a, b, &pose_b, &d) == GRAZE_OK &&
+        told(graze_distance_explained_d(a, &pose_a, b, &pose_b, &explained, in.maybe(trace))))
+      require(explained.distance == d.distance);
+    if (told(graze_trace_view(in.maybe(trace), in.maybe(&view))) && view.axis_count > 0)
+      require(view.axes[0].name != nullptr);
+  }
+
+  void ask_blow() {
+    GrazeInverseMassd inverse{};
+    GrazeResponsed response;
+    GrazeMotiond after;
+    told(graze_inverse_mass_d(in.length(), in.vector(), in.pose().rotation, in.maybe(&inverse)));
+    if (in.byte() < 64) told(graze_inverse_mass_of_shape_d(shape(), in.length(), in.pose().rotation, &inverse));
+    const GrazeStruckBodyd ground{}, body{{in.vector(), in.vector(), in.vector()}, inverse};
+    const GrazeStruckContactd contact{in.vector(), in.vector(), in.length(), in.length()};
+    if (told(graze_response_d(&contact, in.maybe(&ground), in.maybe(&body), in.maybe(&response))))
+      require(!(response.normal_impulse < 0));
+    told(graze_apply_impulse_d(in.maybe(&body), in.vector(), in.vector(), in.maybe(&after)));
   }
 
   void ask_ray() {
@@ -441,7 +464,7 @@ struct Calls {
       case 1:
       case 2: make_shape(); break;
       case 3: ask_shape(); break;
-      case 4:
+      case 4: ask_blow(); break;
       case 5: ask_pair(); break;
       case 6: ask_ray(); break;
       case 7: ask_cast(); break;

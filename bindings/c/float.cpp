@@ -1,6 +1,7 @@
 // The C interface for float. Its text is written once, with names in place of types: see the files that are included.
 #include "c/callbacks.hpp"
 #include "c/gathered.hpp"
+#include "c/trace.hpp"
 #include "graze/graze.hpp"
 
 #define GRAZE_C_SCALAR float
@@ -12,6 +13,8 @@
 #include "c/shapes.inc"
 
 #include "c/queries.inc"
+
+#include "c/impulse.inc"
 
 #include "c/batches.inc"
 

@@ -216,6 +216,97 @@ typedef enum GrazeJointKind GRAZE_AS_INT {
   GRAZE_JOINT_SLIDER = 3  // a way along the x axis is free
 } GrazeJointKind;
 
+// Who moves into whom at a contact (graze/contact_motion.hpp).
+typedef enum GrazeAtFault GRAZE_AS_INT {
+  GRAZE_AT_FAULT_NEITHER = 0,
+  GRAZE_AT_FAULT_A = 1,
+  GRAZE_AT_FAULT_B = 2,
+  GRAZE_AT_FAULT_BOTH = 3
+} GrazeAtFault;
+
+// What a query did, step by step (graze/trace.hpp). A trace is filled by the functions that end in `_explained`, after
+// the answer, whose bits it does not change. Its numbers are doubles for either scalar; vectors are in the world, and
+// in the plane their third number is 0.
+
+// A point of the Minkowski difference B - A and the support points it was made of.
+typedef struct GrazeTraceSupport {
+  double a[3], b[3];
+} GrazeTraceSupport;
+
+// A separating axis: the intervals that both shapes cover on it.
+typedef struct GrazeTraceAxis {
+  const char *name;
+  double direction[3];  // unit, from A to B
+  double a_lower, a_upper, b_lower, b_upper;
+} GrazeTraceAxis;
+
+// One iteration of GJK: where it looked, what it found, and the bounds of the distance that it then had.
+typedef struct GrazeTraceGjk {
+  const GrazeTraceSupport *simplex;  // at the beginning of the iteration
+  size_t simplex_count;
+  double direction[3];
+  GrazeTraceSupport found;
+  double lower, upper;
+  const GrazeTraceSupport *polygon;  // in the plane: all vertices, counter-clockwise
+  size_t polygon_count;
+} GrazeTraceGjk;
+
+// One expansion of EPA's polytope.
+typedef struct GrazeTraceEpa {
+  double normal[3];  // of the face that lay nearest to the origin
+  double face_depth, found_depth;
+  GrazeTraceSupport found;
+  size_t faces;                      // after the expansion
+  const GrazeTraceSupport *polygon;  // in the plane: before it, counter-clockwise
+  size_t polygon_count;
+} GrazeTraceEpa;
+
+// One condition on the points of a shape, and the part of the ray that meets it: none where enter > leave.
+typedef struct GrazeTraceSpan {
+  const char *name;
+  double normal[3];
+  double enter, leave;
+} GrazeTraceSpan;
+
+// One step of conservative advancement.
+typedef struct GrazeTraceStep {
+  double t, distance;
+  double normal[3];
+} GrazeTraceStep;
+
+typedef struct GrazeTraceTriangle {
+  size_t corner[3];
+} GrazeTraceTriangle;
+
+// All that a trace holds. Strings and arrays belong to the trace, until it is filled again or destroyed.
+typedef struct GrazeTraceView {
+  const char *method, *winner, *reason;  // empty where there is none
+  const GrazeTraceAxis *axes;
+  size_t axis_count;
+  const GrazeTraceGjk *gjk;
+  size_t gjk_count;
+  const GrazeTraceEpa *epa;
+  size_t epa_count;
+  const GrazeTraceSupport *difference;  // in the plane: the outline of the difference of the cores
+  size_t difference_count;
+  double rounding;                    // of both cores together
+  const GrazeTraceSupport *polytope;  // EPA's vertices at the end, and its triangles
+  size_t polytope_count;
+  const GrazeTraceTriangle *triangles;
+  size_t triangle_count;
+  const GrazeTraceSpan *spans;
+  size_t span_count;
+  const GrazeTraceStep *steps;
+  size_t step_count;
+  size_t nodes, pieces;  // of a composite, that a ray visited
+} GrazeTraceView;
+
+typedef struct GrazeTrace GrazeTrace;
+
+GRAZE_C_API GrazeStatus graze_trace_create(GrazeTrace **trace);
+GRAZE_C_API void graze_trace_destroy(GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_trace_view(GrazeTrace *trace, GrazeTraceView *view);
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Double
 // ---------------------------------------------------------------------------------------------------------------------
@@ -478,9 +569,80 @@ GRAZE_C_API GrazeStatus graze_cast_d(const GrazeMovingd *a, const GrazeMovingd *
 GRAZE_C_API GrazeStatus graze_cast_all_d(const GrazeMovingd *a, const GrazeMovingd *b, double duration,
                                          GrazeSeparating separating, GrazeBufferd *buffer, const GrazeCastHitd **hits,
                                          size_t *count);
+// The same questions, and what their answers came from. Of a trace that is null nothing is told.
+GRAZE_C_API GrazeStatus graze_overlap_explained_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                                  const GrazePosed *pose_b, bool *overlap, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_distance_explained_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                                   const GrazePosed *pose_b, GrazeDistanced *distance,
+                                                   GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_contacts_explained_d(const GrazeShaped *a, const GrazePosed *pose_a, const GrazeShaped *b,
+                                                   const GrazePosed *pose_b, double margin, GrazeBufferd *buffer,
+                                                   GrazeContactsd *contacts, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_closest_explained_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d point,
+                                                  GrazeClosestd *closest, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_raycast_explained_d(const GrazeShaped *shape, const GrazePosed *pose, const GrazeRayd *ray,
+                                                  double length, GrazeBackFaces back, bool *found, GrazeRayHitd *hit,
+                                                  GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_cast_explained_d(const GrazeMovingd *a, const GrazeMovingd *b, double duration,
+                                               GrazeSeparating separating, bool *found, GrazeCastHitd *hit,
+                                               GrazeTrace *trace);
+
 // Where a body stands at time t.
 GRAZE_C_API GrazeStatus graze_pose_at_d(const GrazePosed *pose, const GrazeVelocityd *velocity, double t,
                                         GrazePosed *result);
+
+// What a blow does (graze/impulse.hpp) --------------------------------------------------------------------------------
+
+// The velocity of a rigid body: of its centre of mass, and its turning about it.
+typedef struct GrazeMotiond {
+  GrazeVec3d linear, angular;
+  GrazeVec3d center;  // of mass
+} GrazeMotiond;
+
+// The inverse of a mass, and of its inertia about the centre of mass in the world's axes; zeros of what does not move.
+typedef struct GrazeInverseMassd {
+  double mass;
+  GrazeMat3d inertia;
+} GrazeInverseMassd;
+
+typedef struct GrazeStruckBodyd {
+  GrazeMotiond motion;
+  GrazeInverseMassd mass;
+} GrazeStruckBodyd;
+
+typedef struct GrazeStruckContactd {
+  GrazeVec3d point;
+  GrazeVec3d normal;             // unit, from A to B
+  double restitution, friction;  // >= 0
+} GrazeStruckContactd;
+
+// What the blow does, and what leads to it, in the order in which it is computed.
+typedef struct GrazeResponsed {
+  GrazeVec3d approach;             // the velocity of B's point seen from A's, before the blow
+  double approach_along_normal;    // < 0 while the bodies approach
+  GrazeVec3d approach_tangential;  // the rest of it
+  GrazeAtFault at_fault;           // who moves into whom
+  double effective_mass;           // what resists along the normal
+  double normal_impulse;
+  GrazeVec3d sliding;           // the tangential velocity that the normal impulse leaves
+  GrazeVec3d stopping_impulse;  // would end it
+  double friction_limit;
+  GrazeVec3d friction_impulse;  // the stopping impulse, no longer than the limit
+  GrazeVec3d impulse;           // on B; that on A is its opposite
+  GrazeMotiond a, b;            // after it
+} GrazeResponsed;
+
+// `mass` > 0, or INFINITY for what does not move; `inertia` is the diagonal in the frame `rotation`.
+GRAZE_C_API GrazeStatus graze_inverse_mass_d(double mass, GrazeVec3d inertia, GrazeQuatd rotation,
+                                             GrazeInverseMassd *inverse);
+// With the inertia that the shape has when `mass` is spread evenly in it, about its centre of mass.
+GRAZE_C_API GrazeStatus graze_inverse_mass_of_shape_d(const GrazeShaped *shape, double mass, GrazeQuatd rotation,
+                                                      GrazeInverseMassd *inverse);
+GRAZE_C_API GrazeStatus graze_response_d(const GrazeStruckContactd *contact, const GrazeStruckBodyd *a,
+                                         const GrazeStruckBodyd *b, GrazeResponsed *response);
+// The motion of a body after `impulse` at `point`.
+GRAZE_C_API GrazeStatus graze_apply_impulse_d(const GrazeStruckBodyd *body, GrazeVec3d impulse, GrazeVec3d point,
+                                              GrazeMotiond *motion);
 
 // Questions about many pairs (graze/batch.hpp) ------------------------------------------------------------------------
 //
@@ -994,7 +1156,27 @@ GRAZE_C_API GrazeStatus graze_plane_raycast_d(const GrazePlaneShaped *shape, con
                                               const GrazePlaneRayd *ray, double length, bool *found,
                                               GrazePlaneRayHitd *hit);
 GRAZE_C_API GrazeStatus graze_plane_cast_d(const GrazePlaneMovingd *a, const GrazePlaneMovingd *b, double duration,
-                                           bool *found, GrazePlaneCastHitd *hit);
+                                           GrazeSeparating separating, bool *found, GrazePlaneCastHitd *hit);
+// Explained, as the questions in space.
+GRAZE_C_API GrazeStatus graze_plane_overlap_explained_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                                        const GrazePlaneShaped *b, const GrazePose2d *pose_b,
+                                                        bool *overlap, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_distance_explained_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                                         const GrazePlaneShaped *b, const GrazePose2d *pose_b,
+                                                         GrazePlaneDistanced *distance, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_contacts_explained_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
+                                                         const GrazePlaneShaped *b, const GrazePose2d *pose_b,
+                                                         double margin, GrazeBufferd *buffer,
+                                                         GrazePlaneContactsd *contacts, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_closest_explained_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                        GrazeVec2d point, GrazePlaneClosestd *closest,
+                                                        GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_raycast_explained_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                        const GrazePlaneRayd *ray, double length, bool *found,
+                                                        GrazePlaneRayHitd *hit, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_cast_explained_d(const GrazePlaneMovingd *a, const GrazePlaneMovingd *b,
+                                                     double duration, GrazeSeparating separating, bool *found,
+                                                     GrazePlaneCastHitd *hit, GrazeTrace *trace);
 GRAZE_C_API GrazeStatus graze_plane_pose_at_d(const GrazePose2d *pose, const GrazePlaneVelocityd *velocity, double t,
                                               GrazePose2d *result);
 
@@ -1234,8 +1416,70 @@ GRAZE_C_API GrazeStatus graze_cast_f(const GrazeMovingf *a, const GrazeMovingf *
 GRAZE_C_API GrazeStatus graze_cast_all_f(const GrazeMovingf *a, const GrazeMovingf *b, float duration,
                                          GrazeSeparating separating, GrazeBufferf *buffer, const GrazeCastHitf **hits,
                                          size_t *count);
+GRAZE_C_API GrazeStatus graze_overlap_explained_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                                  const GrazePosef *pose_b, bool *overlap, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_distance_explained_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                                   const GrazePosef *pose_b, GrazeDistancef *distance,
+                                                   GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_contacts_explained_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
+                                                   const GrazePosef *pose_b, float margin, GrazeBufferf *buffer,
+                                                   GrazeContactsf *contacts, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_closest_explained_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeVec3f point,
+                                                  GrazeClosestf *closest, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_raycast_explained_f(const GrazeShapef *shape, const GrazePosef *pose, const GrazeRayf *ray,
+                                                  float length, GrazeBackFaces back, bool *found, GrazeRayHitf *hit,
+                                                  GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_cast_explained_f(const GrazeMovingf *a, const GrazeMovingf *b, float duration,
+                                               GrazeSeparating separating, bool *found, GrazeCastHitf *hit,
+                                               GrazeTrace *trace);
+
 GRAZE_C_API GrazeStatus graze_pose_at_f(const GrazePosef *pose, const GrazeVelocityf *velocity, float t,
                                         GrazePosef *result);
+
+typedef struct GrazeMotionf {
+  GrazeVec3f linear, angular;
+  GrazeVec3f center;
+} GrazeMotionf;
+
+typedef struct GrazeInverseMassf {
+  float mass;
+  GrazeMat3f inertia;
+} GrazeInverseMassf;
+
+typedef struct GrazeStruckBodyf {
+  GrazeMotionf motion;
+  GrazeInverseMassf mass;
+} GrazeStruckBodyf;
+
+typedef struct GrazeStruckContactf {
+  GrazeVec3f point;
+  GrazeVec3f normal;
+  float restitution, friction;
+} GrazeStruckContactf;
+
+typedef struct GrazeResponsef {
+  GrazeVec3f approach;
+  float approach_along_normal;
+  GrazeVec3f approach_tangential;
+  GrazeAtFault at_fault;
+  float effective_mass;
+  float normal_impulse;
+  GrazeVec3f sliding;
+  GrazeVec3f stopping_impulse;
+  float friction_limit;
+  GrazeVec3f friction_impulse;
+  GrazeVec3f impulse;
+  GrazeMotionf a, b;
+} GrazeResponsef;
+
+GRAZE_C_API GrazeStatus graze_inverse_mass_f(float mass, GrazeVec3f inertia, GrazeQuatf rotation,
+                                             GrazeInverseMassf *inverse);
+GRAZE_C_API GrazeStatus graze_inverse_mass_of_shape_f(const GrazeShapef *shape, float mass, GrazeQuatf rotation,
+                                                      GrazeInverseMassf *inverse);
+GRAZE_C_API GrazeStatus graze_response_f(const GrazeStruckContactf *contact, const GrazeStruckBodyf *a,
+                                         const GrazeStruckBodyf *b, GrazeResponsef *response);
+GRAZE_C_API GrazeStatus graze_apply_impulse_f(const GrazeStruckBodyf *body, GrazeVec3f impulse, GrazeVec3f point,
+                                              GrazeMotionf *motion);
 
 typedef struct GrazeBodiesf {
   const GrazeShapef *const *shapes;
@@ -1674,7 +1918,26 @@ GRAZE_C_API GrazeStatus graze_plane_raycast_f(const GrazePlaneShapef *shape, con
                                               const GrazePlaneRayf *ray, float length, bool *found,
                                               GrazePlaneRayHitf *hit);
 GRAZE_C_API GrazeStatus graze_plane_cast_f(const GrazePlaneMovingf *a, const GrazePlaneMovingf *b, float duration,
-                                           bool *found, GrazePlaneCastHitf *hit);
+                                           GrazeSeparating separating, bool *found, GrazePlaneCastHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_overlap_explained_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                                        const GrazePlaneShapef *b, const GrazePose2f *pose_b,
+                                                        bool *overlap, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_distance_explained_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                                         const GrazePlaneShapef *b, const GrazePose2f *pose_b,
+                                                         GrazePlaneDistancef *distance, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_contacts_explained_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
+                                                         const GrazePlaneShapef *b, const GrazePose2f *pose_b,
+                                                         float margin, GrazeBufferf *buffer,
+                                                         GrazePlaneContactsf *contacts, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_closest_explained_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                        GrazeVec2f point, GrazePlaneClosestf *closest,
+                                                        GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_raycast_explained_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                        const GrazePlaneRayf *ray, float length, bool *found,
+                                                        GrazePlaneRayHitf *hit, GrazeTrace *trace);
+GRAZE_C_API GrazeStatus graze_plane_cast_explained_f(const GrazePlaneMovingf *a, const GrazePlaneMovingf *b,
+                                                     float duration, GrazeSeparating separating, bool *found,
+                                                     GrazePlaneCastHitf *hit, GrazeTrace *trace);
 GRAZE_C_API GrazeStatus graze_plane_pose_at_f(const GrazePose2f *pose, const GrazePlaneVelocityf *velocity, float t,
                                               GrazePose2f *result);
 

@@ -1,0 +1,101 @@
+// Traces, which are the same for both scalars: how C sees them.
+#include "c/trace.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace {
+
+using graze::c::given;
+using graze::c::guarded;
+using graze::c::opened;
+
+/// Values with the same members in the same order in both languages.
+template <class To, class From>
+const To* same_array(const std::vector<From>& from) {
+  static_assert(sizeof(To) == sizeof(From) && alignof(To) == alignof(From));
+  static_assert(std::is_trivially_copyable_v<From> && std::is_standard_layout_v<To>);
+  return reinterpret_cast<const To*>(from.data());
+}
+const GrazeTraceSupport* supports(const std::vector<graze::TraceSupport>& from) {
+  return same_array<GrazeTraceSupport>(from);
+}
+
+void write(const graze::Vec3d& v, double (&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+
+GrazeTraceSupport seen(const graze::TraceSupport& s) { return std::bit_cast<GrazeTraceSupport>(s); }
+
+GrazeTraceAxis seen(const graze::TraceAxis& axis) {
+  GrazeTraceAxis out{axis.name.c_str(), {}, axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper};
+  write(axis.direction, out.direction);
+  return out;
+}
+
+GrazeTraceGjk seen(const graze::TraceGjk& step) {
+  GrazeTraceGjk out{supports(step.simplex), step.simplex.size(), {}, seen(step.found), step.lower, step.upper,
+                    supports(step.polygon), step.polygon.size()};
+  write(step.direction, out.direction);
+  return out;
+}
+
+GrazeTraceEpa seen(const graze::TraceEpa& step) {
+  GrazeTraceEpa out{{},         step.face_depth,        step.found_depth,   seen(step.found),
+                    step.faces, supports(step.polygon), step.polygon.size()};
+  write(step.normal, out.normal);
+  return out;
+}
+
+GrazeTraceSpan seen(const graze::TraceSpan& span) {
+  GrazeTraceSpan out{span.name.c_str(), {}, span.enter, span.leave};
+  write(span.normal, out.normal);
+  return out;
+}
+
+GrazeTraceStep seen(const graze::TraceStep& step) {
+  GrazeTraceStep out{step.t, step.distance, {}};
+  write(step.normal, out.normal);
+  return out;
+}
+
+template <class From, class To>
+void see(const std::vector<From>& from, std::vector<To>& to, const To*& first, size_t& count) {
+  to.clear();
+  for (const From& one : from) to.push_back(seen(one));
+  first = to.data();
+  count = to.size();
+}
+
+}  // namespace
+
+extern "C" {
+
+GrazeStatus graze_trace_create(GrazeTrace** trace) {
+  return guarded([&] { *given(trace, "trace") = new GrazeTrace; });
+}
+
+void graze_trace_destroy(GrazeTrace* trace) {
+  if (trace != nullptr && trace->tag == GrazeTrace::own_tag) delete trace;
+}
+
+GrazeStatus graze_trace_view(GrazeTrace* trace, GrazeTraceView* view) {
+  return guarded([&] {
+    GrazeTrace& t = opened(trace, "trace");
+    given(view, "view");
+    const graze::Trace& told = t.told;
+    GrazeTraceView out{};
+    out.method = told.method.c_str(), out.winner = told.winner.c_str(), out.reason = told.reason.c_str();
+    see(told.axes, t.axes, out.axes, out.axis_count);
+    see(told.gjk, t.gjk, out.gjk, out.gjk_count);
+    see(told.epa, t.epa, out.epa, out.epa_count);
+    see(told.spans, t.spans, out.spans, out.span_count);
+    see(told.steps, t.steps, out.steps, out.step_count);
+    out.difference = supports(told.difference), out.difference_count = told.difference.size();
+    out.rounding = told.rounding;
+    out.polytope = supports(told.polytope), out.polytope_count = told.polytope.size();
+    out.triangles = same_array<GrazeTraceTriangle>(told.triangles), out.triangle_count = told.triangles.size();
+    out.nodes = told.nodes, out.pieces = told.pieces;
+    *view = out;
+  });
+}
+
+}  // extern "C"
