@@ -120,7 +120,7 @@ format: ## format all sources in place
 lint: ## check the format, and the library and programs with clang-tidy
 	@scripts/setup.sh lint
 	clang-format --dry-run -Werror $(sources)
-	@awk 'length > 120 && /^ *\/\// { print FILENAME ":" FNR ": a comment of over 120 columns"; bad = 1 } END { exit bad }' $(sources)
+	@! LC_ALL=C.UTF-8 grep -HnE '^.{121,}$$' $(sources) | grep -E '^[^:]*:[0-9]*: *//' || { echo 'comments of over 120 columns'; exit 1; }
 	$(call configure,clang)
 	run-clang-tidy -quiet -p build/clang -j $(JOBS) '$(CURDIR)/(src|apps)/'
 

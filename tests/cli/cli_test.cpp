@@ -218,8 +218,8 @@ TEST(Cli, ExplainDrawsThePicturesOfThePlane) {
     printed += r.output;
     EXPECT_EQ(content(picture), content(docs + "-" + line + ".svg")) << "line " << line;
   }
-  const Result scene = run("collide " + std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg --svg " +
-                           picture.string());
+  const Result scene =
+      run("collide " + std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg --svg " + picture.string());
   EXPECT_EQ(scene.code, 0);
   EXPECT_EQ(content(picture), content(docs + "-scene.svg"));
   printed += scene.output;
