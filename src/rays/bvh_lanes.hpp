@@ -1,5 +1,5 @@
-// What a walk down a tree of triangles is made of: the ray in a node's eight-bit steps, the children that it enters,
-// and the triangles of a leaf that it may cross. Only for `*.kernel.cpp`.
+// What the way of a ray down a tree of triangles is made of: the ray in a node's eight-bit steps, the children that it
+// enters, and the triangles of a leaf that it may cross. Only for `*.kernel.cpp`.
 //
 // Guarantee: as `bvh_traversal.hpp`: nothing is left out that the ray crosses. Everything is inlined or lives in the
 // namespace of the level.
@@ -14,7 +14,7 @@ inline constexpr int width = TreeNode<float>::width;
 
 /// The children of a node in one register or two.
 inline constexpr int part_lanes = register_bytes >= 32 ? 8 : 4, parts = width / part_lanes;
-using Part = Wide<float, part_lanes>;
+using ChildLanes = Wide<float, part_lanes>;
 using Quad = Wide<float, 4>;
 
 template <class V>
@@ -56,15 +56,15 @@ template <int N>
 }
 
 /// Eight bytes as numbers.
-[[gnu::always_inline]] inline void load_bytes(const std::uint8_t* from, Part (&to)[parts]) {
+[[gnu::always_inline]] inline void load_bytes(const std::uint8_t* from, ChildLanes (&to)[parts]) {
 #if defined(__AVX2__)
   const __m256i words = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
-  to[0].v = cast_bits<Part::Vector>(_mm256_cvtepi32_ps(words));
+  to[0].v = cast_bits<ChildLanes::Vector>(_mm256_cvtepi32_ps(words));
 #elif defined(__SSE2__)
   const __m128i zero = _mm_setzero_si128();
   const __m128i words = _mm_unpacklo_epi8(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)), zero);
-  to[0].v = cast_bits<Part::Vector>(_mm_cvtepi32_ps(_mm_unpacklo_epi16(words, zero)));
-  to[1].v = cast_bits<Part::Vector>(_mm_cvtepi32_ps(_mm_unpackhi_epi16(words, zero)));
+  to[0].v = cast_bits<ChildLanes::Vector>(_mm_cvtepi32_ps(_mm_unpacklo_epi16(words, zero)));
+  to[1].v = cast_bits<ChildLanes::Vector>(_mm_cvtepi32_ps(_mm_unpackhi_epi16(words, zero)));
 #else
   for (int i = 0; i < 8; ++i) to[i / part_lanes].set(i % part_lanes, static_cast<float>(from[i]));
 #endif
@@ -97,20 +97,20 @@ template <int count>
 struct KeysOf {
   static constexpr int parts = count / part_lanes;
   static constexpr std::int32_t place_bits = count - 1;
-  Part part[parts];
+  ChildLanes part[parts];
 
   /// The children's places, from the part's first on.
-  [[gnu::always_inline]] static Part::BitVector places(int k) {
-    Part::BitVector place{};
+  [[gnu::always_inline]] static ChildLanes::BitVector places(int k) {
+    ChildLanes::BitVector place{};
     for (int i = 0; i < part_lanes; ++i) place[i] = k * part_lanes + i;
     return place;
   }
-  [[gnu::always_inline]] void set(int k, const Part& enter, const Part::BitVector& met) {
-    const auto key = (cast_bits<Part::BitVector>(enter.v) & ~place_bits) | places(k);
-    part[k].v = cast_bits<Part::Vector>((key & met) | (absent & ~met));
+  [[gnu::always_inline]] void set(int k, const ChildLanes& enter, const ChildLanes::BitVector& met) {
+    const auto key = (cast_bits<ChildLanes::BitVector>(enter.v) & ~place_bits) | places(k);
+    part[k].v = cast_bits<ChildLanes::Vector>((key & met) | (absent & ~met));
   }
   [[gnu::always_inline]] std::int32_t least() const {
-    Part all = part[0];
+    ChildLanes all = part[0];
     for (int k = 1; k < parts; ++k) all = lesser(all, part[k]);
     Quad q;
 #if defined(__AVX2__)
@@ -127,20 +127,21 @@ struct KeysOf {
   [[gnu::always_inline]] std::uint32_t up_to(std::int32_t limit) const {
     std::uint32_t bits = 0;
     for (int k = 0; k < parts; ++k)
-      bits |= bits_of(typename Part::Mask{cast_bits<Part::BitVector>(part[k].v) <= limit}) << (k * part_lanes);
+      bits |= bits_of(typename ChildLanes::Mask{cast_bits<ChildLanes::BitVector>(part[k].v) <= limit})
+              << (k * part_lanes);
     return bits;
   }
   [[gnu::always_inline]] void remove(std::int32_t key) {
-    for (Part& p : part) {
-      const auto bits = cast_bits<Part::BitVector>(p.v), gone = cast_bits<Part::BitVector>(bits == key);
-      p.v = cast_bits<Part::Vector>((bits & ~gone) | (absent & gone));
+    for (ChildLanes& p : part) {
+      const auto bits = cast_bits<ChildLanes::BitVector>(p.v), gone = cast_bits<ChildLanes::BitVector>(bits == key);
+      p.v = cast_bits<ChildLanes::Vector>((bits & ~gone) | (absent & gone));
     }
   }
   [[gnu::always_inline]] void store(float (&to)[count]) const {
     for (int k = 0; k < parts; ++k) part[k].store(to + k * part_lanes);
   }
   [[gnu::always_inline]] void load(const float (&from)[count]) {
-    for (int k = 0; k < parts; ++k) part[k] = Part::load(from + k * part_lanes);
+    for (int k = 0; k < parts; ++k) part[k] = ChildLanes::load(from + k * part_lanes);
   }
 };
 using Keys = KeysOf<width>;
@@ -163,7 +164,7 @@ template <class T>
 /// The ray in numbers of the tree's, and of single precision where they are in units of `unit`, so that none over- or
 /// underflows. A key tells how far along the ray from 2 radii before its origin: what is met has a positive one.
 template <class T>
-struct Walk {
+struct BvhRay {
   // For the boxes, an axis a lane: a step of the node's frame is `inverse` times it along the ray, and the frame's
   // origin `inverse` times it less `first` at the earliest, less `last` at the latest.
   Wide<T, 4> inverse, first, last;
@@ -184,9 +185,9 @@ struct Walk {
     return static_cast<float>(number < 0x1p100 ? number : 0x1p100) * (1 + 4 * static_cast<float>(single));
   }
 
-  [[gnu::always_inline]] Walk() {}
+  [[gnu::always_inline]] BvhRay() {}
   template <class Question>
-  [[gnu::always_inline]] explicit Walk(const Question& q) {
+  [[gnu::always_inline]] explicit BvhRay(const Question& q) {
     // Any multiple of the radius of which the inverse, times 2^33, is a number in T.
     constexpr double greatest_unit = sizeof(T) == 4 ? 0x1p80 : 0x1p900;
     double unit = 8 * q.radius;
@@ -243,35 +244,35 @@ struct Walk {
 /// The frame of a node along the ray, an axis a lane; differences are taken before they are rounded to float.
 struct Frame {
   Quad scale, first, last;
-  [[gnu::always_inline]] Frame(const Walk<float>& walk, const TreeNode<float>& node) {
-    const Quad from = Quad::load(node.origin) * walk.inverse;
-    first = from - walk.first;
-    last = from - walk.last;
+  [[gnu::always_inline]] Frame(const BvhRay<float>& bvh_ray, const TreeNode<float>& node) {
+    const Quad from = Quad::load(node.origin) * bvh_ray.inverse;
+    first = from - bvh_ray.first;
+    last = from - bvh_ray.last;
     // Not from `step` on: what follows it are no numbers, which some processors are slow at.
     const Quad steps = Quad::load(node.origin + 2);
-    scale = Quad::of(__builtin_shufflevector(steps.v, steps.v, 1, 2, 3, 3)) * walk.inverse;
+    scale = Quad::of(__builtin_shufflevector(steps.v, steps.v, 1, 2, 3, 3)) * bvh_ray.inverse;
   }
-  [[gnu::always_inline]] Frame(const Walk<double>& walk, const TreeNode<double>& node) {
+  [[gnu::always_inline]] Frame(const BvhRay<double>& bvh_ray, const TreeNode<double>& node) {
     for (int i = 0; i < 3; ++i) {
-      const double from = node.origin[i] * walk.inverse[i];
-      first.set(i, static_cast<float>(from - walk.first[i]));
-      last.set(i, static_cast<float>(from - walk.last[i]));
-      scale.set(i, static_cast<float>(node.step[i] * walk.inverse[i]));
+      const double from = node.origin[i] * bvh_ray.inverse[i];
+      first.set(i, static_cast<float>(from - bvh_ray.first[i]));
+      last.set(i, static_cast<float>(from - bvh_ray.last[i]));
+      scale.set(i, static_cast<float>(node.step[i] * bvh_ray.inverse[i]));
     }
   }
 };
 
 /// Where the ray enters each of a node's children by `limit`.
 template <class T>
-[[gnu::always_inline]] inline Keys crossed(const Walk<T>& walk, const TreeNode<T>& node, float limit) {
-  const Frame frame(walk, node);
+[[gnu::always_inline]] inline Keys crossed(const BvhRay<T>& bvh_ray, const TreeNode<T>& node, float limit) {
+  const Frame frame(bvh_ray, node);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(&node);
-  Part in[3][parts], out[3][parts];
+  ChildLanes in[3][parts], out[3][parts];
   for (int axis = 0; axis < 3; ++axis) {
-    const Part scale(frame.scale[axis]), first(frame.first[axis]), last(frame.last[axis]);
-    Part near[parts], far[parts];
-    load_bytes(bytes + walk.enter[axis], near);
-    load_bytes(bytes + walk.leave[axis], far);
+    const ChildLanes scale(frame.scale[axis]), first(frame.first[axis]), last(frame.last[axis]);
+    ChildLanes near[parts], far[parts];
+    load_bytes(bytes + bvh_ray.enter[axis], near);
+    load_bytes(bytes + bvh_ray.leave[axis], far);
     for (int k = 0; k < parts; ++k) {
       in[axis][k] = near[k] * scale + first;
       out[axis][k] = far[k] * scale + last;
@@ -279,8 +280,8 @@ template <class T>
   }
   Keys keys;
   for (int k = 0; k < parts; ++k) {
-    const Part enter = larger(larger(in[0][k], in[1][k]), larger(in[2][k], Part(walk.begin)));
-    const Part leave = lesser(lesser(out[0][k], out[1][k]), lesser(out[2][k], Part(limit)));
+    const ChildLanes enter = larger(larger(in[0][k], in[1][k]), larger(in[2][k], ChildLanes(bvh_ray.begin)));
+    const ChildLanes leave = lesser(lesser(out[0][k], out[1][k]), lesser(out[2][k], ChildLanes(limit)));
     keys.set(k, enter, (enter <= leave).bits & (Keys::places(k) < static_cast<std::int32_t>(node.count)));
   }
   return keys;
@@ -301,21 +302,22 @@ template <class T>
 
 /// One bit for each triangle of a leaf that the ray may cross.
 template <class T>
-[[gnu::always_inline]] inline std::uint32_t left(const Walk<T>& walk, const TreeNode<T>& node, const PackedLeaf& leaf) {
+[[gnu::always_inline]] inline std::uint32_t left(const BvhRay<T>& bvh_ray, const TreeNode<T>& node,
+                                                 const PackedLeaf& leaf) {
   float part[3], base[3];
   for (int i = 0; i < 3; ++i) {
-    const std::uint32_t axis = walk.axis[i];
-    part[i] = static_cast<float>(node.step[axis] * walk.part_scale);
-    base[i] = static_cast<float>((node.origin[axis] - walk.sheared_origin[i]) * walk.scale);
+    const std::uint32_t axis = bvh_ray.axis[i];
+    part[i] = static_cast<float>(node.step[axis] * bvh_ray.part_scale);
+    base[i] = static_cast<float>((node.origin[axis] - bvh_ray.sheared_origin[i]) * bvh_ray.scale);
   }
-  const Quad along_x(part[0]), along_y(part[1]), x_along_z(-(walk.shear_x * part[2])),
-      y_along_z(-(walk.shear_y * part[2])), base_x(base[0] - walk.shear_x * base[2]),
-      base_y(base[1] - walk.shear_y * base[2]);
+  const Quad along_x(part[0]), along_y(part[1]), x_along_z(-(bvh_ray.shear_x * part[2])),
+      y_along_z(-(bvh_ray.shear_y * part[2])), base_x(base[0] - bvh_ray.shear_x * base[2]),
+      base_y(base[1] - bvh_ray.shear_y * base[2]);
   Quad x[3], y[3], size(0.0f);
   for (int k = 0; k < 3; ++k) {
-    const Quad z = load_words(leaf.at[walk.axis[2]][k]);
-    x[k] = load_words(leaf.at[walk.axis[0]][k]) * along_x + z * x_along_z + base_x;
-    y[k] = load_words(leaf.at[walk.axis[1]][k]) * along_y + z * y_along_z + base_y;
+    const Quad z = load_words(leaf.at[bvh_ray.axis[2]][k]);
+    x[k] = load_words(leaf.at[bvh_ray.axis[0]][k]) * along_x + z * x_along_z + base_x;
+    y[k] = load_words(leaf.at[bvh_ray.axis[1]][k]) * along_y + z * y_along_z + base_y;
     size = larger(size, larger(abs(x[k]), abs(y[k])));
   }
   const auto side = [&](int p, int q) __attribute__((always_inline)) { return x[q] * y[p] - y[q] * x[p]; };
@@ -323,7 +325,7 @@ template <class T>
   // With coordinates off by e and of size s, a difference of two products is off by 4 e s + 2 e e, and by its own
   // roundings, 2 epsilon s s <= e s since e is more than 4 epsilon s; where they underflow, by less than the least
   // normal number.
-  const Quad e(walk.off + static_cast<float>(PackedLeaf::off) * (part[0] + part[1] + part[2]));
+  const Quad e(bvh_ray.off + static_cast<float>(PackedLeaf::off) * (part[0] + part[1] + part[2]));
   const Quad off = Quad(8.0f) * e * (size + e) + Quad(least_float);
   const Quad lowest = lesser(u, lesser(v, w)), highest = larger(u, larger(v, w));
   return bits_of(!((lowest < -off) & (highest > off)));

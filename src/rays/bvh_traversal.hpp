@@ -21,7 +21,7 @@ namespace graze {
 /// rounding, and its origin is that point of it, or of its part, that is nearest to the ball's centre: so whatever it
 /// meets is within `radius` of its origin.
 template <class T>
-struct TreeWalk {
+struct BvhQuestion {
   const TreeNode<T>* nodes;
   const PackedLeaf* leaves;
   double extent;  ///< no corner is further from the frame's origin
@@ -36,7 +36,7 @@ struct TreeWalk {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    template <class T> void walk_tree(const TreeWalk<T>& question);)
+    template <class T> void traverse_bvh(const BvhQuestion<T>& question);)
 // clang-format on
 
 namespace rays {

@@ -5,7 +5,7 @@ namespace graze::GRAZE_ISA {
 using namespace tree;
 
 template <class T>
-void walk_tree(const TreeWalk<T>& question) {
+void traverse_bvh(const BvhQuestion<T>& question) {
   /// A node with those of its children that the ray has still to visit, the first of them by itself.
   struct alignas(64) Entry {
     float keys[width];
@@ -14,10 +14,10 @@ void walk_tree(const TreeWalk<T>& question) {
   };
   Entry stack[TreeNode<T>::deepest + 1];
   std::size_t waiting = 0;
-  const Walk<T> walk(question);
+  const BvhRay<T> bvh_ray(question);
   const TreeNode<T>* node = question.nodes;
-  float limit = walk.key(question.end);
-  Keys keys = crossed(walk, *node, limit);
+  float limit = bvh_ray.key(question.end);
+  Keys keys = crossed(bvh_ray, *node, limit);
   std::int32_t key = keys.least();
   for (;;) {
     if (key > (number_bits(limit) | Keys::place_bits)) {
@@ -40,20 +40,20 @@ void walk_tree(const TreeWalk<T>& question) {
       keys.store(stack[waiting].keys);
       waiting += key != absent;
       node = question.nodes + node->first_child + place;
-      keys = crossed(walk, *node, limit);
+      keys = crossed(bvh_ray, *node, limit);
       key = keys.least();
       continue;
     }
     const PackedLeaf& leaf = question.leaves[node->first_leaf + place - node->inner];
-    std::uint32_t bits = left(walk, *node, leaf) & ((1u << leaf.count) - 1);
+    std::uint32_t bits = left(bvh_ray, *node, leaf) & ((1u << leaf.count) - 1);
     for (; bits != 0; bits &= bits - 1) {
-      limit = walk.key(question.found(question.owner, leaf, first_bit(bits)));
+      limit = bvh_ray.key(question.found(question.owner, leaf, first_bit(bits)));
       if (!(limit > 0)) return;
     }
   }
 }
 
-template void walk_tree(const TreeWalk<float>&);
-template void walk_tree(const TreeWalk<double>&);
+template void traverse_bvh(const BvhQuestion<float>&);
+template void traverse_bvh(const BvhQuestion<double>&);
 
 }  // namespace graze::GRAZE_ISA

@@ -1,6 +1,6 @@
 // Rays down the pyramid of a height field: one alone, and some at a time.
 //
-// Guarantee: for one ray as `tree_walk.hpp`, with cells in place of triangles: none is left out in which the exact ray
+// Guarantee: for one ray as `bvh_traversal.hpp`, with cells in place of triangles: none is left out in which the exact ray
 // crosses a triangle, or in which `crossing` finds one crossed or seen edge-on. For some as `mesh_block.hpp`.
 //
 // Source: Tevs, Ihrke, Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering".
@@ -11,9 +11,9 @@
 
 namespace graze {
 
-/// As `TreeWalk`.
+/// As `BvhQuestion`.
 template <class T>
-struct FieldWalk {
+struct FieldQuestion {
   const FieldPyramid<T>* field;
   double extent;
   double radius;
@@ -41,7 +41,7 @@ struct BlockField {
 
 // clang-format off
 GRAZE_DECLARE_KERNEL(
-    template <class T> void walk_field(const FieldWalk<T>& question);
+    template <class T> void traverse_field(const FieldQuestion<T>& question);
     /// Sets `state`, the hits and the `pieces` that are hit, of `count` rays and of what fills up their lanes.
     template <class T> void block_at_field(rays::RayBlock& block, std::size_t count, const rays::BlockField<T>& field,
                                            std::uint32_t* pieces);)

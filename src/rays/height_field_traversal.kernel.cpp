@@ -61,19 +61,19 @@ struct FieldHierarchy {
     return at.level > 0;
   }
 
-  [[gnu::always_inline]] FieldKeys open(const Walk<T>& walk, const Ref& at, float limit) const {
+  [[gnu::always_inline]] FieldKeys open(const BvhRay<T>& bvh_ray, const Ref& at, float limit) const {
     const std::uint32_t level = at.level - 1, column = at.column * side, row = at.row * side;
     const std::uint32_t columns = level == 0 ? field.columns - 1 : field.level[level - 1].columns,
                         rows = level == 0 ? field.rows - 1 : field.level[level - 1].rows;
-    const Slab x = slab(walk, 0, column, columns, field.columns - 1, level, field.spacing_x),
-               z = slab(walk, 2, row, rows, field.rows - 1, level, field.spacing_z);
+    const Slab x = slab(bvh_ray, 0, column, columns, field.columns - 1, level, field.spacing_x),
+               z = slab(bvh_ray, 2, row, rows, field.rows - 1, level, field.spacing_z);
     const Places inside = static_cast<std::int32_t>(column) + Places{0, 1, 2, 3} < static_cast<std::int32_t>(columns);
     Row<T> row_of[side];
     level == 0 ? read_cells(column, row, row_of) : read_blocks(level, column, row, row_of);
     Quad in[side], out[side];
     Places met[side];
-    const Fours inverse(walk.inverse[1]), first(walk.first[1]), last(walk.last[1]);
-    const bool back = walk.inverse[1] < T(0);
+    const Fours inverse(bvh_ray.inverse[1]), first(bvh_ray.first[1]), last(bvh_ray.last[1]);
+    const bool back = bvh_ray.inverse[1] < T(0);
     for (std::uint32_t r = 0; r < side; ++r) {
       const Fours &near = back ? row_of[r].high : row_of[r].low, &far = back ? row_of[r].low : row_of[r].high;
       in[r] = larger(larger(x.in, Quad(z.in[static_cast<int>(r)])), single_of<T>(near * inverse - first));
@@ -83,8 +83,8 @@ struct FieldHierarchy {
     FieldKeys keys;
     for (int k = 0; k < FieldKeys::parts; ++k) {
       const int one = k * rows_of_part, other = one + rows_of_part - 1;
-      const Part enter = larger(Part::of(joined(in[one].v, in[other].v)), Part(walk.begin)),
-                 leave = lesser(Part::of(joined(out[one].v, out[other].v)), Part(limit));
+      const ChildLanes enter = larger(ChildLanes::of(joined(in[one].v, in[other].v)), ChildLanes(bvh_ray.begin)),
+                       leave = lesser(ChildLanes::of(joined(out[one].v, out[other].v)), ChildLanes(limit));
       keys.set(k, enter, (enter <= leave).bits & joined(met[one], met[other]));
     }
     return keys;
@@ -101,9 +101,9 @@ struct FieldHierarchy {
   };
 
   /// Where the ray comes to and leaves four blocks that follow each other along an axis, of which there are `blocks`.
-  [[gnu::always_inline]] Slab slab(const Walk<T>& walk, int axis, std::uint32_t from, std::uint32_t blocks,
+  [[gnu::always_inline]] Slab slab(const BvhRay<T>& bvh_ray, int axis, std::uint32_t from, std::uint32_t blocks,
                                    std::uint32_t end, std::uint32_t level, T spacing) const {
-    const std::int32_t back = walk.inverse[axis] < T(0), begin = static_cast<std::int32_t>(from);
+    const std::int32_t back = bvh_ray.inverse[axis] < T(0), begin = static_cast<std::int32_t>(from);
     const auto at = [&](std::int32_t offset) __attribute__((always_inline)) {
       const auto lesser_of = [](const Places& places, std::uint32_t most) __attribute__((always_inline)) {
         const Places all = Places{} + static_cast<std::int32_t>(most);
@@ -111,9 +111,10 @@ struct FieldHierarchy {
       };
       const Places line = lesser_of(begin + offset + Places{0, 1, 2, 3}, blocks) << static_cast<int>(2 * level);
       const Fours number = Fours::of(__builtin_convertvector(lesser_of(line, end), typename Fours::Vector));
-      return (number - Fours(T(end) / T(2))) * Fours(spacing) * Fours(walk.inverse[axis]);
+      return (number - Fours(T(end) / T(2))) * Fours(spacing) * Fours(bvh_ray.inverse[axis]);
     };
-    return {single_of<T>(at(back) - Fours(walk.first[axis])), single_of<T>(at(1 - back) - Fours(walk.last[axis]))};
+    return {single_of<T>(at(back) - Fours(bvh_ray.first[axis])),
+            single_of<T>(at(1 - back) - Fours(bvh_ray.last[axis]))};
   }
 
   [[gnu::always_inline]] static Places chosen(const typename Fours::Mask& mask) {
@@ -174,7 +175,7 @@ struct FieldSurface : FieldHierarchy<T> {
   const rays::BlockField<T>& question;
 
   template <class Ref, class Add>
-  [[gnu::always_inline]] void each(const Walk<T>&, const Ref&, const Leaf&, const Add& add) const {
+  [[gnu::always_inline]] void each(const BvhRay<T>&, const Ref&, const Leaf&, const Add& add) const {
     add(0, true);
     add(1, true);
   }
@@ -206,7 +207,7 @@ struct FieldSurface : FieldHierarchy<T> {
 }  // namespace
 
 template <class T>
-void walk_field(const FieldWalk<T>& question) {
+void traverse_field(const FieldQuestion<T>& question) {
   using Hierarchy = FieldHierarchy<T>;
   using FieldKeys = typename Hierarchy::FieldKeys;
   struct alignas(32) Entry {
@@ -216,10 +217,10 @@ void walk_field(const FieldWalk<T>& question) {
   Entry stack[FieldPyramid<T>::deepest + 1];
   std::size_t waiting = 0;
   const Hierarchy field{*question.field};
-  const Walk<T> walk(question);
-  float limit = walk.key(question.end);
+  const BvhRay<T> bvh_ray(question);
+  float limit = bvh_ray.key(question.end);
   auto at = field.root();
-  FieldKeys keys = field.open(walk, at, limit);
+  FieldKeys keys = field.open(bvh_ray, at, limit);
   for (;;) {
     const std::int32_t key = keys.least();
     if (key > (number_bits(limit) | FieldKeys::place_bits)) {
@@ -237,10 +238,10 @@ void walk_field(const FieldWalk<T>& question) {
       stack[waiting].at = at;
       waiting += keys.least() != absent;
       at = next;
-      keys = field.open(walk, at, limit);
+      keys = field.open(bvh_ray, at, limit);
       continue;
     }
-    limit = walk.key(question.found(question.owner, cell.column, cell.row));
+    limit = bvh_ray.key(question.found(question.owner, cell.column, cell.row));
     if (!(limit > 0)) return;
   }
 }
@@ -251,8 +252,8 @@ template <class T>
   cast_block(block, count, FieldSurface<T>{{*field.field}, field}, pieces);
 }
 
-template void walk_field(const FieldWalk<float>&);
-template void walk_field(const FieldWalk<double>&);
+template void traverse_field(const FieldQuestion<float>&);
+template void traverse_field(const FieldQuestion<double>&);
 template void block_at_field(rays::RayBlock&, std::size_t, const rays::BlockField<float>&, std::uint32_t*);
 template void block_at_field(rays::RayBlock&, std::size_t, const rays::BlockField<double>&, std::uint32_t*);
 

@@ -20,8 +20,8 @@ struct MeshSurface {
   const rays::BlockMesh<T>& question;
 
   [[gnu::always_inline]] Ref root() const { return 0; }
-  [[gnu::always_inline]] Keys open(const Walk<T>& walk, Ref at, float limit) const {
-    return crossed(walk, question.nodes[at], limit);
+  [[gnu::always_inline]] Keys open(const BvhRay<T>& bvh_ray, Ref at, float limit) const {
+    return crossed(bvh_ray, question.nodes[at], limit);
   }
   [[gnu::always_inline]] bool go(Ref& at, Leaf& leaf, std::uint32_t place) const {
     const TreeNode<T>& node = question.nodes[at];
@@ -32,9 +32,9 @@ struct MeshSurface {
     return inner;
   }
   template <class Add>
-  [[gnu::always_inline]] void each(const Walk<T>& walk, Ref at, Leaf number, const Add& add) const {
+  [[gnu::always_inline]] void each(const BvhRay<T>& bvh_ray, Ref at, Leaf number, const Add& add) const {
     const PackedLeaf& leaf = question.leaves[number];
-    std::uint32_t bits = left(walk, question.nodes[at], leaf) & ((1u << leaf.count) - 1);
+    std::uint32_t bits = left(bvh_ray, question.nodes[at], leaf) & ((1u << leaf.count) - 1);
     const auto next = [&](bool really) __attribute__((always_inline)) {
       const std::uint32_t lane = first_bit(bits | 8) & 3;
       for (std::uint32_t corner : leaf.corners[lane]) __builtin_prefetch(question.points + 3 * std::size_t{corner});

@@ -32,9 +32,9 @@ struct List {
 ///   Scalar, Ref (a node), Leaf, children (how many a node has at most), most (triangles of a leaf);
 ///   deep: a ray with as many nodes to come back to is answered alone
 ///   question: whose `extent`, `radius`, `center`, `both_sides` and `any` are those of `BlockMesh`
-///   root(), open(walk, ref, limit): the keys of a node's children
+///   root(), open(bvh_ray, ref, limit): the keys of a node's children
 ///   go(ref, leaf, place): from a node to a child, true for another node; what will be needed there is asked for
-///   each(walk, ref, leaf, add): calls add(lane, really) for the triangles of a leaf that may be crossed
+///   each(bvh_ray, ref, leaf, add): calls add(lane, really) for the triangles of a leaf that may be crossed
 ///   triangle(leaf, lane): (corner, axis) of one; piece(leaf, lane): its number
 template <class Surface>
 class RayStream {
@@ -61,15 +61,15 @@ class RayStream {
   }
 
  private:
-  /// What a ray's walk needs at hand.
+  /// What a ray needs at hand.
   struct Ray {
-    Walk<T> walk;
+    BvhRay<T> bvh_ray;
     float limit;
     Ref node;  ///< where it is
     Leaf leaf;
     std::size_t waiting;  ///< nodes to come back to
   };
-  /// As `TreeWalk`.
+  /// As `BvhQuestion`.
   struct Line {
     double extent, radius, origin[3], direction[3], begin, end;
   };
@@ -115,8 +115,8 @@ class RayStream {
                       -shift_[i],
                       end_[i]};
       Ray& ray = rays_[i];
-      ray.walk = Walk<T>(line);
-      ray.limit = ray.walk.key(line.end);
+      ray.bvh_ray = BvhRay<T>(line);
+      ray.limit = ray.bvh_ray.key(line.end);
       ray.node = surface_.root();
       ray.waiting = 0;
       inner_.add(i, true);
@@ -165,7 +165,7 @@ class RayStream {
       const std::size_t i = list.ray[k];
       const Ray& ray = rays_[i];
       const Ref at = ray.node;
-      choose(i, at, surface_.open(ray.walk, at, ray.limit));
+      choose(i, at, surface_.open(ray.bvh_ray, at, ray.limit));
     }
   }
 
@@ -175,7 +175,7 @@ class RayStream {
       const std::size_t i = leaf_.ray[k];
       const Ray& ray = rays_[i];
       surface_.each(
-          ray.walk, ray.node, ray.leaf, [&](std::uint32_t lane, bool really) __attribute__((always_inline)) {
+          ray.bvh_ray, ray.node, ray.leaf, [&](std::uint32_t lane, bool really) __attribute__((always_inline)) {
             candidates_[candidates] = {ray.leaf, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(lane)};
             candidates += really;
           });
@@ -219,9 +219,9 @@ class RayStream {
 
   [[gnu::always_inline]] void keep(const Candidate& c, double state, double t) {
     Ray& ray = rays_[c.ray];
-    double& told = block_.state[first_ + c.ray];
-    if (told == rays::ray_again) return;
-    told = state;
+    double& known = block_.state[first_ + c.ray];
+    if (known == rays::ray_again) return;
+    known = state;
     if (state == rays::ray_again || surface_.question.any) {
       ray.waiting = 0;
       return;
@@ -233,7 +233,7 @@ class RayStream {
     best = along;
     nearest = c;
     best_local_[c.ray] = t;
-    const float limit = ray.walk.key(rays::end_after(along, shift));
+    const float limit = ray.bvh_ray.key(rays::end_after(along, shift));
     ray.limit = limit < ray.limit ? limit : ray.limit;
   }
 

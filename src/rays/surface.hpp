@@ -20,10 +20,10 @@ inline Vec3d inverse_of(const Vec3d& direction) {
 }
 
 /// Calls `f(leaf, i)` for the triangles of a mesh that the ray may cross; `f` returns how far it has still to be
-/// followed. `radius` as in `TreeWalk`.
+/// followed. `radius` as in `BvhQuestion`.
 template <class T, class F>
-void walk_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
-  TreeWalk<T> walk{
+void traverse_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f) {
+  BvhQuestion<T> question{
       mesh.tree.nodes().data(),
       mesh.leaves.data(),
       static_cast<double>(mesh.extent),
@@ -34,8 +34,8 @@ void walk_mesh(const MeshData<T>& mesh, const LocalRay& ray, double radius, F& f
       ray.end,
       [](void* owner, const PackedLeaf& leaf, std::size_t i) { return (*static_cast<F*>(owner))(leaf, i); },
       &f};
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), walk_tree<T>);
-  kernel(walk);
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), traverse_bvh<T>);
+  kernel(question);
 }
 
 /// A ray that is cast at one triangle after the other of a surface about `center`.
@@ -105,7 +105,7 @@ void cast_at_surface(const MeshData<T>& mesh, const LocalRay& far, bool both_sid
     return triangle.at(std::array<Vec3<T>, 3>{point(0), point(1), point(2)},
                        [&] { return mesh.tree.order()[leaf.first + i]; });
   };
-  walk_mesh(mesh, ray, reach, try_lane);
+  traverse_mesh(mesh, ray, reach, try_lane);
 }
 
 template <class T, class Found>
@@ -122,7 +122,7 @@ template <class T, class Found>
     return triangle.end();
   };
   using Cell = decltype(try_cell);
-  const FieldWalk<T> walk{
+  const FieldQuestion<T> question{
       &field.pyramid,
       static_cast<double>(field.extent),
       reach,
@@ -132,8 +132,8 @@ template <class T, class Found>
       ray.end,
       [](void* owner, std::uint32_t column, std::uint32_t row) { return (*static_cast<Cell*>(owner))(column, row); },
       &try_cell};
-  static const auto kernel = GRAZE_KERNEL(chosen_isa(), walk_field<T>);
-  kernel(walk);
+  static const auto kernel = GRAZE_KERNEL(chosen_isa(), traverse_field<T>);
+  kernel(question);
 }
 
 }  // namespace graze::rays

@@ -145,7 +145,7 @@ int unknown(TrianglePair (*make)(Random&), int count, unsigned seed) {
     const auto found = special_distance<double>(Shaped(a), pose_a, Shaped(b), pose_b);
     if (!found) {
       const auto regular = [](const Triangle<double>& t) {
-        return SidedTriangle<double>(TriangleCore<double>{{t.point(0), t.point(1), t.point(2)}}).regular();
+        return TriangleRegions<double>(TriangleCore<double>{{t.point(0), t.point(1), t.point(2)}}).regular();
       };
       missing += regular(a) && regular(b);
       continue;

@@ -1,4 +1,4 @@
-// The walk of a ray down a mesh's tree: at every level of the instruction set the same triangles in the same order,
+// The way of a ray down a mesh's tree: at every level of the instruction set the same triangles in the same order,
 // none that is crossed left out, and few others.
 #include "rays/bvh_traversal.hpp"
 
@@ -31,7 +31,7 @@ Mesh<T> soup(Random& random, std::size_t count, T size, const Vec3<T>& center) {
 
 /// What a kernel tells of, in its order; of the whole ray.
 template <class T>
-Numbers told(void (*kernel)(const TreeWalk<T>&), const MeshData<T>& mesh, const rays::LocalRay& ray) {
+Numbers told(void (*kernel)(const BvhQuestion<T>&), const MeshData<T>& mesh, const rays::LocalRay& ray) {
   struct Owner {
     const MeshData<T>& mesh;
     double end;
@@ -93,10 +93,10 @@ TYPED_TEST(TreeWalks, TellTheSameAtEveryLevelAndLeaveNothingOut) {
           along = normalized(along);
           const rays::LocalRay ray = {to - along * dot(to - center, along), along, -double(size),
                                       i % 2 == 0 ? rays::infinity : double(size) / 3, 0};
-          const Numbers baseline = told(baseline::walk_tree<T>, data, ray);
+          const Numbers baseline = told(baseline::traverse_bvh<T>, data, ray);
           for (const Isa level : {Isa::avx2, Isa::avx512})
             if (isa_available(level)) {
-              ASSERT_EQ(told(GRAZE_KERNEL(level, walk_tree<T>), data, ray), baseline);
+              ASSERT_EQ(told(GRAZE_KERNEL(level, traverse_bvh<T>), data, ray), baseline);
             }
           Numbers sorted = baseline;
           std::sort(sorted.begin(), sorted.end());

@@ -21,7 +21,7 @@ namespace graze {
 /// A triangle and a shape of a round core, in a frame at the round one's origin along the world's axes.
 template <class S>
 struct RoundAndTriangle {
-  SidedTriangle<S> triangle;
+  TriangleRegions<S> triangle;
   Mat3<S> turn;             ///< of the triangle
   Vec3<S> origin, between;  ///< of that frame in the world, and from the triangle's origin to there
   S radius_round, radius_triangle;

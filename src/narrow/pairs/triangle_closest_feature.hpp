@@ -85,12 +85,12 @@ struct TriangleRim {
 
 /// A triangle with what its questions share.
 template <class S>
-class SidedTriangle {
+class TriangleRegions {
   using Mask = decltype(S() < S());
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
  public:
-  explicit SidedTriangle(const TriangleCore<S>& of)
+  explicit TriangleRegions(const TriangleCore<S>& of)
       : point_{of.point[0], of.point[1], of.point[2]},
         along_{point_[1] - point_[0], point_[2] - point_[1], point_[0] - point_[2]},
         squared_{length_squared(along_[0]), length_squared(along_[1]), length_squared(along_[2])},

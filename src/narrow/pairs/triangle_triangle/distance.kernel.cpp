@@ -94,9 +94,9 @@ template <class T>
                         const std::size_t pair = begin + first + k;
                         const int i = static_cast<int>(k);
                         const T distance = static_cast<T>(of.at.distance[i]);
-                        const bool told = of.proven[i] && (!of.beyond[i] || distance > pairs[pair].margin);
+                        const bool certified = of.proven[i] && (!of.beyond[i] || distance > pairs[pair].margin);
                         found[pair] = {
-                            told ? distance : -std::numeric_limits<T>::infinity(),
+                            certified ? distance : -std::numeric_limits<T>::infinity(),
                             {of.at.distance[i], lane<double>(of.at.normal, i), lane<double>(of.at.a, i), {}}};
                       }
                     });
