@@ -1,6 +1,7 @@
 #include "narrow/general.hpp"
 
 #include "narrow/core/core_inside.hpp"
+#include "narrow/depth/ball_hulls.hpp"
 #include "narrow/depth/newton_depth.hpp"
 #include "narrow/general_search.hpp"
 #include "narrow/gjk/epa.hpp"
@@ -49,6 +50,17 @@ GeneralDistance better_of(const Difference& difference, const GeneralDistance& o
   const double lower = greatest(-one.core.distance - one.error, -other.core.distance - other.error);
   const GeneralDistance& less = one.core.distance >= other.core.distance ? one : other;
   return judged(difference, less.core, -less.core.distance - lower, less.noise);
+}
+
+/// Of capsules and segments: the tapered ones have no core that is a box.
+template <class T>
+std::optional<CoreDistance<double>> distance_of_ball_hulls(const Shape<T>& a, const Shape<T>& b, const Posed& b_in_a) {
+  const auto hull_a = ball_hull_of(a);
+  if (!hull_a) return std::nullopt;
+  auto hull_b = ball_hull_of(b);
+  if (!hull_b) return std::nullopt;
+  for (Ball& ball : hull_b->ball) ball.center = transform(b_in_a, ball.center);
+  return distance_of(*hull_a, *hull_b);
 }
 
 template <class Difference>
@@ -117,6 +129,7 @@ GeneralDistance general_distance(const Shape<T>& a, const Shape<T>& b, const Pos
     ScannedPair<T> scanned(a, b, b_in_a);
     return iteratively(a, b, b_in_a, scanned.difference, noise, limit);
   }
+  if (const auto hulls = distance_of_ball_hulls(a, b, b_in_a)) return {*hulls, Status::converged, 0, noise};
   const ShapeCore<T> core_a(a), core_b(b);
   const Difference<T> difference(core_a, core_b, b_in_a);
   // Two boxes' axes and corners cost less than GJK.
