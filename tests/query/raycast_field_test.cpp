@@ -154,7 +154,7 @@ TYPED_TEST(RaycastField, GivesTheSameBitsAtEveryLevel) {
       static_cast<Cells*>(to)->push_back({column, row});
       return 1e9;
     };
-    if (length(near - center) <= data.radius) GRAZE_KERNEL(level, walk_field<T>)
+    if (length(near - center) <= data.radius) GRAZE_KERNEL(level, traverse_field<T>)
     ({&data.pyramid,
       static_cast<double>(data.extent),
       data.radius,
