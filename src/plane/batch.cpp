@@ -1,5 +1,6 @@
 #include "graze/plane/batch.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "plane/pairs/pair_queues.hpp"
@@ -85,11 +86,13 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
   const StoreKernels<T>& store = GRAZE_KERNEL(chosen_isa(), plane_store_kernels)().template of<T>();
   ContactColumns<block_pairs> found{};
   ContactRow<T> rows[block_pairs];
+  double margins[block_pairs];
+  std::fill_n(margins, block_pairs, double(margin));
   const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, to, pairs[i]); };
   queues.visit(
       batch, begin, end,
       [&](const PairBlock<T>& block) {
-        kernels[block.entry].contacts(block.columns, block.count, double(margin), found);
+        kernels[block.entry].contacts(block.columns, block.count, margins, found);
         store.contacts(found, block.count, block.turned, rows);
         append_block(block, found, rows, to, pairs);
         for (std::size_t k = 0; k < block.count; ++k)

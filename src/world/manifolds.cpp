@@ -282,6 +282,17 @@ class ManifoldFinder<T, Space>::TaskSink {
   void several(std::size_t i, T distance, const Vec& normal, const Points& points, std::size_t) {
     keep(i, distance, normal, points.append(points_));
   }
+  /// A pair of the plane: a row of two points, of which those are there whose bits are set.
+  template <class Row>
+  void row(std::size_t i, bool overlap, const Row& row, unsigned filled) {
+    std::size_t points = 0;
+    for (unsigned k = 0; k < 2; ++k)
+      if ((filled >> k & 1) != 0) {
+        points_.push_back({row.points[k], {}});
+        ++points;
+      }
+    finder_.keep(bodies_, places_[i], task_, overlap, row.normal, points);
+  }
   template <class Met>
   void met(const Met& some, bool turned) {
     const auto* from = some.points;

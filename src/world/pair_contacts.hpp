@@ -9,6 +9,7 @@
 #include "narrow/batch/lane_pairs.hpp"
 #include "narrow/pair_table.hpp"
 #include "narrow/sat/cached_axis.hpp"
+#include "plane/pairs/placed_pairs.hpp"
 
 namespace graze {
 
@@ -67,25 +68,23 @@ struct PairContacts<T, Space<T>> {
   }
 };
 
-/// In the plane: each pair by itself, whatever its kind.
+/// In the plane: kinds of pairs with a kernel, of shapes without a rounding, across lanes, all others one by one.
 template <class T>
 struct PairContacts<T, plane::Space<T>> {
   using Shape = plane::Shape<T>;
   using Pose = plane::Pose2<T>;
   using Around = Surroundings<T, plane::PlacedRef<T>>;
-  struct Lanes {};
-  struct Pair {
-    const void *a, *b;
-    const Pose *pose_a, *pose_b;
-    T margin;
-  };
+  using Lanes = plane::PairKinds;
+  using Pair = plane::PlacedPair<T>;
 
-  static Lanes lanes(std::uint8_t, std::uint8_t) { return {}; }
-  static bool has_kernel(const Lanes&) { return false; }
-  static bool is_turned(const Lanes&) { return false; }
-  static const void* concrete(const Shape&) { return nullptr; }
+  static Lanes lanes(std::uint8_t type_a, std::uint8_t type_b) { return plane::pair_kinds<T>(type_a, type_b); }
+  static bool has_kernel(const Lanes& lanes) { return lanes.entry.has_value(); }
+  static bool is_turned(const Lanes& lanes) { return lanes.entry->turned; }
+  static const void* concrete(const Shape& shape) { return plane::concrete_for_lanes(shape); }
   template <class Sink>
-  static void visit(const Lanes&, const Pair*, std::size_t, Sink&) {}
+  static void visit(const Lanes& lanes, const Pair* pairs, std::size_t count, Sink& sink) {
+    plane::visit_contacts(lanes, pairs, count, sink);
+  }
 
   static bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
     return plane::overlap(a, pose_a, b, pose_b);

@@ -22,7 +22,8 @@ template <class Pair>
 }
 template <class Pair>
 [[gnu::flatten]] void contacts_one(const PairColumns<1>& columns, double margin, ContactColumns<1>& out) {
-  plane_answers::contacts_at<Pair, Alone>(columns, 0, margin, out);
+  const double margins[1] = {margin};
+  plane_answers::contacts_at<Pair, Alone>(columns, 0, margins, out);
 }
 
 template <class... P>

@@ -110,12 +110,13 @@ template <class Pair, class S, std::size_t N>
 }
 
 template <class Pair, class S, std::size_t N>
-[[gnu::always_inline]] inline void contacts_at(const PairColumns<N>& columns, std::size_t first, double margin,
-                                               ContactColumns<N>& out) {
+[[gnu::always_inline]] inline void contacts_at(const PairColumns<N>& columns, std::size_t first,
+                                               const double (&margins)[N], ContactColumns<N>& out) {
   const LanePair<S> pair = pair_at<Pair, S>(columns, first);
   const S radius = pair.radius();
-  const LaneNearest<S> found = Pair::nearest(pair, S(margin) + radius);
-  const LaneManifold<S> m = manifold<Pair::a, Pair::b>(pair, found, S(margin));
+  const S margin = column<S>(margins, first);
+  const LaneNearest<S> found = Pair::nearest(pair, margin + radius);
+  const LaneManifold<S> m = manifold<Pair::a, Pair::b>(pair, found, margin);
   put_truth<S>(out.known, first, known<Pair>(pair));
   put_truth<S>(out.overlap, first, found.distance - radius <= S(0));
   put(out.filled, first, select(m.has_first, S(1), S(0)) + select(m.has_second, S(2), S(0)));

@@ -47,11 +47,12 @@ struct AloneKernels {
   void (*contacts)(const PairColumns<1>&, double margin, ContactColumns<1>&);
 };
 
-/// And for a block of pairs.
+/// And for a block of pairs. Of contacts each pair has a margin of its own.
 struct PairKernels {
   void (*overlaps)(const PairColumns<block_pairs>&, std::size_t count, OverlapColumns<block_pairs>&);
   void (*distances)(const PairColumns<block_pairs>&, std::size_t count, DistanceColumns<block_pairs>&);
-  void (*contacts)(const PairColumns<block_pairs>&, std::size_t count, double margin, ContactColumns<block_pairs>&);
+  void (*contacts)(const PairColumns<block_pairs>&, std::size_t count, const double (&margins)[block_pairs],
+                   ContactColumns<block_pairs>&);
 };
 
 }  // namespace plane

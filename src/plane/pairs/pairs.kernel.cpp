@@ -21,10 +21,10 @@ template <class Pair>
   for (std::size_t i = 0; i < count; i += Beside::lanes) plane_answers::distance_at<Pair, Beside>(columns, i, out);
 }
 template <class Pair>
-[[gnu::flatten]] void contacts(const PairColumns<block_pairs>& columns, std::size_t count, double margin,
-                               ContactColumns<block_pairs>& out) {
+[[gnu::flatten]] void contacts(const PairColumns<block_pairs>& columns, std::size_t count,
+                               const double (&margins)[block_pairs], ContactColumns<block_pairs>& out) {
   for (std::size_t i = 0; i < count; i += Beside::lanes)
-    plane_answers::contacts_at<Pair, Beside>(columns, i, margin, out);
+    plane_answers::contacts_at<Pair, Beside>(columns, i, margins, out);
 }
 
 template <class... P>
