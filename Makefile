@@ -110,6 +110,14 @@ bench: ## measure, beside Bullet, ODE, FCL and Embree, and write bench/RESULTS.m
 	$(call build,bench)
 	@bench/results.sh $(if $(QUICK),--quick) $(if $(POSES),--poses $(POSES))
 
+.PHONY: bench-resolution
+bench-resolution: ## run the solver's table beside Bullet and ODE, and write bench/RESOLUTION.md (QUICK=1: without piles)
+	@scripts/setup.sh bench
+	$(call configure,bench)
+	cmake --build --preset bench --parallel $(JOBS) --target bench_resolution
+	@build/bench/bin/bench_resolution $(if $(QUICK),--quick) > build/RESOLUTION.md
+	@mv build/RESOLUTION.md bench/RESOLUTION.md
+
 .PHONY: format
 format: ## format all sources in place
 	@scripts/setup.sh lint

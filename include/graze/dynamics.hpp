@@ -27,7 +27,7 @@ struct Dynamics {
   T linear_damping = T(0);        ///< >= 0, per unit of time: a velocity v falls as v' = -damping v
   T angular_damping = T(0);       ///< the same of the turning
   bool kinematic = false;         ///< keeps the velocity that it is given: pushes and is not pushed
-  bool may_sleep = true;          ///< half_space_slots with its island where nothing in it moves
+  bool may_sleep = true;          ///< sleeps with its island where nothing in it moves
 };
 
 }  // namespace graze

@@ -49,16 +49,16 @@ void SimulationParts<T>::put_to_sleep(T dt) {
   for (std::size_t k = 0; k < awake.size(); ++k) {
     if (awake[k] == 0) continue;
     const auto members = islands.bodies_of(islands.ranges()[k]);
-    bool half_space_slots = true;
+    bool still = true;
     for (const std::uint32_t i : members) {
       SimulatedBody<T>& body = bodies[i];
       const Motion<T> m = motion(i);
       const T speed = length(m.linear) + length(m.angular) * body.radius;
       body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
       const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
-      half_space_slots = half_space_slots && body.may_sleep && body.rested >= long_enough;
+      still = still && body.may_sleep && body.rested >= long_enough;
     }
-    if (!half_space_slots) continue;
+    if (!still) continue;
     // A body without contacts that is slow for a moment, at the top of its flight, is not long enough so.
     for (const std::uint32_t i : members) {
       SimulatedBody<T>& body = bodies[i];
