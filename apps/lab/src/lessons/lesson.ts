@@ -1,0 +1,129 @@
+// What a lesson is: data, and for each step a drawing. CONTRIBUTING.md says how to add one.
+
+import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
+import type { Graph } from "../parts/graph.ts";
+import type { Numbers } from "../parts/table.ts";
+import { add, rotate, quatBetween, quatMultiply, sub, unit, length } from "../parts/vec.ts";
+import { sizeOf, withBody, type Body, type Question, type State, type Vec } from "../question.ts";
+
+export interface Step {
+  title: string;
+  /** At most 120 words. */
+  text: string;
+  /** As text of parts/math.ts: with letters, then with the present numbers. */
+  formula?: string[];
+  numbers?: Numbers;
+  graph?: Graph;
+  /** What the drawing shows, for those who do not see it. */
+  says: string;
+  draw(drawing: Drawing): void;
+}
+
+export interface Example {
+  label: string;
+  /** What to look at. */
+  note: string;
+  state: State;
+}
+
+export interface Choice {
+  key: string;
+  label: string;
+  options: { value: number | string | boolean; label: string }[];
+}
+
+export interface Lesson {
+  /** In the address. */
+  id: string;
+  number: number;
+  title: string;
+  /** What the lesson answers. */
+  question: string;
+  /** Two or three sentences before the first step. */
+  intro: string;
+  dimension: 2 | 3;
+  view: View;
+  start: State;
+  choices?: Choice[];
+  handles(state: State): Handle[];
+  /** The state after the handle was dragged to a point of the world. */
+  drag(state: State, id: string, to: Vec): State;
+  steps(state: State): Step[];
+  tryThis: Example[];
+  wrong: Example[];
+  /** The question of "copy as a question" and "in code"; default: the state's. */
+  asks?(state: State): Question;
+  sources: string[];
+}
+
+// --- Handles that most lessons have ---
+
+const bodyName = { a: "A", b: "B" };
+export type Which = "a" | "b";
+
+export const moveHandle = (state: State, which: Which): Handle => ({
+  id: `move-${which}`, label: `Move ${bodyName[which]}`, kind: "move", meaning: which,
+  at: state.q[which]?.translation ?? (state.q.dimension === 2 ? [0, 0] : [0, 0, 0]),
+});
+
+/** The handle stands at `arm` of the body's frame. */
+export const turnHandle = (state: State, which: Which, arm: Vec): Handle => {
+  const body = state.q[which]!;
+  return {
+    id: `turn-${which}`, label: `Turn ${bodyName[which]}`, kind: "turn", meaning: which,
+    at: add(rotate(body.rotation, arm), body.translation ?? arm.map(() => 0)),
+  };
+};
+
+/** The corner of a box that changes its size. */
+export const sizeHandle = (state: State, which: Which): Handle => {
+  const body = state.q[which]!;
+  const corner = sizeOf(body.shape).map((x, i) => (i === 0 ? -x : x) / 2);
+  return {
+    id: `size-${which}`, label: `Size of ${bodyName[which]}`, kind: "size", meaning: which,
+    at: add(rotate(body.rotation, corner), body.translation ?? corner.map(() => 0)),
+  };
+};
+
+const tidy = (v: Vec): Vec => v.map((x) => Number(x.toPrecision(12)));
+
+/** What the handles above do. `arms` are those of `turnHandle`. */
+export function dragBody(state: State, id: string, to: Vec, arms: Partial<Record<Which, Vec>> = {}): State {
+  const [what, which] = id.split("-") as [string, Which];
+  return withBody(state, which, (body) => {
+    const center = body.translation ?? to.map(() => 0);
+    if (what === "move") body.translation = tidy(to);
+    else if (what === "turn") turnTo(body, arms[which] ?? [1, 0, 0], sub(to, center));
+    else if (what === "size" && body.shape.type === "box") {
+      const local = rotate(back(body.rotation), sub(to, center));
+      body.shape = { ...body.shape, box: { size: tidy(local.map((x) => Math.max(0.1, 2 * Math.abs(x)))) } };
+    }
+  });
+}
+function back(rotation: Body["rotation"]): Body["rotation"] {
+  if (rotation === undefined || typeof rotation === "number") return -(rotation ?? 0);
+  return [-rotation[0], -rotation[1], -rotation[2], rotation[3]];
+}
+function turnTo(body: Body, arm: Vec, direction: Vec): void {
+  if (length(direction) < 1e-9) return;
+  if (direction.length === 2) {
+    const angle = Math.atan2(direction[1], direction[0]) - Math.atan2(arm[1], arm[0]);
+    body.rotation = Number(angle.toPrecision(12));
+    return;
+  }
+  const now = (body.rotation as Vec | undefined) ?? [0, 0, 0, 1];
+  body.rotation = tidy(unit(quatMultiply(quatBetween(rotate(now, arm), direction), now)));
+}
+
+/** The two bodies of a question; their handles bear their names. */
+export function drawBodies(drawing: Drawing, q: Question, ghost = false): void {
+  for (const which of ["a", "b"] as const)
+    if (q[which]) drawing.shape(q[which]!, which as Meaning, { ghost });
+}
+export function drawContacts(drawing: Drawing, manifolds: { normal: Vec; points: { a: Vec; b: Vec; feature: string }[] }[]): void {
+  for (const { points } of manifolds)
+    points.forEach((p, i) => {
+      drawing.line(p.a, p.b, "touch", { wide: true, key: `point-${i}` });
+      drawing.point(p.a, "touch", { key: `point-${i}` });
+    });
+}

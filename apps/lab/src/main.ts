@@ -1,0 +1,77 @@
+import "./style.css";
+import { load } from "./graze.ts";
+import { lessons } from "./lessons/index.ts";
+import { h } from "./parts/dom.ts";
+import { readPlace } from "./parts/state.ts";
+import { choose, isDark, startTheme } from "./parts/theme.ts";
+import { Home } from "./rooms/home.ts";
+import { LessonRoom } from "./rooms/lesson.ts";
+import type { Room } from "./rooms/room.ts";
+
+const main = h("main", { id: "main", tabindex: -1 });
+let room: Room | null = null;
+let shownPath = "";
+
+function open(): void {
+  const { path, values } = readPlace();
+  const lesson = lessons.find((l) => path === `/lesson/${l.id}`);
+  room?.dispose();
+  if (lesson) room = new LessonRoom(lesson, values);
+  else room = new Home();
+  document.title = lesson ? `${lesson.title} · Graze lab` : "Graze lab";
+  main.replaceChildren(room.element);
+  for (const a of document.querySelectorAll<HTMLAnchorElement>("header.top a")) {
+    const here = a.getAttribute("href") === `#${path}` || (a.dataset.room === "lessons" && path.startsWith("/lesson"));
+    if (here) a.setAttribute("aria-current", "page");
+    else a.removeAttribute("aria-current");
+  }
+  if (shownPath && shownPath !== path) {
+    main.focus({ preventScroll: true });
+    window.scrollTo(0, 0);
+  }
+  shownPath = path;
+}
+
+function frame(): Node[] {
+  const themeButton = h("button", {
+    type: "button", class: "theme",
+    onclick: () => {
+      choose(isDark() ? "light" : "dark");
+      label();
+    },
+  });
+  const label = (): void => {
+    themeButton.textContent = isDark() ? "Light" : "Dark";
+    themeButton.setAttribute("aria-label", `Switch to ${isDark() ? "light" : "dark"} colours`);
+  };
+  label();
+  return [
+    h("a", { class: "skip", href: "#main", onclick: (event: Event) => (event.preventDefault(), main.focus()) }, "To the content"),
+    h("header", { class: "top" },
+      h("a", { href: "#/", class: "brand" }, "Graze lab"),
+      h("nav", { "aria-label": "Rooms" },
+        h("a", { href: "#/", "data-room": "lessons" }, "Lessons")),
+      themeButton),
+    main,
+  ];
+}
+
+startTheme();
+window.addEventListener("hashchange", open);
+window.addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+  if (event.target instanceof HTMLInputElement || event.target instanceof HTMLTextAreaElement) return;
+  event.preventDefault();
+  if (event.shiftKey) room?.redo?.();
+  else room?.undo?.();
+});
+Object.defineProperty(window, "lab", { get: () => room });
+
+try {
+  await load();
+  document.getElementById("app")!.replaceChildren(...frame());
+  open();
+} catch (error) {
+  document.getElementById("app")!.replaceChildren(
+    h("p", { class: "trouble", role: "alert" }, `The library could not be loaded: ${(error as Error).message}`));
+}

@@ -1,0 +1,41 @@
+// Elements of the page. No markup is parsed from state: texts of lessons are constants, everything else is text nodes.
+
+type Child = Node | string | number | null | undefined | false;
+type Attributes = Record<string, unknown>;
+
+function fill(element: Element, attributes: Attributes, children: Child[]): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
+    else element.setAttribute(name, value === true ? "" : String(value));
+  }
+  for (const child of children)
+    if (child !== null && child !== undefined && child !== false)
+      element.append(child instanceof Node ? child : String(child));
+}
+
+export function h(tag: string, attributes: Attributes = {}, ...children: Child[]): HTMLElement {
+  const element = document.createElement(tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+export function svg(tag: string, attributes: Attributes = {}, ...children: Child[]): SVGElement {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+/** Six significant digits, as tables show numbers; the whole number is in the title of its cell. */
+export function digits(value: number | string | undefined, significant = 6): string {
+  if (value === undefined) return "";
+  if (typeof value === "string") return value.replace("infinity", "∞").replace("-", "−");
+  if (value === 0) return "0";
+  if (Math.abs(value) < 1e-12) return value.toExponential(1).replace("-", "−").replace("e-", "e−");
+  const text = Math.abs(value) < 1e-4 || Math.abs(value) >= 1e7
+    ? value.toExponential(significant - 3)
+    : String(Number(value.toPrecision(significant)));
+  return text.replaceAll("-", "−");
+}
+export const vector = (v: readonly number[] | undefined, significant = 4): string =>
+  v ? `(${v.map((x) => digits(Math.abs(x) < 1e-15 ? 0 : x, significant)).join(", ")})` : "";

@@ -1,0 +1,58 @@
+// What a lesson draws on: the same words in the plane (stage2) and in space (stage3). Colours are named by what they
+// mean, never by their value, so that both themes and every lesson agree.
+
+import type { Body, Vec } from "../question.ts";
+
+/** a, b: the two bodies. touch: what touches or overlaps. axis: normals and axes. out: ruled out. made: what an
+ *  algorithm builds. trigger: what only notices. ink: neutral. */
+export type Meaning = "a" | "b" | "touch" | "axis" | "out" | "made" | "trigger" | "ink";
+
+export interface Look {
+  label?: string;
+  /** Drawn thinner and pale. */
+  ghost?: boolean;
+  dashed?: boolean;
+  wide?: boolean;
+  /** Lights up with the rows of the table that have the key. */
+  key?: string;
+  /** Lies below everything else. */
+  fill?: boolean;
+}
+
+export interface Drawing {
+  shape(body: Body, meaning: Meaning, look?: Look): void;
+  point(at: Vec, meaning: Meaning, look?: Look): void;
+  line(from: Vec, to: Vec, meaning: Meaning, look?: Look): void;
+  arrow(from: Vec, to: Vec, meaning: Meaning, look?: Look): void;
+  /** A polygon of the plane, a flat face in space. */
+  polygon(points: Vec[], meaning: Meaning, look?: Look): void;
+  text(at: Vec, text: string, meaning: Meaning): void;
+}
+
+/** Something that can be dragged: by pointer, touch, or the arrow keys once it has the focus. */
+export interface Handle {
+  id: string;
+  label: string;
+  kind: "move" | "turn" | "size";
+  meaning: Meaning;
+  at: Vec;
+}
+
+export interface View {
+  center: Vec;
+  /** Half of the height that is seen at least. */
+  reach: number;
+  /** In space: where the camera stands, seen from the centre. */
+  from?: Vec;
+}
+
+export interface Stage {
+  readonly element: HTMLElement;
+  /** Draws anew. Handles are kept as elements, so that a drag and the focus go on. */
+  draw(paint: (drawing: Drawing) => void, handles: Handle[], says: string): void;
+  onDrag: (id: string, to: Vec, done: boolean) => void;
+  onPoint: (key: string | null) => void;
+  light(key: string | null): void;
+  look(view: View): void;
+  dispose(): void;
+}

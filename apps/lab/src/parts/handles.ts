@@ -1,0 +1,109 @@
+// The handles of both stages: buttons over the drawing, so that a keyboard and a screen reader reach them.
+
+import { h } from "./dom.ts";
+import type { Handle } from "./drawing.ts";
+import type { Vec } from "../question.ts";
+
+export interface Projection {
+  /** Pixels of the stage. */
+  toScreen(p: Vec): [x: number, y: number];
+  /** The point under the pixel; in space, on the plane through `near` that faces the viewer. */
+  fromScreen(x: number, y: number, near: Vec): Vec;
+  /** A step of an arrow key. */
+  step(): number;
+}
+
+const signs = { turn: "↻", size: "⤢" };
+/** A body is moved by its name. */
+const sign = (handle: Handle): string =>
+  handle.kind !== "move" ? signs[handle.kind] : handle.meaning === "a" ? "A" : handle.meaning === "b" ? "B" : "✥";
+
+export class Handles {
+  readonly element = h("div", { class: "handles" });
+  private readonly buttons = new Map<string, HTMLButtonElement>();
+  private handles: Handle[] = [];
+  private readonly projection: Projection;
+  private readonly onDrag: (id: string, to: Vec, done: boolean) => void;
+
+  constructor(projection: Projection, onDrag: (id: string, to: Vec, done: boolean) => void) {
+    this.projection = projection;
+    this.onDrag = onDrag;
+  }
+
+  show(handles: Handle[]): void {
+    this.handles = handles;
+    const wanted = new Set(handles.map((x) => x.id));
+    for (const [id, button] of this.buttons)
+      if (!wanted.has(id)) {
+        button.remove();
+        this.buttons.delete(id);
+      }
+    for (const handle of handles) {
+      let button = this.buttons.get(handle.id);
+      if (!button) {
+        button = this.make(handle);
+        this.buttons.set(handle.id, button);
+        this.element.append(button);
+      }
+      button.setAttribute("aria-label", `${handle.label} at ${handle.at.map((x) => x.toFixed(2)).join(", ")}`);
+    }
+    this.place();
+  }
+
+  place(): void {
+    for (const handle of this.handles) {
+      const [x, y] = this.projection.toScreen(handle.at);
+      const style = this.buttons.get(handle.id)!.style;
+      style.transform = `translate(${x}px, ${y}px)`;
+    }
+  }
+
+  private at(id: string): Vec {
+    return this.handles.find((x) => x.id === id)?.at ?? [0, 0, 0];
+  }
+
+  private make(handle: Handle): HTMLButtonElement {
+    const { id } = handle;
+    const button = h(
+      "button",
+      { type: "button", class: `handle ${handle.kind} of-${handle.meaning}`, "data-handle": id, title: handle.label },
+      sign(handle),
+    ) as HTMLButtonElement;
+    let grip: [number, number] | null = null;
+    const target = (event: PointerEvent): Vec => {
+      const frame = this.element.getBoundingClientRect();
+      return this.projection.fromScreen(event.clientX - frame.left + grip![0], event.clientY - frame.top + grip![1],
+        this.at(id));
+    };
+    button.addEventListener("pointerdown", (event) => {
+      const frame = this.element.getBoundingClientRect();
+      const [x, y] = this.projection.toScreen(this.at(id));
+      grip = [x - (event.clientX - frame.left), y - (event.clientY - frame.top)];
+      button.setPointerCapture(event.pointerId);
+      button.focus();
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    button.addEventListener("pointermove", (event) => grip && this.onDrag(id, target(event), false));
+    const end = (event: PointerEvent): void => {
+      if (!grip) return;
+      const to = target(event);
+      grip = null;
+      this.onDrag(id, to, true);
+    };
+    button.addEventListener("pointerup", end);
+    button.addEventListener("pointercancel", end);
+    button.addEventListener("keydown", (event) => {
+      const by: Record<string, Vec> = {
+        ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowDown: [0, -1, 0], ArrowUp: [0, 1, 0],
+        PageUp: [0, 0, -1], PageDown: [0, 0, 1],
+      };
+      const step = by[event.key];
+      if (!step) return;
+      event.preventDefault();
+      const size = this.projection.step() * (event.shiftKey ? 0.1 : 1);
+      this.onDrag(id, this.at(id).map((x, i) => x + step[i] * size), true);
+    });
+    return button;
+  }
+}

@@ -1,0 +1,83 @@
+// Formulas. A lesson writes them as text, `d = |c_B - c_A| <= r_A + r_B`, and the page shows MathML.
+//
+//   x_A       a subscript           frac(a, b)   a fraction         a*b  a·b   products
+//   x^2       a superscript         sqrt(a)      a root             <=  >=  !=  ->  in  sum  theta ...
+//   |a|       bars                  [x, y]       a vector           "words"
+
+const namespace = "http://www.w3.org/1998/Math/MathML";
+
+function element(tag: string, ...children: (Node | string)[]): Element {
+  const made = document.createElementNS(namespace, tag);
+  made.append(...children);
+  return made;
+}
+
+const operators: Record<string, string> = {
+  "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "-": "−", "*": "·", "·": "·", "×": "×", "⊕": "⊕", "⊖": "⊖",
+};
+const names: Record<string, string> = {
+  theta: "θ", mu: "μ", omega: "ω", sum: "∑", in: "∈", pi: "π", infinity: "∞", max: "max", min: "min", conv: "conv",
+  and: "and", or: "or",
+};
+const token = /\s*("[^"]*"|[0-9]+(?:\.[0-9]+)?(?:e[−-]?[0-9]+)?|<=|>=|!=|->|[A-Za-z]+|[^\s])/y;
+
+export function formula(text: string): Element {
+  const tokens: string[] = [];
+  token.lastIndex = 0;
+  for (let m = token.exec(text); m; m = token.exec(text)) tokens.push(m[1]);
+  let at = 0;
+
+  function group(close: string): Element {
+    const row = element("mrow");
+    while (at < tokens.length && tokens[at] !== close) row.append(scripted());
+    at++;
+    return row;
+  }
+  function argument(): Element {
+    const row = element("mrow");
+    while (at < tokens.length && tokens[at] !== "," && tokens[at] !== ")") row.append(scripted());
+    at++;
+    return row;
+  }
+  function atom(): Element {
+    const word = tokens[at++];
+    if (word === undefined) return element("mrow");
+    if (word[0] === '"') return element("mtext", word.slice(1, -1));
+    if (/^[0-9]/.test(word)) return element("mn", word);
+    if (word === "frac" && tokens[at] === "(") {
+      at++;
+      return element("mfrac", argument(), argument());
+    }
+    if (word === "sqrt" && tokens[at] === "(") {
+      at++;
+      return element("msqrt", argument());
+    }
+    if (word === "(") return element("mrow", element("mo", "("), group(")"), element("mo", ")"));
+    if (word === "[") return element("mrow", element("mo", "("), group("]"), element("mo", ")"));
+    if (word === "{") return group("}");
+    if (word === "|") return element("mrow", element("mo", "|"), group("|"), element("mo", "|"));
+    if (names[word]) return element(/^(max|min|and|or|conv)$/.test(word) ? "mtext" : "mi", names[word]);
+    if (/^[A-Za-zα-ω]/.test(word)) return element("mi", word);
+    return element("mo", operators[word] ?? word);
+  }
+  function scripted(): Element {
+    const base = atom();
+    let below: Element | undefined, above: Element | undefined;
+    while (tokens[at] === "_" || tokens[at] === "^") {
+      const kind = tokens[at++];
+      const script = atom();
+      if (kind === "_") below = script;
+      else above = script;
+    }
+    if (below && above) return element("msubsup", base, below, above);
+    if (below) return element("msub", base, below);
+    return above ? element("msup", base, above) : base;
+  }
+
+  const math = element("math");
+  math.setAttribute("display", "block");
+  const row = element("mrow");
+  while (at < tokens.length) row.append(scripted());
+  math.append(row);
+  return math;
+}

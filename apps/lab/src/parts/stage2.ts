@@ -1,0 +1,219 @@
+// The plane: SVG, so that it is sharp at any size, can be printed, and its text can be selected.
+
+import { h, svg } from "./dom.ts";
+import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
+import { Handles } from "./handles.ts";
+import { outline } from "./outline.ts";
+import { add, length, scale, sub, unit } from "./vec.ts";
+import type { Vec } from "../question.ts";
+
+/** A round number that fits about five times into `span`. */
+function roundStep(span: number): number {
+  const rough = span / 5, power = 10 ** Math.floor(Math.log10(rough));
+  const lead = rough / power;
+  return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+}
+
+export class Stage2 implements Stage, Drawing {
+  readonly element = h("div", { class: "stage stage2" });
+  onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
+  onPoint: (key: string | null) => void = () => {};
+  private readonly picture = svg("svg", { role: "img" });
+  private readonly handles: Handles;
+  private readonly observer: ResizeObserver;
+  private view: View = { center: [0, 0], reach: 3 };
+  private size: [number, number] = [600, 480];
+  private layers: SVGElement[] = [];
+  private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
+  private lit: string | null = null;
+
+  constructor() {
+    this.handles = new Handles(
+      {
+        toScreen: (p) => this.pixel(p),
+        fromScreen: (x, y) => this.world(x, y),
+        step: () => this.view.reach / 50,
+      },
+      (id, to, done) => this.onDrag(id, [to[0], to[1]], done),
+    );
+    this.element.append(this.picture, this.handles.element);
+    this.observer = new ResizeObserver(() => {
+      const frame = this.element.getBoundingClientRect();
+      if (frame.width > 0) this.size = [frame.width, frame.height];
+      this.redraw();
+    });
+    this.observer.observe(this.element);
+    this.picture.addEventListener("pointerover", (event) => {
+      const key = (event.target as Element).closest?.("[data-key]")?.getAttribute("data-key") ?? null;
+      if (key !== this.lit) this.onPoint(key);
+    });
+    this.panAndZoom();
+  }
+
+  dispose(): void {
+    this.observer.disconnect();
+  }
+
+  look(view: View): void {
+    this.view = { ...view };
+    this.redraw();
+  }
+
+  light(key: string | null): void {
+    this.lit = key;
+    for (const element of this.picture.querySelectorAll("[data-key]"))
+      element.classList.toggle("lit", element.getAttribute("data-key") === key);
+  }
+
+  draw(paint: (drawing: Drawing) => void, handles: Handle[], says: string): void {
+    this.last = { paint, handles, says };
+    this.redraw();
+  }
+
+  private unitPixels(): number {
+    return Math.min(this.size[0], this.size[1] * 1.25) / (2 * this.view.reach);
+  }
+  private pixel(p: Vec): [number, number] {
+    const s = this.unitPixels();
+    return [
+      this.size[0] / 2 + (p[0] - this.view.center[0]) * s,
+      this.size[1] / 2 - (p[1] - this.view.center[1]) * s,
+    ];
+  }
+  private world(x: number, y: number): Vec {
+    const s = this.unitPixels();
+    return [
+      this.view.center[0] + (x - this.size[0] / 2) / s,
+      this.view.center[1] - (y - this.size[1] / 2) / s,
+    ];
+  }
+
+  private redraw(): void {
+    if (!this.last) return;
+    const { paint, handles, says } = this.last;
+    this.layers = Array.from({ length: 4 }, () => svg("g"));
+    this.picture.setAttribute("viewBox", `0 0 ${this.size[0]} ${this.size[1]}`);
+    this.picture.setAttribute("aria-label", says);
+    paint(this);
+    this.picture.replaceChildren(hatches(), this.grid(), ...this.layers);
+    this.handles.show(handles);
+    this.light(this.lit);
+  }
+
+  private grid(): SVGElement {
+    const group = svg("g", { class: "grid", "aria-hidden": "true" });
+    const step = roundStep(2 * this.view.reach);
+    const [left, top] = this.world(0, 0), [right, bottom] = this.world(...this.size);
+    for (let x = Math.ceil(left / step) * step; x <= right; x += step) {
+      const [px] = this.pixel([x, 0]);
+      group.append(svg("line", { x1: px, x2: px, y1: 0, y2: this.size[1], class: Math.abs(x) < step / 2 ? "zero" : "" }));
+    }
+    for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) {
+      const [, py] = this.pixel([0, y]);
+      group.append(svg("line", { x1: 0, x2: this.size[0], y1: py, y2: py, class: Math.abs(y) < step / 2 ? "zero" : "" }));
+    }
+    const length = step * this.unitPixels(), y = this.size[1] - 14;
+    group.append(
+      svg("path", { class: "bar", d: `M12 ${y - 5}v5h${length}v-5` }),
+      svg("text", { x: 16, y: y - 4 }, String(Number(step.toPrecision(3)))),
+    );
+    return group;
+  }
+
+  private attributes(meaning: Meaning, look?: Look): Record<string, unknown> {
+    const kinds = [`of-${meaning}`, look?.ghost && "ghost", look?.dashed && "dashed", look?.wide && "wide"];
+    return { class: kinds.filter(Boolean).join(" "), "data-key": look?.key };
+  }
+  private label(at: Vec, look: Look | undefined, meaning: Meaning): void {
+    if (look?.label) this.text(at, look.label, meaning);
+  }
+
+  shape(body: Parameters<Drawing["shape"]>[0], meaning: Meaning, look?: Look): void {
+    const { points, closed } = outline(body, this.view.reach * 8);
+    const d = points.map((p, i) => `${i ? "L" : "M"}${this.pixel(p).map((x) => x.toFixed(2)).join(" ")}`).join("");
+    const attributes = this.attributes(meaning, look);
+    this.layers[0].append(svg("path", { ...attributes, class: `shape ${attributes.class}`, d: d + (closed ? "Z" : "") }));
+    if (look?.label) this.label(body.translation ?? [0, 0], look, meaning);
+  }
+  point(at: Vec, meaning: Meaning, look?: Look): void {
+    const [cx, cy] = this.pixel(at);
+    this.layers[2].append(svg("circle", { ...this.attributes(meaning, look), cx, cy, r: look?.wide ? 6 : 4 }));
+    this.label(at, look, meaning);
+  }
+  line(from: Vec, to: Vec, meaning: Meaning, look?: Look): void {
+    const [x1, y1] = this.pixel(from), [x2, y2] = this.pixel(to);
+    this.layers[1].append(svg("line", { ...this.attributes(meaning, look), x1, y1, x2, y2 }));
+    this.label(scale(add(from, to), 0.5), look, meaning);
+  }
+  arrow(from: Vec, to: Vec, meaning: Meaning, look?: Look): void {
+    this.line(from, to, meaning, { ...look, label: undefined });
+    const [x1, y1] = this.pixel(from), [x2, y2] = this.pixel(to);
+    const along = sub([x2, y2], [x1, y1]);
+    if (length(along) > 1) {
+      const u = unit(along), n = [-u[1], u[0]], size = Math.min(10, length(along));
+      const corner = (side: number): Vec => add(sub([x2, y2], scale(u, size)), scale(n, side * size * 0.4));
+      const d = `M${x2} ${y2}L${corner(1).join(" ")}L${corner(-1).join(" ")}Z`;
+      const attributes = this.attributes(meaning, look);
+      this.layers[2].append(svg("path", { ...attributes, class: `head ${attributes.class}`, d }));
+    }
+    this.label(to, look, meaning);
+  }
+  polygon(points: Vec[], meaning: Meaning, look?: Look): void {
+    const attributes = this.attributes(meaning, look);
+    const list = points.map((p) => this.pixel(p).join(",")).join(" ");
+    this.layers[look?.fill ? 0 : 1].append(svg("polygon", { ...attributes, class: `area ${attributes.class}`, points: list }));
+    if (look?.label) this.label(scale(points.reduce((s, p) => add(s, p), [0, 0]), 1 / points.length), look, meaning);
+  }
+  text(at: Vec, text: string, meaning: Meaning): void {
+    const [x, y] = this.pixel(at);
+    this.layers[3].append(svg("text", { x: x + 8, y: y - 8, class: `of-${meaning}` }, text));
+  }
+
+  private panAndZoom(): void {
+    const pointers = new Map<number, [number, number]>();
+    const spread = (): number => {
+      const [p, q] = [...pointers.values()];
+      return Math.hypot(p[0] - q[0], p[1] - q[1]);
+    };
+    this.picture.addEventListener("pointerdown", (event) => {
+      pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    });
+    this.picture.addEventListener("pointermove", (event) => {
+      const before = pointers.get(event.pointerId);
+      if (!before) return;
+      const was = pointers.size === 2 ? spread() : 0;
+      pointers.set(event.pointerId, [event.clientX, event.clientY]);
+      if (pointers.size === 2) this.view.reach *= was / Math.max(1, spread());
+      else if (event.pointerType === "mouse" || pointers.size === 1) {
+        const s = this.unitPixels();
+        this.view.center = [
+          this.view.center[0] - (event.clientX - before[0]) / s,
+          this.view.center[1] + (event.clientY - before[1]) / s,
+        ];
+      }
+      this.redraw();
+    });
+    const end = (event: PointerEvent): void => void pointers.delete(event.pointerId);
+    for (const name of ["pointerup", "pointercancel", "pointerleave"])
+      this.picture.addEventListener(name, end as EventListener);
+    this.element.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !event.shiftKey) return; // the page scrolls
+      event.preventDefault();
+      this.view.reach *= Math.exp(event.deltaY / 500);
+      this.redraw();
+    }, { passive: false });
+  }
+}
+
+/** A is hatched to the left and B to the right, so that nobody depends on colours. */
+function hatches(): SVGElement {
+  const made = svg("defs");
+  for (const [name, turn] of [["a", -45], ["b", 45]] as const)
+    made.append(
+      svg("pattern",
+        { id: `hatch-${name}`, width: 7, height: 7, patternUnits: "userSpaceOnUse", patternTransform: `rotate(${turn})` },
+        svg("rect", { width: 7, height: 7, class: `ground-${name}` }),
+        svg("line", { x1: 0, x2: 0, y1: 0, y2: 7, class: `hatch-${name}` })),
+    );
+  return made;
+}

@@ -1,0 +1,335 @@
+// Space: three.js. Drawn when something changed, never otherwise: a still page uses no processor.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import { h } from "./dom.ts";
+import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
+import { Handles } from "./handles.ts";
+import { color, onTheme } from "./theme.ts";
+import { geometryOf } from "./solid.ts";
+import { length, sub } from "./vec.ts";
+import type { Body, Vec } from "../question.ts";
+
+const v3 = (p: Vec): THREE.Vector3 => new THREE.Vector3(p[0], p[1], p[2] ?? 0);
+
+export class Stage3 implements Stage, Drawing {
+  readonly element = h("div", { class: "stage stage3" });
+  onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
+  onPoint: (key: string | null) => void = () => {};
+  /** A click on a body: its place in the order of `shape` calls, and the ray through the pointer. */
+  onPick: (body: number | null, ray: { origin: Vec; direction: Vec }) => void = () => {};
+  private readonly canvas = document.createElement("canvas");
+  private readonly labels = h("div", { class: "labels", "aria-hidden": "true" });
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(40, 1, 0.01, 5000);
+  private readonly controls: OrbitControls;
+  private readonly handles: Handles;
+  private readonly observer: ResizeObserver;
+  private readonly stopTheme: () => void;
+  private drawn = new THREE.Group();
+  private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look }>();
+  private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
+  private picks: THREE.Object3D[] = [];
+  private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
+  private lit: string | null = null;
+  private waiting = 0;
+  private reach = 3;
+  private size: [number, number] = [600, 480];
+  private readonly geometries = new Map<string, THREE.BufferGeometry>();
+
+  constructor() {
+    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.canvas.setAttribute("role", "img");
+    this.canvas.tabIndex = 0;
+    this.handles = new Handles(
+      {
+        toScreen: (p) => this.pixel(p),
+        fromScreen: (x, y, near) => this.facing(x, y, near),
+        step: () => this.reach / 50,
+      },
+      (id, to, done) => this.onDrag(id, to, done),
+    );
+    this.element.append(this.canvas, this.labels, this.handles.element);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.enableDamping = false;
+    this.controls.addEventListener("change", () => this.request());
+    const sun = new THREE.DirectionalLight(0xffffff, 1.6);
+    sun.position.set(3, 8, 5);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667788, 1.7), sun, this.drawn);
+    this.observer = new ResizeObserver(() => {
+      const frame = this.element.getBoundingClientRect();
+      if (frame.width === 0) return;
+      this.size = [frame.width, frame.height];
+      this.renderer.setSize(frame.width, frame.height, false);
+      this.camera.aspect = frame.width / frame.height;
+      this.camera.updateProjectionMatrix();
+      this.request();
+    });
+    this.observer.observe(this.element);
+    this.stopTheme = onTheme(() => this.redraw());
+    this.canvas.addEventListener("keydown", (event) => this.turnCamera(event));
+    let down: [number, number] | null = null;
+    this.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
+    this.canvas.addEventListener("pointerup", (event) => {
+      if (down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4) this.pick(event);
+      down = null;
+    });
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.waiting);
+    this.stopTheme();
+    this.observer.disconnect();
+    this.controls.dispose();
+    this.clear();
+    for (const geometry of this.geometries.values()) geometry.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  look(view: View): void {
+    this.reach = view.reach;
+    const center = v3(view.center);
+    const from = v3(view.from ?? [0.55, 0.5, 1]).normalize();
+    this.controls.target.copy(center);
+    this.camera.position.copy(center).addScaledVector(from, (view.reach * 1.15) / Math.tan((20 * Math.PI) / 180));
+    this.camera.near = view.reach / 200;
+    this.camera.far = view.reach * 400;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.request();
+  }
+  light(key: string | null): void {
+    if (key === this.lit) return;
+    this.lit = key;
+    this.redraw();
+  }
+  draw(paint: (drawing: Drawing) => void, handles: Handle[], says: string): void {
+    this.last = { paint, handles, says };
+    this.redraw();
+  }
+  /** The point of the horizontal plane through `height` under a pixel. */
+  rayAt(clientX: number, clientY: number): { origin: Vec; direction: Vec } {
+    const frame = this.canvas.getBoundingClientRect();
+    const caster = this.caster(clientX - frame.left, clientY - frame.top);
+    return { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() };
+  }
+
+  // --- Drawing ---
+
+  shape(body: Body, meaning: Meaning, look?: Look): void {
+    const group = new THREE.Group();
+    if (body.translation) group.position.set(...(body.translation as [number, number, number]));
+    if (Array.isArray(body.rotation)) group.quaternion.set(...(body.rotation as [number, number, number, number])).normalize();
+    const key = JSON.stringify(body.shape);
+    let geometry = this.geometries.get(key);
+    if (!geometry) {
+      if (this.geometries.size > 400) {
+        for (const old of this.geometries.values()) old.dispose();
+        this.geometries.clear();
+      }
+      geometry = geometryOf(body.shape);
+      this.geometries.set(key, geometry);
+    }
+    const opacity = look?.ghost ? 0.12 : look?.wide ? 1 : 0.55;
+    const material = new THREE.MeshLambertMaterial({
+      color: color(meaning), transparent: opacity < 1, opacity, side: THREE.DoubleSide, depthWrite: opacity === 1,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+    });
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.userData.body = this.picks.length;
+    this.picks.push(mesh);
+    group.add(mesh);
+    const edges = this.edgesOf(key, geometry);
+    const line = new THREE.LineSegments(edges,
+      new THREE.LineBasicMaterial({ color: color(meaning), transparent: true, opacity: look?.ghost ? 0.35 : 1 }));
+    group.add(line);
+    this.drawn.add(group);
+    if (look?.label) this.texts.push({ at: body.translation ?? [0, 0, 0], text: look.label, meaning });
+  }
+  private edgesOf(key: string, geometry: THREE.BufferGeometry): THREE.BufferGeometry {
+    const name = `edges ${key}`;
+    let edges = this.geometries.get(name);
+    if (!edges) {
+      edges = new THREE.EdgesGeometry(geometry, 20);
+      this.geometries.set(name, edges);
+    }
+    return edges;
+  }
+  point(at: Vec, meaning: Meaning, look?: Look): void {
+    const lit = look?.key !== undefined && look.key === this.lit;
+    const dot = new THREE.Sprite(new THREE.SpriteMaterial({
+      color: color(lit ? "touch" : meaning), map: disc(), sizeAttenuation: false, depthTest: false, transparent: true,
+      opacity: look?.ghost ? 0.4 : 1,
+    }));
+    dot.position.copy(v3(at));
+    dot.scale.setScalar(lit || look?.wide ? 0.026 : 0.017);
+    dot.renderOrder = 3;
+    this.drawn.add(dot);
+    if (look?.label) this.texts.push({ at, text: look.label, meaning });
+  }
+  line(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
+    const lit = look.key !== undefined && look.key === this.lit;
+    const kind = `${meaning}/${look.ghost ? 1 : 0}${look.dashed ? 1 : 0}${look.wide || lit ? 1 : 0}`;
+    let batch = this.lines.get(kind);
+    if (!batch) {
+      batch = { positions: [], meaning, look: { ...look, wide: look.wide || lit } };
+      this.lines.set(kind, batch);
+    }
+    batch.positions.push(...v3(from).toArray(), ...v3(to).toArray());
+    if (look.label) this.texts.push({ at: from.map((x, i) => (x + to[i]) / 2), text: look.label, meaning });
+  }
+  arrow(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
+    this.line(from, to, meaning, { ...look, label: undefined });
+    const along = v3(sub(to, from));
+    const size = Math.min(this.reach / 22, length(sub(to, from)) / 2);
+    if (size > 0) {
+      const head = new THREE.Mesh(coneGeometry, new THREE.MeshBasicMaterial({
+        color: color(meaning), depthTest: false, transparent: true, opacity: look.ghost ? 0.4 : 1 }));
+      head.scale.set(size * 0.35, size, size * 0.35);
+      head.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
+      head.position.copy(v3(to)).addScaledVector(along.normalize(), -size / 2);
+      head.renderOrder = 3;
+      this.drawn.add(head);
+    }
+    if (look.label) this.texts.push({ at: to, text: look.label, meaning });
+  }
+  polygon(points: Vec[], meaning: Meaning, look?: Look): void {
+    if (points.length > 2) {
+      const geometry = new THREE.BufferGeometry().setFromPoints(points.map(v3));
+      geometry.setIndex(points.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
+      const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
+        color: color(meaning), transparent: true, opacity: look?.ghost ? 0.1 : 0.35, side: THREE.DoubleSide, depthWrite: false }));
+      mesh.userData.own = true;
+      this.drawn.add(mesh);
+    }
+    points.forEach((p, i) => this.line(p, points[(i + 1) % points.length], meaning, { ...look, label: undefined }));
+    if (look?.label) this.texts.push({ at: points[0], text: look.label, meaning });
+  }
+  text(at: Vec, text: string, meaning: Meaning): void {
+    this.texts.push({ at, text, meaning });
+  }
+
+  // --- Frames ---
+
+  private clear(): void {
+    this.drawn.traverse((object) => {
+      const mesh = object as THREE.Mesh;
+      (mesh.material as THREE.Material | undefined)?.dispose();
+      if (mesh.userData.own) mesh.geometry.dispose();
+    });
+    this.drawn.clear();
+    this.lines.clear();
+    this.texts = [];
+    this.picks = [];
+  }
+  private redraw(): void {
+    if (!this.last) return;
+    const { paint, handles, says } = this.last;
+    this.clear();
+    this.canvas.setAttribute("aria-label", says);
+    paint(this);
+    this.axes();
+    for (const { positions, meaning, look } of this.lines.values()) {
+      const geometry = new LineSegmentsGeometry();
+      geometry.setPositions(positions);
+      const material = new LineMaterial({
+        color: color(meaning), linewidth: look.wide ? 4 : 2, dashed: look.dashed ?? false, transparent: true,
+        opacity: look.ghost ? 0.4 : 1, dashSize: this.reach / 30, gapSize: this.reach / 40, depthTest: !look.wide,
+      });
+      const line = new LineSegments2(geometry, material);
+      if (look.dashed) line.computeLineDistances();
+      line.renderOrder = look.wide ? 2 : 1;
+      line.userData.own = true;
+      this.drawn.add(line);
+    }
+    this.labels.replaceChildren(...this.texts.map(({ text, meaning }) => h("span", { class: `of-${meaning}` }, text)));
+    this.handles.show(handles);
+    this.request();
+  }
+  private axes(): void {
+    const grid = new THREE.GridHelper(this.reach * 8, 16, color("grid"), color("grid"));
+    (grid.material as THREE.Material).transparent = true;
+    (grid.material as THREE.Material).opacity = 0.5;
+    grid.userData.own = true;
+    grid.position.y = -0.001;
+    this.drawn.add(grid);
+  }
+  private request(): void {
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.renderer.render(this.scene, this.camera);
+      this.handles.place();
+      this.texts.forEach(({ at }, i) => {
+        const [x, y] = this.pixel(at);
+        const label = this.labels.children[i] as HTMLElement | undefined;
+        if (label) label.style.transform = `translate(${x + 6}px, ${y - 22}px)`;
+      });
+    });
+  }
+
+  // --- Pointer and camera ---
+
+  private pixel(p: Vec): [number, number] {
+    this.camera.updateMatrixWorld();
+    const q = v3(p).project(this.camera);
+    if (q.z > 1) return [-1000, -1000];
+    return [((q.x + 1) / 2) * this.size[0], ((1 - q.y) / 2) * this.size[1]];
+  }
+  private caster(x: number, y: number): THREE.Raycaster {
+    const caster = new THREE.Raycaster();
+    this.camera.updateMatrixWorld();
+    caster.setFromCamera(new THREE.Vector2((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]), this.camera);
+    return caster;
+  }
+  private facing(x: number, y: number, near: Vec): Vec {
+    const normal = this.camera.getWorldDirection(new THREE.Vector3());
+    const hit = this.caster(x, y).ray.intersectPlane(
+      new THREE.Plane().setFromNormalAndCoplanarPoint(normal, v3(near)), new THREE.Vector3());
+    return hit ? hit.toArray() : near;
+  }
+  private pick(event: PointerEvent): void {
+    const frame = this.canvas.getBoundingClientRect();
+    const caster = this.caster(event.clientX - frame.left, event.clientY - frame.top);
+    const [first] = caster.intersectObjects(this.picks, false);
+    this.onPick(first ? (first.object.userData.body as number) : null,
+      { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() });
+  }
+  private turnCamera(event: KeyboardEvent): void {
+    const turns: Record<string, [number, number]> = {
+      ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    if (event.key === "+" || event.key === "-") offset.multiplyScalar(event.key === "+" ? 0.9 : 1.1);
+    else if (turns[event.key]) {
+      const ball = new THREE.Spherical().setFromVector3(offset);
+      ball.theta += turns[event.key][0];
+      ball.phi = Math.max(0.05, Math.min(3.09, ball.phi + turns[event.key][1]));
+      offset.setFromSpherical(ball);
+    } else return;
+    event.preventDefault();
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.request();
+  }
+}
+
+const coneGeometry = new THREE.ConeGeometry(1, 1, 16);
+let discTexture: THREE.Texture | null = null;
+function disc(): THREE.Texture {
+  if (discTexture) return discTexture;
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const pen = canvas.getContext("2d")!;
+  pen.fillStyle = "#fff";
+  pen.beginPath();
+  pen.arc(32, 32, 30, 0, 2 * Math.PI);
+  pen.fill();
+  discTexture = new THREE.CanvasTexture(canvas);
+  return discTexture;
+}

@@ -1,0 +1,60 @@
+// A page's whole state: in the address, from the address, with undo and redo.
+
+/** The address after the `#`: a path and its values. */
+export interface Place {
+  path: string;
+  values: Record<string, string>;
+}
+
+export function readPlace(): Place {
+  const [path, rest = ""] = location.hash.replace(/^#/, "").split("?");
+  return { path: path || "/", values: Object.fromEntries(new URLSearchParams(rest)) };
+}
+export function address(path: string, values: Record<string, string>): string {
+  const rest = new URLSearchParams(values).toString();
+  return `#${path}${rest ? `?${rest}` : ""}`;
+}
+
+/** The value of the address as JSON, or what is there otherwise: an address can hold anything. */
+export function parse<T>(text: string | undefined, otherwise: T, accepts: (value: unknown) => boolean): T {
+  if (!text) return otherwise;
+  try {
+    const value = JSON.parse(text) as unknown;
+    return accepts(value) ? (value as T) : otherwise;
+  } catch {
+    return otherwise;
+  }
+}
+
+/** Past and future of one value. */
+export class History<T> {
+  private past: string[] = [];
+  private future: string[] = [];
+  private now: string;
+
+  constructor(start: T) {
+    this.now = JSON.stringify(start);
+  }
+  /** A new present; the same again changes nothing. */
+  push(value: T): void {
+    const text = JSON.stringify(value);
+    if (text === this.now) return;
+    this.past.push(this.now);
+    if (this.past.length > 200) this.past.shift();
+    this.future = [];
+    this.now = text;
+  }
+  undo(): T | null {
+    return this.swap(this.past, this.future);
+  }
+  redo(): T | null {
+    return this.swap(this.future, this.past);
+  }
+  private swap(from: string[], to: string[]): T | null {
+    const value = from.pop();
+    if (value === undefined) return null;
+    to.push(this.now);
+    this.now = value;
+    return JSON.parse(value) as T;
+  }
+}

@@ -1,0 +1,60 @@
+// The numbers beside a drawing. Rows light up with what is under the pointer in the drawing, and the other way round.
+
+import { digits, h } from "./dom.ts";
+
+export interface Row {
+  cells: (string | number)[];
+  key?: string;
+  mark?: "winner" | "out" | "now";
+}
+export interface Numbers {
+  caption: string;
+  columns: string[];
+  rows: Row[];
+}
+
+export class Table {
+  readonly element = h("div", { class: "numbers", tabindex: 0, role: "region", "aria-label": "Numbers of this step" });
+  onPoint: (key: string | null) => void = () => {};
+  private before = new Map<string, string>();
+
+  show(numbers: Numbers | undefined): void {
+    this.element.hidden = !numbers;
+    if (!numbers) return this.element.replaceChildren();
+    const now = new Map<string, string>();
+    const rows = numbers.rows.map((row, i) => {
+      const cells = row.cells.map((cell, j) => {
+        const text = typeof cell === "number" ? digits(cell) : cell;
+        const place = `${row.key ?? i}/${j}`;
+        now.set(place, text);
+        if (j === 0) return h("th", { scope: "row" }, text);
+        return h("td", { title: typeof cell === "number" ? String(cell) : null }, ...changed(this.before.get(place), text));
+      });
+      const classes = [row.mark && `is-${row.mark}`].filter(Boolean).join(" ");
+      const mark = row.mark === "winner" ? "▸" : row.mark === "out" ? "×" : row.mark === "now" ? "•" : "";
+      return h("tr",
+        { class: classes || null, "data-key": row.key,
+          onpointerenter: () => this.onPoint(row.key ?? null), onpointerleave: () => this.onPoint(null) },
+        h("td", { class: "mark" }, mark), ...cells);
+    });
+    this.before = now;
+    this.element.replaceChildren(
+      h("table", {},
+        h("caption", {}, numbers.caption),
+        h("thead", {}, h("tr", {}, h("td", {}), ...numbers.columns.map((c) => h("th", { scope: "col" }, c)))),
+        h("tbody", {}, ...rows)));
+  }
+
+  light(key: string | null): void {
+    for (const row of this.element.querySelectorAll("tr[data-key]"))
+      row.classList.toggle("lit", key !== null && row.getAttribute("data-key") === key);
+  }
+}
+
+/** The digits from the first that changed are marked. */
+function changed(before: string | undefined, now: string): (Node | string)[] {
+  if (before === undefined || before === now) return [now];
+  let same = 0;
+  while (same < now.length && now[same] === before[same]) same++;
+  return same < now.length ? [now.slice(0, same), h("span", { class: "changed" }, now.slice(same))] : [now];
+}

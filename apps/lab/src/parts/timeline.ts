@@ -1,0 +1,61 @@
+// Steps forward, back, to either end, at a speed, or scrubbed: of a trace, a simulation, a capture.
+
+import { h } from "./dom.ts";
+
+export class Timeline {
+  readonly element: HTMLElement;
+  private count = 1;
+  private at = 0;
+  private timer: number | undefined;
+  private readonly onStep: (step: number) => void;
+  private readonly scrub: HTMLInputElement;
+  private readonly next: HTMLButtonElement;
+  private readonly play: HTMLButtonElement;
+  private readonly where = h("output", { class: "where" });
+
+  constructor(onStep: (step: number) => void, word = "step") {
+    this.onStep = onStep;
+    const button = (label: string, sign: string, act: () => void): HTMLButtonElement =>
+      h("button", { type: "button", "aria-label": label, title: label, onclick: act }, sign) as HTMLButtonElement;
+    this.scrub = h("input", {
+      type: "range", min: 0, max: 0, step: 1, "aria-label": `Which ${word}`,
+      oninput: () => this.go(Number(this.scrub.value)),
+    }) as HTMLInputElement;
+    this.play = button("Play", "▶", () => this.toggle());
+    this.next = h("button", { type: "button", class: "accent", "data-next": true, onclick: () => this.go(this.at + 1) },
+      `Next ${word}`) as HTMLButtonElement;
+    this.element = h("div", { class: "timeline", role: "group", "aria-label": "Steps" },
+      button(`First ${word}`, "|◀", () => this.go(0)),
+      button(`Previous ${word}`, "◀", () => this.go(this.at - 1)),
+      this.play,
+      button(`Last ${word}`, "▶|", () => this.go(this.count - 1)),
+      this.scrub, this.where, this.next);
+  }
+
+  show(at: number, count: number): void {
+    this.count = count;
+    this.at = Math.max(0, Math.min(at, count - 1));
+    this.scrub.max = String(count - 1);
+    this.scrub.value = String(this.at);
+    this.where.textContent = `${this.at + 1} / ${count}`;
+    this.next.disabled = this.at >= count - 1;
+    if (this.next.disabled) this.stop();
+  }
+  go(step: number): void {
+    const to = Math.max(0, Math.min(step, this.count - 1));
+    if (to !== this.at) this.onStep(to);
+  }
+  stop(): void {
+    window.clearInterval(this.timer);
+    this.timer = undefined;
+    this.play.textContent = "▶";
+    this.play.setAttribute("aria-label", "Play");
+  }
+  private toggle(): void {
+    if (this.timer !== undefined) return this.stop();
+    if (this.at >= this.count - 1) this.onStep(0);
+    this.play.textContent = "❚❚";
+    this.play.setAttribute("aria-label", "Pause");
+    this.timer = window.setInterval(() => this.go(this.at + 1), 900);
+  }
+}

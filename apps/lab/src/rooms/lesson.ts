@@ -1,0 +1,192 @@
+// The page of one lesson: the drawing, the step's words, numbers and formula, and everything around them.
+
+import { line } from "../graze.ts";
+import { lessons } from "../lessons/index.ts";
+import type { Example, Lesson, Step } from "../lessons/lesson.ts";
+import { codeOf } from "../parts/code.ts";
+import { h } from "../parts/dom.ts";
+import type { Stage } from "../parts/drawing.ts";
+import { drawGraph } from "../parts/graph.ts";
+import { formula } from "../parts/math.ts";
+import { Stage2 } from "../parts/stage2.ts";
+import { Stage3 } from "../parts/stage3.ts";
+import { address, History, parse } from "../parts/state.ts";
+import { Table } from "../parts/table.ts";
+import { Timeline } from "../parts/timeline.ts";
+import { copy, type State } from "../question.ts";
+import type { Room } from "./room.ts";
+
+const isState = (value: unknown): boolean =>
+  typeof value === "object" && value !== null && typeof (value as State).q === "object" && typeof (value as State).q?.a === "object";
+
+export class LessonRoom implements Room {
+  readonly element: HTMLElement;
+  private readonly lesson: Lesson;
+  private state: State;
+  private step: number;
+  private steps: Step[] = [];
+  private readonly history: History<State>;
+  private readonly stage: Stage;
+  private readonly table = new Table();
+  private readonly timeline = new Timeline((step) => this.go(step));
+  private readonly words = h("div", { class: "words", "aria-live": "polite" });
+  private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
+  private readonly plot = h("div", { class: "plot" });
+  private readonly choices = h("div", { class: "choices" });
+  private readonly code = h("div", { class: "code" });
+  private waiting = 0;
+
+  constructor(lesson: Lesson, values: Record<string, string>) {
+    this.lesson = lesson;
+    this.state = parse(values.s, copy(lesson.start), isState);
+    this.step = Math.max(0, Number(values.step ?? 0) | 0);
+    this.history = new History(this.state);
+    this.stage = lesson.dimension === 2 ? new Stage2() : new Stage3();
+    this.stage.look(lesson.view);
+    this.stage.onDrag = (id, to, done) => this.change(lesson.drag(this.state, id, to), done);
+    this.stage.onPoint = (key) => this.light(key);
+    this.table.onPoint = (key) => this.light(key);
+    this.element = this.page();
+    this.show();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.waiting);
+    this.timeline.stop();
+    this.stage.dispose();
+  }
+  /** For the tests: what the page shows. */
+  get shown(): { state: State; step: number; steps: number } {
+    return { state: this.state, step: this.step, steps: this.steps.length };
+  }
+  undo(): void {
+    this.restore(this.history.undo());
+  }
+  redo(): void {
+    this.restore(this.history.redo());
+  }
+
+  private restore(state: State | null): void {
+    if (!state) return;
+    this.state = state;
+    this.show();
+    this.remember();
+  }
+  /** One drawing a frame, however many moves of the pointer there were. */
+  private change(state: State, done: boolean): void {
+    this.state = state;
+    if (done) this.history.push(state);
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.show();
+      this.remember();
+    });
+  }
+  private go(step: number): void {
+    this.step = step;
+    this.paint();
+    this.remember();
+  }
+  private light(key: string | null): void {
+    this.stage.light(key);
+    this.table.light(key);
+  }
+  private remember(): void {
+    const values: Record<string, string> = {};
+    if (this.step) values.step = String(this.step);
+    if (JSON.stringify(this.state) !== JSON.stringify(this.lesson.start)) values.s = JSON.stringify(this.state);
+    history.replaceState(null, "", address(`/lesson/${this.lesson.id}`, values));
+  }
+
+  private show(): void {
+    try {
+      this.steps = this.lesson.steps(this.state);
+      this.trouble.hidden = true;
+    } catch (error) {
+      this.trouble.textContent = `This situation cannot be shown: ${(error as Error).message}`;
+      this.trouble.hidden = false;
+      if (this.steps.length === 0) return;
+    }
+    this.step = Math.min(this.step, this.steps.length - 1);
+    this.paint();
+    this.showChoices();
+    this.showCode();
+  }
+  private paint(): void {
+    const step = this.steps[this.step];
+    this.timeline.show(this.step, this.steps.length);
+    this.words.replaceChildren(
+      h("h2", {}, step.title), h("p", {}, step.text), ...(step.formula ?? []).map((text) => formula(text)));
+    this.table.show(step.numbers);
+    this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
+    this.stage.draw((drawing) => step.draw(drawing), this.lesson.handles(this.state), step.says);
+  }
+
+  private page(): HTMLElement {
+    const { lesson } = this;
+    const at = lessons.indexOf(lesson);
+    const neighbour = (l: Lesson | undefined, sign: string): Node | null =>
+      l ? h("a", { href: address(`/lesson/${l.id}`, {}) }, sign.replace("%", `${l.number} ${l.title}`)) : h("span");
+    const example = (e: Example): HTMLElement =>
+      h("li", {},
+        h("button", { type: "button", class: "example", onclick: () => this.change(copy(e.state), true) }, e.label),
+        h("span", {}, ` ${e.note}`));
+    const link = (label: string, text: () => string): HTMLElement => {
+      const button = h("button", { type: "button", onclick: () => void this.put(text(), button) }, label);
+      return button;
+    };
+    return h("article", { class: "lesson" },
+      h("header", {},
+        h("p", { class: "number" }, `Lesson ${lesson.number} · ${lesson.title}`),
+        h("h1", {}, lesson.question),
+        h("p", { class: "intro" }, lesson.intro)),
+      h("div", { class: "board" },
+        h("div", { class: "picture" }, this.choices, this.stage.element, this.timeline.element, this.trouble),
+        h("div", { class: "side" }, this.words, this.plot, this.table.element)),
+      h("div", { class: "more" },
+        h("section", {}, h("h2", {}, "Try this"), h("ul", {}, ...lesson.tryThis.map(example)),
+          h("p", { class: "actions" },
+            h("button", { type: "button", onclick: () => this.undo() }, "Undo"),
+            h("button", { type: "button", onclick: () => this.redo() }, "Redo"),
+            h("button", { type: "button", onclick: () => this.change(copy(lesson.start), true) }, "Start again"),
+            link("Copy permalink", () => location.href),
+            link("Copy as a question", () => line(this.question())))),
+        h("section", {}, h("h2", {}, "What goes wrong"), h("ul", {}, ...lesson.wrong.map(example))),
+        h("section", { class: "in-code" }, h("h2", {}, "In code"), this.code),
+        h("section", {}, h("h2", {}, "Where it comes from"), h("ul", {}, ...lesson.sources.map((s) => h("li", {}, s))))),
+      h("nav", { class: "neighbours", "aria-label": "Lessons before and after" },
+        neighbour(lessons[at - 1], "← %"), neighbour(lessons[at + 1], "% →")));
+  }
+  private question(): State["q"] {
+    return this.lesson.asks?.(this.state) ?? this.state.q;
+  }
+  private showChoices(): void {
+    this.choices.replaceChildren(...(this.lesson.choices ?? []).map((choice) => {
+      const now = this.state.choice?.[choice.key] ?? choice.options[0].value;
+      return h("fieldset", {}, h("legend", {}, choice.label),
+        ...choice.options.map((o) =>
+          h("button", {
+            type: "button", "aria-pressed": String(o.value === now),
+            onclick: () => this.change({ ...copy(this.state), choice: { ...this.state.choice, [choice.key]: o.value } }, true),
+          }, o.label)));
+    }));
+  }
+  private showCode(): void {
+    this.code.replaceChildren(
+      ...Object.entries(codeOf(this.question())).filter(([, text]) => text).map(([language, text]) =>
+        h("details", { open: language === "JavaScript" }, h("summary", {}, language),
+          h("pre", { tabindex: 0 }, h("code", {}, text)))),
+      h("details", {}, h("summary", {}, "A line for graze query"), h("pre", { tabindex: 0 }, h("code", {}, line(this.question())))));
+  }
+  private async put(text: string, button: HTMLElement): Promise<void> {
+    const before = button.textContent;
+    try {
+      await navigator.clipboard.writeText(text);
+      button.textContent = "Copied";
+    } catch {
+      button.textContent = "The browser forbids it";
+    }
+    window.setTimeout(() => (button.textContent = before), 1500);
+  }
+}
