@@ -87,6 +87,7 @@ export const separatingAxesPlane: Lesson = {
         title: `Axis ${axis.name}`,
         text:
           `Every corner is projected on ${axis.name}, a normal of ${side}: its scalar product with the direction ` +
+          `${vector(axis.direction.slice(0, 2), 3)}. The smallest and the largest are the ends of the shadow. ` +
           `A box needs no corners: to both sides of its centre its shadow reaches the sum of its half sizes, each weighted by how far ` +
           `its own axis points along this one. ` +
           (gap ? "The shadows are apart: this axis separates the shapes, and the search may stop." : "The shadows overlap: this axis does not separate."),

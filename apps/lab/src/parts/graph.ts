@@ -43,7 +43,8 @@ export function drawGraph(graph: Graph): SVGElement {
       if (Number.isFinite(v)) picture.append(svg("circle", { class: `of-${s.meaning}`, cx: x(i), cy: y(v), r: 2 }));
     });
     let at = y(s.values.findLast(Number.isFinite) ?? 0) + 4;
-    while (labels.some((other) => Math.abs(other - at) < 12)) at += at < height / 2 ? 12 : -12;
+    const away = at < height / 2 ? 12 : -12;
+    while (labels.some((other) => Math.abs(other - at) < 12)) at += away;
     labels.push(at);
     picture.append(svg("text", { class: `of-${s.meaning}`, x: width - right + 6, y: at }, s.name));
   }

@@ -1,0 +1,89 @@
+import { ask } from "../graze.ts";
+import { digits, vector } from "../parts/dom.ts";
+import type { Handle } from "../parts/drawing.ts";
+import { add, dot, length, mix, sub } from "../parts/vec.ts";
+import { circle, radiusOf, withBody, type State, type Vec } from "../question.ts";
+import { dragBody, drawBodies, moveHandle, type Lesson, type Step, type Which } from "./lesson.ts";
+
+const situation = (ra: number, rb: number, b: Vec): State => ({
+  q: { query: "contacts", dimension: 2, a: { shape: circle(ra), translation: [0, 0] }, b: { shape: circle(rb), translation: b } },
+});
+const sizer = (s: State, which: Which): Handle => ({
+  id: `radius-${which}`, label: `Radius of ${which.toUpperCase()}`, kind: "size", meaning: which,
+  at: add(s.q[which]!.translation!, [0, radiusOf(s.q[which]!.shape)]),
+});
+
+export const spheres: Lesson = {
+  id: "spheres", number: 1, title: "Spheres", question: "Do two balls touch, without a square root?",
+  intro: "The simplest pair of all, drawn in the plane through both centres. Its answer already has everything: a distance, a normal, and the question which single point to call the contact.",
+  dimension: 2, view: { center: [0.9, 0.2], reach: 3.2 }, start: situation(1.4, 0.8, [1.7, 0.8]),
+  handles: (s) => [moveHandle(s, "a"), moveHandle(s, "b"), sizer(s, "a"), sizer(s, "b")],
+  drag: (s, id, to) => id.startsWith("radius")
+    ? withBody(s, id.slice(-1) as Which, (body) => { body.shape = circle(Math.max(0.05, length(sub(to, body.translation!)))); })
+    : dragBody(s, id, to),
+  steps(state) {
+    const { q } = state, answer = ask({ ...q, query: "distance" }), overlap = ask({ ...q, query: "overlap" }).overlap!;
+    const ca = q.a.translation!, cb = q.b!.translation!, ra = radiusOf(q.a.shape), rb = radiusOf(q.b!.shape);
+    const c = sub(cb, ca), n = answer.normal!, d = answer.distance!;
+    const pa = answer.a as unknown as Vec, pb = answer.b as unknown as Vec;
+    const weighted = mix(pa, pb, ra + rb > 0 ? ra / (ra + rb) : 0.5), middle = mix(pa, pb, 0.5);
+    const centers = (draw: Parameters<Step["draw"]>[0]): void => {
+      drawBodies(draw, q);
+      draw.line(ca, cb, "axis", { dashed: true, label: "c" });
+    };
+    return [
+      {
+        title: "Squared against squared",
+        text: "Balls touch when the distance of their centres is at most the sum of their radii. Both sides may be squared, because neither is negative: so no square root is needed to say yes or no. " + (overlap ? "Yes." : "No."),
+        formula: ["c*c <= (r_A + r_B)^2", `${digits(dot(c, c), 5)} ${overlap ? "<=" : ">"} ${digits((ra + rb) ** 2, 5)}`],
+        numbers: { caption: "The two sides", columns: ["", "value"], rows: [{ cells: ["c · c", dot(c, c)] }, { cells: ["(rA + rB)²", (ra + rb) ** 2] }, { cells: ["overlap", String(overlap)], mark: "winner" }] },
+        says: `The balls ${overlap ? "touch" : "do not touch"}.`,
+        draw: centers,
+      },
+      {
+        title: "The normal",
+        text: "From the centre of A to that of B: one square root to make it a unit. With the same centre there is no such direction, and any unit vector is as good as another; the library takes one always the same way.",
+        formula: ["n = frac(c, |c|)", `n = [${n.map((x) => digits(x, 5)).join(", ")}]`],
+        numbers: { caption: "Normal", columns: ["", "value"], rows: [{ cells: ["n", vector(n, 6)], mark: "winner" }, { cells: ["|c|", length(c)] }] },
+        says: `Normal ${vector(n, 3)}.`,
+        draw(draw) { centers(draw); draw.arrow(ca, add(ca, n), "axis", { wide: true, label: "n" }); },
+      },
+      {
+        title: "Signed distance",
+        text: "What is left between the surfaces: positive apart, negative overlapping, and then its magnitude is the depth. The points nearest to the other ball, or deepest in it, lie on the line of the centres.",
+        formula: ["d = |c| - r_A - r_B", `d = ${digits(d, 6)}`],
+        numbers: { caption: "Answer", columns: ["", "value"], rows: [{ cells: ["distance", d], mark: "winner" }, { cells: ["on A", vector(pa, 5)] }, { cells: ["on B", vector(pb, 5)] }] },
+        says: `Signed distance ${digits(d, 5)}.`,
+        draw(draw) {
+          centers(draw);
+          draw.line(pa, pb, "touch", { wide: true });
+          draw.point(pa, "a", { wide: true, label: "a" });
+          draw.point(pb, "b", { wide: true, label: "b" });
+        },
+      },
+      {
+        title: "The weighted point",
+        text: "Which single point is the contact? Not the middle of the overlap: a small ball deep in a big one would be pushed from the wrong place. P divides the overlap as the radii do, so its distances to the centres are as the radii are.",
+        formula: ["frac(|P - c_A|, |P - c_B|) = frac(r_A, r_B)", `frac(${digits(length(sub(weighted, ca)), 4)}, ${digits(length(sub(weighted, cb)), 4)}) = frac(${digits(ra, 4)}, ${digits(rb, 4)})`],
+        numbers: { caption: "Points", columns: ["", "value"], rows: [{ cells: ["P", vector(weighted, 5)], mark: "winner", key: "p" }, { cells: ["middle", vector(middle, 5)], mark: "out", key: "m" }] },
+        says: `The weighted point is ${vector(weighted, 3)}.`,
+        draw(draw) {
+          centers(draw);
+          draw.line(pa, pb, "touch", { wide: true });
+          draw.point(middle, "out", { wide: true, key: "m" });
+          draw.point(weighted, "touch", { wide: true, label: "P", key: "p" });
+        },
+      },
+    ];
+  },
+  tryThis: [
+    { label: "Touch exactly", note: "3–4–5: the distance is zero, and touching counts as overlap.", state: situation(3 / 2, 1, [1.5, 2]) },
+    { label: "One inside the other", note: "The depth is more than the small ball's diameter.", state: situation(2, 0.4, [0.6, 0.2]) },
+    { label: "A point against a ball", note: "A radius of nearly nothing is allowed.", state: situation(1.4, 0.05, [1.2, 0.9]) },
+  ],
+  wrong: [
+    { label: "Same centre", note: "c is zero: dividing by its length would give not-a-number, and one such number spoils a whole simulation.", state: situation(1.4, 0.8, [0, 0]) },
+    { label: "Middle or weighted", note: "Compare P with the grey middle: the bigger the difference of radii, the further apart they are.", state: situation(2, 0.3, [1.7, 0.6]) },
+  ],
+  sources: ["C. Ericson: Real-Time Collision Detection (2005), section 4.3.1"],
+};
