@@ -3,7 +3,6 @@
 // Guarantee: each function throws `InvalidValue` that names the parameter, and otherwise returns the value bit for bit.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -15,6 +14,12 @@
 #include "graze/validate.hpp"
 
 namespace graze::c {
+
+/// The same bytes as another type. Not every standard library has `std::bit_cast`; Emscripten's of Debian 12 has not.
+template <class To, class From>
+constexpr To same_bytes(const From& value) {
+  return __builtin_bit_cast(To, value);
+}
 
 /// What a pointer must not be.
 [[noreturn]] inline void null(const char* path) { validate::fail(path, "a pointer", "null"); }

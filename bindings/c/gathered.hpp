@@ -65,10 +65,9 @@ class Side {
 
   Pose pose(std::size_t i) const {
     Pose p;
-    p.translation =
-        std::bit_cast<decltype(p.translation)>(element(bodies_.translations, bodies_.translation_stride, i));
+    p.translation = same_bytes<decltype(p.translation)>(element(bodies_.translations, bodies_.translation_stride, i));
     if (bodies_.rotations != nullptr)
-      p.rotation = std::bit_cast<decltype(p.rotation)>(element(bodies_.rotations, bodies_.rotation_stride, i));
+      p.rotation = same_bytes<decltype(p.rotation)>(element(bodies_.rotations, bodies_.rotation_stride, i));
     return p;
   }
   std::span<const Pose> poses(std::size_t first, std::size_t last) {
@@ -129,7 +128,7 @@ class Pairs {
       const std::size_t end = begin + std::min(chunk, size_ - begin);
       places.clear();
       for (std::size_t i = begin; i < end; ++i)
-        places.push_back(std::bit_cast<IdPair>(element(batch_.places, batch_.place_stride, i)));
+        places.push_back(same_bytes<IdPair>(element(batch_.places, batch_.place_stride, i)));
       f(typename Space::Batch(a, b, places), begin);
     }
   }

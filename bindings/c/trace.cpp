@@ -23,7 +23,7 @@ const GrazeTraceSupport* supports(const std::vector<graze::TraceSupport>& from) 
 
 void write(const graze::Vec3d& v, double (&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 
-GrazeTraceSupport seen(const graze::TraceSupport& s) { return std::bit_cast<GrazeTraceSupport>(s); }
+GrazeTraceSupport seen(const graze::TraceSupport& s) { return graze::c::same_bytes<GrazeTraceSupport>(s); }
 
 GrazeTraceAxis seen(const graze::TraceAxis& axis) {
   GrazeTraceAxis out{axis.name.c_str(), {}, axis.a_lower, axis.a_upper, axis.b_lower, axis.b_upper};
