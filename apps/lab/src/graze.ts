@@ -1,7 +1,7 @@
 // The one door to the library: everything that is computed in the lab is computed behind these functions.
 
 import * as graze from "graze/double";
-import type { Question, Vec } from "./question.ts";
+import { measures, pointsOf, radiusOf, sizeOf, type Body, type Question, type Shape, type Vec } from "./question.ts";
 
 export interface Support { a: Vec; b: Vec; }
 export type End = number | "infinity" | "-infinity";
@@ -71,4 +71,47 @@ export function ask(question: Question): Answer {
   if (kept.size > 64) kept.clear();
   kept.set(asked, answer);
   return answer;
+}
+
+// --- Objects of the library, for what the protocol has no words for: worlds, broad phases, simulations ---
+
+/** The library's shape of a protocol's shape. */
+export function shapeOf(shape: Shape): graze.Shape {
+  const m = measures<{ height: number; radiusBottom: number; radiusTop: number; radii: Vec; triangles: Vec[]; sizeX?: number; sizeZ?: number; solid?: boolean;
+    columns: number; rows: number; spacing?: Vec; heights: (number | null)[]; children: Body[] }>(shape);
+  const plain = ((): graze.Shape => {
+    switch (shape.type) {
+      case "sphere": return new graze.Sphere(radiusOf(shape) ?? 0.5);
+      case "box": return new graze.Box(sizeOf(shape) ?? [1, 1, 1]);
+      case "capsule": return new graze.Capsule(m.height ?? 0.5, m.radiusBottom ?? 0.25, m.radiusTop ?? 0.25);
+      case "cylinder": return new graze.Cylinder(m.height ?? 2, m.radiusBottom ?? 0.5, m.radiusTop ?? 0.5);
+      case "ellipsoid": return new graze.Ellipsoid(m.radii);
+      case "plane": return m.sizeX !== undefined ? new graze.Rectangle(m.sizeX, m.sizeZ ?? 0) : new graze.HalfSpace();
+      case "convex": return new graze.ConvexHull(pointsOf(shape));
+      case "triangle": return new graze.Triangle(pointsOf(shape)[0], pointsOf(shape)[1], pointsOf(shape)[2]);
+      case "mesh": return new graze.Mesh(pointsOf(shape), m.triangles, { solid: m.solid ?? false });
+      case "heightfield": return new graze.HeightField(m.heights, m.columns, m.rows, { spacing: m.spacing ?? [1, 1] });
+      case "compound": return new graze.Compound(m.children.map((c) => ({ shape: shapeOf(c.shape), ...poseOf(c) })));
+      default: throw new RangeError(`shape.type: the lab has no ${shape.type}`);
+    }
+  })();
+  return shape.margin ? plain.rounded(shape.margin) : plain;
+}
+/** The pose of a protocol's body; the library wants a quaternion of unit length. */
+export function poseOf(body: Body): { translation?: Vec; rotation?: Vec } {
+  const pose: { translation?: Vec; rotation?: Vec } = {};
+  if (body.translation) pose.translation = body.translation;
+  if (Array.isArray(body.rotation)) {
+    const l = Math.sqrt(body.rotation.reduce((s, x) => s + x * x, 0));
+    pose.rotation = body.rotation.map((x) => x / l);
+  }
+  return pose;
+}
+/** Those points of A's surface, at most so many, that span most of the area of contact. */
+export function fewest(q: Question, most: number): Vec[] {
+  const a = shapeOf(q.a.shape), b = shapeOf(q.b!.shape);
+  const found = graze.contacts(a, poseOf(q.a), b, poseOf(q.b!), q.margin ?? 0, most);
+  a.dispose();
+  b.dispose();
+  return found.manifolds.flatMap((m) => m.points.map((p) => p.a as Vec));
 }

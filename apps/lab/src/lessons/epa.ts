@@ -100,7 +100,7 @@ const spaceState = (translation: Vec, rotation: Vec): State => ({
 
 export const epaSpace: Lesson = {
   id: "epa-space", number: 8, title: "EPA in space", question: "How does a polytope find a curved boundary?",
-  intro: "In space the polygon becomes a polytope of triangles. On curved shapes it never arrives, but each step halves what is left.",
+  intro: "In space the polygon becomes a polytope of triangles. On curved shapes it never arrives, but each step brings the two bounds closer.",
   dimension: 3, view: { center: [1.7, 0.3, 0], reach: 2.6 }, start: spaceState([0.8, 0.5, 0.3], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),

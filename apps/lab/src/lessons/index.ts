@@ -1,14 +1,19 @@
 // The lessons in the order of the lectures. To add one: a file beside this one, and its line here.
 
+import { appendix } from "./appendix.ts";
+import { contactSet } from "./contact-set.ts";
 import { epaPlane, epaSpace } from "./epa.ts";
 import { fifteenAxes } from "./fifteen-axes.ts";
 import { gjkPlane, gjkSpace } from "./gjk.ts";
 import type { Lesson } from "./lesson.ts";
 import { minkowski } from "./minkowski.ts";
+import { planesBoxes } from "./planes-boxes.ts";
+import { resolution } from "./resolution.ts";
 import { separatingAxesPlane } from "./separating-axes-plane.ts";
 import { spheres } from "./spheres.ts";
 import { timeOfImpact } from "./time-of-impact.ts";
 
 export const lessons: Lesson[] = [
-  spheres, separatingAxesPlane, fifteenAxes, minkowski, gjkPlane, gjkSpace, epaPlane, epaSpace, timeOfImpact,
+  spheres, planesBoxes, separatingAxesPlane, fifteenAxes, contactSet, minkowski, gjkPlane, gjkSpace, epaPlane, epaSpace,
+  timeOfImpact, resolution, appendix,
 ];

@@ -1,0 +1,119 @@
+import { ask, fewest, type ContactPoint } from "../graze.ts";
+import { digits } from "../parts/dom.ts";
+import { featureWords } from "../parts/features.ts";
+import { add, quatAbout, scale, toWorld } from "../parts/vec.ts";
+import { box, sizeOf, type Body, type State, type Vec } from "../question.ts";
+import { dragBody, drawBodies, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+
+const arms = { a: [2.1, 0, 0], b: [1.5, 0, 0] };
+const situation = (translation: Vec, rotation: Vec): State => ({
+  q: { query: "contacts", margin: 0.02, a: { shape: box(3, 1, 2.4), translation: [0, -0.5, 0] },
+    b: { shape: box(1.8, 1.2, 1.6), translation, rotation } },
+});
+
+/** The face of a box whose outward normal is most along `direction`, to draw it. */
+function face(body: Body, direction: Vec): Vec[] {
+  const half = scale(sizeOf(body.shape), 0.5), candidates: { corners: Vec[]; along: number }[] = [];
+  for (let k = 0; k < 3; k++)
+    for (const s of [-1, 1]) {
+      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+      const corner = (x: number, y: number): Vec => {
+        const p = [0, 0, 0];
+        p[k] = s * half[k]; p[i] = x * half[i]; p[j] = y * half[j];
+        return toWorld(body, p);
+      };
+      const normal = [0, 0, 0];
+      normal[k] = s;
+      const out = toWorld({ ...body, translation: [0, 0, 0] }, normal);
+      candidates.push({ corners: [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], along: out[0] * direction[0] + out[1] * direction[1] + out[2] * direction[2] });
+    }
+  return candidates.sort((p, q) => q.along - p.along)[0].corners;
+}
+const table = (points: ContactPoint[], now: number): Step["numbers"] => ({
+  caption: "Points of contact", columns: ["point", "distance", "features"],
+  rows: points.map((p, i) => ({ cells: [`${i + 1}`, p.distance, featureWords(p.feature)], key: `point-${i}`, mark: i === now ? "now" as const : undefined })),
+});
+
+export const contactSet: Lesson = {
+  id: "contact-set", number: 5, title: "The contact set", question: "Where do two boxes touch?",
+  intro: "A normal and a depth are not enough to stand on. A solver wants the whole area of contact, as points whose names stay the same from frame to frame.",
+  dimension: 3, view: { center: [0.1, 0.2, 0], reach: 2.4, from: [0.5, 0.45, 1] }, start: situation([0.7, 0.585, 0.5], quatAbout([0, 1, 0], 0.45)),
+  handles: (s) => [moveHandle(s, "a"), moveHandle(s, "b"), turnHandle(s, "b", arms.b), sizeHandle(s, "b")],
+  drag: (s, id, to) => dragBody(s, id, to, arms),
+  steps(state) {
+    const { q } = state, answer = ask(q), manifold = answer.manifolds?.[0], b = q.b!;
+    const steps: Step[] = [{
+      title: "An axis for the contacts",
+      text: manifold ? `${answer.trace.reason ?? answer.trace.winner}. The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
+        : "They are further apart than the margin: there is no contact. Move B down.",
+      numbers: { caption: "Overlap along the axes", columns: ["axis", "overlap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
+      says: manifold ? `Contacts stand on ${answer.trace.winner}.` : "No contact.",
+      draw(d) {
+        drawBodies(d, q);
+        if (manifold) d.arrow(manifold.points[0].a, add(manifold.points[0].a, manifold.normal), "axis", { wide: true, label: "n" });
+      },
+    }];
+    if (!manifold) return steps;
+    const faceA = face(q.a, manifold.normal), faceB = face(b, scale(manifold.normal, -1));
+    steps.push({
+      title: "Reference and incident face",
+      text: "On each box the face that looks most along the normal. One of them is the reference face, the other the incident face, which is clipped by the planes through the sides of the reference face, side by side. What is left over the reference face and no further from it than the margin is the area of contact.",
+      formula: ["k_A = max_i n*n_i", "k_B = max_i -n*n_i"],
+      says: "The two faces that meet.",
+      draw(d) {
+        drawBodies(d, q, true);
+        d.polygon(faceA, "a", { wide: true });
+        d.polygon(faceB, "b", { wide: true });
+      },
+    });
+    manifold.points.forEach((p, i) => steps.push({
+      title: `Point ${i + 1}: ${featureWords(p.feature)}`,
+      text: `The name of a point says which feature of A and which of B it lies on. As long as these touch, the name stays and the solver starts with the impulse of the frame before. ` +
+        (p.distance > 0 ? "Its distance is positive: within the margin, kept so that it does not come and go." : `Here B is ${digits(-p.distance, 4)} deep.`),
+      formula: ["b - a = d n", `d = ${digits(p.distance, 6)}`],
+      numbers: table(manifold.points.slice(0, i + 1), i),
+      says: `Point ${i + 1}: ${featureWords(p.feature)}, distance ${digits(p.distance, 4)}.`,
+      draw(d) {
+        drawBodies(d, q, true);
+        d.polygon(faceA, "a", { ghost: true });
+        d.polygon(faceB, "b", { ghost: true });
+        manifold.points.slice(0, i + 1).forEach((x, k) => d.point(x.a, k === i ? "touch" : "axis", { wide: k === i, label: k === i ? featureWords(x.feature) : undefined, key: `point-${k}` }));
+      },
+    }));
+    const four = fewest(q, 4);
+    steps.push({
+      title: "Reduction",
+      text: manifold.points.length > 4 ? `${manifold.points.length} points span the area. Four that span nearly as much of it do for most solvers: ${four.length} are kept (red), the rest is redundant. All of them are there for who wants them.`
+        : "Four points or fewer need no reduction. Turn B about the vertical until the area has more corners.",
+      numbers: table(manifold.points, -1),
+      says: `${manifold.points.length} points, reduced to ${four.length}.`,
+      draw(d) {
+        drawBodies(d, q, true);
+        d.polygon(manifold.points.map((p) => p.a), "made", {});
+        manifold.points.forEach((p, k) => d.point(p.a, "axis", { key: `point-${k}` }));
+        four.forEach((p) => d.point(p, "touch", { wide: true }));
+        d.arrow(manifold.points[0].a, add(manifold.points[0].a, scale(manifold.normal, 0.8)), "axis", { label: "n" });
+      },
+    }, {
+      title: "When faces say too little",
+      text: "Erleben's rules: if corners of one box lie inside the other, they are the contacts. If none does, two edges cross, and the nearest points of these edges are the contact. Only where clipping finds nothing as deep as the axis says does the library fall back to those nearest points.",
+      numbers: table(manifold.points, -1),
+      says: "The whole contact set.",
+      draw(d) {
+        drawBodies(d, q);
+        manifold.points.forEach((p, k) => d.point(p.a, "touch", { wide: true, key: `point-${k}` }));
+      },
+    });
+    return steps;
+  },
+  tryThis: [
+    { label: "Flat on it", note: "Four corners of B inside the face of A.", state: situation([0, 0.59, 0], [0, 0, 0, 1]) },
+    { label: "Eight corners", note: "Two squares turned by 45°: an octagon.", state: { q: { ...situation([0, 0.59, 0], quatAbout([0, 1, 0], 0.785398)).q, a: { shape: box(2, 1, 2), translation: [0, -0.5, 0] }, b: { shape: box(2, 1.2, 2), translation: [0, 0.59, 0], rotation: quatAbout([0, 1, 0], 0.785398) } } } },
+    { label: "Edge on edge", note: "No corner inside: one point.", state: { q: { query: "contacts", margin: 0.02, a: { shape: box(3, 1.4, 1.4), translation: [0, -0.97, 0], rotation: quatAbout([1, 0, 0], 0.785398) }, b: { shape: box(1.2, 1.2, 3), translation: [0, 0.84, 0], rotation: quatAbout([0, 0, 1], 0.785398) } } } },
+  ],
+  wrong: [
+    { label: "Tilted by a milliradian", note: "One side is up by a millimetre or two. Without a margin half of the points would go, and the box would rock from side to side. The points stay.", state: situation([0, 0.5995, 0], quatAbout([0, 0, 1], 0.001)) },
+    { label: "An edge wins by a hair", note: "The least overlap is that of two edges, and still the face is taken: read the reason.", state: situation([0.2, 0.58, 0.1], quatAbout([0.2, 1, 0.1], 0.5).map((x, i) => (i === 0 ? 0.002 : i === 2 ? 0.003 : x))) },
+  ],
+  sources: ["I. Sutherland, G. Hodgman: Reentrant polygon clipping, Communications of the ACM 17 (1974)", "K. Erleben: Methodology for assessing mesh-based contact point methods, ACM Transactions on Graphics 37 (2018)", "D. Gregorius: Robust contact creation for physics simulations, Game Developers Conference 2015"],
+};
