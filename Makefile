@@ -17,7 +17,7 @@ check = ctest --preset $(1) --parallel $(JOBS) $(CTEST_ARGS)
 
 .PHONY: help
 help: ## show this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
 
 # In a tree of its own, which is built for this machine's processor alone and lightly optimised: a newcomer waits for it.
 # The library that is installed and measured has all levels of the instruction set (`make install`).
@@ -93,6 +93,18 @@ python: ## build the Python package and run its tests
 	$(call configure,release) -DGRAZE_BUILD_PYTHON=ON
 	$(call build,release) --target graze_python
 	PYTHONPATH=build/release/python /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python
+
+# The npm package answers for the lab: it is built where it is not there yet.
+.PHONY: lab
+lab: ## build the lab, a web application, into apps/lab/dist
+	@scripts/setup.sh lab
+	@test -e bindings/js/dist/double.js || $(MAKE) npm
+	@cd apps/lab && { test node_modules/.package-lock.json -nt package-lock.json || npm ci --no-fund --no-audit; }
+	cd apps/lab && npm run build
+
+.PHONY: test-lab
+test-lab: lab ## the lab's tests, in headless Chromium
+	cd apps/lab && npm test
 
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package|python [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -41,8 +41,11 @@ package=(dpkg-dev fakeroot file)
 # The Python package: the interpreter's headers, what writes the module, and what its tests and example use.
 python=(python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-pytest python3-matplotlib)
 
+# The lab: what builds it, and the browser in which it is tested.
+lab=(nodejs npm chromium)
+
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package|python ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab ..." >&2
   exit 2
 }
 
@@ -63,6 +66,7 @@ for arg in "$@"; do
     abi) wanted+=("${base[@]}" "${abi[@]}") ;;
     package) wanted+=("${base[@]}" "${demo[@]}" "${threads[@]}" "${package[@]}") ;;
     python) wanted+=("${base[@]}" "${demo[@]}" "${python[@]}") ;;
+    lab) wanted+=("${lab[@]}") ;;
     *) usage ;;
   esac
 done

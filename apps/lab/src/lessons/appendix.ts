@@ -43,7 +43,7 @@ function present(state: State): { pair: Pair; q: Question } {
 export const appendix: Lesson = {
   id: "appendix", number: 14, title: "Points, lines, planes, rays, triangles", question: "How far, and where do they meet?",
   intro: "The small questions that everything else is made of. Choose a pair, drag its points.",
-  dimension: 3, view: { center: [0.1, 0.7, 0], reach: 2 }, start: stateOf(pairs[0]),
+  dimension: 3, view: { center: [0.1, 0.7, 0], reach: 1.6 }, start: stateOf(pairs[0]),
   choices: [{ key: "pair", label: "Pair", options: pairs.map(({ value, label }) => ({ value, label })) }],
   handles(state): Handle[] {
     const { q } = present(state), made: Handle[] = [];

@@ -1,10 +1,13 @@
 // The lessons in the order of the lectures. To add one: a file beside this one, and its line here.
 
 import { appendix } from "./appendix.ts";
+import { broadPhases } from "./broad-phases.ts";
 import { contactSet } from "./contact-set.ts";
 import { epaPlane, epaSpace } from "./epa.ts";
 import { fifteenAxes } from "./fifteen-axes.ts";
+import { filters } from "./filters.ts";
 import { gjkPlane, gjkSpace } from "./gjk.ts";
+import { hulls } from "./hulls.ts";
 import type { Lesson } from "./lesson.ts";
 import { minkowski } from "./minkowski.ts";
 import { planesBoxes } from "./planes-boxes.ts";
@@ -15,5 +18,5 @@ import { timeOfImpact } from "./time-of-impact.ts";
 
 export const lessons: Lesson[] = [
   spheres, planesBoxes, separatingAxesPlane, fifteenAxes, contactSet, minkowski, gjkPlane, gjkSpace, epaPlane, epaSpace,
-  timeOfImpact, resolution, appendix,
+  hulls, broadPhases, filters, timeOfImpact, resolution, appendix,
 ];

@@ -127,3 +127,4 @@ export function drawContacts(drawing: Drawing, manifolds: { normal: Vec; points:
       drawing.point(p.a, "touch", { key: `point-${i}` });
     });
 }
+export const dragTo = (x: number): number => Number(x.toPrecision(12));

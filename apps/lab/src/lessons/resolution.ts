@@ -28,7 +28,7 @@ function response(state: State): Question {
 export const resolution: Lesson = {
   id: "resolution", number: 13, title: "From contact to motion", question: "They touch: who is at fault, and what happens next?",
   intro: "Contact information is a point, a normal and a depth. With masses and velocities it answers in what direction and how fast both go on. Drag the arrows' ends.",
-  dimension: 3, view: { center: [0.6, 0.2, 0], reach: 2.1, from: [0.15, 0.25, 1] }, start: situation([1.1, 0.4, 0], [-0.3, 0, 0]),
+  dimension: 3, view: { center: [0.6, 0.2, 0], reach: 2.1, from: [0.15, 0.25, 1] }, start: situation([0.5, 1.1, 0], [-0.5, -0.8, 0]),
   choices: [
     { key: "restitution", label: "Restitution", options: [0, 0.5, 1].map((value) => ({ value, label: String(value) })) },
     { key: "friction", label: "Friction", options: [0.6, 0, 0.1].map((value) => ({ value, label: String(value) })) },

@@ -88,7 +88,7 @@ export function geometryOf(shape: Shape): THREE.BufferGeometry {
     }
     case "plane": {
       const m = measures<{ sizeX?: number; sizeZ?: number }>(shape);
-      return new THREE.PlaneGeometry(m.sizeX ?? 24, m.sizeZ ?? 24).rotateX(-Math.PI / 2);
+      return new THREE.PlaneGeometry(m.sizeX ?? 8, m.sizeZ ?? 8).rotateX(-Math.PI / 2);
     }
     case "convex":
       return hull(pointsOf(shape));

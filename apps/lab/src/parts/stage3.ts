@@ -10,7 +10,7 @@ import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
 import { color, onTheme } from "./theme.ts";
 import { geometryOf } from "./solid.ts";
-import { length, sub } from "./vec.ts";
+import { length, sub, toWorld } from "./vec.ts";
 import type { Body, Vec } from "../question.ts";
 
 const v3 = (p: Vec): THREE.Vector3 => new THREE.Vector3(p[0], p[1], p[2] ?? 0);
@@ -123,6 +123,8 @@ export class Stage3 implements Stage, Drawing {
   // --- Drawing ---
 
   shape(body: Body, meaning: Meaning, look?: Look): void {
+    const ends = (body.shape[body.shape.type] as { points?: Vec[] } | undefined)?.points;
+    if (ends?.length === 2) return this.line(toWorld(body, ends[0]), toWorld(body, ends[1]), meaning, { ...look, wide: true });
     const group = new THREE.Group();
     if (body.translation) group.position.set(...(body.translation as [number, number, number]));
     if (Array.isArray(body.rotation)) group.quaternion.set(...(body.rotation as [number, number, number, number])).normalize();
@@ -136,7 +138,7 @@ export class Stage3 implements Stage, Drawing {
       geometry = geometryOf(body.shape);
       this.geometries.set(key, geometry);
     }
-    const opacity = look?.ghost ? 0.12 : look?.wide ? 1 : 0.55;
+    const opacity = look?.ghost ? 0.12 : look?.wide ? 1 : body.shape.type === "plane" ? 0.25 : 0.55;
     const material = new THREE.MeshLambertMaterial({
       color: color(meaning), transparent: opacity < 1, opacity, side: THREE.DoubleSide, depthWrite: opacity === 1,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,

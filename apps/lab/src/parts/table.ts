@@ -41,7 +41,7 @@ export class Table {
     this.element.replaceChildren(
       h("table", {},
         h("caption", {}, numbers.caption),
-        h("thead", {}, h("tr", {}, h("td", {}), ...numbers.columns.map((c) => h("th", { scope: "col" }, c)))),
+        h("thead", {}, h("tr", {}, h("td", {}), ...numbers.columns.map((c) => (c ? h("th", { scope: "col" }, c) : h("td", {}))))),
         h("tbody", {}, ...rows)));
   }
 
