@@ -6,6 +6,7 @@ import { readPlace } from "./parts/state.ts";
 import { choose, isDark, startTheme } from "./parts/theme.ts";
 import { Home } from "./rooms/home.ts";
 import { LessonRoom } from "./rooms/lesson.ts";
+import { SceneRoom } from "./rooms/scene.ts";
 import type { Room } from "./rooms/room.ts";
 
 const main = h("main", { id: "main", tabindex: -1 });
@@ -17,8 +18,9 @@ function open(): void {
   const lesson = lessons.find((l) => path === `/lesson/${l.id}`);
   room?.dispose();
   if (lesson) room = new LessonRoom(lesson, values);
+  else if (path === "/scene") room = new SceneRoom(values);
   else room = new Home();
-  document.title = lesson ? `${lesson.title} · Graze lab` : "Graze lab";
+  document.title = lesson ? `${lesson.title} · Graze lab` : path === "/scene" ? "Viewer and playground · Graze lab" : "Graze lab";
   main.replaceChildren(room.element);
   for (const a of document.querySelectorAll<HTMLAnchorElement>("header.top a")) {
     const here = a.getAttribute("href") === `#${path}` || (a.dataset.room === "lessons" && path.startsWith("/lesson"));
@@ -50,7 +52,8 @@ function frame(): Node[] {
     h("header", { class: "top" },
       h("a", { href: "#/", class: "brand" }, "Graze lab"),
       h("nav", { "aria-label": "Rooms" },
-        h("a", { href: "#/", "data-room": "lessons" }, "Lessons")),
+        h("a", { href: "#/", "data-room": "lessons" }, "Lessons"),
+        h("a", { href: "#/scene" }, "Viewer and playground")),
       themeButton),
     main,
   ];

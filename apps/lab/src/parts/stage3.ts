@@ -7,6 +7,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { h } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
+import { Crowd } from "./crowd.ts";
 import { Handles } from "./handles.ts";
 import { color, onTheme } from "./theme.ts";
 import { geometryOf } from "./solid.ts";
@@ -21,6 +22,8 @@ export class Stage3 implements Stage, Drawing {
   onPoint: (key: string | null) => void = () => {};
   /** A click on a body: its place in the order of `shape` calls, and the ray through the pointer. */
   onPick: (body: number | null, ray: { origin: Vec; direction: Vec }) => void = () => {};
+  /** Bodies beyond those that are drawn one by one. */
+  readonly crowd = new Crowd();
   private readonly canvas = document.createElement("canvas");
   private readonly labels = h("div", { class: "labels", "aria-hidden": "true" });
   private readonly renderer: THREE.WebGLRenderer;
@@ -60,7 +63,7 @@ export class Stage3 implements Stage, Drawing {
     this.controls.addEventListener("change", () => this.request());
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(3, 8, 5);
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667788, 1.7), sun, this.drawn);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667788, 1.7), sun, this.drawn, this.crowd.group);
     this.observer = new ResizeObserver(() => {
       const frame = this.element.getBoundingClientRect();
       if (frame.width === 0) return;
@@ -87,6 +90,7 @@ export class Stage3 implements Stage, Drawing {
     this.observer.disconnect();
     this.controls.dispose();
     this.clear();
+    this.crowd.dispose();
     for (const geometry of this.geometries.values()) geometry.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -113,7 +117,7 @@ export class Stage3 implements Stage, Drawing {
     this.last = { paint, handles, says };
     this.redraw();
   }
-  /** The point of the horizontal plane through `height` under a pixel. */
+  /** The ray through a pixel of the window. */
   rayAt(clientX: number, clientY: number): { origin: Vec; direction: Vec } {
     const frame = this.canvas.getBoundingClientRect();
     const caster = this.caster(clientX - frame.left, clientY - frame.top);
@@ -300,7 +304,7 @@ export class Stage3 implements Stage, Drawing {
     const frame = this.canvas.getBoundingClientRect();
     const caster = this.caster(event.clientX - frame.left, event.clientY - frame.top);
     const [first] = caster.intersectObjects(this.picks, false);
-    this.onPick(first ? (first.object.userData.body as number) : null,
+    this.onPick(first ? (first.object.userData.body as number) : this.crowd.pick(caster),
       { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() });
   }
   private turnCamera(event: KeyboardEvent): void {
