@@ -53,7 +53,7 @@ function frame(): Node[] {
       h("a", { href: "#/", class: "brand" }, "Graze lab"),
       h("nav", { "aria-label": "Rooms" },
         h("a", { href: "#/", "data-room": "lessons" }, "Lessons"),
-        h("a", { href: "#/scene" }, "Viewer and playground")),
+        h("a", { href: "#/scene" }, "Viewer")),
       themeButton),
     main,
   ];

@@ -4,6 +4,7 @@
 //   node tests/browser.mjs            the built lab in dist/
 //   LAB_URL=http://...                a server that runs already
 //   GRAZE=build/release/bin/graze     the native program answers the questions, else the npm package in Node
+//   ONLY=text                         the tests whose names contain it
 //   SCREENSHOTS=folder                pictures of every lesson, light, dark and as a phone shows it
 
 import assert from "node:assert/strict";
@@ -65,6 +66,7 @@ async function visit(hash, options = {}) {
   return page;
 }
 async function test(name, body) {
+  if (process.env.ONLY && !name.includes(process.env.ONLY)) return;
   const start = performance.now();
   try {
     await body();
@@ -250,6 +252,105 @@ await test("an address that makes no sense shows the lesson as it starts", async
   const broken = await visit("#/lesson/gjk?s=" + encodeURIComponent('{"q":{"query":"distance","dimension":2,"a":{"shape":{"type":"box","box":{"size":[1,-2]}}},"b":{"shape":{"type":"box","box":{"size":[1,1]}}}}}'));
   assert.match(await broken.textContent(".trouble"), /size\[1\]/);
   assert.deepEqual(broken.trouble, []);
+});
+
+const scene = (name) => visit(`#/scene?scene=${name}`);
+const files = join(here, "../../examples/scenes");
+
+for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "slope"])
+  await test(`scene ${name}: steps forward, and back to the same bits`, async () => {
+    const page = await scene(name);
+    const before = await shown(page);
+    await page.click("[data-step]");
+    const first = await shown(page);
+    for (let i = 0; i < 10; i++) await page.click("[data-step]");
+    const after = await shown(page);
+    assert.equal(after.frames, 11);
+    assert.notDeepEqual(after.poses, before.poses);
+    assert.ok(after.poses.every(Number.isFinite));
+    assert.ok(after.deepest < 0.1, `${after.deepest} deep`);
+    for (let i = 0; i < 10; i++) await page.click("[data-back]");
+    assert.deepEqual((await shown(page)).poses, first.poses);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+await test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
+  const page = await scene("heavy");
+  const canvas = await (await page.$("canvas")).boundingBox();
+  // Ask the page itself where the light box is, by trying points until one selects it.
+  for (const y of [0.85, 0.8, 0.75, 0.7]) {
+    await page.mouse.click(canvas.x + canvas.width / 2, canvas.y + canvas.height * y);
+    if ((await page.textContent(".words h2")) === "light") break;
+  }
+  assert.equal(await page.textContent(".words h2"), "light");
+  const before = await shown(page);
+  assert.ok(before.pairs >= 1);
+  await drag(page, "move", 200, 0);
+  const after = await shown(page);
+  assert.ok(after.poses[7] > before.poses[7] + 0.5, `${before.poses[7]} to ${after.poses[7]}`);
+  await page.mouse.click(canvas.x + canvas.width / 2, canvas.y + canvas.height * 0.42);
+  assert.match(await page.textContent(".words h2"), /light and heavy/);
+  const asked = await page.inputValue("textarea");
+  const answer = JSON.parse(query(JSON.stringify({ ...JSON.parse(asked), query: "distance", margin: undefined })));
+  const said = await page.textContent(".words");
+  assert.ok(said.includes(String(Number(answer.distance.toPrecision(6))).replaceAll("-", "−")), said);
+  await page.click('a:text-is("Step through this pair")');
+  assert.equal(await page.textContent(".words h2"), "Fifteen candidates");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+await test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
+  const page = await scene("shapes");
+  const open = async (file) => {
+    await page.setInputFiles("input[type=file]", file);
+    await page.waitForTimeout(300);
+  };
+  await open(join(files, "demo.gltf"));
+  assert.ok((await shown(page)).bodies > 10, `${(await shown(page)).bodies} bodies`);
+  assert.ok(!(await page.isVisible(".trouble")));
+  const text = (name, content) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content) });
+  await open(text("cube.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"));
+  assert.equal((await shown(page)).bodies, 1);
+  await open(text("q.jsonl", '{"query":"overlap","a":{"shape":{"type":"sphere"}},"b":{"shape":{"type":"box"},"translation":[0.7,0,0]}}\n'));
+  assert.equal((await shown(page)).bodies, 2);
+  assert.equal((await shown(page)).pairs, 1);
+  for (const [name, content] of [["cut.gltf", "{"], ["empty.gltf", "{}"], ["bad.glb", "glTF"], ["nothing.obj", "# nothing"], ["x.stl", "solid"], ["picture.png", "x"],
+    ["deep.gltf", '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}'],
+    ["far.gltf", '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":99,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":4}],"buffers":[{"byteLength":3,"uri":"data:;base64,AAAA"}]}'],
+    ["nan.jsonl", '{"query":"overlap","a":{"shape":{"type":"sphere","sphere":{"radius":-1}}},"b":{"shape":{"type":"box"}}}']]) {
+    await open(text(name, content));
+    assert.ok((await page.textContent(".trouble:not([hidden])")).includes(name.replace("nan.jsonl", "question")), name);
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+await test("viewer has no finding of axe, and fits a phone", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });
+    await page.click("[data-step]");
+    await page.click("[data-step]");
+    await page.evaluate(axe);
+    const found = await page.evaluate(() => window.axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
+    assert.deepEqual(found.violations.map((v) => `${colorScheme} ${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3)}`), []);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+    await page.context().close();
+  }
+});
+
+await test("a still page draws nothing, and uses no other address", async () => {
+  const page = await scene("tower");
+  await page.waitForTimeout(500);
+  const frames = await page.evaluate(() => new Promise((done) => {
+    let asked = 0;
+    const real = window.requestAnimationFrame;
+    window.requestAnimationFrame = (f) => (asked++, real(f));
+    setTimeout(() => done(asked), 500);
+  }));
+  assert.equal(frames, 0);
+  await page.context().close();
 });
 
 await browser.close();
