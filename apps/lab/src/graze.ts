@@ -115,3 +115,20 @@ export function fewest(q: Question, most: number): Vec[] {
   b.dispose();
   return found.manifolds.flatMap((m) => m.points.map((p) => p.a as Vec));
 }
+
+/** The point of contact of two circles, which divides the overlap or the gap as their radii are. */
+export function weightedPoint(q: Question, distance: number): Vec {
+  const a = new graze.plane.Circle(radiusOf(q.a.shape)), b = new graze.plane.Circle(radiusOf(q.b!.shape));
+  const found = graze.plane.contacts(a, { translation: q.a.translation! }, b, { translation: q.b!.translation! }, Math.max(0, 2 * distance));
+  a.dispose();
+  b.dispose();
+  const [p] = found.manifolds[0].points;
+  return p.a.map((x, i) => x + (p.b[i] - x) * p.weight);
+}
+/** A body of the plane at time t of its motion. */
+export function bodyAt(body: Body, t: number): Body {
+  const pose = graze.plane.poseAt({
+    translation: body.translation ?? [0, 0], rotation: Number(body.rotation ?? 0),
+    linear: body.linear ?? [0, 0], angular: Number(body.angular ?? 0) }, t);
+  return { ...body, translation: pose.translation, rotation: pose.rotation };
+}

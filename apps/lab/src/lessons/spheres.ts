@@ -1,4 +1,4 @@
-import { ask } from "../graze.ts";
+import { ask, weightedPoint } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
 import { add, dot, length, mix, sub } from "../parts/vec.ts";
@@ -26,7 +26,7 @@ export const spheres: Lesson = {
     const ca = q.a.translation!, cb = q.b!.translation!, ra = radiusOf(q.a.shape), rb = radiusOf(q.b!.shape);
     const c = sub(cb, ca), n = answer.normal!, d = answer.distance!;
     const pa = answer.a as unknown as Vec, pb = answer.b as unknown as Vec;
-    const weighted = mix(pa, pb, ra + rb > 0 ? ra / (ra + rb) : 0.5), middle = mix(pa, pb, 0.5);
+    const weighted = weightedPoint(q, d), middle = mix(pa, pb, 0.5);
     const centers = (draw: Parameters<Step["draw"]>[0]): void => {
       drawBodies(draw, q);
       draw.line(ca, cb, "axis", { dashed: true, label: "c" });

@@ -1,7 +1,7 @@
-import { ask } from "../graze.ts";
+import { ask, bodyAt } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
-import { add, bodyAt, scale, sub } from "../parts/vec.ts";
+import { add, scale, sub } from "../parts/vec.ts";
 import { box, circle, withBody, type Shape, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 

@@ -56,16 +56,3 @@ const origin = (v: Vec): Vec => v.map(() => 0);
 export const toWorld = (body: Body, p: Vec): Vec => add(rotate(body.rotation, p), body.translation ?? origin(p));
 export const toLocal = (body: Body, p: Vec): Vec =>
   rotate(inverse(body.rotation), sub(p, body.translation ?? origin(p)));
-
-/** The protocol's motion: translation + t·linear, exp(t·angular)·rotation. To draw ghosts between the answers. */
-export function bodyAt(body: Body, t: number): Body {
-  const moved: Body = { ...body };
-  if (body.linear) moved.translation = add(body.translation ?? origin(body.linear), scale(body.linear, t));
-  if (typeof body.angular === "number") moved.rotation = ((body.rotation as number) ?? 0) + body.angular * t;
-  else if (body.angular && length(body.angular) > 0)
-    moved.rotation = quatMultiply(
-      quatAbout(body.angular, length(body.angular) * t),
-      (body.rotation as Vec) ?? [0, 0, 0, 1],
-    );
-  return moved;
-}

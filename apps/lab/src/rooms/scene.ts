@@ -76,6 +76,19 @@ export class SceneRoom implements Room {
       }
     }
     this.open(scenes[key]());
+    if (values.file) void this.fetched(values.file);
+  }
+  /** A file beside the page, which `graze view` serves; nothing is fetched from elsewhere. */
+  private async fetched(path: string): Promise<void> {
+    try {
+      const where = new URL(path, location.href);
+      if (where.origin !== location.origin) throw new Error(`${path}: lies elsewhere`);
+      const response = await fetch(where);
+      if (!response.ok) throw new Error(`${path}: ${response.status} ${response.statusText}`);
+      await this.file(new File([await response.blob()], decodeURIComponent(where.pathname.split("/").pop() ?? "")));
+    } catch (error) {
+      this.say((error as Error).message);
+    }
   }
 
   dispose(): void {
