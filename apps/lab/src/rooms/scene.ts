@@ -16,8 +16,13 @@ import { scenes } from "../scene/scenes.ts";
 import type { Room } from "./room.ts";
 
 const frame = 1 / 60;
+/** Of larger scenes the contacts are counted and not drawn. */
+const mostDrawn = 200;
 /** Ten seconds of states to step back to; fewer of large scenes. */
 const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
+/** Bodies that are deeper in each other than that are marked. */
+const visible = 1e-3;
+const deepest = (pair: graze.WorldPair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
 const button = (label: string, act: () => void, more: Record<string, unknown> = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
 
@@ -298,18 +303,19 @@ export class SceneRoom implements Room {
     const at = this.questions();
     this.stage.crowd.move(at.poses());
     const special = new Map<number, Meaning>();
-    if (!this.simulation) for (const pair of at.contacts()) if (pair.overlap) for (const i of [pair.a, pair.b]) if (this.scene.bodies[i]?.moves) special.set(i, "touch");
+    if (!this.simulation && this.scene.bodies.length <= mostDrawn) for (const pair of at.contacts()) if (deepest(pair) < -visible) for (const i of [pair.a, pair.b]) if (this.scene.bodies[i]?.moves) special.set(i, "touch");
     this.selected.forEach((i, k) => special.set(i, k ? "b" : "made"));
     this.stage.crowd.paint(special);
     this.paint();
     this.times.draw = performance.now() - start;
-    if (!this.running || this.energy.length % 6 === 0) this.tell();
+    if (!this.running || this.energy.length % (this.scene.bodies.length > mostDrawn ? 30 : 6) === 0) this.tell();
   }
   private paint(): void {
-    const found = this.questions().contacts(), few = this.scene.bodies.length <= 200;
+    // To copy thousands of contacts out of the module takes longer than to draw the bodies.
+    const few = this.scene.bodies.length <= mostDrawn, found = few ? this.questions().contacts() : [];
     const marked = new Set(this.selected);
     this.stage.draw((d: Drawing) => {
-      if (few) for (const pair of found)
+      for (const pair of found)
         for (const manifold of pair.manifolds)
           for (const p of manifold.points) {
             d.point(p.a as Vec, p.distance <= 0 ? "touch" : "axis", { key: `${pair.a} ${pair.b}` });
@@ -320,7 +326,7 @@ export class SceneRoom implements Room {
         d.arrow(this.ray.from, this.ray.to, "made", { wide: true });
         d.point(this.ray.to, "touch", { wide: true });
       }
-    }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies, ${found.length} pairs in contact.`);
+    }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
   private tell(): void {
     const found = this.questions().contacts();
@@ -331,7 +337,7 @@ export class SceneRoom implements Room {
     this.pairs.show({
       caption: found.length > 30 ? `The first 30 of ${found.length} pairs` : "Pairs in contact", columns: ["pair", "points", "deepest"],
       rows: found.slice(0, 30).map((p) => ({
-        cells: [`${name(p.a)} × ${name(p.b)}`, p.manifolds.reduce((n, m) => n + m.points.length, 0), Math.min(...p.manifolds.flatMap((m) => m.points.map((x) => x.distance)))],
+        cells: [`${name(p.a)} × ${name(p.b)}`, p.manifolds.reduce((n, m) => n + m.points.length, 0), deepest(p)],
         key: `${p.a} ${p.b}`, mark: this.selected.includes(p.a) && this.selected.includes(p.b) ? "winner" as const : undefined })),
     });
     this.plot.replaceChildren();
