@@ -258,7 +258,7 @@ const scene = (name) => visit(`#/scene?scene=${name}`);
 const files = join(here, "../../examples/scenes");
 
 for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "slope"])
-  await test(`scene ${name}: steps forward, and back to the same bits`, async () => {
+  await test(`scene ${name}: steps forward, back, and forward again`, async () => {
     const page = await scene(name);
     const before = await shown(page);
     await page.click("[data-step]");
@@ -270,32 +270,32 @@ for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "
     assert.ok(after.poses.every(Number.isFinite));
     assert.ok(after.deepest < 0.1, `${after.deepest} deep`);
     for (let i = 0; i < 10; i++) await page.click("[data-back]");
-    assert.deepEqual((await shown(page)).poses, first.poses);
+    // To the last digits but few: a restored pose is made unit anew.
+    const near = (x, y) => assert.ok(x.every((v, i) => Math.abs(v - y[i]) <= 1e-9), "the poses differ");
+    near((await shown(page)).poses, first.poses);
+    for (let i = 0; i < 10; i++) await page.click("[data-step]");
+    near((await shown(page)).poses, after.poses);
     assert.deepEqual(page.trouble, []);
     await page.context().close();
   });
 
 await test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
-  const canvas = await (await page.$("canvas")).boundingBox();
-  // Ask the page itself where the light box is, by trying points until one selects it.
-  for (const y of [0.85, 0.8, 0.75, 0.7]) {
-    await page.mouse.click(canvas.x + canvas.width / 2, canvas.y + canvas.height * y);
-    if ((await page.textContent(".words h2")) === "light") break;
-  }
+  await page.selectOption('[data-body="0"]', { label: "light" });
   assert.equal(await page.textContent(".words h2"), "light");
   const before = await shown(page);
   assert.ok(before.pairs >= 1);
   await drag(page, "move", 200, 0);
   const after = await shown(page);
   assert.ok(after.poses[7] > before.poses[7] + 0.5, `${before.poses[7]} to ${after.poses[7]}`);
-  await page.mouse.click(canvas.x + canvas.width / 2, canvas.y + canvas.height * 0.42);
+  await page.selectOption('[data-body="1"]', { label: "heavy" });
   assert.match(await page.textContent(".words h2"), /light and heavy/);
   const asked = await page.inputValue("textarea");
   const answer = JSON.parse(query(JSON.stringify({ ...JSON.parse(asked), query: "distance", margin: undefined })));
   const said = await page.textContent(".words");
   assert.ok(said.includes(String(Number(answer.distance.toPrecision(6))).replaceAll("-", "−")), said);
   await page.click('a:text-is("Step through this pair")');
+  await page.waitForSelector("[data-next]");
   assert.equal(await page.textContent(".words h2"), "Fifteen candidates");
   assert.deepEqual(page.trouble, []);
   await page.context().close();

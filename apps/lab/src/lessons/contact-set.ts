@@ -77,7 +77,7 @@ export const contactSet: Lesson = {
         drawBodies(d, q, true);
         d.polygon(faceA, "a", { ghost: true });
         d.polygon(faceB, "b", { ghost: true });
-        manifold.points.slice(0, i + 1).forEach((x, k) => d.point(x.a, k === i ? "touch" : "axis", { wide: k === i, label: k === i ? featureWords(x.feature) : undefined, key: `point-${k}` }));
+        manifold.points.slice(0, i + 1).forEach((x, k) => d.point(x.a, k === i ? "touch" : "axis", { wide: k === i, key: `point-${k}` }));
       },
     }));
     const four = fewest(q, 4);

@@ -93,7 +93,7 @@ export const minkowski: Lesson = {
         title: `Corner ${i + 1} of ${corners.length}`,
         text: `This corner is made of the two marked corners. On to the next one the outline follows a side of ${fromB ? "B" : "A"}: as one shape slides ` +
           `round the other, sides of both follow each other in the order of their directions.`,
-        formula: [sign.replace(/([ab])/g, "$1"), `${vector(flat(corner.b), 4).replace("(", "[").replace(")", "]")} - ${vector(flat(corner.a), 4).replace("(", "[").replace(")", "]")} = ${vector(flat(sub(corner.b, corner.a)), 4).replace("(", "[").replace(")", "]")}`],
+        formula: [`c = ${sign}`, `${vector(flat(corner.b), 4).replace("(", "[").replace(")", "]")} - ${vector(flat(corner.a), 4).replace("(", "[").replace(")", "]")} = ${vector(flat(sub(corner.b, corner.a)), 4).replace("(", "[").replace(")", "]")}`],
         numbers: {
           caption: `Corners of the ${word}`, columns: ["corner", "of A", "of B", "made"],
           rows: corners.slice(0, i + 1).map((c, k) => ({

@@ -54,6 +54,8 @@ export class SceneRoom implements Room {
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly list: HTMLSelectElement;
   private readonly play: HTMLButtonElement;
+  private readonly chosen = [0, 1].map((k) =>
+    h("select", { "aria-label": k ? "Another body" : "A body", "data-body": k, onchange: () => this.chooseBodies() }) as HTMLSelectElement);
   private readonly asked = h("textarea", { rows: 3, spellcheck: "false", "aria-label": "A question of the protocol" }) as HTMLTextAreaElement;
 
   constructor(values: Record<string, string>) {
@@ -145,6 +147,8 @@ export class SceneRoom implements Room {
     }
     const { bodies } = this.scene;
     this.stage.crowd.set(bodies.map((b) => b.shape), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
+    for (const [k, select] of this.chosen.entries())
+      select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
     this.note.textContent = this.scene.note ?? "";
     this.stage.look(this.scene.view ?? this.whole());
     this.show();
@@ -266,6 +270,10 @@ export class SceneRoom implements Room {
     else this.selected = [...this.selected, body].slice(-2);
     this.show();
   }
+  private chooseBodies(): void {
+    this.selected = [...new Set(this.chosen.filter((s) => s.value !== "").map((s) => Number(s.value)))];
+    this.show();
+  }
   private drag(id: string, to: Vec, done: boolean): void {
     const i = this.selected[0], body = this.scene.bodies[i];
     if (!body) return;
@@ -302,6 +310,7 @@ export class SceneRoom implements Room {
     const start = performance.now();
     const at = this.questions();
     this.stage.crowd.move(at.poses());
+    this.chosen.forEach((select, k) => (select.value = String(this.selected[k] ?? "")));
     const special = new Map<number, Meaning>();
     if (!this.simulation && this.scene.bodies.length <= mostDrawn) for (const pair of at.contacts()) if (deepest(pair) < -visible) for (const i of [pair.a, pair.b]) if (this.scene.bodies[i]?.moves) special.set(i, "touch");
     this.selected.forEach((i, k) => special.set(i, k ? "b" : "made"));
@@ -388,7 +397,7 @@ export class SceneRoom implements Room {
           h("div", { class: "timeline", role: "group", "aria-label": "Time" },
             button("Step back", () => this.back(), { "data-back": true }), this.play, button("One step", () => { this.stop(); this.step(); }, { "data-step": true }), button("Start again", again)),
           this.counter, this.trouble),
-        h("div", { class: "side" }, this.info, this.table.element, this.plot, this.pairs.element,
+        h("div", { class: "side" }, h("div", { class: "choices" }, ...this.chosen), this.info, this.table.element, this.plot, this.pairs.element,
           h("details", {}, h("summary", {}, "The pair as a question"), this.asked,
             h("p", { class: "actions" }, button("Ask it", () => {
               try {

@@ -57,6 +57,22 @@ function fromGeometry(geometry: THREE.BufferGeometry): Shape {
 }
 const still = (name: string, shape: Shape): SceneBody => ({ name, shape, translation: [0, 0, 0], rotation: turned, moves: false });
 
+const defaults: Record<string, object> = {
+  sphere: { radius: 0.5 }, box: { size: [1, 1, 1] }, capsule: { height: 0.5, radiusBottom: 0.25, radiusTop: 0.25 },
+  cylinder: { height: 0.5, radiusBottom: 0.25, radiusTop: 0.25 } };
+/** A shape of KHR_implicit_shapes under its node's scale, where the result is such a shape, or an ellipsoid. */
+function scaled(shape: Shape, scale: Vec, node: number): Shape {
+  const [x, y, z] = scale.map(Math.abs), near = (p: number, q: number): boolean => Math.abs(p - q) <= 1e-6 * Math.max(p, q);
+  if ([x, y, z].every((s) => near(s, 1))) return shape;
+  const m = shape[shape.type] as { radius: number; size: Vec; height: number; radiusBottom: number; radiusTop: number };
+  const round = { height: m.height * y, radiusBottom: m.radiusBottom * x, radiusTop: m.radiusTop * x };
+  if (shape.type === "box") return { type: "box", box: { size: [m.size[0] * x, m.size[1] * y, m.size[2] * z] } };
+  if (shape.type === "sphere") return near(x, y) && near(y, z) ? { type: "sphere", sphere: { radius: m.radius * x } } : { type: "ellipsoid", ellipsoid: { radii: [m.radius * x, m.radius * y, m.radius * z] } };
+  if (shape.type === "cylinder" && near(x, z)) return { type: "cylinder", cylinder: round };
+  if (shape.type === "capsule" && near(x, y) && near(y, z)) return { type: "capsule", capsule: round };
+  throw new Unreadable(`nodes[${node}]: a ${shape.type} scaled by ${scale.join(", ")}; graze collide reads it`);
+}
+
 function buffers(gltf: Gltf, binary: ArrayBuffer | null): ArrayBuffer[] {
   return (gltf.buffers ?? []).map((b, i) => {
     if (b.uri === undefined && i === 0 && binary) return binary;
@@ -117,7 +133,7 @@ function readGltf(gltf: Gltf, binary: ArrayBuffer | null, name: string): Scene {
     if (where?.geometry?.shape !== undefined) {
       shape = structuredClone(shapes[where.geometry.shape]);
       if (!shape) throw new Unreadable(`nodes[${number}]: there is no shape ${where.geometry.shape}`);
-      if (scale.some((s) => Math.abs(s - 1) > 1e-6)) throw new Unreadable(`nodes[${number}]: an implicit shape that is scaled; graze collide reads it`);
+      shape = scaled({ ...shape, [shape.type]: { ...defaults[shape.type], ...(shape[shape.type] as object) } }, scale, number);
     } else {
       const mesh = where?.geometry?.mesh ?? (where?.geometry?.node !== undefined ? nodes[where.geometry.node]?.mesh : undefined) ?? (anyCollider ? undefined : node.mesh);
       if (mesh !== undefined) {
