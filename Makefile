@@ -105,6 +105,15 @@ lab: ## build the lab, a web application, into apps/lab/dist
 .PHONY: test-lab
 test-lab: lab ## the lab's tests, in headless Chromium
 	cd apps/lab && npm test
+# The back end stands in bindings/python/graze_build.py; pip fetches nothing.
+.PHONY: wheel
+wheel: ## build a wheel of the Python package below build/wheel, and try it in an environment of its own
+	@scripts/setup.sh python
+	$(call configure,release) -DGRAZE_BUILD_PYTHON=ON
+	JOBS=$(JOBS) /usr/bin/python3 -m pip wheel . --no-build-isolation --no-deps --no-index --wheel-dir build/wheel
+	/usr/bin/python3 -m venv --clear --system-site-packages build/wheel/tried
+	build/wheel/tried/bin/pip install --quiet --no-index --no-deps --force-reinstall build/wheel/*.whl
+	cd build/wheel && tried/bin/python -m pytest -q -p no:cacheprovider ../../tests/python
 
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while

@@ -22,9 +22,7 @@ py::list list_of(const List& list, F&& f) {
 
 std::string text_of(double value) { return validate::number(value); }
 
-std::string text_of(const Vec3d& v) {
-  return "[" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + "]";
-}
+std::string text_of(const Vec3d& v) { return "[" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + "]"; }
 
 void add_distances(py::module_& m) {
   py::class_<Distance<double>>(m, "Distance", "A signed distance: b - a = distance * normal.")
@@ -32,8 +30,9 @@ void add_distances(py::module_& m) {
       .def_property_readonly("normal", vector_of(&Distance<double>::normal), "Unit, from a to b.")
       .def_property_readonly("a", vector_of(&Distance<double>::a), "On the surface of a, in the world.")
       .def_property_readonly("b", vector_of(&Distance<double>::b), "On the surface of b.")
-      .def_property_readonly("status", [](const Distance<double>& d) { return python::text_of(d.status); },
-                             "'converged', 'bounded' (right within `error`) or 'unbounded'.")
+      .def_property_readonly(
+          "status", [](const Distance<double>& d) { return python::text_of(d.status); },
+          "'converged', 'bounded' (right within `error`) or 'unbounded'.")
       .def_readonly("error", &Distance<double>::error)
       .def("__float__", [](const Distance<double>& d) { return d.distance; })
       .def("__repr__", [](const Distance<double>& d) {
@@ -78,8 +77,9 @@ void add_contacts(py::module_& m) {
       .def_property_readonly("b", vector_of(&ContactPoint<double>::b))
       .def_readonly("distance", &ContactPoint<double>::distance, "Negative is penetration.")
       .def_readonly("feature", &ContactPoint<double>::feature, "The same as long as the same features touch.")
-      .def_property_readonly("position", [](const ContactPoint<double>& p) { return array_of(p.position()); },
-                             "The point between the two that a solver wants.")
+      .def_property_readonly(
+          "position", [](const ContactPoint<double>& p) { return array_of(p.position()); },
+          "The point between the two that a solver wants.")
       .def("__repr__", [](const ContactPoint<double>& p) {
         return "graze.ContactPoint(" + text_of(p.distance) + ", position=" + text_of(p.position()) + ")";
       });
@@ -161,16 +161,21 @@ py::dict object_of(const Trace& trace) {
 
 py::dtype distance_type() {
   using D = Distance<double>;
-  return record_type({{"distance", "f8", offsetof(D, distance)}, {"normal", "(3,)f8", offsetof(D, normal)},
-                      {"a", "(3,)f8", offsetof(D, a)}, {"b", "(3,)f8", offsetof(D, b)},
-                      {"status", "u1", offsetof(D, status)}, {"error", "f8", offsetof(D, error)}},
+  return record_type({{"distance", "f8", offsetof(D, distance)},
+                      {"normal", "(3,)f8", offsetof(D, normal)},
+                      {"a", "(3,)f8", offsetof(D, a)},
+                      {"b", "(3,)f8", offsetof(D, b)},
+                      {"status", "u1", offsetof(D, status)},
+                      {"error", "f8", offsetof(D, error)}},
                      sizeof(D));
 }
 
 py::dtype point_type() {
   using P = ContactPoint<double>;
-  return record_type({{"a", "(3,)f8", offsetof(P, a)}, {"b", "(3,)f8", offsetof(P, b)},
-                      {"distance", "f8", offsetof(P, distance)}, {"feature", "u4", offsetof(P, feature)},
+  return record_type({{"a", "(3,)f8", offsetof(P, a)},
+                      {"b", "(3,)f8", offsetof(P, b)},
+                      {"distance", "f8", offsetof(P, distance)},
+                      {"feature", "u4", offsetof(P, feature)},
                       {"weight", "f8", offsetof(P, weight)}},
                      sizeof(P));
 }

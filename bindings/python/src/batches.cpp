@@ -66,11 +66,11 @@ class Side {
       const Posed& p = poses_[i];
       const Quatd& q = p.rotation;
       const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-      const bool sound = max_abs(p.translation) <= largest_magnitude<double> && std::abs(square - 1) <= 1e-9;
+      const bool sound = max_abs(p.translation) <= largest_magnitude<double> && std::abs(square - 1) <= unit_slack;
       if (sound) continue;
       const std::string path = name + "[" + std::to_string(i) + "]";
       validate::point(p.translation, path + ".translation");
-      validate::fail(path + ".rotation", "a quaternion of unit length (within 1e-9)", std::sqrt(square));
+      validate::fail(path + ".rotation", "a quaternion of unit length (within 1e-6)", std::sqrt(square));
     }
   }
 
@@ -109,14 +109,17 @@ using Contacts = BatchContacts<double>;
 
 py::dtype pair_type() {
   using P = Contacts::Pair;
-  return record_type({{"overlap", "?", offsetof(P, overlap)}, {"first_manifold", "u4", offsetof(P, first_manifold)},
+  return record_type({{"overlap", "?", offsetof(P, overlap)},
+                      {"first_manifold", "u4", offsetof(P, first_manifold)},
                       {"manifold_count", "u4", offsetof(P, manifold_count)}},
                      sizeof(P));
 }
 py::dtype group_type() {
   using G = Contacts::Group;
-  return record_type({{"normal", "(3,)f8", offsetof(G, normal)}, {"piece_a", "u4", offsetof(G, piece_a)},
-                      {"piece_b", "u4", offsetof(G, piece_b)}, {"first_point", "u4", offsetof(G, first_point)},
+  return record_type({{"normal", "(3,)f8", offsetof(G, normal)},
+                      {"piece_a", "u4", offsetof(G, piece_a)},
+                      {"piece_b", "u4", offsetof(G, piece_b)},
+                      {"first_point", "u4", offsetof(G, first_point)},
                       {"point_count", "u4", offsetof(G, point_count)}},
                      sizeof(G));
 }
@@ -132,7 +135,8 @@ the single one of a side with all of the other. The interpreter's lock is releas
 }  // namespace
 
 void add_batches(py::module_& m) {
-  py::module_ batch = m.def_submodule("batch", "Many pairs at once, many at a time on the processor's lanes; each with the answer it has alone.");
+  py::module_ batch = m.def_submodule(
+      "batch", "Many pairs at once, many at a time on the processor's lanes; each with the answer it has alone.");
   batch.def(
       "overlap",
       [](const py::object& a, const py::object& poses_a, const py::object& b, const py::object& poses_b,
@@ -161,12 +165,13 @@ void add_batches(py::module_& m) {
       },
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("pairs") = py::none(),
       (std::string("The signed distance of each pair: records with the fields distance, normal, a, b, status, error.") +
-       batch_doc).c_str());
+       batch_doc)
+          .c_str());
   batch.def(
       "contacts",
-      [pairs_type = pair_type(), groups_type = group_type(), points_type = point_type()](
-          const py::object& a, const py::object& poses_a, const py::object& b, const py::object& poses_b, double margin,
-          const py::object& pairs) {
+      [pairs_type = pair_type(), groups_type = group_type(),
+       points_type = point_type()](const py::object& a, const py::object& poses_a, const py::object& b,
+                                   const py::object& poses_b, double margin, const py::object& pairs) {
         if (!(margin >= 0)) validate::fail("margin", "a number >= 0", margin);
         const Question question(a, poses_a, b, poses_b, pairs);
         Contacts found;
@@ -180,8 +185,11 @@ void add_batches(py::module_& m) {
       },
       py::arg("a"), py::arg("poses_a"), py::arg("b"), py::arg("poses_b"), py::arg("margin") = 0.0,
       py::arg("pairs") = py::none(),
-      (std::string("Where each pair touches: (pairs, manifolds, points), three arrays of records. A pair's manifolds are "
-                   "`manifold_count` from `first_manifold` on, and likewise a manifold's points.") + batch_doc).c_str());
+      (std::string(
+           "Where each pair touches: (pairs, manifolds, points), three arrays of records. A pair's manifolds are "
+           "`manifold_count` from `first_manifold` on, and likewise a manifold's points.") +
+       batch_doc)
+          .c_str());
 }
 
 }  // namespace graze::python

@@ -26,6 +26,12 @@ bool read_numbers(py::handle from, double* to, py::ssize_t size) {
 
 namespace {
 
+/// A quaternion of unit length as it stands, as batches take it; any other brought to unit length.
+Quatd rotation_of(const Quatd& q) {
+  const double squared = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::abs(squared - 1) <= unit_slack ? q : validate::rotation(q, "rotation");
+}
+
 /// The rotation of a matrix by the largest of the four components (Shepperd 1978, "Quaternion from rotation matrix").
 Quatd quaternion_of(const double (&m)[16], const char* path) {
   const Mat3d r{{Vec3d{m[0], m[1], m[2]}, Vec3d{m[4], m[5], m[6]}, Vec3d{m[8], m[9], m[10]}}};
@@ -101,8 +107,7 @@ bool read_pose(py::handle from, Posed& to) {
   } else {
     return py::isinstance<py::array>(from) && read_matrix(from, to);
   }
-  to = {validate::point(translation, "translation"),
-        validate::rotation(Quatd{q[0], q[1], q[2], q[3]}, "rotation")};
+  to = {validate::point(translation, "translation"), rotation_of({q[0], q[1], q[2], q[3]})};
   return true;
 }
 

@@ -15,13 +15,16 @@ namespace graze::python {
 
 namespace py = pybind11;
 
+/// What rounding leaves of unit length, squared, where a rotation was computed or stored in single precision.
+inline constexpr double unit_slack = 1e-6;
+
 /// A parameter that takes three numbers: a tuple, a list, an array.
 struct Vector {
   Vec3d value{};
 };
 
-/// A parameter that takes a `Pose`, (translation, quaternion), seven numbers, a 4×4 matrix, three numbers (a translation)
-/// or None (the origin).
+/// A parameter that takes a `Pose`, (translation, quaternion), seven numbers, a 4×4 matrix, three numbers (a
+/// translation) or None (the origin).
 struct Placement {
   Posed value{};
 };

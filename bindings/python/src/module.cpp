@@ -10,5 +10,8 @@ PYBIND11_MODULE(_graze, m) {
   add_answers(m);
   add_queries(m);
   add_batches(m);
+  add_world(m);
+  add_simulation(m);
+  add_scenes(m);
   add_plane(m);
 }

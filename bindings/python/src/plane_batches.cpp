@@ -11,9 +11,6 @@ using plane::Pose2d, plane::Shaped;
 static_assert(sizeof(Pose2d) == 4 * sizeof(double), "four numbers a pose, as NumPy's rows have them");
 static_assert(sizeof(IdPair) == 2 * sizeof(std::uint32_t));
 
-/// What rounding leaves of unit length, squared, where a cosine and a sine were computed or stored in single precision.
-constexpr double unit_slack = 1e-6;
-
 /// One side of a batch: shapes and poses, and the array whose memory they stand in.
 class Side {
  public:

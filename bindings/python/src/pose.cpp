@@ -22,7 +22,7 @@ py::array_t<double> matrix_of(const Posed& pose) {
 void add_pose(py::module_& m) {
   py::class_<Posed>(m, "Pose", R"(Where a body stands and how it is turned: p -> translation + rotation p.
 
-translation: three numbers. rotation: a quaternion (x, y, z, w), brought to unit length.
+translation: three numbers. rotation: a quaternion (x, y, z, w), brought to unit length where it is off by more than 1e-6.
 Wherever a pose is asked for, these do as well: a pair (translation, rotation), an array of
 seven numbers, a 4x4 matrix without scale, three numbers (a translation alone), None (the origin).
 Raises ValueError for numbers that are not finite or too large, and for a matrix that is no pose.
@@ -41,7 +41,8 @@ graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
            }),
            py::arg("translation") = Vector{}, py::arg("rotation") = py::make_tuple(0.0, 0.0, 0.0, 1.0))
       .def_static(
-          "from_matrix", [](const Rows& matrix) {
+          "from_matrix",
+          [](const Rows& matrix) {
             Posed pose;
             if (!read_pose(matrix, pose)) throw py::type_error("matrix: expected an array of shape (4, 4)");
             return pose;
@@ -57,11 +58,15 @@ graze.Pose(translation=(-1.0, -2.0, -3.0), rotation=(-0.0, -0.0, -0.0, 1.0))
           "The unit quaternion (x, y, z, w).")
       .def_property_readonly("matrix", &matrix_of, "The 4x4 matrix.")
       .def("inverse", [](const Posed& p) { return inverse(p); })
-      .def("__matmul__", [](const Posed& p, const Posed& q) { return compose(p, q); }, py::is_operator())
-      .def("__matmul__", [](const Posed& p, const Vector& v) { return array_of(transform(p, v.value)); },
-           py::is_operator())
-      .def("__eq__", [](const Posed& p, const Posed& q) { return p == q; }, py::is_operator())
-      .def("__hash__", [](const Posed& p) { return py::hash(py::make_tuple(tuple_of(p.translation), tuple_of(p.rotation))); })
+      .def(
+          "__matmul__", [](const Posed& p, const Posed& q) { return compose(p, q); }, py::is_operator())
+      .def(
+          "__matmul__", [](const Posed& p, const Vector& v) { return array_of(transform(p, v.value)); },
+          py::is_operator())
+      .def(
+          "__eq__", [](const Posed& p, const Posed& q) { return p == q; }, py::is_operator())
+      .def("__hash__",
+           [](const Posed& p) { return py::hash(py::make_tuple(tuple_of(p.translation), tuple_of(p.rotation))); })
       .def("__repr__",
            [](const Posed& p) {
              return py::str("graze.Pose(translation={}, rotation={})")

@@ -39,7 +39,8 @@ void add_pairs(py::module_& m) {
 >>> import graze
 >>> graze.overlap(graze.Box((2, 2, 2)), None, graze.Sphere(0.5), (1.4, 0, 0))
 True
-)").c_str());
+)")
+          .c_str());
   m.def(
       "distance",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, bool trace) {
@@ -57,7 +58,8 @@ Negative where they overlap: minus the length of the shortest translation that s
 )");
   m.def(
       "distance_up_to",
-      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double limit) -> py::object {
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b,
+         double limit) -> py::object {
         const auto d = distance_up_to(a, pose_a.value, b, pose_b.value, checked_limit(limit, "limit"));
         return d ? py::cast(*d) : py::none();
       },
@@ -83,7 +85,8 @@ Negative where they overlap: minus the length of the shortest translation that s
       "All pairs of convex pieces within `margin`: (piece of a, piece of b, Distance).");
   m.def(
       "contacts",
-      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin, bool trace) {
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin,
+         bool trace) {
         checked_limit(margin, "margin");
         return answered(trace, [&](Trace* t) {
           Manifolds<double> manifolds;
@@ -103,8 +106,9 @@ Negative where they overlap: minus the length of the shortest translation that s
 >>> len(m.points), m.normal
 (4, array([0., 1., 0.]))
 )");
-  m.def("contact_margin", [](const Shaped& a, const Shaped& b) { return contact_margin(a, b); }, py::arg("a"),
-        py::arg("b"), "The margin that a world uses for the two: a hundredth of the smaller one's size.");
+  m.def(
+      "contact_margin", [](const Shaped& a, const Shaped& b) { return contact_margin(a, b); }, py::arg("a"),
+      py::arg("b"), "The margin that a world uses for the two: a hundredth of the smaller one's size.");
 }
 
 void add_points_and_rays(py::module_& m) {

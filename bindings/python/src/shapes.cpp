@@ -148,8 +148,7 @@ py::dict arguments(const Compound<double>& compound) {
 
 /// What `repr` shows of an argument: of an array only how large it is.
 std::string text_of_argument(py::handle value) {
-  if (py::isinstance<py::array>(value))
-    return "<array of shape " + std::string(py::str(value.attr("shape"))) + ">";
+  if (py::isinstance<py::array>(value)) return "<array of shape " + std::string(py::str(value.attr("shape"))) + ">";
   return py::str(py::repr(value));
 }
 
@@ -228,13 +227,13 @@ Minkowski sum), >= 0. Raises ValueError.
 >>> graze.Box((2, 2, 1), rounding=0.1)
 graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
 )")
-      .def(py::init([](const Vector& size, double rounding) {
-             return Of<Box<double>>(Box<double>(size.value), rounding);
-           }),
+      .def(py::init(
+               [](const Vector& size, double rounding) { return Of<Box<double>>(Box<double>(size.value), rounding); }),
            py::arg("size"), py::arg("rounding") = 0.0)
       .def_property_readonly("size",
                              [](const Of<Box<double>>& b) { return array_of(b.concrete().half_extents() * 2.0); });
-  shape_class<Rectangle<double>>(m, "Rectangle", "A rectangle about the origin in the plane y = 0; full edge lengths >= 0.")
+  shape_class<Rectangle<double>>(m, "Rectangle",
+                                 "A rectangle about the origin in the plane y = 0; full edge lengths >= 0.")
       .def(py::init([](double x, double z, double rounding) {
              return Of<Rectangle<double>>(Rectangle<double>(x, z), rounding);
            }),
@@ -249,7 +248,8 @@ graze.Box(size=(2.0, 2.0, 1.0), rounding=0.1)
              return Of<LineSegment<double>>(LineSegment<double>(a.value, b.value), rounding);
            }),
            py::arg("a"), py::arg("b"), py::arg("rounding") = 0.0);
-  shape_class<HalfSpace<double>>(m, "HalfSpace", "All points with y <= 0 in its own frame; a rounding moves its surface up.")
+  shape_class<HalfSpace<double>>(m, "HalfSpace",
+                                 "All points with y <= 0 in its own frame; a rounding moves its surface up.")
       .def(py::init([](double rounding) { return Of<HalfSpace<double>>(HalfSpace<double>(), rounding); }),
            py::arg("rounding") = 0.0);
 }
@@ -261,16 +261,16 @@ void add_convex(py::module_& m) {
              return Of<ConvexHull<double>>(ConvexHull<double>(given), rounding);
            }),
            py::arg("points"), py::arg("rounding") = 0.0)
-      .def_property_readonly("vertices", [](const Of<ConvexHull<double>>& h) {
-        return array_of_points(h.concrete().data().vertices);
-      });
+      .def_property_readonly(
+          "vertices", [](const Of<ConvexHull<double>>& h) { return array_of_points(h.concrete().data().vertices); });
   shape_class<UserConvex<double>>(m, "UserConvex", R"(Your own convex shape: one support function.
 
 support: takes a direction (an array of three numbers, not zero) and returns the point of the
 set that lies furthest along it. Called from any query, so it has to be a function of its
 argument alone; what it raises is reported and not passed on.)")
       .def(py::init([](py::function support, double rounding) {
-             return Of<UserConvex<double>>(UserConvex<double>(std::make_shared<PythonSupport>(std::move(support))), rounding);
+             return Of<UserConvex<double>>(UserConvex<double>(std::make_shared<PythonSupport>(std::move(support))),
+                                           rounding);
            }),
            py::arg("support"), py::arg("rounding") = 0.0);
 }
@@ -290,12 +290,14 @@ contacts push out of the front alone. Raises ValueError that names the index or 
                                                   front_only ? Sides::front : Sides::both, solid));
            }),
            py::arg("vertices"), py::arg("faces"), py::arg("solid") = false, py::arg("front_only") = false)
-      .def_property_readonly("vertices", [](const Of<Mesh<double>>& m) { return array_of_points(m.concrete().points()); })
+      .def_property_readonly("vertices",
+                             [](const Of<Mesh<double>>& m) { return array_of_points(m.concrete().points()); })
       .def_property_readonly("faces",
                              [](const Of<Mesh<double>>& m) { return array_of_triangles(m.concrete().triangles()); })
       .def_property_readonly("closed", [](const Of<Mesh<double>>& m) { return m.concrete().closed(); })
       .def_property_readonly("solid", [](const Of<Mesh<double>>& m) { return m.concrete().solid(); });
-  shape_class<HeightField<double>>(m, "HeightField", R"(Heights over a grid in the plane of x and z, centred on the origin.
+  shape_class<HeightField<double>>(m, "HeightField",
+                                   R"(Heights over a grid in the plane of x and z, centred on the origin.
 
 heights: shape (rows, columns); heights[r, c] stands at x = (c - (columns - 1) / 2) spacing_x and
 z = (r - (rows - 1) / 2) spacing_z; NaN is a hole.)")
@@ -336,7 +338,8 @@ void add_shapes(py::module_& m) {
             const Aabb<double> box = bounds(shape, pose.value);
             return py::make_tuple(array_of(box.lower), array_of(box.upper));
           },
-          py::arg("pose") = py::none(), "The lower and upper corner of a box about the shape; not less than the true one.")
+          py::arg("pose") = py::none(),
+          "The lower and upper corner of a box about the shape; not less than the true one.")
       .def(
           "support",
           [](const Shaped& shape, const Vector& direction) {
@@ -383,7 +386,8 @@ void add_shapes(py::module_& m) {
           py::arg("radii"))
       .def("__len__", [](const ShapeArray& a) { return a.shapes.size(); })
       .def("__getitem__", [](const ShapeArray& a, std::size_t i) {
-        if (i >= a.shapes.size()) throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(a.shapes.size()) + " shapes");
+        if (i >= a.shapes.size())
+          throw py::index_error("index " + std::to_string(i) + " of " + std::to_string(a.shapes.size()) + " shapes");
         return object_of(a.shapes[i]);
       });
 }

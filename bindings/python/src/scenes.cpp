@@ -1,0 +1,101 @@
+// Scenes from files, and the query protocol.
+#include "answers.hpp"
+#include "shapes.hpp"
+
+#include "graze/io/collide.hpp"
+#include "graze/io/protocol.hpp"
+#include "graze/io/scene.hpp"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+namespace graze::python {
+
+namespace {
+
+io::LoadOptions load_options(const std::string& colliders) {
+  constexpr std::pair<const char*, io::MeshColliders> names[] = {{"mesh", io::MeshColliders::mesh},
+                                                                 {"hull", io::MeshColliders::hull},
+                                                                 {"box", io::MeshColliders::box},
+                                                                 {"sphere", io::MeshColliders::sphere}};
+  io::LoadOptions options;
+  for (const auto& [text, kind] : names)
+    if (colliders == text) {
+      options.mesh_colliders = kind;
+      return options;
+    }
+  validate::fail("colliders", "mesh, hull, box or sphere", colliders);
+}
+
+}  // namespace
+
+void add_scenes(py::module_& m) {
+  py::class_<io::Collider>(m, "Collider", "One shape of a body of a scene, at its pose in the world.")
+      .def_readonly("name", &io::Collider::name)
+      .def_readonly("body", &io::Collider::body, "The index of its body.")
+      .def_readonly("pose", &io::Collider::pose)
+      .def_readonly("filter", &io::Collider::filter)
+      .def_readonly("trigger", &io::Collider::trigger)
+      .def_property_readonly("shape", [](const io::Collider& c) { return object_of(c.shape); })
+      .def("__repr__", [](const io::Collider& c) { return "<graze.Collider " + c.name + ">"; });
+  py::class_<io::Scene>(m, "Scene", "What a file holds.")
+      .def_readonly("source", &io::Scene::source)
+      .def_readonly("colliders", &io::Scene::colliders)
+      .def_readonly("notices", &io::Scene::notices, "What was skipped or approximated, a sentence each.")
+      .def_property_readonly(
+          "bodies",
+          [](const io::Scene& scene) {
+            py::list out;
+            for (const auto& body : scene.bodies) {
+              const char* type = body.type == io::MotionType::fixed     ? "static"
+                                 : body.type == io::MotionType::dynamic ? "dynamic"
+                                                                        : "kinematic";
+              out.append(py::make_tuple(body.name, type, body.pose));
+            }
+            return out;
+          },
+          "(name, 'static', 'dynamic' or 'kinematic', Pose) of each.");
+  m.def(
+      "load",
+      [](const std::filesystem::path& file, const std::string& colliders) {
+        return io::load_scene(file, load_options(colliders));
+      },
+      py::arg("file"), py::arg("colliders") = "mesh",
+      R"(Reads a scene: glTF 2.0 (with KHR_implicit_shapes and KHR_physics_rigid_bodies), OBJ, STL, PLY.
+
+colliders: what meshes of files without physics become: 'mesh', 'hull', 'box' or 'sphere'.
+Raises ValueError for a file that cannot be read, with the place of the fault.)");
+  m.def(
+      "collide",
+      [](const io::Scene& scene, double margin) {
+        io::CollideOptions options;
+        options.margin = margin;
+        std::vector<io::TouchingPair> pairs;
+        {
+          const py::gil_scoped_release free;
+          pairs = io::collide(scene, options);
+        }
+        py::list out;
+        for (auto& pair : pairs) {
+          py::list manifolds;
+          for (auto& manifold : pair.manifolds) manifolds.append(py::cast(std::move(manifold)));
+          out.append(py::make_tuple(pair.a, pair.b, manifolds));
+        }
+        return out;
+      },
+      py::arg("scene"), py::arg("margin") = 0.0,
+      "Which colliders of a scene touch: (index, index, list of Manifold), normals from the first to the second.");
+  m.def(
+      "answer",
+      [](const std::string& question) { return io::answer_line(question, io::Precision::double_precision).text; },
+      py::arg("question"),
+      R"(The answer to a question of the query protocol, a line of JSON each.
+
+>>> import graze
+>>> graze.answer('{"id": 1, "query": "overlap", "a": {"shape": {"type": "sphere", "sphere": {"radius": 1}}},'
+...              ' "b": {"shape": {"type": "sphere", "sphere": {"radius": 1}}, "translation": [1, 0, 0]}}')
+'{"id":1,"overlap":true}'
+)");
+}
+
+}  // namespace graze::python
