@@ -105,6 +105,7 @@ lab: ## build the lab, a web application, into apps/lab/dist
 .PHONY: test-lab
 test-lab: lab ## the lab's tests, in headless Chromium
 	cd apps/lab && npm test
+
 # The back end stands in bindings/python/graze_build.py; pip fetches nothing.
 .PHONY: wheel
 wheel: ## build a wheel of the Python package below build/wheel, and try it in an environment of its own
@@ -114,6 +115,14 @@ wheel: ## build a wheel of the Python package below build/wheel, and try it in a
 	/usr/bin/python3 -m venv --clear --system-site-packages build/wheel/tried
 	build/wheel/tried/bin/pip install --quiet --no-index --no-deps --force-reinstall build/wheel/*.whl
 	cd build/wheel && tried/bin/python -m pytest -q -p no:cacheprovider ../../tests/python
+
+# In the tree of `make test`. Ranks share the processors, however few there are.
+.PHONY: test-mpi
+test-mpi: ## install MPI, build what runs on many machines, and run its tests
+	@scripts/setup.sh mpi
+	$(call configure,release)
+	$(call build,release) --target graze_mpi_tests
+	$(call check,release) -L '^mpi$$'
 
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab|mpi [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -44,8 +44,11 @@ python=(python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-
 # The lab: what builds it, and the browser in which it is tested.
 lab=(nodejs npm chromium)
 
+# Many machines: messages, what shares out the bodies, and MPI for Python.
+mpi=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev python3-mpi4py)
+
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab|mpi ..." >&2
   exit 2
 }
 
@@ -65,6 +68,7 @@ for arg in "$@"; do
     wasm) wanted+=("${base[@]}" "${wasm[@]}") ;;
     abi) wanted+=("${base[@]}" "${abi[@]}") ;;
     package) wanted+=("${base[@]}" "${demo[@]}" "${threads[@]}" "${package[@]}") ;;
+    mpi) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${mpi[@]}") ;;
     python) wanted+=("${base[@]}" "${demo[@]}" "${python[@]}") ;;
     lab) wanted+=("${lab[@]}") ;;
     *) usage ;;

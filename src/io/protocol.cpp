@@ -68,7 +68,9 @@ AnswerLine answer(std::string_view line, const Manner& manner) {
 
 }  // namespace
 
-AnswerLine answer_line(std::string_view line, Precision precision) { return answer(line, {precision}); }
+AnswerLine answer_line(std::string_view line, Precision precision, std::size_t number) {
+  return answer(line, {precision, false, number});
+}
 
 AnswerLine explained_line(std::string_view line, Precision precision) { return answer(line, {precision, true}); }
 

@@ -46,7 +46,7 @@ list(GET COMPILERS 0 compiler)
 execute_process(COMMAND "${compiler}" -std=c++20 -MM "-I${INCLUDE}" "${WORK}/core.cpp" OUTPUT_VARIABLE included
                         COMMAND_ERROR_IS_FATAL ANY)
 foreach(header IN LISTS headers)
-  if(NOT header MATCHES "^graze/(io/|tbb_executor)" AND NOT included MATCHES "/${header}[ \n\\\\]")
+  if(NOT header MATCHES "^graze/(io/|mpi/|tbb_executor)" AND NOT included MATCHES "/${header}[ \n\\\\]")
     message(FATAL_ERROR "graze.hpp does not include ${header}")
   endif()
 endforeach()

@@ -10,7 +10,7 @@ set(floors
     "^src/query/|^include/graze/(query|cast|raycast|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(space|world)\\.hpp$)"
     "^src/dynamics/|^include/graze/(free_motion|impulse|blows|mass|material|dynamics|joint|simulation)\\.hpp$"
-    "^src/(tbb|io)/|^include/graze/(io/|tbb_executor\\.hpp$)"
+    "^src/(tbb|io|mpi)/|^include/graze/(io/|mpi/|tbb_executor\\.hpp$)"
     "^include/graze/graze\\.hpp$")
 
 function(floor_of file result)

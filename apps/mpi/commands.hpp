@@ -1,0 +1,15 @@
+// The commands of graze-mpi, one file each. Each adds itself to the command line and returns what runs it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace graze::cli {
+
+/// What a command does when it was chosen, on every rank; returns the exit code.
+using Run = std::function<int()>;
+
+Run add_query(CLI::App& app);
+
+}  // namespace graze::cli

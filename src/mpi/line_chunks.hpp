@@ -1,0 +1,40 @@
+// A file of lines in parts that are handed out: a function of the file alone, so that a journal can name them by number.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mpi/file.hpp"
+
+namespace graze::mpi {
+
+/// Some whole lines of a file.
+struct Chunk {
+  std::uint64_t number = 0;
+  std::uint64_t offset = 0, length = 0;  ///< in bytes
+  std::uint64_t first_line = 1;          ///< counted from 1
+};
+
+/// Finds the chunks one after the other, so that the first is answered while the last was not looked for yet.
+class LineChunks {
+ public:
+  /// A chunk ends with the first line with which it has so many lines or bytes: work of some milliseconds, beside which
+  /// a message costs nothing, and little to wait for at the end.
+  static constexpr std::uint64_t most_lines = 64, most_bytes = 1 << 16;
+
+  explicit LineChunks(const File& file) : file_(file), size_(file.size()) {}
+
+  /// The next chunk; false at the end.
+  bool next(Chunk& out);
+  std::uint64_t lines() const { return line_ - 1; }  ///< so far
+
+ private:
+  std::uint64_t end_of_line(std::uint64_t from);
+
+  const File& file_;
+  std::uint64_t size_, offset_ = 0, line_ = 1, number_ = 0;
+  std::vector<char> block_;
+  std::uint64_t block_offset_ = 0;
+};
+
+}  // namespace graze::mpi
