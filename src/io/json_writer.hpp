@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "graze/vec3.hpp"
+#include "io/shortest_number.hpp"
 
 namespace graze::io {
 
@@ -44,7 +45,12 @@ class JsonWriter {
   JsonWriter& number(T v) {
     if (!std::isfinite(v)) return raw("null");
     char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, v == T(0) ? T(0) : v).ptr;
+    const T shown = v == T(0) ? T(0) : v;
+#ifdef __cpp_lib_to_chars
+    const char* const end = std::to_chars(digits, digits + sizeof digits, shown).ptr;
+#else
+    const char* const end = write_shortest(shown, digits);
+#endif
     return raw({digits, static_cast<std::size_t>(end - digits)});
   }
   template <class T>

@@ -1,0 +1,66 @@
+// The text of numbers where a standard library has no floating-point `std::to_chars`, against one that has it.
+#include "io/shortest_number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <string>
+
+namespace graze::io {
+namespace {
+
+template <class T>
+std::string own(T value) {
+  char text[40];
+  return {text, write_shortest(value, text)};
+}
+
+template <class T>
+std::string standard(T value) {
+  char text[40];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+template <class T, class Bits>
+void random_numbers_agree() {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    // Any bits, numbers near one, whole numbers, and short decimals.
+    const Bits bits = static_cast<Bits>(random());
+    T any;
+    std::memcpy(&any, &bits, sizeof any);
+    const T near_one = static_cast<T>(static_cast<double>(random()) * 0x1p-60);
+    const T whole = static_cast<T>(random() >> (random() % 64));
+    const T decimal = static_cast<T>(random() % 2000) / T(100);
+    for (const T value : {any, -near_one, near_one, whole, decimal}) {
+      int exponent = 0;
+      // At a power of two the neighbours are unevenly far, and one digit more is possible.
+      if (!std::isfinite(value) || std::abs(std::frexp(value, &exponent)) == T(0.5)) continue;
+      ASSERT_EQ(own(value), standard(value));
+    }
+  }
+}
+
+TEST(ShortestNumber, RandomDoublesAreWrittenAsByTheStandardLibrary) { random_numbers_agree<double, std::uint64_t>(); }
+
+TEST(ShortestNumber, RandomFloatsAreWrittenAsByTheStandardLibrary) { random_numbers_agree<float, std::uint32_t>(); }
+
+TEST(ShortestNumber, FixedOrScientificIsTheShorterOne) {
+  EXPECT_EQ(own(0.0), "0");
+  EXPECT_EQ(own(1.0), "1");
+  EXPECT_EQ(own(0.1), "0.1");
+  EXPECT_EQ(own(-2.5), "-2.5");
+  EXPECT_EQ(own(1e5), "1e+05");
+  EXPECT_EQ(own(10000.0), "10000");
+  EXPECT_EQ(own(0.001), "0.001");
+  EXPECT_EQ(own(0.00001), "1e-05");
+  EXPECT_EQ(own(12345678901234567000.0), standard(12345678901234567000.0));
+  EXPECT_EQ(own(1.7976931348623157e308), "1.7976931348623157e+308");
+  EXPECT_EQ(own(0.1f), "0.1");
+}
+
+}  // namespace
+}  // namespace graze::io
