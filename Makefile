@@ -124,6 +124,18 @@ test-mpi: ## install MPI, build what runs on many machines, and run its tests
 	$(call build,release) --target graze_mpi_tests
 	$(call check,release) -L '^mpi$$'
 
+# The directory bindings/js/dist is the package, for others to depend on by its path.
+.PHONY: npm
+npm: export NODE_PATH := /usr/share/nodejs
+npm: ## build the npm package, test it in Node and headless Chromium, and pack it
+	@scripts/setup.sh npm
+	$(call configure,npm)
+	$(call build,npm)
+	rm -rf bindings/js/dist && cp -r build/npm/package bindings/js/dist
+	node --expose-gc --test tests/js/node.test.js tests/js/browser.test.js
+	tar -czf build/npm/graze.tgz -C build/npm package
+	@bindings/js/sizes.sh bindings/js/dist
+
 .PHONY: fuzz
 fuzz: ## run each fuzzer for a short while
 	@scripts/setup.sh test fuzz

@@ -59,8 +59,8 @@ function(graze_kernels target)
     target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}/include" "${CMAKE_CURRENT_SOURCE_DIR}")
     graze_target(${objects})
     # g++ inlines what a kernel calls, and what that calls, because the kernel is "flatten"; clang only the former. With a
-    # sanitizer's checks that takes minutes.
-    if(NOT GRAZE_SANITIZE)
+    # sanitizer's checks that takes minutes, and where bytes are dear it doubles the library.
+    if(NOT GRAZE_SANITIZE AND NOT GRAZE_SMALL)
       target_compile_options(
         ${objects} PRIVATE "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-mllvm -inline-threshold=1000000>")
     endif()

@@ -1,0 +1,854 @@
+// Graze for JavaScript: collision detection as WebAssembly. The words are those of the C++ library.
+//
+// Three entries, which differ in what their module holds and in its scalar:
+//   graze           float: queries, worlds, simulation, the plane, traces
+//   graze/queries   float: queries in space and worlds alone, the smallest
+//   graze/double    double: all of `graze`, and the query protocol (`query`, `explain`), with the bits of `graze query`
+//
+//   import { init, Box, Sphere, distance } from "graze";
+//   await init();
+//   using box = new Box([2, 2, 2]), ball = new Sphere(0.5);
+//   distance(box, {}, ball, { translation: [1.4, 0, 0] });  // { distance: -0.1, normal: [1, 0, 0], ... }
+//
+// Units are the caller's own, angles radians, quaternions [x, y, z, w]. Normals are unit vectors from A to B. Distances
+// are signed: negative when shapes overlap. A value that is refused throws `InvalidValue`, whose message names it.
+//
+// Shapes, worlds, simulations and arrays lie in the module's memory: `dispose()` or `using` gives it back at once, and
+// what was forgotten is given back after it was garbage collected. A world and a compound keep their shapes themselves.
+
+declare global {
+  /** Also where the language's own library does not have it yet. */
+  interface SymbolConstructor {
+    readonly dispose: unique symbol;
+  }
+}
+
+// --- Start ---
+
+/** Where the module comes from, if not from beside the script: its address, its bytes, or compiled. */
+export type ModuleSource = string | URL | Response | BufferSource | WebAssembly.Module;
+/** Loads the module. Everything else may be used once the promise is fulfilled; a second call does nothing more. */
+export function init(source?: ModuleSource | Promise<ModuleSource>): Promise<void>;
+/** "0.1.0": the version of the library. */
+export function version(): string;
+/** Bytes that live objects hold in the module's memory; `memoryInUse` returns to what it was when all are disposed. */
+export function memoryInUse(): number;
+
+/** A value was refused: the message is "path: expected this, got that". */
+export class InvalidValue extends RangeError {}
+
+/** What lies in the module's memory. */
+export abstract class Handle {
+  /** Gives the memory back. Using the object afterwards throws; disposing it again does nothing. */
+  dispose(): void;
+  readonly disposed: boolean;
+  [Symbol.dispose](): void;
+}
+
+// --- Numbers ---
+
+/** The numbers of the entry: Float64Array in graze/double, else Float32Array. */
+export type Scalars = Float32Array | Float64Array;
+/** A vector as an argument: any three numbers. */
+export type Vec3Like = ArrayLike<number>;
+export type Vec3 = [x: number, y: number, z: number];
+export type Quat = [x: number, y: number, z: number, w: number];
+/** Rows of a matrix. */
+export type Mat3 = [Vec3, Vec3, Vec3];
+/** Many points: numbers one behind the other, or an array of points. */
+export type Points = ArrayLike<number> | readonly ArrayLike<number>[];
+
+/** Where a body stands and how it is turned. Absent: at the origin, not turned. The quaternion has unit length. */
+export interface PoseLike {
+  readonly translation?: Vec3Like;
+  readonly rotation?: ArrayLike<number>;
+}
+export interface Pose {
+  translation: Vec3;
+  rotation: Quat;
+}
+/** A pose turned by `angle` about `axis`, which need not be unit. */
+export function turned(translation: Vec3Like, axis: Vec3Like, angle: number): Pose;
+
+export interface Aabb {
+  lower: Vec3;
+  upper: Vec3;
+}
+
+/** Numbers in the module's memory, which batches read and write where they stand. */
+export class Numbers extends Handle {
+  constructor(length: number);
+  readonly length: number;
+  /** The memory itself. Ask again after any call of the library: memory that grows leaves older views empty. */
+  readonly array: Scalars;
+}
+
+/** Structs one behind the other in the module's memory. */
+export interface Rows<T> extends Iterable<T> {
+  readonly length: number;
+  /** A copy of the i-th as an object. */
+  at(i: number): T;
+  /** The memory itself: `stride` numbers for each struct, its members at `offset`. Valid until the next call. */
+  readonly view: Scalars;
+  readonly stride: number;
+  readonly offset: Readonly<Record<string, number>>;
+}
+
+// --- Shapes ---
+
+export type ShapeKind =
+  | "sphere" | "capsule" | "box" | "rectangle" | "cylinder" | "ellipsoid" | "segment" | "triangle" | "convexHull"
+  | "userConvex" | "halfSpace" | "mesh" | "heightField" | "compound";
+
+export interface MassProperties {
+  volume: number;
+  center: Vec3;
+  /** Of density one, about `center`. */
+  inertia: Mat3;
+}
+
+/** A shape, which never changes. Made by the classes below. */
+export class Shape extends Handle {
+  readonly kind: ShapeKind;
+  readonly rounding: number;
+  bounds(pose?: PoseLike): Aabb;
+  /** The point of a bounded convex shape furthest along `direction`, in the shape's frame. */
+  support(direction: Vec3Like): Vec3;
+  massProperties(): MassProperties;
+  /** The Minkowski sum with a ball of that radius; of convex shapes. */
+  rounded(rounding: number): Shape;
+  /** What a bounded convex shape sweeps that moves by `motion` without turning. */
+  swept(pose: PoseLike, motion: Vec3Like): Shape;
+}
+export class Sphere extends Shape {
+  constructor(radius: number, center?: Vec3Like);
+}
+/** `height` between the centres of the end balls, along Y. */
+export class Capsule extends Shape {
+  constructor(height: number, radiusBottom: number, radiusTop?: number);
+}
+/** Full edge lengths. */
+export class Box extends Shape {
+  constructor(size: Vec3Like);
+}
+/** In the XZ plane, without thickness. */
+export class Rectangle extends Shape {
+  constructor(sizeX: number, sizeZ: number);
+}
+/** Along Y; a radius of 0 makes a cone. */
+export class Cylinder extends Shape {
+  constructor(height: number, radiusBottom: number, radiusTop?: number);
+}
+export class Ellipsoid extends Shape {
+  constructor(radii: Vec3Like);
+}
+export class Segment extends Shape {
+  constructor(a: Vec3Like, b: Vec3Like);
+}
+export class Triangle extends Shape {
+  constructor(a: Vec3Like, b: Vec3Like, c: Vec3Like);
+}
+/** All points with y <= 0. */
+export class HalfSpace extends Shape {
+  constructor();
+}
+export class ConvexHull extends Shape {
+  constructor(points: Points);
+}
+/** A convex shape of your own: `support` returns a point furthest along a direction, which is not zero. */
+export class UserConvex extends Shape {
+  constructor(support: (direction: Vec3) => Vec3Like);
+}
+export type Sides = "both" | "front";
+export class Mesh extends Shape {
+  /** Three indices for each triangle, counter-clockwise seen from outside. */
+  constructor(points: Points, triangles: Points, options?: { sides?: Sides; solid?: boolean });
+}
+export class HeightField extends Shape {
+  /** heights[r * columns + c]; NaN (or a hole, null in an array) is a hole. `spacing` defaults to [1, 1]. */
+  constructor(
+    heights: ArrayLike<number | null>, columns: number, rows: number,
+    options?: { spacing?: ArrayLike<number>; sides?: Sides });
+}
+export interface Child extends PoseLike {
+  readonly shape: Shape;
+}
+export class Compound extends Shape {
+  constructor(children: readonly Child[]);
+}
+
+// --- Queries ---
+
+/** `bounded`: right within `error`; `unbounded`: two half-spaces that overlap without a finite depth. */
+export type Certainty = "converged" | "bounded" | "unbounded";
+export interface Distance {
+  distance: number;
+  normal: Vec3;
+  /** The points on the surfaces: b - a = distance * normal. */
+  a: Vec3;
+  b: Vec3;
+  certainty: Certainty;
+  error: number;
+}
+export interface Closest {
+  distance: number;
+  point: Vec3;
+  normal: Vec3;
+  certainty: Certainty;
+  error: number;
+}
+export interface PieceDistance {
+  pieceA: number;
+  pieceB: number;
+  distance: Distance;
+}
+export interface ContactPoint {
+  a: Vec3;
+  b: Vec3;
+  distance: number;
+  /** The same while the same features touch. */
+  feature: number;
+  /** The point that a solver wants is a + (b - a) * weight. */
+  weight: number;
+}
+export interface Manifold {
+  normal: Vec3;
+  pieceA: number;
+  pieceB: number;
+  points: ContactPoint[];
+}
+export interface PairContacts {
+  overlap: boolean;
+  manifolds: Manifold[];
+}
+export interface Contacts extends PairContacts {
+  certainty: Certainty;
+  error: number;
+}
+export interface Ray {
+  readonly origin: Vec3Like;
+  /** Need not be unit. */
+  readonly direction: Vec3Like;
+  /** In units of length; default: no end. */
+  readonly length?: number;
+}
+export interface RayHit {
+  t: number;
+  point: Vec3;
+  normal: Vec3;
+  piece: number;
+}
+export interface RayOptions {
+  backFaces?: "hit" | "ignored";
+}
+export interface Moving extends PoseLike {
+  readonly shape: Shape;
+  readonly linear?: Vec3Like;
+  readonly angular?: Vec3Like;
+}
+export interface CastHit {
+  t: number;
+  point: Vec3;
+  normal: Vec3;
+  /** Of shapes that overlap at the start. */
+  depth: number;
+  certainty: Certainty;
+  pieceA: number;
+  pieceB: number;
+}
+export interface CastOptions {
+  /** Default 1. */
+  duration?: number;
+  separating?: "hit" | "ignored";
+}
+
+export function overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
+/** Cheaper: false only where they do not touch. */
+export function mayOverlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
+export function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
+/** The distance of shapes no further apart than `limit`, else null. */
+export function distanceUpTo(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, limit: number): Distance | null;
+export function within(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, limit: number): boolean;
+export function nearPieces(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin: number): PieceDistance[];
+/** All points of contact up to `margin` apart; with `most`, the so many of them that span most. */
+export function contacts(
+  a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number, most?: number): Contacts;
+/** A margin with which a body at rest keeps its points from frame to frame. */
+export function contactMargin(a: Shape, b: Shape): number;
+export function closest(shape: Shape, pose: PoseLike, point: Vec3Like): Closest;
+export function raycast(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): RayHit | null;
+export function raycastAny(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): boolean;
+export function raycastAll(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): RayHit[];
+/** The first contact while both move for a `duration`. */
+export function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
+export function castAll(a: Moving, b: Moving, options?: CastOptions): CastHit[];
+/** Where a moving body stands at time t. */
+export function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
+
+// --- Many at a time: the bits are those of each pair alone ---
+
+/**
+ * Shapes and poses, as many of one as of the other, or a single one of either. `poses` has seven numbers each:
+ * translation and quaternion; or give `translations` and, where they are turned, `rotations`. What is a `Numbers` is
+ * read where it stands, what is not is copied in.
+ */
+export interface Bodies {
+  readonly shapes: Shape | readonly Shape[];
+  readonly poses?: Numbers | ArrayLike<number>;
+  readonly translations?: Numbers | ArrayLike<number>;
+  readonly rotations?: Numbers | ArrayLike<number>;
+}
+/** Places in both, two for each pair. Without them: first with first and so on, or a single one with all. */
+export type Places = ArrayLike<number>;
+
+/** 1 or 0 of each pair. */
+export function overlapBatch(a: Bodies, b: Bodies, places?: Places): Uint8Array;
+export function distanceBatch(a: Bodies, b: Bodies, places?: Places): Batch<Distance>;
+export function contactsBatch(a: Bodies, b: Bodies, margin?: number, places?: Places): PairContacts[];
+export function closestBatch(shape: Shape, pose: PoseLike, points: Numbers | Points): Batch<Closest>;
+/** Six numbers a ray: origin and direction. `found` is 1 or 0 of each; where 0, its hit is all zeros. */
+export function raycastBatch(
+  shape: Shape, pose: PoseLike, rays: Numbers | ArrayLike<number>,
+  options?: RayOptions & { length?: number }): Batch<RayHit> & { readonly found: Uint8Array };
+/** Answers in the module's memory, until disposed. */
+export interface Batch<T> extends Rows<T> {
+  dispose(): void;
+  [Symbol.dispose](): void;
+}
+
+// --- Traces: what a query did; the answer has the same bits ---
+
+export interface TraceSupport {
+  a: Vec3;
+  b: Vec3;
+}
+export interface TraceAxis {
+  /** "A0", "A1×B0", "A face 12", ... */
+  name: string;
+  direction: Vec3;
+  /** The intervals that the shapes cover. */
+  a: [lower: number, upper: number];
+  b: [lower: number, upper: number];
+  /** Negative: a gap. */
+  overlap: number;
+}
+export interface TraceGjk {
+  simplex: TraceSupport[];
+  direction: Vec3;
+  found: TraceSupport;
+  lower: number;
+  upper: number;
+  /** In the plane: all vertices, counter-clockwise. */
+  polygon: TraceSupport[];
+}
+export interface TraceEpa {
+  normal: Vec3;
+  faceDepth: number;
+  foundDepth: number;
+  found: TraceSupport;
+  faces: number;
+  polygon: TraceSupport[];
+}
+export interface TraceSpan {
+  name: string;
+  normal: Vec3;
+  enter: number;
+  leave: number;
+}
+export interface TraceStep {
+  t: number;
+  distance: number;
+  normal: Vec3;
+}
+export interface Trace {
+  /** "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement" */
+  method: string;
+  /** The axis or span that the answer stands on, and why; empty where there is none. */
+  winner: string;
+  reason: string;
+  axes: TraceAxis[];
+  gjk: TraceGjk[];
+  epa: TraceEpa[];
+  /** In the plane: the outline of the difference of the cores. */
+  difference: TraceSupport[];
+  rounding: number;
+  polytope: TraceSupport[];
+  triangles: [number, number, number][];
+  spans: TraceSpan[];
+  steps: TraceStep[];
+  nodes: number;
+  pieces: number;
+}
+export interface Traced<Answer> {
+  answer: Answer;
+  trace: Trace;
+}
+/** Not in graze/queries. In the plane vectors of a trace have a third number, which is 0. */
+export const traced: {
+  overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<boolean>;
+  distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<Distance>;
+  contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Traced<Contacts>;
+  closest(shape: Shape, pose: PoseLike, point: Vec3Like): Traced<Closest>;
+  raycast(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): Traced<RayHit | null>;
+  cast(a: Moving, b: Moving, options?: CastOptions): Traced<CastHit | null>;
+};
+
+// --- What a blow does ---
+
+export interface StruckContact {
+  readonly point: Vec3Like;
+  /** Unit, from A to B. */
+  readonly normal: Vec3Like;
+  /** Default 0. */
+  readonly restitution?: number;
+  /** Default 0.6. */
+  readonly friction?: number;
+}
+export interface StruckBody {
+  /** Infinity for what does not move. */
+  readonly mass: number;
+  /** The diagonal in the frame `rotation`; absent: that of `shape`, which is then needed unless the mass is infinite. */
+  readonly inertia?: Vec3Like;
+  readonly shape?: Shape;
+  /** Of the centre of mass. */
+  readonly translation?: Vec3Like;
+  readonly rotation?: ArrayLike<number>;
+  readonly linear?: Vec3Like;
+  readonly angular?: Vec3Like;
+}
+export interface Motion {
+  linear: Vec3;
+  angular: Vec3;
+  center: Vec3;
+}
+/** In the order in which it is computed. */
+export interface Response {
+  approach: Vec3;
+  approachAlongNormal: number;
+  approachTangential: Vec3;
+  atFault: "neither" | "a" | "b" | "both";
+  effectiveMass: number;
+  normalImpulse: number;
+  sliding: Vec3;
+  stoppingImpulse: Vec3;
+  frictionLimit: number;
+  frictionImpulse: Vec3;
+  /** On B; that on A is its opposite. */
+  impulse: Vec3;
+  a: Motion;
+  b: Motion;
+}
+export function response(contact: StruckContact, a: StruckBody, b: StruckBody): Response;
+/** The motion of a body after `impulse` at `point`. */
+export function applyImpulse(body: StruckBody, impulse: Vec3Like, point: Vec3Like): Motion;
+
+// --- Broad phases ---
+
+export type BroadPhaseKind =
+  | "dynamicTree" | "sortAndSweep" | "sweepAndPrune" | "hashedGrid" | "looseOctree" | "bsp";
+export class BroadPhase extends Handle {
+  constructor(kind?: BroadPhaseKind);
+  readonly kind: BroadPhaseKind;
+  insert(id: number, lower: Vec3Like, upper: Vec3Like): void;
+  move(id: number, lower: Vec3Like, upper: Vec3Like): void;
+  remove(id: number): void;
+  /** All overlapping pairs, sorted: two ids each. A copy. */
+  pairs(): Uint32Array;
+  /** Those of them of which one was inserted or moved since the last call. */
+  movedPairs(): Uint32Array;
+  query(lower: Vec3Like, upper: Vec3Like): Uint32Array;
+  sweep(lower: Vec3Like, upper: Vec3Like, motion: Vec3Like): Uint32Array;
+  /** How many boxes there are, how many pairs the last `pairs` or `movedPairs` found, and bytes held. */
+  counts(): { boxes: number; pairs: number; memory: number };
+}
+
+// --- Worlds ---
+
+export interface BodyId {
+  readonly index: number;
+  readonly generation: number;
+}
+export interface Filter {
+  /** Bits, as numbers up to 2^53 or bigints. Default 1, all, 0. */
+  readonly category?: number | bigint;
+  readonly mask?: number | bigint;
+  readonly group?: number;
+}
+export interface QueryFilter extends Filter {
+  readonly triggers?: boolean;
+  readonly accept?: (body: BodyId) => boolean;
+}
+export interface Body extends PoseLike {
+  readonly shape: Shape;
+  readonly linear?: Vec3Like;
+  readonly angular?: Vec3Like;
+  readonly filter?: Filter;
+  readonly fixed?: boolean;
+  readonly trigger?: boolean;
+  /** Is asked what it would pass through before the next update. */
+  readonly fast?: boolean;
+}
+export interface WorldSettings {
+  /** Contacts are reported up to this far apart; default: `contactMargin` of the two. */
+  readonly margin?: number;
+  readonly pointsPerPair?: number;
+  /** A last word on a pair that its filters allow. */
+  readonly allow?: (a: BodyId, b: BodyId) => boolean;
+}
+export interface SolverPoint extends ContactPoint {
+  impulse: Vec3;
+}
+export interface WorldManifold {
+  normal: Vec3;
+  pieceA: number;
+  pieceB: number;
+  points: SolverPoint[];
+}
+export interface WorldPair {
+  /** Indices of bodies, a < b. */
+  a: number;
+  b: number;
+  overlap: boolean;
+  manifolds: WorldManifold[];
+}
+export interface ContactEvent {
+  kind: "begin" | "stay" | "end";
+  trigger: boolean;
+  a: BodyId;
+  b: BodyId;
+  /** The place among the pairs; -1 at an end. */
+  pair: number;
+}
+export interface Impact {
+  a: BodyId;
+  b: BodyId;
+  trigger: boolean;
+  hit: CastHit;
+}
+/** Bodies, what touches, and questions about them. */
+export interface WorldQueries {
+  readonly size: number;
+  contains(id: BodyId): boolean;
+  /** The handle of the body that has the index, or null. */
+  bodyAt(index: number): BodyId | null;
+  pose(id: BodyId): Pose;
+  /** All poses by index, seven numbers each, without a copy: valid until the next call. */
+  poses(): Scalars;
+  contacts(): WorldPair[];
+  /** Points of all pairs, without a copy: members a, b, distance, weight, impulse. */
+  points(): Rows<SolverPoint>;
+  events(): ContactEvent[];
+  impacts(): Impact[];
+  overlapping(shape: Shape, pose: PoseLike, filter?: QueryFilter): BodyId[];
+  overlapsAny(shape: Shape, pose: PoseLike, filter?: QueryFilter): boolean;
+  nearest(
+    shape: Shape, pose: PoseLike, most: number,
+    options?: QueryFilter & { limit?: number }): { body: BodyId; distance: Distance }[];
+  raycast(ray: Ray, options?: QueryFilter & RayOptions): { body: BodyId; hit: RayHit } | null;
+  raycastAny(ray: Ray, options?: QueryFilter & RayOptions): boolean;
+  raycastAll(ray: Ray, options?: QueryFilter & RayOptions): { body: BodyId; hit: RayHit }[];
+  cast(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit } | null;
+  castAll(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit }[];
+  slide(
+    shape: Shape, pose: PoseLike, motion: Vec3Like,
+    options?: QueryFilter & { casts?: number }): {
+      end: Pose; left: Vec3; touched: { body: BodyId; hit: CastHit }[] };
+  memory(): number;
+}
+export class World extends Handle implements WorldQueries {
+  constructor(settings?: WorldSettings);
+  add(body: Body): BodyId;
+  remove(id: BodyId): void;
+  move(id: BodyId, pose: PoseLike, velocity?: { linear?: Vec3Like; angular?: Vec3Like }): void;
+  /** Seven numbers each. Where one is refused none is moved. */
+  moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>): void;
+  setShape(id: BodyId, shape: Shape): void;
+  setFilter(id: BodyId, filter: Filter): void;
+  setFast(id: BodyId, fast: boolean): void;
+  /** Finds what touches now, and what fast bodies would pass through in `duration`. */
+  update(duration?: number): void;
+  findImpacts(duration: number): void;
+  reduce(most: number): void;
+  readonly size: number;
+  contains(id: BodyId): boolean;
+  bodyAt(index: number): BodyId | null;
+  pose(id: BodyId): Pose;
+  poses(): Scalars;
+  contacts(): WorldPair[];
+  points(): Rows<SolverPoint>;
+  events(): ContactEvent[];
+  impacts(): Impact[];
+  overlapping(shape: Shape, pose: PoseLike, filter?: QueryFilter): BodyId[];
+  overlapsAny(shape: Shape, pose: PoseLike, filter?: QueryFilter): boolean;
+  nearest(
+    shape: Shape, pose: PoseLike, most: number,
+    options?: QueryFilter & { limit?: number }): { body: BodyId; distance: Distance }[];
+  raycast(ray: Ray, options?: QueryFilter & RayOptions): { body: BodyId; hit: RayHit } | null;
+  raycastAny(ray: Ray, options?: QueryFilter & RayOptions): boolean;
+  raycastAll(ray: Ray, options?: QueryFilter & RayOptions): { body: BodyId; hit: RayHit }[];
+  cast(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit } | null;
+  castAll(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit }[];
+  slide(
+    shape: Shape, pose: PoseLike, motion: Vec3Like,
+    options?: QueryFilter & { casts?: number }): {
+      end: Pose; left: Vec3; touched: { body: BodyId; hit: CastHit }[] };
+  memory(): number;
+}
+
+// --- Simulation (not in graze/queries) ---
+
+export interface SimulationSettings {
+  readonly gravity?: Vec3Like;
+  readonly subSteps?: number;
+  readonly mostSubSteps?: number;
+  readonly sleep?: boolean;
+  readonly continuous?: boolean;
+  readonly longestStep?: number;
+}
+export interface Dynamics {
+  /** Absent: from the shape and `density`. */
+  readonly mass?: number;
+  readonly centerOfMass?: Vec3Like;
+  readonly inertiaDiagonal?: Vec3Like;
+  readonly inertiaOrientation?: ArrayLike<number>;
+  readonly density?: number;
+  readonly gravityFactor?: number;
+  readonly linearDamping?: number;
+  readonly angularDamping?: number;
+  readonly kinematic?: boolean;
+  readonly maySleep?: boolean;
+}
+export type Combine = "unset" | "average" | "minimum" | "maximum" | "multiply";
+export interface Material {
+  readonly staticFriction?: number;
+  readonly dynamicFriction?: number;
+  readonly restitution?: number;
+  readonly rollingFriction?: number;
+  readonly frictionCombine?: Combine;
+  readonly restitutionCombine?: Combine;
+  readonly surfaceVelocity?: Vec3Like;
+}
+export interface JointId {
+  readonly index: number;
+  readonly generation: number;
+}
+export interface JointLimit {
+  readonly space: "linear" | "angular";
+  readonly axes: readonly ("x" | "y" | "z")[];
+  /** Default no bound. Equal: held. */
+  readonly min?: number;
+  readonly max?: number;
+  /** 0: hard. */
+  readonly stiffness?: number;
+  readonly damping?: number;
+}
+export interface JointDrive {
+  readonly space: "linear" | "angular";
+  readonly axis: "x" | "y" | "z";
+  readonly mode?: "force" | "acceleration";
+  readonly positionTarget?: number;
+  readonly velocityTarget?: number;
+  readonly stiffness?: number;
+  readonly damping?: number;
+  readonly maxForce?: number;
+}
+export interface Joint {
+  readonly a: BodyId;
+  readonly b: BodyId;
+  readonly frameA?: PoseLike;
+  readonly frameB?: PoseLike;
+  /** The limits of a joint with a name: hinge and slider about and along x. `limits` come on top. */
+  readonly kind?: "fixed" | "ball" | "hinge" | "slider";
+  readonly limits?: readonly JointLimit[];
+  readonly drives?: readonly JointDrive[];
+  readonly enableCollision?: boolean;
+}
+export interface StepReport {
+  awake: number;
+  islands: number;
+  contacts: number;
+  colors: number;
+  mostSubSteps: number;
+  stopped: number;
+  deepest: number;
+  meanDepth: number;
+  residual: number;
+  kineticEnergy: number;
+  potentialEnergy: number;
+  momentum: Vec3;
+  angularMomentum: Vec3;
+  /** By the clock, in milliseconds. */
+  collideMs: number;
+  prepareMs: number;
+  solveMs: number;
+  continuousMs: number;
+  wholeMs: number;
+}
+/** Everything that a simulation goes back to. */
+export class State extends Handle {
+  private constructor();
+}
+export class Simulation extends Handle {
+  constructor(settings?: SimulationSettings);
+  add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
+  remove(id: BodyId): void;
+  addJoint(joint: Joint): JointId;
+  removeJoint(id: JointId): void;
+  step(dt: number): void;
+  applyImpulse(id: BodyId, impulse: Vec3Like, point: Vec3Like): void;
+  applyAngularImpulse(id: BodyId, impulse: Vec3Like): void;
+  applyForce(id: BodyId, force: Vec3Like): void;
+  applyTorque(id: BodyId, torque: Vec3Like): void;
+  setVelocity(id: BodyId, velocity: { linear?: Vec3Like; angular?: Vec3Like }): void;
+  setPose(id: BodyId, pose: PoseLike): void;
+  moveTo(id: BodyId, pose: PoseLike, dt: number): void;
+  setMaterial(id: BodyId, material: Material): void;
+  setGravity(gravity: Vec3Like): void;
+  wake(id: BodyId): void;
+  pose(id: BodyId): Pose;
+  /** All poses by index, seven numbers each, without a copy: valid until the next call. */
+  poses(): Scalars;
+  /** The velocity of the centre of mass, the turning about it, and where it is. */
+  motion(id: BodyId): Motion;
+  mass(id: BodyId): number;
+  asleep(id: BodyId): boolean;
+  jointImpulses(id: JointId): number[];
+  report(): StepReport;
+  /** Contacts, events and questions. It belongs to the simulation. */
+  readonly world: WorldQueries;
+  save(): State;
+  restore(state: State): void;
+}
+
+// --- The plane (not in graze/queries) ---
+
+export type Vec2 = [x: number, y: number];
+export declare namespace plane {
+  /** The rotation is an angle. */
+  interface PoseLike {
+    readonly translation?: ArrayLike<number>;
+    readonly rotation?: number;
+  }
+  interface Pose {
+    translation: Vec2;
+    rotation: number;
+  }
+  type ShapeKind =
+    | "circle" | "capsule" | "box" | "segment" | "convex" | "ellipse" | "userConvex" | "halfPlane" | "polygon" | "chain"
+    | "compound";
+  class Shape extends Handle {
+    readonly kind: ShapeKind;
+    readonly rounding: number;
+    bounds(pose?: PoseLike): { lower: Vec2; upper: Vec2 };
+    rounded(rounding: number): Shape;
+  }
+  class Circle extends Shape {
+    constructor(radius: number);
+  }
+  class Capsule extends Shape {
+    constructor(height: number, radiusBottom: number, radiusTop?: number);
+  }
+  class Box extends Shape {
+    constructor(size: ArrayLike<number>);
+  }
+  class Segment extends Shape {
+    constructor(a: ArrayLike<number>, b: ArrayLike<number>);
+  }
+  class Convex extends Shape {
+    constructor(points: Points);
+  }
+  class Ellipse extends Shape {
+    constructor(radii: ArrayLike<number>);
+  }
+  /** y <= 0. */
+  class HalfPlane extends Shape {
+    constructor();
+  }
+  /** Solid, convex or not. */
+  class Polygon extends Shape {
+    constructor(points: Points);
+  }
+  class Chain extends Shape {
+    constructor(points: Points, options?: { closed?: boolean; sides?: Sides });
+  }
+  class Compound extends Shape {
+    constructor(children: readonly (PoseLike & { readonly shape: Shape })[]);
+  }
+  interface Distance {
+    distance: number;
+    normal: Vec2;
+    a: Vec2;
+    b: Vec2;
+    certainty: Certainty;
+    error: number;
+  }
+  interface Closest {
+    distance: number;
+    point: Vec2;
+    normal: Vec2;
+    certainty: Certainty;
+    error: number;
+  }
+  interface ContactPoint {
+    a: Vec2;
+    b: Vec2;
+    distance: number;
+    feature: number;
+    weight: number;
+  }
+  interface Contacts {
+    overlap: boolean;
+    certainty: Certainty;
+    error: number;
+    manifolds: { normal: Vec2; pieceA: number; pieceB: number; points: ContactPoint[] }[];
+  }
+  interface Ray {
+    readonly origin: ArrayLike<number>;
+    readonly direction: ArrayLike<number>;
+    readonly length?: number;
+  }
+  interface RayHit {
+    t: number;
+    point: Vec2;
+    normal: Vec2;
+    piece: number;
+    certainty: Certainty;
+  }
+  interface Moving extends PoseLike {
+    readonly shape: Shape;
+    readonly linear?: ArrayLike<number>;
+    readonly angular?: number;
+  }
+  interface CastHit {
+    t: number;
+    point: Vec2;
+    normal: Vec2;
+    depth: number;
+    certainty: Certainty;
+    pieceA: number;
+    pieceB: number;
+  }
+  function overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
+  function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
+  function contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
+  function contactMargin(a: Shape, b: Shape): number;
+  function closest(shape: Shape, pose: PoseLike, point: ArrayLike<number>): Closest;
+  function raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
+  function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
+  function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
+  const traced: {
+    overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<boolean>;
+    distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<Distance>;
+    contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Traced<Contacts>;
+    closest(shape: Shape, pose: PoseLike, point: ArrayLike<number>): Traced<Closest>;
+    raycast(shape: Shape, pose: PoseLike, ray: Ray): Traced<RayHit | null>;
+    cast(a: Moving, b: Moving, options?: CastOptions): Traced<CastHit | null>;
+  };
+}
+
+// --- The query protocol (graze/double alone) ---
+
+/** The answer to one line of the query protocol, as `graze query` writes it, without the end of the line. */
+export function query(line: string): string;
+/** The same with its trace, whatever the question says. */
+export function explain(line: string): string;

@@ -1,0 +1,235 @@
+// The module's memory: loading, scratch room for arguments, errors, and objects that live in it.
+//
+// A module is loaded once for each entry of the package. Arguments are written into a scratch arena, which is empty
+// again after each call; what does not fit is allocated and freed with it.
+
+export class InvalidValue extends RangeError {
+  name = "InvalidValue";
+}
+
+const arenaSize = 1 << 16;
+const text = new TextDecoder();
+
+/** What is not the library's: the few things that the C++ runtime asks of its host. */
+function hostImports(core) {
+  const unsupported = () => 52; // WASI's ENOSYS
+  const system = {
+    proc_exit(code) {
+      throw new Error(`graze: the module ended with ${code}`);
+    },
+    clock_time_get(_clock, _precision, result) {
+      core.data.setBigUint64(result, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    // Sizes of nothing: two numbers, both zero.
+    environ_sizes_get(count, size) {
+      core.data.setUint32(count, 0, true);
+      core.data.setUint32(size, 0, true);
+      return 0;
+    },
+    environ_get: () => 0,
+  };
+  const named = {
+    wasi_snapshot_preview1: system,
+    env: { emscripten_notify_memory_growth: () => {} },
+    graze: core.callbackImports,
+  };
+  return (imports) => {
+    const answer = {};
+    for (const { module, name } of imports) {
+      const given = named[module]?.[name] ?? (module.startsWith("wasi_") ? unsupported : undefined);
+      if (given === undefined) throw new Error(`graze: the module asks for ${module}.${name}, which nobody has`);
+      (answer[module] ??= {})[name] = given;
+    }
+    return answer;
+  };
+}
+
+async function compiled(source) {
+  const given = await source;
+  if (given instanceof WebAssembly.Module) return given;
+  if (given instanceof ArrayBuffer || ArrayBuffer.isView(given)) return WebAssembly.compile(given);
+  if (typeof Response !== "undefined" && given instanceof Response)
+    return WebAssembly.compile(await given.arrayBuffer());
+  const url = new URL(given, globalThis.location?.href);
+  if (url.protocol === "file:") {
+    // A name that bundlers for browsers do not follow.
+    const files = "node:fs/promises";
+    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`graze: ${url}: ${response.status} ${response.statusText}`);
+  // A server that does not know the type of the file is no reason to fail.
+  if (response.headers.get("Content-Type") === "application/wasm") return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+export class Core {
+  /** `scalar` is "f" or "d": how names of the C interface end; `address` is where the module lies. */
+  constructor(scalar, address) {
+    this.scalar = scalar;
+    this.address = address;
+    this.Numbers = scalar === "d" ? Float64Array : Float32Array;
+    this.numberSize = this.Numbers.BYTES_PER_ELEMENT;
+    this.callbacks = new Map();
+    this.lastCallback = 0;
+    this.thrown = null;
+    this.callbackImports = {};
+    this.finalizers = new FinalizationRegistry(({ release, pointer }) => release(pointer));
+  }
+
+  async init(source) {
+    this.loading ??= this.load(source ?? this.address()).catch((error) => {
+      this.loading = undefined;
+      throw error;
+    });
+    return this.loading;
+  }
+
+  async load(source) {
+    const module = await compiled(source);
+    const imports = hostImports(this)(WebAssembly.Module.imports(module));
+    const instance = await WebAssembly.instantiate(module, imports);
+    this.exports = instance.exports;
+    this.data = new DataView(this.exports.memory.buffer);
+    this.exports._initialize?.();
+    this.arena = this.exports.malloc(arenaSize);
+    this.used = this.arena;
+  }
+
+  get loaded() {
+    return this.exports !== undefined;
+  }
+
+  /** Memory that grew has another buffer. */
+  memory() {
+    if (!this.loaded) throw new Error("graze: call init() and wait for it first");
+    if (this.data.buffer !== this.exports.memory.buffer) this.data = new DataView(this.exports.memory.buffer);
+    return this.data;
+  }
+
+  numbers(pointer, length) {
+    return new this.Numbers(this.memory().buffer, pointer, length);
+  }
+
+  string(pointer) {
+    if (pointer === 0) return "";
+    const bytes = new Uint8Array(this.memory().buffer, pointer);
+    return text.decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+
+  /** Runs `body`, whose scratch room is given back after it. Frames may be nested, as a callback does. */
+  frame(body) {
+    this.memory();
+    const used = this.used;
+    const outer = this.large;
+    this.large = null;
+    try {
+      return body();
+    } finally {
+      this.used = used;
+      for (const pointer of this.large ?? []) this.exports.free(pointer);
+      this.large = outer;
+    }
+  }
+
+  copy(from, to, size) {
+    new Uint8Array(this.memory().buffer).copyWithin(to, from, from + size);
+  }
+
+  /** Scratch room until the frame ends: zeros. */
+  room(size) {
+    const place = (this.used + 15) & ~15;
+    let pointer = place;
+    if (place + size <= this.arena + arenaSize) {
+      this.used = place + size;
+    } else {
+      pointer = this.allocate(size);
+      (this.large ??= []).push(pointer);
+    }
+    new Uint8Array(this.memory().buffer, pointer, size).fill(0);
+    return pointer;
+  }
+
+  allocate(size) {
+    const pointer = this.exports.malloc(size);
+    if (pointer === 0) throw new RangeError(`graze: no memory for ${size} bytes`);
+    return pointer;
+  }
+
+  /** Calls a function of the C interface by its name without beginning and scalar; throws what it refuses. */
+  call(name, ...args) {
+    this.check(this.exports[`graze_${name}_${this.scalar}`](...args));
+  }
+
+  check(status) {
+    this.memory();
+    if (this.thrown !== null) {
+      const { error } = this.thrown;
+      this.thrown = null;
+      throw error;
+    }
+    if (status === 0) return;
+    const message = this.string(this.exports.graze_last_error());
+    throw status === 1 ? new InvalidValue(message) : new Error(message);
+  }
+
+  /** A number by which the module names a function of JavaScript. */
+  keep(callback) {
+    this.lastCallback += 1;
+    this.callbacks.set(this.lastCallback, callback);
+    return this.lastCallback;
+  }
+
+  /** A callback's answer; what it throws is thrown when the module returns. */
+  called(key, otherwise, body) {
+    try {
+      return body(this.callbacks.get(key));
+    } catch (error) {
+      this.thrown ??= { error };
+      return otherwise;
+    }
+  }
+}
+
+/** The base of all that lies in the module's memory. */
+export function handleClass(core) {
+  return class Handle {
+    #pointer;
+    #release;
+    /** `release` gives back what `pointer` stands for. */
+    constructor(pointer, release) {
+      this.#pointer = pointer;
+      this.#release = release;
+      core.finalizers.register(this, { release, pointer }, this);
+    }
+    get disposed() {
+      return this.#pointer === 0;
+    }
+    dispose() {
+      if (this.#pointer === 0) return;
+      const pointer = this.#pointer;
+      this.#pointer = 0;
+      core.finalizers.unregister(this);
+      this.#release(pointer);
+    }
+    [Symbol.dispose ?? Symbol.for("Symbol.dispose")]() {
+      this.dispose();
+    }
+    /** The pointer of a live object of the class `kind`, named `path` in errors. */
+    static pointer(value, path, kind = this) {
+      if (!(value instanceof kind)) throw new InvalidValue(`${path}: expected ${article(kind.name)}, got ${shown(value)}`);
+      if (value.#pointer === 0) throw new InvalidValue(`${path}: expected a live object, got a disposed one`);
+      return value.#pointer;
+    }
+  };
+}
+
+const article = (name) => `${/^[AEIOU]/.test(name) ? "an" : "a"} ${name}`;
+
+export function shown(value) {
+  if (value === null || value === undefined) return String(value);
+  if (typeof value === "object" || typeof value === "function") return value.constructor?.name ?? "an object";
+  return typeof value === "string" ? JSON.stringify(value) : String(value);
+}

@@ -1,0 +1,29 @@
+// graze/double: everything, in double, and the query protocol.
+
+import { wholeEntry } from "./whole.js";
+
+const { names, core } = wholeEntry("d", () => new URL("./graze-double.wasm", import.meta.url));
+
+export const {
+  init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle,
+  Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
+  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, closest, raycast, raycastAny,
+  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
+  BroadPhase, World, traced, response, applyImpulse, Simulation, State, plane,
+} = names;
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+const answered = (line, explained) =>
+  core.frame(() => {
+    const bytes = encoder.encode(line);
+    const place = core.room(Math.max(1, bytes.length));
+    new Uint8Array(core.memory().buffer).set(bytes, place);
+    const count = core.room(4);
+    const answer = core.exports.graze_js_answer(place, bytes.length, explained, count);
+    const { buffer } = core.memory();
+    return decoder.decode(new Uint8Array(buffer, answer, core.data.getUint32(count, true)));
+  });
+
+export const query = (line) => answered(line, 0);
+export const explain = (line) => answered(line, 1);

@@ -1,0 +1,13 @@
+// graze: everything but the query protocol, in float.
+
+import { wholeEntry } from "./whole.js";
+
+const { names } = wholeEntry("f", () => new URL("./graze.wasm", import.meta.url));
+
+export const {
+  init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle,
+  Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
+  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, closest, raycast, raycastAny,
+  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
+  BroadPhase, World, traced, response, applyImpulse, Simulation, State, plane,
+} = names;

@@ -1,0 +1,191 @@
+// How structs of the C interface lie in memory: those of WebAssembly's 32-bit C ABI, each member aligned to its size.
+
+import { InvalidValue, shown } from "./core.js";
+
+const named = (values, value, path) => {
+  const place = values.indexOf(value);
+  if (place < 0) throw new InvalidValue(`${path}: expected one of ${values.join(", ")}, got ${shown(value)}`);
+  return place;
+};
+
+export function layouts(core) {
+  const plain = (size, get, set) => ({
+    size,
+    align: size,
+    read: (p) => core.data[get](p, true),
+    write: (p, v) => core.data[set](p, v, true),
+  });
+  const u8 = plain(1, "getUint8", "setUint8");
+  const i32 = plain(4, "getInt32", "setInt32");
+  const u32 = plain(4, "getUint32", "setUint32");
+  const u64 = {
+    ...plain(8, "getBigUint64", "setBigUint64"),
+    write: (p, v) => core.data.setBigUint64(p, BigInt.asUintN(64, BigInt(v)), true),
+  };
+  const real = plain(8, "getFloat64", "setFloat64");
+  const num = core.scalar === "d" ? real : plain(4, "getFloat32", "setFloat32");
+  const bool = { ...u8, read: (p) => u8.read(p) !== 0, write: (p, v) => u8.write(p, v ? 1 : 0) };
+  const enumeration = (type, values) => ({
+    ...type,
+    read: (p) => values[type.read(p)],
+    write: (p, v, path) => type.write(p, named(values, v, path)),
+  });
+
+  /** So many of one type, as an array. */
+  const several = (type, count) => ({
+    size: type.size * count,
+    align: type.align,
+    read: (p) => Array.from({ length: count }, (_, i) => type.read(p + i * type.size)),
+    write(p, v, path) {
+      if (v === null || typeof v !== "object" || v.length !== count)
+        throw new InvalidValue(`${path}: expected ${count} numbers, got ${v?.length ?? shown(v)}`);
+      for (let i = 0; i < count; ++i) type.write(p + i * type.size, v[i], path);
+    },
+  });
+
+  /** Members in their order; what an object to be written lacks stays as it is. */
+  const struct = (members) => {
+    let end = 0;
+    let align = 1;
+    const offset = {};
+    for (const [name, type] of Object.entries(members)) {
+      end = Math.ceil(end / type.align) * type.align;
+      offset[name] = end;
+      end += type.size;
+      align = Math.max(align, type.align);
+    }
+    const entries = Object.entries(members).map(([name, type]) => [name, type, offset[name]]);
+    return {
+      size: Math.ceil(end / align) * align,
+      align,
+      offset,
+      members,
+      read(p) {
+        const answer = {};
+        for (const [name, type, at] of entries) answer[name] = type.read(p + at);
+        return answer;
+      },
+      write(p, value, path) {
+        for (const [name, type, at] of entries)
+          if (value[name] !== undefined) type.write(p + at, value[name], path ? `${path}.${name}` : name);
+      },
+    };
+  };
+
+  const certainty = enumeration(u8, ["converged", "bounded", "unbounded"]);
+  const vec3 = several(num, 3);
+  const vec2 = several(num, 2);
+  const quat = several(num, 4);
+  const mat3 = several(vec3, 3);
+  const pose = struct({ translation: vec3, rotation: quat });
+  const id = struct({ index: u32, generation: u32 });
+  const distance = struct({ distance: num, normal: vec3, a: vec3, b: vec3, certainty, error: num });
+  const contactPoint = struct({ a: vec3, b: vec3, distance: num, feature: u32, weight: num });
+  const castHit = struct({ t: num, point: vec3, normal: vec3, depth: num, certainty, pieceA: u32, pieceB: u32 });
+  const rayHit = struct({ t: num, point: vec3, normal: vec3, piece: u32 });
+  const motion = struct({ linear: vec3, angular: vec3, center: vec3 });
+  const inverseMass = struct({ mass: num, inertia: mat3 });
+  const filter = struct({ category: u64, mask: u64, group: i32 });
+  const manifold = (vector) =>
+    struct({ normal: vector, pieceA: u32, pieceB: u32, firstPoint: u32, pointCount: u32 });
+  const contacts = struct({
+    overlap: bool, certainty, error: num, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 });
+  const support = struct({ a: several(real, 3), b: several(real, 3) });
+  const space = enumeration(u8, ["linear", "angular"]);
+  const combine = enumeration(u8, ["unset", "average", "minimum", "maximum", "multiply"]);
+  const realVector = several(real, 3);
+  const pair = struct({ overlap: bool, firstManifold: u32, manifoldCount: u32 });
+
+  return {
+    u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, pose, id, distance, contactPoint, castHit, rayHit, motion,
+    inverseMass, filter, contacts, support, pair, several, struct,
+    aabb: struct({ lower: vec3, upper: vec3 }),
+    massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
+    child: struct({ shape: u32, pose }),
+    closest: struct({ distance: num, point: vec3, normal: vec3, certainty, error: num }),
+    pieceDistance: struct({ pieceA: u32, pieceB: u32, distance }),
+    manifold: manifold(vec3),
+    batchContacts: struct({
+      pairs: u32, pairCount: u32, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
+    ray: struct({ origin: vec3, direction: vec3 }),
+    velocity: struct({ linear: vec3, angular: vec3 }),
+    moving: struct({ shape: u32, pose, linear: vec3, angular: vec3 }),
+    bodies: struct({
+      shapes: u32, shapeStride: u32, shapeCount: u32, translations: u32, translationStride: u32, rotations: u32,
+      rotationStride: u32, poseCount: u32 }),
+    worldSettings: struct({ hasMargin: bool, margin: num, allow: u32, user: u32, pointsPerPair: u32 }),
+    body: struct({
+      shape: u32, pose, linear: vec3, angular: vec3, filter, fixed: bool, trigger: bool, fast: bool }),
+    queryFilter: struct({ filter, triggers: bool, accept: u32, user: u32 }),
+    worldPair: struct({ a: u32, b: u32, overlap: bool, firstManifold: u32, manifoldCount: u32 }),
+    worldContacts: struct({
+      pairs: u32, pairCount: u32, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
+    solverPoint: struct({ a: vec3, b: vec3, distance: num, feature: u32, weight: num, impulse: vec3 }),
+    contactEvent: struct({
+      kind: enumeration(u8, ["begin", "stay", "end"]), trigger: bool, a: id, b: id, pair: i32 }),
+    impact: struct({ a: id, b: id, trigger: bool, hit: castHit }),
+    bodyDistance: struct({ body: id, distance }),
+    bodyRayHit: struct({ body: id, hit: rayHit }),
+    bodyCastHit: struct({ body: id, hit: castHit }),
+    simulationSettings: struct({
+      gravity: vec3, subSteps: i32, mostSubSteps: i32, sleep: bool, continuous: bool, longestStep: num }),
+    dynamics: struct({
+      hasMass: bool, hasCenterOfMass: bool, hasInertia: bool, mass: num, centerOfMass: vec3, inertiaDiagonal: vec3,
+      inertiaOrientation: quat, density: num, gravityFactor: num, linearDamping: num, angularDamping: num,
+      kinematic: bool, maySleep: bool }),
+    material: struct({
+      staticFriction: num, dynamicFriction: num, restitution: num, rollingFriction: num, frictionCombine: combine,
+      restitutionCombine: combine, surfaceVelocity: vec3 }),
+    jointLimit: struct({
+      space, axes: several(bool, 3), min: num, max: num, stiffness: num, damping: num }),
+    jointDrive: struct({
+      space, mode: enumeration(u8, ["force", "acceleration"]), axis: enumeration(u8, ["x", "y", "z"]),
+      positionTarget: num, velocityTarget: num, stiffness: num, damping: num, maxForce: num }),
+    joint: struct({
+      a: id, b: id, frameA: pose, frameB: pose, limits: u32, limitCount: u32, drives: u32, driveCount: u32,
+      enableCollision: bool }),
+    stepReport: struct({
+      awake: u32, islands: u32, contacts: u32, colors: u32, mostSubSteps: i32, stopped: u32, deepest: num,
+      meanDepth: num, residual: num, kineticEnergy: num, potentialEnergy: num, momentum: vec3, angularMomentum: vec3,
+      collideMs: num, prepareMs: num, solveMs: num, continuousMs: num, wholeMs: num }),
+    struckBody: struct({ motion, mass: inverseMass }),
+    struckContact: struct({ point: vec3, normal: vec3, restitution: num, friction: num }),
+    response: struct({
+      approach: vec3, approachAlongNormal: num, approachTangential: vec3,
+      atFault: enumeration(i32, ["neither", "a", "b", "both"]), effectiveMass: num, normalImpulse: num, sliding: vec3,
+      stoppingImpulse: vec3, frictionLimit: num, frictionImpulse: vec3, impulse: vec3, a: motion, b: motion }),
+    traceAxis: struct({
+      name: u32, direction: realVector, aLower: real, aUpper: real, bLower: real, bUpper: real }),
+    traceGjk: struct({
+      simplex: u32, simplexCount: u32, direction: realVector, found: support, lower: real, upper: real, polygon: u32,
+      polygonCount: u32 }),
+    traceEpa: struct({
+      normal: realVector, faceDepth: real, foundDepth: real, found: support, faces: u32, polygon: u32,
+      polygonCount: u32 }),
+    traceSpan: struct({ name: u32, normal: realVector, enter: real, leave: real }),
+    traceStep: struct({ t: real, distance: real, normal: realVector }),
+    traceTriangle: several(u32, 3),
+    traceView: struct({
+      method: u32, winner: u32, reason: u32, axes: u32, axisCount: u32, gjk: u32, gjkCount: u32, epa: u32,
+      epaCount: u32, difference: u32, differenceCount: u32, rounding: real, polytope: u32, polytopeCount: u32,
+      triangles: u32, triangleCount: u32, spans: u32, spanCount: u32, steps: u32, stepCount: u32, nodes: u32,
+      pieces: u32 }),
+    planePose: struct({ translation: vec2, rotation: vec2 }),
+    planeAabb: struct({ lower: vec2, upper: vec2 }),
+    planeDistance: struct({ distance: num, normal: vec2, a: vec2, b: vec2, certainty, error: num }),
+    planeClosest: struct({ distance: num, point: vec2, normal: vec2, certainty, error: num }),
+    planeContactPoint: struct({ a: vec2, b: vec2, distance: num, feature: u32, weight: num }),
+    planeManifold: manifold(vec2),
+    planeRay: struct({ origin: vec2, direction: vec2 }),
+    planeRayHit: struct({ t: num, point: vec2, normal: vec2, piece: u32, certainty }),
+    planeCastHit: struct({ t: num, point: vec2, normal: vec2, depth: num, certainty, pieceA: u32, pieceB: u32 }),
+    planeVelocity: struct({ linear: vec2, angular: num }),
+    planeMoving: struct({ shape: u32, pose: struct({ translation: vec2, rotation: vec2 }), linear: vec2, angular: num }),
+    planeChild: struct({ shape: u32, pose: struct({ translation: vec2, rotation: vec2 }) }),
+    /** Structs one behind the other, as objects. */
+    readAll: (type, pointer, count) => Array.from({ length: count }, (_, i) => type.read(pointer + i * type.size)),
+  };
+}
+
+/** Where a word stands in a list of them. */
+export { named };

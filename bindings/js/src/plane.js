@@ -1,0 +1,142 @@
+// The same words in two dimensions.
+
+import { named } from "./layout.js";
+import { questions } from "./questions.js";
+import { sides } from "./shapes.js";
+
+const kinds = [
+  "circle", "capsule", "box", "segment", "convex", "ellipse", "userConvex", "halfPlane", "polygon", "chain", "compound"];
+
+export function plane(core, layout, args, Handle) {
+  const { written, rows, answered } = args;
+  const release = (pointer) => core.exports[`graze_plane_shape_release_${core.scalar}`](pointer);
+  const made = (name, parameters) =>
+    core.frame(() => {
+      const result = core.room(4);
+      core.call(`plane_shape_${name}`, ...parameters(), result);
+      return core.data.getUint32(result, true);
+    });
+  const vec2 = (v, path) => written(layout.vec2, v, path);
+  /** The rotation is an angle here and the turned X axis there, by the library's own sine and cosine. */
+  const pose = (value, path) => {
+    const [x, y] = value?.translation ?? [0, 0];
+    const p = core.room(layout.planePose.size);
+    core.exports[`graze_plane_pose_${core.scalar}`](p, x, y, value?.rotation ?? 0);
+    if (value?.translation !== undefined) layout.vec2.write(p, value.translation, `${path}.translation`);
+    return p;
+  };
+
+  class Shape extends Handle {
+    constructor(pointer) {
+      if (typeof pointer !== "number") throw new TypeError("graze: a Shape is made by one of its classes");
+      super(pointer, release);
+    }
+    get kind() {
+      return core.frame(() => kinds[answered(layout.i32, (p) => core.call("plane_shape_kind", of(this), p))]);
+    }
+    get rounding() {
+      return core.frame(() => answered(layout.num, (p) => core.call("plane_shape_rounding", of(this), p)));
+    }
+    bounds(at) {
+      return core.frame(() =>
+        answered(layout.planeAabb, (p) => core.call("plane_shape_bounds", of(this), pose(at, "pose"), p)));
+    }
+    rounded(rounding) {
+      return new Shape(made("rounded", () => [of(this), rounding]));
+    }
+  }
+  const of = (shape, path = "shape") => Handle.pointer(shape, path, Shape);
+  /** An outline: where its points are, and how many. */
+  const outline = (points, path) => {
+    const { pointer, count } = rows(points, 2, path);
+    return [pointer, 0, count];
+  };
+
+  class Circle extends Shape {
+    constructor(radius) {
+      super(made("circle", () => [radius]));
+    }
+  }
+  class Capsule extends Shape {
+    constructor(height, radiusBottom, radiusTop = radiusBottom) {
+      super(made("capsule", () => [height, radiusBottom, radiusTop]));
+    }
+  }
+  class Box extends Shape {
+    constructor(size) {
+      super(made("box", () => [vec2(size, "box.size")]));
+    }
+  }
+  class Segment extends Shape {
+    constructor(a, b) {
+      super(made("segment", () => [vec2(a, "segment.a"), vec2(b, "segment.b")]));
+    }
+  }
+  class Convex extends Shape {
+    constructor(points) {
+      super(made("convex", () => outline(points, "convex.points")));
+    }
+  }
+  class Ellipse extends Shape {
+    constructor(radii) {
+      super(made("ellipse", () => [vec2(radii, "ellipse.radii")]));
+    }
+  }
+  class HalfPlane extends Shape {
+    constructor() {
+      super(made("half_plane", () => []));
+    }
+  }
+  class Polygon extends Shape {
+    constructor(points) {
+      super(made("polygon", () => outline(points, "polygon.points")));
+    }
+  }
+  class Chain extends Shape {
+    constructor(points, options = {}) {
+      super(
+        made("chain", () => {
+          const seen = named(sides, options.sides ?? "both", "chain.sides");
+          return [...outline(points, "chain.points"), options.closed ? 1 : 0, seen];
+        }),
+      );
+    }
+  }
+  class Compound extends Shape {
+    constructor(children) {
+      super(
+        made("compound", () => {
+          const { size, offset } = layout.planeChild;
+          const first = core.room(Math.max(1, children.length) * size);
+          children.forEach((child, i) => {
+            const path = `compound.children[${i}]`;
+            const at = pose(child, path);
+            layout.planeChild.write(first + i * size, { shape: of(child.shape, `${path}.shape`) });
+            core.copy(at, first + i * size + offset.pose, layout.planePose.size);
+          });
+          return [first, 0, children.length];
+        }),
+      );
+    }
+  }
+
+  const ask = questions(core, {
+    prefix: "plane_", layout, args, of, pose, vector: layout.vec2, distance: layout.planeDistance,
+    closest: layout.planeClosest, manifold: layout.planeManifold, contactPoint: layout.planeContactPoint,
+    ray: layout.planeRay, rayHit: layout.planeRayHit, castHit: layout.planeCastHit, moving: layout.planeMoving });
+  const angle = ({ translation, rotation }) => ({ translation, rotation: Math.atan2(rotation[1], rotation[0]) });
+
+  return {
+    Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, HalfPlane, Polygon, Chain, Compound,
+    ...ask.framed({
+      ...ask.asked,
+      contactMargin: (a, b) => answered(layout.num, (p) => ask.call("contact_margin", of(a, "a"), of(b, "b"), p)),
+      poseAt(body, t) {
+        const { linear, angular } = body;
+        const velocity = written(layout.planeVelocity, { linear, angular }, "velocity");
+        return angle(answered(layout.planePose, (p) => ask.call("pose_at", pose(body, "pose"), velocity, t, p)));
+      },
+    }),
+    traced: ask.traced(),
+  };
+}

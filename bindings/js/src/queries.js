@@ -1,0 +1,13 @@
+// graze/queries: questions in space and worlds, in float.
+
+import { queriesEntry } from "./entry.js";
+
+const { names } = queriesEntry("f", () => new URL("./graze-queries.wasm", import.meta.url));
+
+export const {
+  init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle,
+  Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
+  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, closest, raycast, raycastAny,
+  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
+  BroadPhase, World,
+} = names;

@@ -1,0 +1,162 @@
+// Questions about two shapes, in space and in the plane.
+
+import { named } from "./layout.js";
+import { traceReader } from "./trace.js";
+
+const backFaces = ["hit", "ignored"];
+const separations = ["hit", "ignored"];
+
+/** The questions of a dimension, whose `words` are the names of its functions and structs. */
+export function questions(core, words) {
+  const { layout, args, of, pose, prefix } = words;
+  const { written, answered } = args;
+  const call = (name, ...parameters) => core.call(`${prefix}${name}`, ...parameters);
+  const two = (a, poseA, b, poseB) => [of(a, "a"), pose(poseA, "poseA"), of(b, "b"), pose(poseB, "poseB")];
+  const yes = (name, ...parameters) => answered(layout.bool, (p) => call(name, ...parameters, p));
+  /** An answer that there need not be: the function writes first whether it is there. */
+  const found = (type, body) => {
+    const there = core.room(1);
+    const p = core.room(type.size);
+    body(there, p);
+    return core.data.getUint8(there) === 0 ? null : type.read(p);
+  };
+
+  /** Room for answers of no fixed number, one for all questions of a dimension. */
+  let buffer = 0;
+  const room = () => {
+    if (buffer !== 0) return buffer;
+    const p = core.room(4);
+    core.call("buffer_create", p);
+    buffer = core.data.getUint32(p, true);
+    return buffer;
+  };
+  /** An array that belongs to the buffer. */
+  const listed = (type, body) => {
+    const first = core.room(4);
+    const count = core.room(4);
+    body(room(), first, count);
+    return layout.readAll(type, core.data.getUint32(first, true), core.data.getUint32(count, true));
+  };
+
+  const pointsOf = (all, m) =>
+    layout.readAll(words.contactPoint, all.points + m.firstPoint * words.contactPoint.size, m.pointCount);
+  const manifolds = (all, first, count) =>
+    layout.readAll(words.manifold, all.manifolds + first * words.manifold.size, count).map((m) => ({
+      normal: m.normal,
+      pieceA: m.pieceA,
+      pieceB: m.pieceB,
+      points: pointsOf(all, m),
+    }));
+  const contactsAt = (p) => {
+    const all = layout.contacts.read(p);
+    const { overlap, certainty, error, manifoldCount } = all;
+    return { overlap, certainty, error, manifolds: manifolds(all, 0, manifoldCount) };
+  };
+
+  const ray = ({ origin, direction }) => written(words.ray, { origin, direction }, "ray");
+  const length = (value) => value.length ?? Infinity;
+  const moving = (body, path) => {
+    const at = pose(body, path);
+    const p = core.room(words.moving.size);
+    const { linear, angular } = body;
+    words.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
+    core.copy(at, p + words.moving.offset.pose, words.moving.members.pose.size);
+    return p;
+  };
+  const separating = (options) => named(separations, options?.separating ?? "hit", "separating");
+  const back = (options) => named(backFaces, options?.backFaces ?? "hit", "backFaces");
+  /** In the plane nothing has a back. */
+  const backs = (options) => (prefix === "" ? [back(options)] : []);
+
+  /** Each question by the functions whose names end so and which take `trace`, or nothing more, after the answer. */
+  const asked = (ending, ...trace) => ({
+    overlap: (a, poseA, b, poseB) =>
+      answered(layout.bool, (p) => call(`overlap${ending}`, ...two(a, poseA, b, poseB), p, ...trace)),
+    distance: (a, poseA, b, poseB) =>
+      answered(words.distance, (p) => call(`distance${ending}`, ...two(a, poseA, b, poseB), p, ...trace)),
+    contacts(a, poseA, b, poseB, margin = 0) {
+      const p = core.room(layout.contacts.size);
+      call(`contacts${ending}`, ...two(a, poseA, b, poseB), margin, room(), p, ...trace);
+      return contactsAt(p);
+    },
+    closest(shape, at, point) {
+      const question = [of(shape), pose(at, "pose"), written(words.vector, point, "point")];
+      return answered(words.closest, (p) => call(`closest${ending}`, ...question, p, ...trace));
+    },
+    raycast(shape, at, value, options) {
+      const question = [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
+      return found(words.rayHit, (there, p) => call(`raycast${ending}`, ...question, there, p, ...trace));
+    },
+    cast(a, b, options) {
+      const question = [moving(a, "a"), moving(b, "b"), options?.duration ?? 1, separating(options)];
+      return found(words.castHit, (there, p) => call(`cast${ending}`, ...question, there, p, ...trace));
+    },
+  });
+
+  /** Each function in a frame of scratch room. */
+  const framed = (functions) =>
+    Object.fromEntries(
+      Object.entries(functions).map(([name, f]) => [name, (...parameters) => core.frame(() => f(...parameters))]));
+
+  /** Each question with what it did. The trace lives in the module as long as the question takes. */
+  const traced = () => {
+    const read = traceReader(core, layout);
+    const explained = (name) => (...parameters) => {
+      const place = core.room(4);
+      core.check(core.exports.graze_trace_create(place));
+      const trace = core.data.getUint32(place, true);
+      try {
+        const answer = asked("_explained", trace)[name](...parameters);
+        return { answer, trace: read(trace) };
+      } finally {
+        core.exports.graze_trace_destroy(trace);
+      }
+    };
+    return framed(Object.fromEntries(Object.keys(asked("")).map((name) => [name, explained(name)])));
+  };
+
+  return {
+    asked: asked(""), framed, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length, moving,
+    separating, back };
+}
+
+/** The questions that there are in space alone, on top of those of both dimensions. */
+export function spaceQuestions(core, layout, args, shapes) {
+  const { of } = shapes;
+  const { written, answered, pose } = args;
+  const ask = questions(core, {
+    prefix: "", layout, args, of, pose, vector: layout.vec3, distance: layout.distance, closest: layout.closest,
+    manifold: layout.manifold, contactPoint: layout.contactPoint, ray: layout.ray, rayHit: layout.rayHit,
+    castHit: layout.castHit, moving: layout.moving });
+  const { call, two, yes, listed, room, found } = ask;
+  const rayAt = (shape, at, ray, options) =>
+    [of(shape), pose(at, "pose"), ask.ray(ray), ask.length(ray), ask.back(options)];
+
+  const plain = ask.framed({
+    ...ask.asked,
+    contacts(a, poseA, b, poseB, margin = 0, most = undefined) {
+      if (most === undefined) return ask.asked.contacts(a, poseA, b, poseB, margin);
+      const p = core.room(layout.contacts.size);
+      call("contacts_reduced", ...two(a, poseA, b, poseB), margin, most, room(), p);
+      return ask.contactsAt(p);
+    },
+    mayOverlap: (a, poseA, b, poseB) => yes("may_overlap", ...two(a, poseA, b, poseB)),
+    within: (a, poseA, b, poseB, limit) => yes("within", ...two(a, poseA, b, poseB), limit),
+    distanceUpTo: (a, poseA, b, poseB, limit) =>
+      found(layout.distance, (there, p) => call("distance_up_to", ...two(a, poseA, b, poseB), limit, there, p)),
+    nearPieces: (a, poseA, b, poseB, margin) =>
+      listed(layout.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
+    contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
+    raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
+    raycastAll: (...question) => listed(layout.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),
+    castAll(a, b, options) {
+      const question = [ask.moving(a, "a"), ask.moving(b, "b"), options?.duration ?? 1, ask.separating(options)];
+      return listed(layout.castHit, (...to) => call("cast_all", ...question, ...to));
+    },
+    poseAt({ linear, angular, ...body }, t) {
+      const velocity = written(layout.velocity, { linear, angular }, "velocity");
+      return answered(layout.pose, (p) => call("pose_at", pose(body, "pose"), velocity, t, p));
+    },
+  });
+  return { ask, plain };
+}

@@ -1,0 +1,255 @@
+// Shapes, poses and numbers in the module's memory: what every question is about.
+
+import { InvalidValue, shown } from "./core.js";
+import { named } from "./layout.js";
+
+const kinds = [
+  "sphere", "capsule", "box", "rectangle", "cylinder", "ellipsoid", "segment", "triangle", "convexHull", "userConvex",
+  "halfSpace", "mesh", "heightField", "compound"];
+const noTurn = [0, 0, 0, 1];
+const origin = [0, 0, 0];
+export const sides = ["both", "front"];
+
+/** Arguments of the C interface in scratch room, and answers of it. Used inside a frame. */
+export function argumentsOf(core, layout) {
+  const written = (type, value, path) => {
+    const p = core.room(type.size);
+    type.write(p, value, path);
+    return p;
+  };
+  const pose = (value, path) =>
+    written(layout.pose, { translation: value?.translation ?? origin, rotation: value?.rotation ?? noTurn }, path);
+  /** Writes `values`, numbers or arrays of `width` numbers, one behind the other; answers where and how many rows. */
+  const rows = (values, width, path, View = core.Numbers) => {
+    if (values === null || typeof values !== "object")
+      throw new InvalidValue(`${path}: expected an array, got ${shown(values)}`);
+    const nested = values.length > 0 && typeof values[0] === "object" && values[0] !== null;
+    const length = nested ? values.length * width : values.length;
+    if (length % width !== 0)
+      throw new InvalidValue(`${path}: expected a multiple of ${width} numbers, got ${length}`);
+    const p = core.room(Math.max(1, length) * View.BYTES_PER_ELEMENT);
+    const to = new View(core.memory().buffer, p, length);
+    if (!nested) to.set(values);
+    else
+      values.forEach((row, i) => {
+        if (row?.length !== width)
+          throw new InvalidValue(`${path}[${i}]: expected ${width} numbers, got ${row?.length ?? shown(row)}`);
+        to.set(row, i * width);
+      });
+    return { pointer: p, count: length / width };
+  };
+  /** Calls with a place for one answer, and reads it. */
+  const answered = (type, call) => {
+    const p = core.room(type.size);
+    call(p);
+    return type.read(p);
+  };
+  return { written, pose, rows, answered, vec3: (v, path) => written(layout.vec3, v, path) };
+}
+
+export function shapeClasses(core, layout, args, Handle) {
+  const { vec3, pose, rows, answered, written } = args;
+  const release = (pointer) => core.exports[`graze_shape_release_${core.scalar}`](pointer);
+  /** A new shape by the constructor of that name; the others are its arguments. */
+  const made = (name, parameters) =>
+    core.frame(() => {
+      const result = core.room(4);
+      core.call(`shape_${name}`, ...parameters(), result);
+      return core.data.getUint32(result, true);
+    });
+
+  class Shape extends Handle {
+    constructor(pointer) {
+      if (typeof pointer !== "number") throw new TypeError("graze: a Shape is made by one of its classes");
+      super(pointer, release);
+    }
+    get kind() {
+      return core.frame(() => kinds[answered(layout.i32, (p) => core.call("shape_kind", of(this), p))]);
+    }
+    get rounding() {
+      return core.frame(() => answered(layout.num, (p) => core.call("shape_rounding", of(this), p)));
+    }
+    bounds(at) {
+      return core.frame(() => answered(layout.aabb, (p) => core.call("shape_bounds", of(this), pose(at, "pose"), p)));
+    }
+    support(direction) {
+      return core.frame(() =>
+        answered(layout.vec3, (p) => core.call("shape_support", of(this), vec3(direction, "direction"), p)));
+    }
+    massProperties() {
+      return core.frame(() =>
+        answered(layout.massProperties, (p) => core.call("shape_mass_properties", of(this), p)));
+    }
+    rounded(rounding) {
+      return new Shape(made("rounded", () => [of(this), rounding]));
+    }
+    swept(at, motion) {
+      return new Shape(made("swept", () => [of(this), pose(at, "pose"), vec3(motion, "motion")]));
+    }
+  }
+  const of = (shape, path = "shape") => Handle.pointer(shape, path, Shape);
+
+  class Sphere extends Shape {
+    constructor(radius, center = origin) {
+      super(made("sphere", () => [radius, vec3(center, "sphere.center")]));
+    }
+  }
+  class Capsule extends Shape {
+    constructor(height, radiusBottom, radiusTop = radiusBottom) {
+      super(made("capsule", () => [height, radiusBottom, radiusTop]));
+    }
+  }
+  class Box extends Shape {
+    constructor(size) {
+      super(made("box", () => [vec3(size, "box.size")]));
+    }
+  }
+  class Rectangle extends Shape {
+    constructor(sizeX, sizeZ) {
+      super(made("rectangle", () => [sizeX, sizeZ]));
+    }
+  }
+  class Cylinder extends Shape {
+    constructor(height, radiusBottom, radiusTop = radiusBottom) {
+      super(made("cylinder", () => [height, radiusBottom, radiusTop]));
+    }
+  }
+  class Ellipsoid extends Shape {
+    constructor(radii) {
+      super(made("ellipsoid", () => [vec3(radii, "ellipsoid.radii")]));
+    }
+  }
+  class Segment extends Shape {
+    constructor(a, b) {
+      super(made("segment", () => [vec3(a, "segment.a"), vec3(b, "segment.b")]));
+    }
+  }
+  class Triangle extends Shape {
+    constructor(a, b, c) {
+      super(made("triangle", () => [vec3(a, "triangle.a"), vec3(b, "triangle.b"), vec3(c, "triangle.c")]));
+    }
+  }
+  class HalfSpace extends Shape {
+    constructor() {
+      super(made("half_space", () => []));
+    }
+  }
+  class ConvexHull extends Shape {
+    constructor(points) {
+      super(
+        made("convex_hull", () => {
+          const { pointer, count } = rows(points, 3, "convexHull.points");
+          return [pointer, 0, count];
+        }),
+      );
+    }
+  }
+  class UserConvex extends Shape {
+    constructor(support) {
+      if (typeof support !== "function")
+        throw new InvalidValue(`userConvex.support: expected a function, got ${shown(support)}`);
+      const key = core.keep(support);
+      super(
+        core.frame(() => {
+          const result = core.room(4);
+          try {
+            core.check(core.exports[`graze_js_user_convex_${core.scalar}`](key, result));
+          } catch (error) {
+            core.callbacks.delete(key); // the shape that would have released it is not there
+            throw error;
+          }
+          return core.data.getUint32(result, true);
+        }),
+      );
+    }
+  }
+  class Mesh extends Shape {
+    constructor(points, triangles, options = {}) {
+      super(
+        made("mesh", () => {
+          const corners = rows(points, 3, "mesh.points");
+          const faces = rows(triangles, 3, "mesh.triangles", Uint32Array);
+          const seen = named(sides, options.sides ?? "both", "mesh.sides");
+          return [corners.pointer, 0, corners.count, faces.pointer, 0, faces.count, seen, options.solid ? 1 : 0];
+        }),
+      );
+    }
+  }
+  class HeightField extends Shape {
+    constructor(heights, columns, rowCount, options = {}) {
+      super(
+        made("height_field", () => {
+          if (heights?.length !== columns * rowCount)
+            throw new InvalidValue(
+              `heightField.heights: expected ${columns} * ${rowCount} numbers, got ${heights?.length ?? shown(heights)}`);
+          // What is no number is a hole, and null would become 0.
+          const values = Array.isArray(heights) ? heights.map((h) => h ?? NaN) : heights;
+          const spacing = options.spacing ?? [1, 1];
+          const seen = named(sides, options.sides ?? "both", "heightField.sides");
+          const { pointer } = rows(values, 1, "heightField.heights");
+          return [pointer, 0, columns, rowCount, 0, spacing[0], spacing[1], seen];
+        }),
+      );
+    }
+  }
+  class Compound extends Shape {
+    constructor(children) {
+      super(
+        made("compound", () => {
+          const size = layout.child.size;
+          const first = core.room(Math.max(1, children.length) * size);
+          children.forEach((child, i) => {
+            const path = `compound.children[${i}]`;
+            const { translation = origin, rotation = noTurn } = child;
+            const shape = of(child.shape, `${path}.shape`);
+            layout.child.write(first + i * size, { shape, pose: { translation, rotation } }, path);
+          });
+          return [first, 0, children.length];
+        }),
+      );
+    }
+  }
+
+  /** Numbers in the module's memory. */
+  class Numbers extends Handle {
+    constructor(length) {
+      if (!Number.isInteger(length) || length < 0)
+        throw new InvalidValue(`numbers.length: expected an integer >= 0, got ${shown(length)}`);
+      core.memory();
+      const pointer = core.allocate(Math.max(1, length) * core.numberSize);
+      super(pointer, (p) => core.exports.free(p));
+      this.length = length;
+      this.array.fill(0);
+    }
+    get array() {
+      return core.numbers(Handle.pointer(this, "numbers", Numbers), this.length);
+    }
+  }
+  /** Where the numbers of a `Numbers` stand, or those of an array once they are copied in. */
+  const numbersOf = (values, width, path) => {
+    if (!(values instanceof Numbers)) return rows(values, width, path);
+    if (values.length % width !== 0)
+      throw new InvalidValue(`${path}: expected a multiple of ${width} numbers, got ${values.length}`);
+    return { pointer: Handle.pointer(values, path, Numbers), count: values.length / width };
+  };
+
+  const turned = (translation, axis, angle) => {
+    const length = Math.hypot(...axis);
+    if (!(length > 0 && length < Infinity))
+      throw new InvalidValue(`axis: expected a finite vector that is not zero, got [${Array.from(axis).join(", ")}]`);
+    return core.frame(() => {
+      const unit = Array.from(axis, (x) => x / length);
+      const turn = core.exports[`graze_pose_turned_${core.scalar}`];
+      return answered(layout.pose, (p) => turn(p, vec3(translation, "translation"), vec3(unit, "axis"), angle));
+    });
+  };
+
+  return {
+    classes: {
+      Shape, Sphere, Capsule, Box, Rectangle, Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex,
+      Mesh, HeightField, Compound, Numbers, turned },
+    of,
+    numbersOf,
+    written,
+  };
+}

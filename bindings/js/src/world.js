@@ -1,0 +1,226 @@
+// Bodies, what touches, and questions about them.
+
+import { InvalidValue, shown } from "./core.js";
+
+const integers = (value, path) => {
+  if (typeof value === "bigint" || (Number.isSafeInteger(value) && value >= 0)) return BigInt(value);
+  throw new InvalidValue(`${path}: expected an integer >= 0 or a bigint, got ${shown(value)}`);
+};
+
+export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
+  const { of, numbersOf } = shapes;
+  const { written, answered, pose } = args;
+  const release = `graze_shape_release_${core.scalar}`;
+
+  const idAt = (value, path) => {
+    if (!Number.isInteger(value?.index) || !Number.isInteger(value?.generation))
+      throw new InvalidValue(`${path}: expected a handle of a body or joint, got ${shown(value)}`);
+    return written(layout.id, value, path);
+  };
+  const writeFilter = (place, filter, path) => {
+    layout.filter.write(place, {
+      category: integers(filter.category ?? 1n, `${path}.category`),
+      mask: integers(filter.mask ?? 0xffffffffffffffffn, `${path}.mask`),
+      group: filter.group ?? 0,
+    });
+  };
+  const bodyAt = (body) => {
+    const p = core.room(layout.body.size);
+    const shape = of(body.shape, "body.shape");
+    const at = { translation: body.translation ?? [0, 0, 0], rotation: body.rotation ?? [0, 0, 0, 1] };
+    const { linear, angular, fixed = false, trigger = false, fast = false } = body;
+    layout.body.write(p, { shape, pose: at, linear, angular, fixed, trigger, fast }, "body");
+    writeFilter(p + layout.body.offset.filter, body.filter ?? {}, "body.filter");
+    return p;
+  };
+  /** A last word of the caller's, as the two members of a struct; `key` is null where there is none. */
+  const kept = (callback, pointer) => {
+    if (callback === undefined) return { key: null, function: 0 };
+    return { key: core.keep(callback), function: core.exports[pointer]() };
+  };
+  /** Asks with a filter that lives as long as the question. */
+  const filtered = (options, body) => {
+    const p = core.room(layout.queryFilter.size);
+    const accept = kept(options?.accept, "graze_js_accept");
+    writeFilter(p + layout.queryFilter.offset.filter, options ?? {}, "filter");
+    layout.queryFilter.write(p, { triggers: options?.triggers ?? false, accept: accept.function, user: accept.key ?? 0 });
+    try {
+      return body(p);
+    } finally {
+      if (accept.key !== null) core.callbacks.delete(accept.key);
+    }
+  };
+  const call = (name, ...parameters) => core.call(`world_${name}`, ...parameters);
+  const yes = (name, ...parameters) => answered(layout.bool, (p) => call(name, ...parameters, p));
+  /** An array that belongs to the world. */
+  const own = (type, name, world) => {
+    const first = core.room(4);
+    const count = core.room(4);
+    call(name, world, first, count);
+    return { first: core.data.getUint32(first, true), count: core.data.getUint32(count, true), type };
+  };
+  const read = ({ first, count, type }) => layout.readAll(type, first, count);
+  const listed = (type, name, ...parameters) =>
+    ask.listed(type, (buffer, first, count) => call(name, ...parameters, buffer, first, count));
+
+  /** What can be asked of a world, of its own or of a simulation's; `pointer` answers where that is. */
+  const asked = (pointer) => ({
+    size() {
+      const bodies = core.room(4);
+      call("counts", pointer(), bodies, core.room(4));
+      return core.data.getUint32(bodies, true);
+    },
+    contains: (id) => yes("contains", pointer(), idAt(id, "body")),
+    bodyAt: (index) =>
+      ask.found(layout.id, (there, p) => call("body_at", pointer(), index, there, p)),
+    pose(id) {
+      const body = answered(layout.body, (p) => call("body", pointer(), idAt(id, "body"), p));
+      core.exports[release](body.shape); // one more share, which was given to us
+      return body.pose;
+    },
+    poses() {
+      const { first, count } = own(layout.pose, "poses", pointer());
+      return core.numbers(first, 7 * count);
+    },
+    contacts() {
+      const p = core.room(layout.worldContacts.size);
+      call("contacts", pointer(), p);
+      const all = layout.worldContacts.read(p);
+      const points = layout.readAll(layout.solverPoint, all.points, all.pointCount);
+      const manifolds = layout.readAll(layout.manifold, all.manifolds, all.manifoldCount);
+      return layout.readAll(layout.worldPair, all.pairs, all.pairCount).map((pair) => ({
+        a: pair.a,
+        b: pair.b,
+        overlap: pair.overlap,
+        manifolds: manifolds.slice(pair.firstManifold, pair.firstManifold + pair.manifoldCount).map((m) => ({
+          normal: m.normal,
+          pieceA: m.pieceA,
+          pieceB: m.pieceB,
+          points: points.slice(m.firstPoint, m.firstPoint + m.pointCount),
+        })),
+      }));
+    },
+    points() {
+      const p = core.room(layout.worldContacts.size);
+      call("contacts", pointer(), p);
+      const { points, pointCount } = layout.worldContacts.read(p);
+      return new Rows(layout.solverPoint, () => points, pointCount);
+    },
+    events: () => read(own(layout.contactEvent, "events", pointer())),
+    impacts: () => read(own(layout.impact, "impacts", pointer())),
+    overlapping: (shape, at, filter) =>
+      filtered(filter, (f) => listed(layout.id, "overlapping", pointer(), of(shape), pose(at, "pose"), f)),
+    overlapsAny: (shape, at, filter) =>
+      filtered(filter, (f) => yes("overlaps_any", pointer(), of(shape), pose(at, "pose"), f)),
+    nearest: (shape, at, most, options) =>
+      filtered(options, (f) =>
+        listed(layout.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), most, options?.limit ?? Infinity, f)),
+    raycast: (ray, options) =>
+      filtered(options, (f) =>
+        ask.found(layout.bodyRayHit, (there, p) =>
+          call("raycast", pointer(), ask.ray(ray), ask.length(ray), f, ask.back(options), there, p))),
+    raycastAny: (ray, options) =>
+      filtered(options, (f) => yes("raycast_any", pointer(), ask.ray(ray), ask.length(ray), f, ask.back(options))),
+    raycastAll: (ray, options) =>
+      filtered(options, (f) =>
+        listed(layout.bodyRayHit, "raycast_all", pointer(), ask.ray(ray), ask.length(ray), f, ask.back(options))),
+    cast: (moving, options) =>
+      filtered(options, (f) =>
+        ask.found(layout.bodyCastHit, (there, p) =>
+          call(
+            "cast", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f, ask.separating(options), there, p))),
+    castAll: (moving, options) =>
+      filtered(options, (f) =>
+        listed(
+          layout.bodyCastHit, "cast_all", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f,
+          ask.separating(options))),
+    slide: (shape, at, motion, options) =>
+      filtered(options, (f) => {
+        const end = core.room(layout.pose.size);
+        const left = core.room(layout.vec3.size);
+        const touched = ask.listed(layout.bodyCastHit, (buffer, first, count) =>
+          call(
+            "slide", pointer(), of(shape), pose(at, "pose"), args.vec3(motion, "motion"), options?.casts ?? 4, f, buffer, end,
+            left, first, count));
+        return { end: layout.pose.read(end), left: layout.vec3.read(left), touched };
+      }),
+    memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
+  });
+  /** Gives `target` those questions as methods. */
+  const questionable = (target, pointer) => {
+    const { size, ...methods } = asked(pointer);
+    const framed = ask.framed({ size, ...methods });
+    for (const name of Object.keys(methods)) Object.defineProperty(target, name, { value: framed[name] });
+    Object.defineProperty(target, "size", { get: framed.size });
+    return target;
+  };
+
+  class World extends Handle {
+    constructor(settings = {}) {
+      const allow = kept(settings.allow, "graze_js_allow");
+      super(
+        core.frame(() => {
+          const p = core.room(layout.worldSettings.size);
+          const { margin, pointsPerPair } = settings;
+          layout.worldSettings.write(p, {
+            hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 });
+          const world = core.room(4);
+          call("create", p, 0, world);
+          return core.data.getUint32(world, true);
+        }),
+        (pointer) => {
+          core.exports[`graze_world_destroy_${core.scalar}`](pointer);
+          if (allow.key !== null) core.callbacks.delete(allow.key);
+        },
+      );
+      questionable(this, () => Handle.pointer(this, "world", World));
+    }
+    add(body) {
+      return core.frame(() => answered(layout.id, (p) => call("add", at(this), bodyAt(body), p)));
+    }
+    remove(id) {
+      core.frame(() => call("remove", at(this), idAt(id, "body")));
+    }
+    move(id, to, velocity) {
+      core.frame(() => {
+        const v = velocity === undefined ? 0 : written(layout.velocity, velocity, "velocity");
+        call("move", at(this), idAt(id, "body"), pose(to, "pose"), v);
+      });
+    }
+    moveBatch(ids, poses) {
+      core.frame(() => {
+        const { pointer, count } = numbersOf(poses, 7, "poses");
+        if (ids.length !== count) throw new InvalidValue(`poses: expected ${ids.length} of them, got ${count}`);
+        const size = layout.id.size;
+        const first = core.room(Math.max(1, count) * size);
+        ids.forEach((id, i) => layout.id.write(first + i * size, id, `ids[${i}]`));
+        call("move_batch", at(this), first, 0, pointer, 0, count);
+      });
+    }
+    setShape(id, shape) {
+      core.frame(() => call("set_shape", at(this), idAt(id, "body"), of(shape)));
+    }
+    setFilter(id, filter) {
+      core.frame(() => {
+        const p = core.room(layout.filter.size);
+        writeFilter(p, filter, "filter");
+        call("set_filter", at(this), idAt(id, "body"), p);
+      });
+    }
+    setFast(id, fast) {
+      core.frame(() => call("set_fast", at(this), idAt(id, "body"), fast ? 1 : 0));
+    }
+    update(duration = 0) {
+      core.frame(() => call("update", at(this), duration));
+    }
+    findImpacts(duration) {
+      core.frame(() => call("find_impacts", at(this), duration));
+    }
+    reduce(most) {
+      core.frame(() => call("reduce", at(this), most));
+    }
+  }
+  const at = (world) => Handle.pointer(world, "world", World);
+
+  return { World, idAt, bodyAt, questionable };
+}

@@ -1,0 +1,489 @@
+// Checks of the package that run in Node and in a browser alike: each is a name and a function of the three entries.
+
+import { close, equal, ok, throws } from "./assert.js";
+
+/** Numbers that are the same on every machine (a linear congruential generator, Numerical Recipes). */
+function random(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+const vector = (next, reach) => [0, 1, 2].map(() => (2 * next() - 1) * reach);
+function rotation(next) {
+  const q = [next() - 0.5, next() - 0.5, next() - 0.5, next() - 0.5];
+  const length = Math.hypot(...q);
+  return q.map((x) => x / length);
+}
+
+/** One of each shape: how it is made, and what the query protocol calls it. */
+function zoo(graze) {
+  const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+  const heights = [0, 0.25, 0, null, 0.5, 0.25, 0, 0.125, 0];
+  return [
+    [new graze.Sphere(0.5), { type: "sphere", sphere: { radius: 0.5 } }],
+    [new graze.Capsule(1, 0.25, 0.5), { type: "capsule", capsule: { height: 1, radiusBottom: 0.25, radiusTop: 0.5 } }],
+    [new graze.Box([1, 2, 0.5]), { type: "box", box: { size: [1, 2, 0.5] } }],
+    [new graze.Rectangle(1, 2), { type: "plane", plane: { sizeX: 1, sizeZ: 2 } }],
+    [new graze.Cylinder(1, 0.5), { type: "cylinder", cylinder: { height: 1, radiusBottom: 0.5, radiusTop: 0.5 } }],
+    [new graze.Ellipsoid([1, 0.5, 0.25]), { type: "ellipsoid", ellipsoid: { radii: [1, 0.5, 0.25] } }],
+    [new graze.Triangle(...points.slice(0, 3)), { type: "triangle", triangle: { points: points.slice(0, 3) } }],
+    [new graze.ConvexHull(points), { type: "convex", convex: { points } }],
+    [new graze.HalfSpace(), { type: "plane" }],
+    [new graze.Mesh(points, triangles, { solid: true }), { type: "mesh", mesh: { points, triangles, solid: true } }],
+    [
+      new graze.HeightField(heights, 3, 3, { spacing: [1, 0.5] }),
+      { type: "heightfield", heightfield: { columns: 3, rows: 3, spacing: [1, 0.5], heights } },
+    ],
+    [new graze.Box([1, 1, 1]).rounded(0.125), { type: "box", margin: 0.125, box: { size: [1, 1, 1] } }],
+  ];
+}
+
+/** What the protocol's answer has of a status, in the words of the package. */
+const status = (answer) => ("bounded" in answer ? { certainty: "bounded", error: answer.bounded } : { certainty: "converged" });
+
+export const checks = [
+  ["versions and refusals", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      ok(/^\d+\.\d+\.\d+$/.test(entry.version()), "a version");
+      throws(() => new entry.Box([1, -2, 1]), "size[1]: expected a finite number >= 0, got -2", entry.InvalidValue);
+      throws(() => new entry.Box([1, 2]), "box.size: expected 3 numbers, got 2", entry.InvalidValue);
+      throws(() => entry.overlap({}, {}, {}, {}), "a: expected a Shape, got Object", entry.InvalidValue);
+      const ball = new entry.Sphere(1);
+      throws(
+        () => entry.overlap(ball, { rotation: [0, 0, 0, 2] }, ball, {}),
+        "pose_a.rotation: expected a quaternion of unit length, got [0, 0, 0, 2]", entry.InvalidValue);
+      ball.dispose();
+      ball.dispose();
+      ok(ball.disposed, "disposed");
+      throws(() => entry.overlap(ball, {}, ball, {}), "a: expected a live object, got a disposed one", entry.InvalidValue);
+    }
+    throws(() => graze.overlap(new queries.Sphere(1), {}, new graze.Sphere(1), {}), "a: expected a Shape, got Sphere");
+  }],
+
+  ["every pair has the answer of the query protocol", ({ double: graze }) => {
+    const next = random(7);
+    const shapes = zoo(graze);
+    let asked = 0;
+    for (const [a, shapeA] of shapes)
+      for (const [b, shapeB] of shapes) {
+        const poseA = { translation: vector(next, 0.5), rotation: rotation(next) };
+        const poseB = { translation: vector(next, 1.5), rotation: rotation(next) };
+        const pair = { a: { shape: shapeA, ...poseA }, b: { shape: shapeB, ...poseB } };
+        const ask = (question) => JSON.parse(graze.query(JSON.stringify({ ...pair, ...question })));
+        // The protocol normalises what it reads, which is of unit length already: one rounding apart.
+        equal(graze.overlap(a, poseA, b, poseB), ask({ query: "overlap" }).overlap, "overlap");
+        const told = ask({ query: "distance" });
+        const near = graze.distance(a, poseA, b, poseB);
+        if ("error" in told) equal(near.certainty, "unbounded", "certainty");
+        else {
+          close(near.distance, told.distance, 1e-9, JSON.stringify(pair));
+          // Along a smooth surface the nearest point shifts by the root of what its distance does.
+          const apart = near.b.map((x, i) => x - near.a[i]);
+          close(apart, told.normal.map((x) => x * told.distance), 1e-6, JSON.stringify(pair));
+        }
+        asked += 1;
+      }
+    equal(asked, shapes.length ** 2, "pairs");
+  }],
+
+  ["the same bits as the protocol where poses are not turned", ({ double: graze }) => {
+    const next = random(11);
+    for (const [a, shapeA] of zoo(graze))
+      for (const [b, shapeB] of zoo(graze)) {
+        const at = { translation: vector(next, 1.25) };
+        const pair = { a: { shape: shapeA }, b: { shape: shapeB, ...at } };
+        const ask = (question) => JSON.parse(graze.query(JSON.stringify({ ...pair, ...question })));
+        const told = ask({ query: "distance" });
+        const { error, certainty, ...distance } = graze.distance(a, {}, b, at);
+        if ("error" in told) continue;
+        const { bounded, ...rest } = told;
+        // JSON has no -0.
+        const plain = (value) => JSON.parse(JSON.stringify(value), (_, v) => (v === 0 ? 0 : v));
+        equal(plain(distance), rest, JSON.stringify(pair));
+        equal(certainty, status(told).certainty, "certainty");
+        const found = graze.contacts(a, {}, b, at, 0.25);
+        const listed = ask({ query: "contacts", margin: 0.25 });
+        equal(found.overlap, listed.overlap, "overlap of contacts");
+        const seen = found.manifolds.map((m) => ({
+          normal: m.normal, points: m.points.map((p) => ({ a: p.a, b: p.b, distance: p.distance })) }));
+        const wanted = listed.manifolds.map((m) => ({
+          normal: m.normal, points: m.points.map((p) => ({ a: p.a, b: p.b, distance: p.distance })) }));
+        equal(plain(seen), wanted, "manifolds");
+      }
+  }],
+
+  ["rays, casts and closest points", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      const box = new entry.Box([2, 2, 2]);
+      const ball = new entry.Sphere(0.5);
+      const hit = entry.raycast(box, {}, { origin: [-5, 0, 0], direction: [2, 0, 0] });
+      equal([hit.t, hit.point, hit.normal], [4, [-1, 0, 0], [-1, 0, 0]], "ray");
+      equal(entry.raycast(box, {}, { origin: [-5, 0, 0], direction: [2, 0, 0], length: 3 }), null, "short ray");
+      equal(entry.raycastAny(box, {}, { origin: [-5, 3, 0], direction: [1, 0, 0] }), false, "ray beside");
+      equal(entry.raycastAll(box, {}, { origin: [-5, 0, 0], direction: [1, 0, 0] }).length, 1, "hits");
+      const near = entry.closest(box, {}, [3, 0, 0]);
+      equal([near.distance, near.point, near.normal], [2, [1, 0, 0], [1, 0, 0]], "closest");
+      const cast = entry.cast({ shape: box }, { shape: ball, translation: [9, 0, 0], linear: [-15, 0, 0] });
+      close(cast.t, 0.5, 1e-6, "time");
+      close(cast.normal, [1, 0, 0], 1e-6, "normal");
+      equal(entry.cast({ shape: box }, { shape: ball, translation: [9, 0, 0], linear: [15, 0, 0] }), null, "parting");
+      equal(entry.castAll({ shape: box }, { shape: ball, translation: [9, 0, 0], linear: [-15, 0, 0] }).length, 1);
+      const there = entry.poseAt({ translation: [1, 0, 0], linear: [2, 0, 0], angular: [0, Math.PI, 0] }, 0.5);
+      close([there.translation, there.rotation], [[2, 0, 0], [0, Math.SQRT1_2, 0, Math.SQRT1_2]], 1e-6, "pose");
+      equal(entry.distanceUpTo(box, {}, ball, { translation: [9, 0, 0] }, 2), null, "far");
+      equal(entry.within(box, {}, ball, { translation: [3, 0, 0] }, 2), true, "within");
+      equal(entry.mayOverlap(box, {}, ball, {}), true, "may overlap");
+      ok(entry.contactMargin(box, ball) > 0, "a margin");
+      equal(entry.nearPieces(box, {}, ball, { translation: [2, 0, 0] }, 1)[0].distance.distance, 0.5, "piece");
+      equal(entry.contacts(box, {}, box, { translation: [0, 1.75, 0] }).manifolds[0].points.length, 4, "points");
+      equal(entry.contacts(box, {}, box, { translation: [0, 1.75, 0] }, 0, 2).manifolds[0].points.length, 2, "two points");
+      const pose = entry.turned([1, 2, 3], [0, 2, 0], Math.PI / 2);
+      close([pose.translation, pose.rotation], [[1, 2, 3], [0, Math.SQRT1_2, 0, Math.SQRT1_2]], 1e-6, "turned");
+    }
+  }],
+
+  ["what is known of a shape", ({ graze }) => {
+    const capsule = new graze.Capsule(2, 0.5);
+    equal([capsule.kind, capsule.rounding], ["capsule", 0], "capsule");
+    const { lower, upper } = capsule.bounds({ translation: [1, 0, 0] });
+    close([lower, upper], [[0.5, -1.5, -0.5], [1.5, 1.5, 0.5]], 1e-5, "bounds");
+    equal(capsule.support([0, 1, 0]), [0, 1.5, 0], "support");
+    const mass = new graze.Box([1, 2, 3]).massProperties();
+    close([mass.volume, mass.center, mass.inertia[0][0]], [6, 0, 0, 0, 6.5], 1e-5, "mass");
+    equal(new graze.Box([1, 1, 1]).rounded(0.25).rounding, 0.25, "rounding");
+    const swept = new graze.Sphere(1).swept({}, [3, 0, 0]);
+    close(swept.bounds().upper, [4, 1, 1], 1e-4, "swept");
+    const both = new graze.Compound([
+      { shape: capsule, translation: [-2, 0, 0] },
+      { shape: new graze.Sphere(1), translation: [2, 0, 0] }]);
+    equal(both.kind, "compound", "kind");
+    close([both.bounds().lower, both.bounds().upper], [[-2.5, -1.5, -1], [3, 1.5, 1]], 1e-4, "compound");
+    equal(new graze.Segment([0, 0, 0], [1, 0, 0]).kind, "segment", "segment");
+    throws(() => new graze.HeightField([0, 0, 0], 2, 2), "heightField.heights: expected 2 * 2 numbers, got 3");
+    throws(() => new graze.Mesh([0, 0], [0, 1, 2]), "mesh.points: expected a multiple of 3 numbers, got 2");
+  }],
+
+  ["a convex shape of one's own", ({ graze }) => {
+    let calls = 0;
+    const cube = new graze.UserConvex((d) => {
+      calls += 1;
+      return d.map((x) => (x < 0 ? -1 : 1));
+    });
+    const ball = new graze.Sphere(0.5);
+    close(graze.distance(cube, {}, ball, { translation: [3, 0, 0] }).distance, 1.5, 1e-5, "distance");
+    ok(calls > 0, "that it was called");
+    const broken = new graze.UserConvex((d) => d);
+    broken.dispose();
+    const angry = new graze.UserConvex((d) => {
+      if (calls < 0) throw new Error("angry");
+      return d.map((x) => (x < 0 ? -1 : 1));
+    });
+    calls = -1;
+    throws(() => graze.distance(angry, {}, ball, { translation: [3, 0, 0] }), "angry", Error);
+    calls = 0;
+    equal(graze.overlap(angry, {}, ball, {}), true, "that it works afterwards");
+  }],
+
+  ["many at a time have the bits of each alone", ({ graze, double }) => {
+    for (const entry of [graze, double]) {
+      const next = random(3);
+      const shapes = [new entry.Box([1, 2, 3]), new entry.Sphere(1), new entry.Capsule(1, 0.5), new entry.Cylinder(1, 1)];
+      const count = 64;
+      const poses = new entry.Numbers(7 * count);
+      const list = [];
+      for (let i = 0; i < count; ++i) {
+        poses.array.set([...vector(next, 3), ...rotation(next)], 7 * i);
+        const at = poses.array.slice(7 * i, 7 * i + 7);
+        list.push({ translation: at.slice(0, 3), rotation: at.slice(3) });
+      }
+      const bodies = { shapes: list.map((_, i) => shapes[i % 4]), poses };
+      const places = [];
+      for (let i = 0; i < count; ++i) places.push(i, (i * 7 + 1) % count);
+      const touch = entry.overlapBatch(bodies, bodies, places);
+      const distances = entry.distanceBatch(bodies, bodies, places);
+      const contacts = entry.contactsBatch(bodies, bodies, 0.25, places);
+      equal([touch.length, distances.length, contacts.length], [count, count, count], "lengths");
+      let touching = 0;
+      for (let i = 0; i < count; ++i) {
+        const [a, b] = places.slice(2 * i, 2 * i + 2);
+        const pair = [bodies.shapes[a], list[a], bodies.shapes[b], list[b]];
+        equal(touch[i] === 1, entry.overlap(...pair), "overlap");
+        const alone = entry.distance(...pair);
+        equal(distances.at(i), alone, "distance");
+        equal(distances.view[i * distances.stride + distances.offset.distance], alone.distance, "distance in memory");
+        const { overlap, manifolds } = entry.contacts(...pair, 0.25);
+        equal(contacts[i], { overlap, manifolds }, "contacts");
+        touching += touch[i];
+      }
+      ok(touching > 0 && touching < count, "that some touch and some do not");
+      equal([...distances].length, count, "iteration");
+      distances.dispose();
+      throws(() => distances.at(0), "batch: expected a live object, got a disposed one");
+
+      const rays = [];
+      for (let i = 0; i < count; ++i) rays.push(...vector(next, 4), ...vector(next, 1));
+      const hits = entry.raycastBatch(shapes[0], list[0], rays);
+      for (let i = 0; i < count; ++i) {
+        const [origin, direction] = [rays.slice(6 * i, 6 * i + 3), rays.slice(6 * i + 3, 6 * i + 6)];
+        const hit = entry.raycast(shapes[0], list[0], { origin, direction });
+        equal(hits.found[i] === 1, hit !== null, "hit");
+        if (hit !== null) equal(hits.at(i), hit, "ray");
+      }
+      const near = entry.closestBatch(shapes[3], list[1], rays.slice(0, 30));
+      equal(near.at(2), entry.closest(shapes[3], list[1], rays.slice(6, 9)), "closest");
+      hits.dispose(), near.dispose(), poses.dispose();
+      throws(
+        () => entry.overlapBatch({ shapes, poses: new Float32Array(14) }, { shapes, poses: new Float32Array(14) }),
+        "batch.a.pose_count: expected as many as shapes, or one, got 2", entry.InvalidValue);
+    }
+  }],
+
+  ["traces change no bit and show what was done", ({ double: graze }) => {
+    const box = new graze.Box([2, 2, 2]);
+    const hull = new graze.ConvexHull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]);
+    const at = graze.turned([1.75, 0.25, 0.125], [1, 2, 3], 0.5);
+    const boxes = graze.traced.contacts(box, {}, box, at, 0.125);
+    equal(boxes.answer, graze.contacts(box, {}, box, at, 0.125), "contacts");
+    equal(boxes.trace.method, "separating axes", "method");
+    equal(boxes.trace.axes.map((axis) => axis.name).slice(0, 6), ["A0", "A1", "A2", "B0", "B1", "B2"], "axes");
+    const first = boxes.trace.axes[0];
+    close(first.overlap, first.a[1] - first.b[0], 0, "overlap");
+    const far = graze.traced.distance(hull, {}, new graze.Cylinder(1, 1), { translation: [3, 1, 0] });
+    ok(far.trace.gjk.length > 0, "steps of GJK");
+    const last = far.trace.gjk.at(-1);
+    close(last.upper, last.lower, 1e-9, "bounds that closed");
+    const shapes = { a: { shape: { type: "box", box: { size: [2, 2, 2] } } } };
+    const told = JSON.parse(graze.explain(JSON.stringify({
+      query: "raycast", ...shapes, ray: { origin: [-4, 0, 0], direction: [1, 0, 0] } })));
+    const ray = graze.traced.raycast(box, {}, { origin: [-4, 0, 0], direction: [1, 0, 0] });
+    equal(ray.trace.method, told.trace.method, "method of a ray");
+    const length = { infinity: Infinity, "-infinity": -Infinity };
+    equal(ray.trace.spans.map((s) => [s.name, s.enter, s.leave]),
+          told.trace.spans.map((s) => [s.name, ...s.span.map((x) => length[x] ?? x)]), "spans");
+    const steps = graze.traced.cast({ shape: box }, { shape: hull, translation: [5, 0, 0], linear: [-8, 0, 0], angular: [1, 2, 3] });
+    ok(steps.trace.steps.length > 0, "steps of a cast");
+    equal(graze.traced.overlap(box, {}, box, {}).answer, true, "overlap");
+    equal(graze.traced.closest(box, {}, [3, 0, 0]).answer.distance, 2, "closest");
+  }],
+
+  ["what a blow does", ({ double: graze }) => {
+    const ball = new graze.Sphere(0.5);
+    const told = graze.response(
+      { point: [0, 0, 0], normal: [0, 1, 0], restitution: 0.5 },
+      { mass: Infinity },
+      { mass: 2, shape: ball, translation: [0, 0.5, 0], linear: [0, -4, 0] });
+    close([told.normalImpulse, told.impulse, told.b.linear], [12, 0, 12, 0, 0, 2, 0], 1e-12, "response");
+    equal(told.atFault, "b", "who moves into whom");
+    const moved = graze.applyImpulse({ mass: 2, inertia: [1, 1, 1] }, [0, 4, 0], [1, 0, 0]);
+    close([moved.linear, moved.angular], [0, 2, 0, 0, 0, 4], 1e-12, "impulse");
+    throws(() => graze.response({ point: [0, 0, 0], normal: [0, 1, 0] }, { mass: 1 }, { mass: 1 }),
+           "a.inertia: expected three numbers, or a shape, got undefined");
+  }],
+
+  ["every broad phase finds the pairs of brute force", ({ graze, queries }) => {
+    for (const entry of [graze, queries])
+      for (const kind of ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "looseOctree", "bsp"]) {
+        const next = random(5);
+        const broad = new entry.BroadPhase(kind);
+        const boxes = [];
+        for (let id = 0; id < 100; ++id) {
+          const lower = vector(next, 4).map(Math.fround);
+          boxes.push([lower, lower.map((x) => Math.fround(x + next() * 2))]);
+          broad.insert(id, ...boxes[id]);
+        }
+        const touch = ([a, b], [c, d]) => [0, 1, 2].every((k) => a[k] <= d[k] && c[k] <= b[k]);
+        const wanted = [];
+        for (let i = 0; i < 100; ++i)
+          for (let j = i + 1; j < 100; ++j) if (touch(boxes[i], boxes[j])) wanted.push(i, j);
+        equal([...broad.pairs()], wanted, `pairs of ${kind}`);
+        const counts = broad.counts();
+        equal([counts.boxes, counts.pairs], [100, wanted.length / 2], "counts");
+        ok(counts.memory > 0, "memory");
+        boxes[3] = [[-1, -1, -1], [1, 1, 1]];
+        broad.move(3, ...boxes[3]);
+        const around = boxes.map((_, id) => id).filter((id) => touch(boxes[id], boxes[3]));
+        equal([...broad.query(...boxes[3])], around, "query");
+        equal(broad.movedPairs().length / 2, around.length - 1, "moved pairs");
+        ok(broad.sweep([-9, 0, 0], [-9, 0, 0], [18, 0, 0]).length > 0, "sweep");
+        broad.remove(3);
+        throws(() => broad.remove(3), "id: expected an id that was inserted, got 3", entry.InvalidValue);
+        broad.dispose();
+      }
+  }],
+
+  ["a world", ({ graze, double, queries }) => {
+    for (const entry of [graze, double, queries]) {
+      const box = new entry.Box([1, 1, 1]);
+      const world = new entry.World({ margin: 0.125 });
+      const floor = world.add({ shape: new entry.HalfSpace(), fixed: true });
+      const crate = world.add({ shape: box, translation: [0, 0.5, 0] });
+      const ghost = world.add({ shape: box, translation: [0, 0.25, 0], trigger: true, filter: { category: 2, mask: 1 } });
+      box.dispose(); // the world has its own share
+      world.update();
+      equal(world.size, 3, "bodies");
+      equal(world.events().map((e) => [e.kind, e.trigger, e.a.index, e.b.index]),
+            [["begin", false, 0, 1], ["begin", true, 0, 2], ["begin", true, 1, 2]], "events");
+      const pair = world.contacts().find(({ a, b }) => a === floor.index && b === crate.index);
+      equal([pair.manifolds.length, pair.manifolds[0].normal, pair.manifolds[0].points.length], [1, [0, 1, 0], 4], "pair");
+      equal(world.points().at(0), world.contacts()[0].manifolds[0].points[0], "a point");
+      world.move(crate, { translation: [0, 5, 0] }, { linear: [0, -300, 0] });
+      world.setFast(crate, true);
+      world.update(1 / 60);
+      equal(world.events().map((e) => e.kind), ["end", "stay", "end"], "kinds");
+      // First with the trigger, whose upper side stands at 0.75.
+      close(world.impacts()[0].hit.t, 3.75 / 300, 1e-5, "impact");
+      equal(world.pose(crate).translation, [0, 5, 0], "pose");
+      equal([...world.poses().slice(7, 10)], [0, 5, 0], "poses");
+      world.moveBatch([crate, ghost], [0, 0.5, 0, 0, 0, 0, 1, 4, 0, 0, 0, 0, 0, 1]);
+      equal(world.pose(ghost).translation, [4, 0, 0], "moved");
+      const ray = { origin: [0, 9, 0], direction: [0, -1, 0] };
+      equal(world.raycast(ray).body, crate, "ray");
+      equal(world.raycast(ray, { accept: (id) => id.index !== crate.index }).body, floor, "ray past");
+      equal(world.raycastAll(ray).map(({ body }) => body.index), [1, 0], "all");
+      equal(world.raycastAny(ray, { mask: 0 }), false, "a mask of nothing");
+      throws(() => world.raycast(ray, { accept: () => { throw new Error("no"); } }), "no", Error);
+      const ball = new entry.Sphere(0.5);
+      equal(world.overlapping(ball, { translation: [0, 1, 0] }), [crate], "overlapping");
+      equal(world.overlapsAny(ball, { translation: [9, 9, 9] }), false, "nothing there");
+      equal(world.nearest(ball, { translation: [0, 3, 0] }, 1)[0].body, crate, "nearest");
+      equal(world.cast({ shape: ball, translation: [0, 9, 0], linear: [0, -9, 0] }).body, crate, "cast");
+      equal(world.castAll({ shape: ball, translation: [0, 9, 0], linear: [0, -9, 0] }).length, 2, "casts");
+      const slide = world.slide(ball, { translation: [3, 2, 0] }, [0, -4, 1]);
+      close([slide.end.translation[1], slide.end.translation[2]], [0.5, 1], 0.01, "slide");
+      equal(world.bodyAt(1), crate, "body at");
+      equal(world.bodyAt(77), null, "no body");
+      world.remove(crate);
+      equal(world.contains(crate), false, "contains");
+      ok(world.memory() > 0, "memory");
+      world.dispose();
+      throws(() => world.update(), "world: expected a live object, got a disposed one");
+      const asked = [];
+      const other = new entry.World({ allow: (a, b) => { asked.push([a.index, b.index]); return false; } });
+      other.add({ shape: ball });
+      other.add({ shape: ball });
+      other.update();
+      equal([asked.length > 0, other.contacts().length], [true, 0], "allow");
+    }
+  }],
+
+  ["a simulation", ({ graze, double }) => {
+    for (const entry of [graze, double]) {
+      const simulation = new entry.Simulation({ gravity: [0, -10, 0] });
+      const floor = simulation.add({ shape: new entry.HalfSpace(), fixed: true });
+      const crate = simulation.add(
+        { shape: new entry.Box([1, 1, 1]), translation: [0, 2, 0] }, { mass: 3 }, { restitution: 0, dynamicFriction: 0.5 });
+      equal([simulation.mass(crate), simulation.mass(floor)], [3, Infinity], "masses");
+      const start = simulation.save();
+      for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+      close(simulation.pose(crate).translation, [0, 0.5, 0], 0.01, "at rest");
+      close(Array.from(simulation.poses().slice(7, 10)), [0, 0.5, 0], 0.01, "poses");
+      equal(simulation.world.contacts().length, 1, "contacts");
+      const impulse = simulation.world.contacts()[0].manifolds.flatMap((m) => m.points).reduce((sum, p) => sum + p.impulse[1], 0);
+      ok(Math.abs(impulse) > 0 || simulation.asleep(crate), "an impulse");
+      const end = simulation.pose(crate);
+      const report = simulation.report();
+      close(report.potentialEnergy, 3 * 10 * 0.5, 1, "energy");
+      simulation.restore(start);
+      close(simulation.pose(crate).translation, [0, 2, 0], 0, "restored");
+      for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+      equal(simulation.pose(crate), end, "the same bits again");
+      simulation.applyImpulse(crate, [3, 0, 0], end.translation);
+      close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
+      simulation.setVelocity(crate, { linear: [0, 1, 0] });
+      close(simulation.motion(crate).linear, [0, 1, 0], 1e-6, "velocity");
+      throws(() => simulation.step(-1), "dt: expected a number > 0 and at most longest_step, got -1", entry.InvalidValue);
+
+      const hinge = simulation.addJoint({
+        a: floor, b: crate, kind: "hinge", frameA: { translation: [0, 5, 0] }, frameB: { translation: [0, 1, 0] },
+        drives: [{ space: "angular", axis: "x", velocityTarget: 1, damping: 10 }] });
+      simulation.setPose(crate, { translation: [0, 4, 0] });
+      for (let i = 0; i < 60; ++i) simulation.step(1 / 60);
+      const { translation, rotation: turn } = simulation.pose(crate);
+      // The body's frame stays at the hinge, wherever it swings.
+      const [x, , , w] = turn;
+      close([translation[1] + (w * w - x * x), translation[2] + 2 * w * x], [5, 0], 0.02, "hinge");
+      ok(simulation.jointImpulses(hinge).length >= 5, "rows");
+      simulation.removeJoint(hinge);
+      simulation.remove(crate);
+      equal(simulation.world.size, 1, "bodies");
+      simulation.dispose(), start.dispose();
+      throws(() => simulation.world.events(), "simulation: expected a live object, got a disposed one");
+    }
+  }],
+
+  ["the plane", ({ double: graze }) => {
+    const { plane } = graze;
+    const next = random(9);
+    const points = [[0, 0], [2, 0], [1, 2]];
+    const shapes = [
+      [new plane.Circle(0.5), { type: "circle", circle: { radius: 0.5 } }],
+      [new plane.Box([1, 2]), { type: "box", box: { size: [1, 2] } }],
+      [new plane.Capsule(1, 0.25, 0.5), { type: "capsule", capsule: { height: 1, radiusBottom: 0.25, radiusTop: 0.5 } }],
+      [new plane.Convex(points), { type: "convex", convex: { points } }],
+      [new plane.Segment(points[0], points[1]), { type: "segment", segment: { points: points.slice(0, 2) } }]];
+    for (const [a, shapeA] of shapes)
+      for (const [b, shapeB] of shapes) {
+        const at = { translation: vector(next, 2).slice(0, 2), rotation: next() * 6 };
+        const told = JSON.parse(graze.query(JSON.stringify({
+          query: "distance", dimension: 2, a: { shape: shapeA }, b: { shape: shapeB, ...at } })));
+        const near = plane.distance(a, {}, b, at);
+        equal([near.distance, near.normal.map((x) => x + 0), near.a.map((x) => x + 0), near.b.map((x) => x + 0)],
+              [told.distance, told.normal, told.a, told.b], "distance in the plane");
+        equal(plane.overlap(a, {}, b, at), told.distance <= 0, "overlap in the plane");
+      }
+    const [[circle], [box]] = shapes;
+    const found = plane.contacts(box, {}, box, { translation: [0, 1.75] });
+    equal(found.manifolds[0].points.length, 2, "points in the plane");
+    equal(plane.raycast(box, {}, { origin: [-3, 0], direction: [1, 0] }).t, 2.5, "ray in the plane");
+    close(plane.cast({ shape: box }, { shape: circle, translation: [5, 0], linear: [-8, 0] }).t, 0.5, 1e-6, "cast");
+    equal(plane.closest(box, {}, [3, 0]).distance, 2.5, "closest in the plane");
+    close(plane.poseAt({ linear: [2, 0], angular: 1 }, 0.5).rotation, 0.5, 1e-12, "pose in the plane");
+    ok(plane.traced.distance(shapes[3][0], {}, box, { translation: [5, 5] }).trace.gjk.length > 0, "trace in the plane");
+    const { lower, upper } = new plane.Compound([{ shape: circle, translation: [2, 0] }, { shape: box }]).bounds();
+    close([lower, upper], [[-0.5, -1], [2.5, 1]], 1e-12, "compound in the plane");
+    equal([new plane.Chain(points, { closed: true }).kind, new plane.Polygon(points).kind, new plane.Ellipse([1, 2]).kind,
+           new plane.HalfPlane().kind, circle.rounded(1).kind], ["chain", "polygon", "ellipse", "halfPlane", "circle"]);
+  }],
+
+  ["the long run has the bits of every other build", ({ longRun }) => {
+    equal(longRun.hash_float(), longRun.golden_float(), "float");
+    equal(longRun.hash_double(), longRun.golden_double(), "double");
+  }],
+
+  ["nothing leaks", ({ graze }) => {
+    const round = () => {
+      const box = new graze.Box([1, 1, 1]);
+      const hull = new graze.ConvexHull(Array.from({ length: 60 }, (_, i) => Math.sin(i * i)));
+      const both = new graze.Compound([{ shape: box }, { shape: hull }]);
+      const user = new graze.UserConvex((d) => d);
+      const world = new graze.World({ allow: () => true });
+      for (const shape of [box, hull, both]) world.add({ shape });
+      world.update();
+      world.pose(world.bodyAt(0));
+      const simulation = new graze.Simulation();
+      simulation.add({ shape: box });
+      simulation.step(0.01);
+      const state = simulation.save();
+      const batch = graze.distanceBatch({ shapes: box, poses: [0, 0, 0, 0, 0, 0, 1] }, { shapes: hull, poses: [0, 0, 0, 0, 0, 0, 1] });
+      const broad = new graze.BroadPhase();
+      broad.insert(0, [0, 0, 0], [1, 1, 1]);
+      graze.traced.distance(both, {}, user, { translation: [3, 0, 0] });
+      const numbers = new graze.Numbers(100000); // more than the scratch arena
+      graze.overlapBatch({ shapes: box, poses: new Float32Array(70000).map((_, i) => (i % 7 === 6 ? 1 : 0)) }, { shapes: box, poses: [0, 0, 0, 0, 0, 0, 1] });
+      try {
+        new graze.ConvexHull([]);
+      } catch (error) {
+        ok(error instanceof graze.InvalidValue, "a refusal");
+      }
+      const circle = new graze.plane.Circle(1);
+      for (const handle of [batch, both, box, broad, circle, hull, numbers, simulation, state, user, world]) handle.dispose();
+    };
+    round();
+    const before = graze.memoryInUse();
+    for (let i = 0; i < 20; ++i) round();
+    equal(graze.memoryInUse() - before, 0, "bytes that twenty rounds leave");
+  }],
+];
