@@ -14,7 +14,10 @@ template <class T>
 constexpr T period = T(6);
 
 template <class T>
-constexpr T damping_ratio = T(10);
+constexpr T damping_ratio = T(5);
+
+/// How often a manifold that slides is solved in a pass.
+constexpr int sliding_rounds = 2;
 
 template <class T>
 T inverse_effective_mass(const SolverBody<T>& body, const Vec3<T>& arm, const Vec3<T>& direction) {
@@ -64,9 +67,9 @@ void find_pressure_center(ManifoldRows<T>& m, std::span<PointRow<T>> rows, T loa
   for (PointRow<T>& r : rows) r.distance = length(r.arm_a - m.arm_a);
 }
 
-/// Friction with the total impulse of the points at hand.
+/// Friction with the total impulse of the points at hand; tells whether it reached its limit.
 template <class T>
-void solve_friction(ManifoldRows<T>& m, std::span<const PointRow<T>> rows, SolverBody<T>& a, SolverBody<T>& b) {
+bool solve_friction(ManifoldRows<T>& m, std::span<const PointRow<T>> rows, SolverBody<T>& a, SolverBody<T>& b) {
   T pressed(0), lever(0);
   for (const PointRow<T>& r : rows) {
     pressed += r.impulse;
@@ -97,7 +100,8 @@ void solve_friction(ManifoldRows<T>& m, std::span<const PointRow<T>> rows, Solve
   T fu = m.friction_u - (m.friction_mass[0] * su + m.friction_mass[1] * sv);
   T fv = m.friction_v - (m.friction_mass[1] * su + m.friction_mass[2] * sv);
   const T needed = std::sqrt(fu * fu + fv * fv);
-  if (needed > m.material.static_friction * pressed) {
+  const bool slides = needed > m.material.static_friction * pressed;
+  if (slides) {
     const T shorter = least(T(1), m.material.dynamic_friction * pressed / needed);
     fu *= shorter;
     fv *= shorter;
@@ -107,6 +111,34 @@ void solve_friction(ManifoldRows<T>& m, std::span<const PointRow<T>> rows, Solve
   m.friction_v = fv;
   a.push(-push, m.arm_a);
   b.push(push, m.arm_b);
+  return slides;
+}
+
+template <class T>
+void solve_normals(const ManifoldRows<T>& m, std::span<PointRow<T>> rows, SolverBody<T>& a, SolverBody<T>& b,
+                   const ContactStep<T>& step, bool bias) {
+  const Softness<T>& soft = step.soft;
+  const T fastest_push = std::sqrt(step.gravity * m.size);
+  for (PointRow<T>& r : rows) {
+    const T s = r.separation + dot(b.displacement(r.arm_b) - a.displacement(r.arm_a), m.normal);
+    T wanted(0), mass_scale(1), impulse_scale(0);
+    if (s > T(0)) {
+      wanted = -s * step.time.inverse_h;
+    } else if (bias) {
+      wanted = least(-s * soft.bias_rate, step.gravity > T(0) ? fastest_push : m.size / (T(20) * step.time.step));
+      mass_scale = soft.mass_scale;
+      impulse_scale = soft.impulse_scale;
+    }
+    const T speed = dot(b.linear - a.linear, m.normal) + dot(r.turn_b, b.angular) - dot(r.turn_a, a.angular);
+    const T change = r.effective_mass * (wanted - speed) * mass_scale - impulse_scale * r.impulse;
+    const T impulse = greatest(T(0), r.impulse + change);
+    const T more = impulse - r.impulse;
+    r.impulse = impulse;
+    a.linear -= m.normal * (more * a.mass.mass);
+    b.linear += m.normal * (more * b.mass.mass);
+    a.angular -= r.spin_a * more;
+    b.angular += r.spin_b * more;
+  }
 }
 
 }  // namespace
@@ -114,24 +146,24 @@ void solve_friction(ManifoldRows<T>& m, std::span<const PointRow<T>> rows, Solve
 template <class T>
 ContactStep<T> contact_step(const SubStep<T>& time, T gravity) {
   const T w = T(2) * pi<T> / (period<T> * time.h);
-  return {time, softness(w, damping_ratio<T>, time.h), softness(T(2) * w, damping_ratio<T>, time.h), gravity};
+  return {time, softness(w, damping_ratio<T>, time.h), gravity};
 }
 
 template <class T>
-T predicted_sink(T force, T inverse_mass, bool borne, T h) {
-  const T w = T(2) * pi<T> / (period<T> * h) * (borne ? T(2) : T(1));
+T predicted_sink(T force, T inverse_mass, T h) {
+  const T w = T(2) * pi<T> / (period<T> * h);
   return force * inverse_mass / (w * w);
 }
 
 template <class T>
 ManifoldRows<T> prepare(const TouchingBodies<T>& touching, std::span<const SolverBody<T>> bodies,
                         const ContactManifold<T>& manifold, std::span<const SolverPoint<T>> points, T share,
-                        std::vector<PointRow<T>>& rows) {
+                        std::uint32_t first_row, std::span<PointRow<T>> own) {
   const SolverBody<T>&a = bodies[touching.a], &b = bodies[touching.b];
   ManifoldRows<T> m;
   m.a = touching.a;
   m.b = touching.b;
-  m.first_row = static_cast<std::uint32_t>(rows.size());
+  m.first_row = first_row;
   m.row_count = static_cast<std::uint32_t>(points.size());
   m.first_point = manifold.first_point;
   m.normal = manifold.normal;
@@ -140,10 +172,10 @@ ManifoldRows<T> prepare(const TouchingBodies<T>& touching, std::span<const Solve
   m.material = touching.material;
   m.size = touching.size;
   m.inverse_mass = a.mass.mass + b.mass.mass;
-  m.borne = !a.mass.movable() || !b.mass.movable();
   T loaded(0);
   Vec3<T> friction{};
-  for (const SolverPoint<T>& p : points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const SolverPoint<T>& p = points[i];
     PointRow<T> r;
     const Vec3<T> at = p.position();
     r.arm_a = at - a.first_center;
@@ -158,9 +190,8 @@ ManifoldRows<T> prepare(const TouchingBodies<T>& touching, std::span<const Solve
     r.impulse = greatest(T(0), along) * share;
     friction += (p.impulse - m.normal * along) * share;
     loaded += r.impulse;
-    rows.push_back(r);
+    own[i] = r;
   }
-  const auto own = std::span(rows).subspan(m.first_row);
   find_pressure_center(m, own, loaded);
   prepare_friction(m, a, b);
   m.friction_u = dot(friction, m.u);
@@ -207,29 +238,13 @@ void warm_start(const ManifoldRows<T>& m, std::span<const PointRow<T>> rows, Sol
 template <class T>
 void solve(ManifoldRows<T>& m, std::span<PointRow<T>> rows, SolverBody<T>& a, SolverBody<T>& b,
            const ContactStep<T>& step, bool bias) {
-  const Softness<T>& soft = m.borne ? step.borne : step.between;
-  const T fastest_push = std::sqrt(step.gravity * m.size);
-  for (PointRow<T>& r : rows) {
-    const T s = r.separation + dot(b.displacement(r.arm_b) - a.displacement(r.arm_a), m.normal);
-    T wanted(0), mass_scale(1), impulse_scale(0);
-    if (s > T(0)) {
-      wanted = -s * step.time.inverse_h;
-    } else if (bias) {
-      wanted = least(-s * soft.bias_rate, step.gravity > T(0) ? fastest_push : m.size / (T(20) * step.time.step));
-      mass_scale = soft.mass_scale;
-      impulse_scale = soft.impulse_scale;
-    }
-    const T speed = dot(b.linear - a.linear, m.normal) + dot(r.turn_b, b.angular) - dot(r.turn_a, a.angular);
-    const T change = r.effective_mass * (wanted - speed) * mass_scale - impulse_scale * r.impulse;
-    const T impulse = greatest(T(0), r.impulse + change);
-    const T more = impulse - r.impulse;
-    r.impulse = impulse;
-    a.linear -= m.normal * (more * a.mass.mass);
-    b.linear += m.normal * (more * b.mass.mass);
-    a.angular -= r.spin_a * more;
-    b.angular += r.spin_b * more;
+  // Friction at its limit loads the points otherwise, and their impulses are its limit: a few rounds agree.
+  const int most = sliding_rounds;
+  bool slides = true;
+  for (int round = 0; round < most && slides; ++round) {
+    solve_normals(m, rows, a, b, step, bias);
+    slides = solve_friction<T>(m, rows, a, b);
   }
-  solve_friction<T>(m, rows, a, b);
 }
 
 template <class T>
@@ -269,10 +284,10 @@ void store(const ManifoldRows<T>& m, std::span<const PointRow<T>> rows, std::spa
 
 #define GRAZE_CONTACT_ROWS(T)                                                                                          \
   template ContactStep<T> contact_step(const SubStep<T>&, T);                                                          \
-  template T predicted_sink(T, T, bool, T);                                                                            \
+  template T predicted_sink(T, T, T);                                                                                  \
   template ManifoldRows<T> prepare(const TouchingBodies<T>&, std::span<const SolverBody<T>>,                           \
-                                   const ContactManifold<T>&, std::span<const SolverPoint<T>>, T,                      \
-                                   std::vector<PointRow<T>>&);                                                         \
+                                   const ContactManifold<T>&, std::span<const SolverPoint<T>>, T, std::uint32_t,       \
+                                   std::span<PointRow<T>>);                                                            \
   template void warm_start(const ManifoldRows<T>&, std::span<const PointRow<T>>, SolverBody<T>&, SolverBody<T>&);      \
   template void solve(ManifoldRows<T>&, std::span<PointRow<T>>, SolverBody<T>&, SolverBody<T>&, const ContactStep<T>&, \
                       bool);                                                                                           \

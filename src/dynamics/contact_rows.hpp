@@ -41,7 +41,6 @@ struct ManifoldRows {
   T belt_u{}, belt_v{};  ///< how the surface of B runs over that of A by itself
   T size{};              ///< the smaller of the two bodies
   T inverse_mass{};      ///< of both together
-  bool borne = false;    ///< by a body that nothing moves
   ContactMaterial<T> material{};
 };
 
@@ -49,18 +48,18 @@ struct ManifoldRows {
 template <class T>
 struct ContactStep {
   SubStep<T> time{};
-  Softness<T> between{}, borne{};  ///< of two bodies that can be pushed, and of one on another that cannot
+  Softness<T> soft{};
   T gravity{};
 };
 
-/// The springs of a sub-step of h: their period is six sub-steps, and half
-/// of that against what does not give. Damped far beyond the critical, so that nothing swings (Catto 2024).
+/// The springs of a sub-step of h: their period is six sub-steps, damped far beyond the critical, so that nothing swings
+/// (Catto 2024). Stiffer ones against what does not give, as Catto has them, shake heavy bodies that lie on light ones.
 template <class T>
 ContactStep<T> contact_step(const SubStep<T>& time, T gravity);
 
 /// How deep a contact of two free masses stands under a steady `force`, both `inverse_mass`es together.
 template <class T>
-T predicted_sink(T force, T inverse_mass, bool borne, T h);
+T predicted_sink(T force, T inverse_mass, T h);
 
 /// The bodies of a manifold and what acts between them.
 template <class T>
@@ -71,11 +70,12 @@ struct TouchingBodies {
   T size{};
 };
 
-/// The rows of a manifold; appends its points'. `share` is what part of a point's impulse a sub-step has.
+/// The rows of a manifold: its own, of which `own` are those of its points, at `first_row` of the island's. `share` is
+/// what part of a point's impulse a sub-step has.
 template <class T>
 ManifoldRows<T> prepare(const TouchingBodies<T>& touching, std::span<const SolverBody<T>> bodies,
                         const ContactManifold<T>& manifold, std::span<const SolverPoint<T>> points, T share,
-                        std::vector<PointRow<T>>& rows);
+                        std::uint32_t first_row, std::span<PointRow<T>> own);
 
 template <class T>
 void warm_start(const ManifoldRows<T>& m, std::span<const PointRow<T>> rows, SolverBody<T>& a, SolverBody<T>& b);

@@ -10,9 +10,17 @@ namespace {
 template <class T>
 constexpr T visible_sink = T(0.001);
 
+/// Fewer sub-steps soften every contact, which then sinks: only where it sinks by less than this part of the above, and
+/// by half at a time, for every change swings. Bodies that are new begin with the most.
+template <class T>
+constexpr T calm_sink = T(0.5);
+
 /// A body is let fall by no more than this part of its size in a sub-step.
 template <class T>
 constexpr T fall_in_sub_step = T(0.02);
+
+/// Contacts or bodies of an island that a task has: enough that to hand it out costs little beside.
+constexpr std::size_t per_task = 64;
 
 template <class T>
 Mat3<T> in_world(const Vec3<T>& diagonal, const Quat<T>& rotation) {
@@ -30,7 +38,12 @@ Vec3<T> finite(const Vec3<T>& inertia, const Vec3<T>& inverse) {
 }  // namespace
 
 template <class T>
-void IslandSolver<T>::clear() {
+void IslandSolver<T>::clear(Executor* executor) {
+  executor_ = executor;
+  movable_.clear();
+  contacts_.clear();
+  added_.clear();
+  touching_.clear();
   states_.clear();
   bodies_.clear();
   inertias_.clear();
@@ -41,7 +54,6 @@ void IslandSolver<T>::clear() {
   joined_.clear();
   joint_bodies_.clear();
   sub_steps_ = 1;
-  colors_ = 0;
   residual_ = T(0);
 }
 
@@ -58,6 +70,7 @@ std::uint32_t IslandSolver<T>::add(const IslandBody<T>& body) {
   b.turned = b.rotation == b.first_rotation ? Quat<T>{} : b.rotation * conjugate(b.first_rotation);
   if (body.movable) b.mass = {body.inverse_mass, in_world(body.free.inverse_inertia, body.free.rotation)};
   states_.push_back(body);
+  movable_.push_back(body.movable ? 1 : 0);
   bodies_.push_back(b);
   inertias_.push_back(body.movable ? in_world(finite(body.inertia, body.free.inverse_inertia), body.free.rotation)
                                    : Mat3<T>{});
@@ -75,9 +88,76 @@ std::uint32_t IslandSolver<T>::add_once(std::uint32_t index, const IslandBody<T>
 }
 
 template <class T>
-void IslandSolver<T>::add(const TouchingBodies<T>& touching, const ContactManifold<T>& manifold,
-                          std::span<const SolverPoint<T>> points, T share) {
-  manifolds_.push_back(prepare<T>(touching, bodies_, manifold, points, share, points_));
+void IslandSolver<T>::add(const TouchingBodies<T>& touching, std::span<const ContactManifold<T>> manifolds) {
+  added_.push_back({touching, manifolds});
+  touching_.push_back({touching.a, touching.b});
+}
+
+/// Calls `f` with each number below `count`, on the island's threads.
+template <class T>
+template <class F>
+void IslandSolver<T>::each(std::size_t count, const F& f) {
+  if (!executor_ || count <= per_task) {
+    for (std::size_t i = 0; i < count; ++i) f(i);
+    return;
+  }
+  for_each_chunk(*executor_, count, per_task, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) f(i);
+  });
+}
+
+/// Calls `f` with each contact and its bodies, one colour after the other. Of a body that nothing pushes, which several
+/// contacts of a colour have, `f` is given a copy.
+template <class T>
+template <class F>
+void IslandSolver<T>::each_by_color(const F& f) {
+  const auto with_bodies = [&](Contact& contact) {
+    const auto [a, b] = std::pair(contact.touching.a, contact.touching.b);
+    if (movable_[a] != 0 && movable_[b] != 0) {
+      f(contact, bodies_[a], bodies_[b]);
+    } else if (movable_[a] != 0) {
+      SolverBody<T> copy = bodies_[b];
+      f(contact, bodies_[a], copy);
+    } else {
+      SolverBody<T> copy = bodies_[a];
+      f(contact, copy, bodies_[b]);
+    }
+  };
+  for (const Coloring::Range& color : coloring_.colors()) {
+    const auto contacts = std::span(contacts_).subspan(color.first, color.end - color.first);
+    if (color.ordered)
+      for (Contact& contact : contacts) with_bodies(contact);
+    else
+      each(contacts.size(), [&](std::size_t i) { with_bodies(contacts[i]); });
+  }
+}
+
+template <class T>
+void IslandSolver<T>::prepare_contacts(std::span<const SolverPoint<T>> points, T share) {
+  coloring_.find(movable_, touching_);
+  std::uint32_t manifolds = 0, rows = 0;
+  for (const std::uint32_t i : coloring_.order()) {
+    Contact& contact = contacts_.emplace_back(added_[i]);
+    contact.first_manifold = manifolds;
+    contact.first_row = rows;
+    for (const ContactManifold<T>& m : contact.found) {
+      contact.manifold_count += m.point_count != 0 ? 1 : 0;
+      rows += m.point_count;
+    }
+    manifolds += contact.manifold_count;
+  }
+  manifolds_.resize(manifolds);
+  points_.resize(rows);
+  each(contacts_.size(), [&](std::size_t i) {
+    const Contact& contact = contacts_[i];
+    std::uint32_t row = contact.first_row, manifold = contact.first_manifold;
+    for (const ContactManifold<T>& m : contact.found) {
+      if (m.point_count == 0) continue;
+      manifolds_[manifold++] = prepare<T>(contact.touching, bodies_, m, points.subspan(m.first_point, m.point_count),
+                                          share, row, std::span(points_).subspan(row, m.point_count));
+      row += m.point_count;
+    }
+  });
 }
 
 template <class T>
@@ -91,15 +171,24 @@ void IslandSolver<T>::choose_sub_steps(T step, T gravity, int least, int most) {
   // What a joint holds moves along a chord of its arc: off by the square of the sub-step, a quarter of it with two for
   // one.
   sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : manifolds_.empty() ? 1 : least;
-  const auto sinks = [&](const ManifoldRows<T>& m) {
-    const T h = step / T(sub_steps_);
+  const auto sinks = [&](const ManifoldRows<T>& m, int count, T share) {
+    const T h = step / T(count);
     if (gravity * h * h > fall_in_sub_step<T> * m.size) return true;
     T pressed(0);
     for (const PointRow<T>& r : std::span(points_).subspan(m.first_row, m.row_count)) pressed += r.impulse;
-    return predicted_sink(pressed / step, m.inverse_mass, m.borne, h) > visible_sink<T> * m.size;
+    return predicted_sink(pressed / step, m.inverse_mass, h) > share * visible_sink<T> * m.size;
   };
   // Points have the impulse of the whole step until the number is known.
-  while (sub_steps_ < most && std::any_of(manifolds_.begin(), manifolds_.end(), sinks)) sub_steps_ *= 2;
+  const auto too_few = [&](int count, T share) {
+    return std::any_of(manifolds_.begin(), manifolds_.end(),
+                       [&](const ManifoldRows<T>& m) { return sinks(m, count, share); });
+  };
+  while (sub_steps_ < most && too_few(sub_steps_, T(1))) sub_steps_ *= 2;
+  int last = 0;
+  for (const IslandBody<T>& body : states_)
+    if (body.movable) last = std::max(last, body.sub_steps == 0 ? most : std::min(body.sub_steps, most));
+  if (!manifolds_.empty() && sub_steps_ < last)
+    sub_steps_ = std::max(sub_steps_, too_few(last / 2, calm_sink<T>) ? last : last / 2);
   const T part = T(1) / T(sub_steps_);
   for (PointRow<T>& r : points_) r.impulse *= part;
   for (ManifoldRows<T>& m : manifolds_) {
@@ -110,83 +199,95 @@ void IslandSolver<T>::choose_sub_steps(T step, T gravity, int least, int most) {
 }
 
 template <class T>
-void IslandSolver<T>::begin_sub_step(const SubStep<T>& time) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    IslandBody<T>& state = states_[i];
-    SolverBody<T>& body = bodies_[i];
-    if (!state.movable) {
-      body.linear_before = body.linear;
-      body.angular_before = body.angular;
-      continue;
-    }
-    body.linear = state.free.linear;
-    body.pressed = SolverBody<T>::Pressed::freely;
-    body.angular = angular_velocity(state.free);
+void IslandSolver<T>::begin_body(std::size_t i, const SubStep<T>& time) {
+  IslandBody<T>& state = states_[i];
+  SolverBody<T>& body = bodies_[i];
+  if (!state.movable) {
     body.linear_before = body.linear;
     body.angular_before = body.angular;
-    const T h = time.h * state.share;
-    body.linear = (body.linear + state.acceleration * h) * (T(1) / (T(1) + state.linear_damping * h));
-    body.angular =
-        (body.angular + body.mass.inertia * (state.torque * h)) * (T(1) / (T(1) + state.angular_damping * h));
+    return;
   }
+  body.linear = state.free.linear;
+  body.pressed = SolverBody<T>::Pressed::freely;
+  body.angular = angular_velocity(state.free);
+  body.linear_before = body.linear;
+  body.angular_before = body.angular;
+  const T h = time.h * state.share;
+  body.linear = (body.linear + state.acceleration * h) * (T(1) / (T(1) + state.linear_damping * h));
+  body.angular = (body.angular + body.mass.inertia * (state.torque * h)) * (T(1) / (T(1) + state.angular_damping * h));
+}
+template <class T>
+void IslandSolver<T>::begin_sub_step(const SubStep<T>& time) {
+  each(bodies_.size(), [&](std::size_t i) { begin_body(i, time); });
 }
 
 /// The angular momentum of what nothing turned stays bit for bit.
 template <class T>
-void IslandSolver<T>::move(const SubStep<T>& time) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    IslandBody<T>& state = states_[i];
-    SolverBody<T>& body = bodies_[i];
-    const T h = time.h * state.share;
-    FreeBody<T> moving = state.free;
-    moving.linear = body.moving_velocity();
-    Vec3<T> gained{};
-    if (state.movable) {
-      if (!(body.angular == body.angular_before)) gained = inertias_[i] * (body.angular - body.angular_before);
-      moving.angular_momentum += body.pressed == SolverBody<T>::Pressed::freely ? gained / T(2) : gained;
-    } else {
-      moving.inverse_inertia = {T(1), T(1), T(1)};
-      moving.angular_momentum = state.spin;
-    }
-    advance(moving, Vec3<T>{}, h);
-    state.free.center = body.center = moving.center;
-    state.free.rotation = body.rotation = moving.rotation;
-    body.moved = body.center - body.first_center;
-    body.turned = body.rotation == body.first_rotation ? Quat<T>{} : body.rotation * conjugate(body.first_rotation);
-    if (!state.movable) continue;
-    state.free.linear = body.linear;
-    state.free.angular_momentum += gained;
-    body.linear_before = body.linear;
-    body.angular = angular_velocity(state.free);
-    body.angular_before = body.angular;
+void IslandSolver<T>::move_body(std::size_t i, const SubStep<T>& time) {
+  IslandBody<T>& state = states_[i];
+  SolverBody<T>& body = bodies_[i];
+  const T h = time.h * state.share;
+  FreeBody<T> moving = state.free;
+  moving.linear = body.moving_velocity();
+  Vec3<T> gained{};
+  if (state.movable) {
+    if (!(body.angular == body.angular_before)) gained = inertias_[i] * (body.angular - body.angular_before);
+    moving.angular_momentum += body.pressed == SolverBody<T>::Pressed::freely ? gained / T(2) : gained;
+  } else {
+    moving.inverse_inertia = {T(1), T(1), T(1)};
+    moving.angular_momentum = state.spin;
   }
+  advance(moving, Vec3<T>{}, h);
+  state.free.center = body.center = moving.center;
+  state.free.rotation = body.rotation = moving.rotation;
+  body.moved = body.center - body.first_center;
+  body.turned = body.rotation == body.first_rotation ? Quat<T>{} : body.rotation * conjugate(body.first_rotation);
+  if (!state.movable) return;
+  state.free.linear = body.linear;
+  state.free.angular_momentum += gained;
+  body.linear_before = body.linear;
+  body.angular = angular_velocity(state.free);
+  body.angular_before = body.angular;
+}
+template <class T>
+void IslandSolver<T>::move(const SubStep<T>& time) {
+  each(bodies_.size(), [&](std::size_t i) { move_body(i, time); });
 }
 
 /// What the pass without bias changed.
 template <class T>
+void IslandSolver<T>::end_body(std::size_t i) {
+  if (!states_[i].movable) return;
+  states_[i].free.linear = bodies_[i].linear;
+  if (!(bodies_[i].angular == bodies_[i].angular_before))
+    states_[i].free.angular_momentum += inertias_[i] * (bodies_[i].angular - bodies_[i].angular_before);
+}
+template <class T>
 void IslandSolver<T>::end_sub_step() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!states_[i].movable) continue;
-    states_[i].free.linear = bodies_[i].linear;
-    if (!(bodies_[i].angular == bodies_[i].angular_before))
-      states_[i].free.angular_momentum += inertias_[i] * (bodies_[i].angular - bodies_[i].angular_before);
-  }
+  each(bodies_.size(), [&](std::size_t i) { end_body(i); });
 }
 
+template <class T>
+void IslandSolver<T>::warm_start_contacts() {
+  each_by_color([&](Contact& contact, SolverBody<T>& a, SolverBody<T>& b) {
+    for (const ManifoldRows<T>& m : manifolds_of(contact)) warm_start<T>(m, rows_of(m), a, b);
+  });
+}
+
+/// One pass. That with bias decides how bodies move, and notes along what they are pressed.
 template <class T>
 void IslandSolver<T>::solve_rows(const ContactStep<T>& step, bool bias) {
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    joints_[j].solve(bodies_[joint_bodies_[j].first], bodies_[joint_bodies_[j].second], bias);
-  for (ManifoldRows<T>& m : manifolds_)
-    graze::solve<T>(m, std::span(points_).subspan(m.first_row, m.row_count), bodies_[m.a], bodies_[m.b], step, bias);
-}
-
-template <class T>
-void IslandSolver<T>::note_pressed() {
-  for (const auto& [a, b] : joint_bodies_)
-    if (!manifolds_.empty()) bodies_[a].pressed = bodies_[b].pressed = SolverBody<T>::Pressed::tied;
-  for (const ManifoldRows<T>& m : manifolds_)
-    graze::note_pressed<T>(m, std::span(points_).subspan(m.first_row, m.row_count), bodies_[m.a], bodies_[m.b]);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    SolverBody<T>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
+    joints_[j].solve(a, b, bias);
+    if (bias && !manifolds_.empty()) a.pressed = b.pressed = SolverBody<T>::Pressed::tied;
+  }
+  each_by_color([&](Contact& contact, SolverBody<T>& a, SolverBody<T>& b) {
+    for (ManifoldRows<T>& m : manifolds_of(contact)) {
+      graze::solve<T>(m, rows_of(m), a, b, step, bias);
+      if (bias) graze::note_pressed<T>(m, rows_of(m), a, b);
+    }
+  });
 }
 
 template <class T>
@@ -203,10 +304,8 @@ void IslandSolver<T>::solve(T step, T gravity) {
       joints_[j].refresh(a, b);
       joints_[j].warm_start(a, b);
     }
-    for (const ManifoldRows<T>& m : manifolds_)
-      warm_start<T>(m, std::span(points_).subspan(m.first_row, m.row_count), bodies_[m.a], bodies_[m.b]);
+    warm_start_contacts();
     solve_rows(contact, true);
-    note_pressed();
     move(time);
     solve_rows(contact, false);
     end_sub_step();
@@ -227,9 +326,10 @@ void IslandSolver<T>::find_residual() {
 
 template <class T>
 void IslandSolver<T>::store(std::span<SolverPoint<T>> points) {
-  for (const ManifoldRows<T>& m : manifolds_)
-    graze::store<T>(m, std::span(points_).subspan(m.first_row, m.row_count), points.subspan(m.first_point, m.row_count),
-                    T(sub_steps_));
+  each(manifolds_.size(), [&](std::size_t i) {
+    const ManifoldRows<T>& m = manifolds_[i];
+    graze::store<T>(m, rows_of(m), points.subspan(m.first_point, m.row_count), T(sub_steps_));
+  });
   for (const JointRows<T>& j : joints_) j.store();
 }
 

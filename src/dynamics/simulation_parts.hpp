@@ -29,6 +29,7 @@ struct SimulatedBody {
   T radius{};  ///< no point of the shape is further from the centre of mass
   Vec3<T> force{}, torque{};
   T rested{};            ///< for how long it has been slow
+  int sub_steps = 0;     ///< of its island in the last step; 0 before its first
   bool movable = false;  ///< by pushing
   bool moves = false;    ///< by itself: movable or kinematic
   bool may_sleep = true;
@@ -105,7 +106,7 @@ struct SimulationParts {
     return combined(bodies[pair.a].material, bodies[pair.b].material);
   }
   void find_islands();
-  void solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt);
+  void solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt, Executor* threads);
   IslandBody<T> island_body(std::uint32_t index) const;
   void pass_blows_on(T dt);  // restitution.cpp
   void solve_islands(T dt);

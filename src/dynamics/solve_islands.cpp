@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::size_t islands_per_task = 8;
 
+/// Links of an island whose contacts and bodies are shared among the threads, after all smaller ones were.
+constexpr std::uint32_t links_of_large = 512;
+
 }  // namespace
 
 /// Islands of contacts and joints. One in which anything is awake, or that something touches which moves by itself, is
@@ -62,16 +65,17 @@ IslandBody<T> SimulationParts<T>::island_body(std::uint32_t index) const {
   b.linear_damping = body.linear_damping;
   b.angular_damping = body.angular_damping;
   b.share = shares[index];
+  b.sub_steps = body.sub_steps;
   b.movable = body.movable;
   return b;
 }
 
 template <class T>
-void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt) {
+void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt, Executor* threads) {
   ContactArrays<T>& contacts = world.contacts();
   const T gravity = length(settings.gravity), share = last_step > T(0) ? dt / last_step : T(0);
   const auto members = islands.bodies_of(island);
-  solver.clear();
+  solver.clear(threads);
   for (const std::uint32_t i : members) solver.add(island_body(i));
   const auto place_of = [&](std::uint32_t i) {
     if (movable[i] == 0) return solver.add_once(i, island_body(i));
@@ -91,13 +95,16 @@ void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Ra
                                      rotate(found_at[pair->a].rotation, body_a.material.surface_velocity),
                                      rotate(found_at[pair->b].rotation, body_b.material.surface_velocity),
                                      least(body_a.size, body_b.size)};
-    for (const ContactManifold<T>& m : contacts.manifolds_of(*pair))
-      if (m.point_count != 0) solver.add(touching, m, contacts.points_of(m), share);
+    solver.add(touching, contacts.manifolds_of(*pair));
   }
+  solver.prepare_contacts(contacts.points, share);
   solver.choose_sub_steps(dt, gravity, settings.sub_steps, settings.most_sub_steps);
   solver.solve(dt, gravity);
   solver.store(contacts.points);
-  for (std::uint32_t i = 0; i < members.size(); ++i) bodies[members[i]].free = solver.body(i);
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
+    bodies[members[i]].free = solver.body(i);
+    bodies[members[i]].sub_steps = solver.sub_steps();
+  }
 }
 
 template <class T>
@@ -110,19 +117,22 @@ void SimulationParts<T>::solve_islands(T dt) {
     int sub_steps = 0;
     T residual{};
   };
-  std::vector<Outcome> outcomes(tasks);
+  std::vector<Outcome> outcomes(tasks + 1);
+  const auto solve = [&](std::size_t k, IslandSolver<T>& solver, Outcome& outcome, Executor* threads) {
+    solve_island(solver, ranges[k], dt, threads);
+    outcome.contacts += solver.point_count();
+    outcome.colors = std::max(outcome.colors, solver.color_count());
+    outcome.sub_steps = std::max(outcome.sub_steps, solver.sub_steps());
+    outcome.residual = greatest(outcome.residual, solver.residual());
+  };
+  const auto is_large = [&](std::size_t k) { return ranges[k].link_count >= links_of_large; };
   for_each_chunk(*executor, ranges.size(), islands_per_task, [&](std::size_t begin, std::size_t end, std::size_t task) {
-    IslandSolver<T>& solver = solvers[task];
-    Outcome& outcome = outcomes[task];
-    for (std::size_t k = begin; k < end; ++k) {
-      if (awake[k] == 0) continue;
-      solve_island(solver, ranges[k], dt);
-      outcome.contacts += solver.point_count();
-      outcome.colors = std::max(outcome.colors, solver.color_count());
-      outcome.sub_steps = std::max(outcome.sub_steps, solver.sub_steps());
-      outcome.residual = greatest(outcome.residual, solver.residual());
-    }
+    for (std::size_t k = begin; k < end; ++k)
+      if (awake[k] != 0 && !is_large(k)) solve(k, solvers[task], outcomes[task], nullptr);
   });
+  Executor* threads = executor->concurrency() > 1 ? executor : nullptr;
+  for (std::size_t k = 0; k < ranges.size(); ++k)
+    if (awake[k] != 0 && is_large(k)) solve(k, solvers[0], outcomes[tasks], threads);
   for (const Outcome& o : outcomes) {
     last.contacts += o.contacts;
     last.colors = std::max(last.colors, o.colors);
