@@ -93,7 +93,10 @@ Material read_physics_material(const JsonValue& json) {
   Material material;
   read_positive_if_there(json, "staticFriction", material.static_friction);
   read_positive_if_there(json, "dynamicFriction", material.dynamic_friction);
-  read_positive_if_there(json, "restitution", material.restitution);
+  if (const auto v = json.find("restitution")) {
+    material.restitution = v->positive_or_zero<double>();
+    if (material.restitution > 1) v->fail("a number from 0 to 1");  // as the schema has it; a simulation takes no other
+  }
   if (const auto v = json.find("frictionCombine")) material.friction_combine = read_combine(*v);
   if (const auto v = json.find("restitutionCombine")) material.restitution_combine = read_combine(*v);
   return material;

@@ -98,6 +98,20 @@ TEST(ScenePhysics, MaterialsHaveTheirModes) {
   }
 }
 
+/// The reader says so, and not the simulation later.
+TEST(ScenePhysics, RestitutionIsAtMostOne) {
+  Json json = base();
+  lists(json)["physicsMaterials"][0] = {{"restitution", 1}};
+  EXPECT_NO_THROW(load(json));
+  lists(json)["physicsMaterials"][0] = {{"restitution", 1.5}};
+  try {
+    load(json);
+    FAIL() << "taken";
+  } catch (const InvalidValue& e) {
+    EXPECT_NE(std::string(e.what()).find("a number from 0 to 1"), std::string::npos) << e.what();
+  }
+}
+
 TEST(ScenePhysics, ZeroMassAndInertiaAreInfinite) {
   Json json = base();
   motion(json) = {{"mass", 0}, {"inertiaDiagonal", {0, 3, 0}}};
