@@ -1,0 +1,121 @@
+// A world on many machines: bodies that live on one rank each, and what touches among all of them.
+//
+// Guarantee: the answers are those of one `World` with bodies of the same order, bit for bit: pairs, manifolds, points,
+// features and events, whatever the number of ranks and wherever the borders run. Every touching pair is found by
+// exactly one rank. Ranks send each other what stands at their borders and nothing else: no rank holds the whole.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "graze/world/bodies.hpp"
+#include "graze/world/events.hpp"
+#include "graze/world/manifolds.hpp"
+
+namespace graze::mpi {
+
+/// The name of a body among all ranks: no two bodies have the same one, ever. Of a pair the body with the smaller key
+/// is A.
+using Key = std::uint64_t;
+
+template <class T>
+struct WorldSettings {
+  std::optional<T> margin;                     ///< as of `graze::WorldSettings`; the same on all ranks
+  std::function<bool(Key, Key)> allow;         ///< a last word on a pair: the same on all ranks
+  std::optional<std::size_t> points_per_pair;  ///< as of `graze::WorldSettings`
+  /// The largest load of a rank over the mean from which on the borders are drawn anew.
+  double imbalance = 1.1;
+};
+
+/// Two bodies within the margin of each other, by key.
+struct KeyedPair {
+  Key a, b;
+  bool overlap;
+  std::uint32_t first_manifold, manifold_count;
+};
+
+struct KeyedEvent {
+  Key a, b;
+  EventKind kind;
+  bool trigger;
+
+  friend bool operator==(const KeyedEvent&, const KeyedEvent&) = default;
+};
+
+/// Contacts and events of all ranks, sorted by key.
+template <class T>
+struct Gathered {
+  std::vector<KeyedPair> pairs;
+  std::vector<ContactManifold<T>> manifolds;  ///< those of a pair one behind the other
+  std::vector<SolverPoint<T>> points;
+  std::vector<KeyedEvent> events;
+};
+
+/// What an update of this rank took.
+struct WorldReport {
+  std::uint64_t bodies = 0;      ///< that live here
+  std::uint64_t ghosts = 0;      ///< lent by others
+  std::uint64_t pairs = 0;       ///< that are within their margin and were found here
+  std::uint64_t candidates = 0;  ///< whose contacts were looked for here
+  std::uint64_t bytes = 0;       ///< sent to other ranks
+  std::uint64_t migrated = 0;    ///< bodies that went to live elsewhere
+  std::uint64_t partitions = 0;  ///< how often borders were drawn, since the beginning
+  double imbalance = 1;          ///< largest load over mean, before the update
+  double partition = 0, exchange = 0, broad = 0, contacts = 0, events = 0;  ///< seconds, by stage
+};
+
+/// All ranks of the communicator make one together and call `share`, `update` and `gather` together; bodies are added by
+/// any rank, moved and removed by the one on which they live. Serial on each rank unless given an executor.
+template <class T>
+class GRAZE_API World {
+ public:
+  /// Throws `InvalidValue` as `graze::World`, and for an imbalance below 1.
+  explicit World(MPI_Comm comm, WorldSettings<T> settings = {}, Executor* executor = nullptr);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Makes a shape known whose data is large or is a user's code: a hull, a mesh, a height field, a compound, a shape
+  /// with a support function of one's own. All ranks call it with the same shapes in the same order, and bodies that go
+  /// elsewhere take its number along and not its data.
+  void share(const Shape<T>& shape);
+
+  /// Throws `InvalidValue` for what `graze::World::add` refuses, for a shape that would have to be shared and is not,
+  /// and for a key that lives here already. The body may live elsewhere after the next update.
+  void add(Key key, const Body<T>& body);
+  /// Whether a body lives on this rank. These throw `InvalidValue` for one that does not.
+  bool contains(Key key) const;
+  void remove(Key key);
+  void move(Key key, const Pose<T>& pose);
+  void set_filter(Key key, const Filter& filter);
+  void set_shape(Key key, const Shape<T>& shape);
+  Body<T> body(Key key) const;
+  /// The bodies that live here, sorted.
+  std::vector<Key> keys() const;
+
+  /// Brings bodies to where they live, lends what stands at borders, and finds what touches. All ranks.
+  void update();
+
+  /// What this rank found, in the order of keys; valid until the next update.
+  std::span<const KeyedPair> pairs() const;
+  const ContactArrays<T>& contacts() const;  ///< manifolds and points of `pairs`
+  std::span<const KeyedEvent> events() const;
+  const WorldReport& report() const;
+  /// Bytes that are held, shared shapes' own data apart.
+  std::size_t memory() const;
+
+  /// All that was found, on one rank; empty on the others.
+  Gathered<T> gather(int root = 0) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace graze::mpi

@@ -1,0 +1,133 @@
+// A body as it goes from rank to rank.
+//
+// Guarantee: what arrives has the same bits. Shapes that are plain values go as they are; those with data of their own,
+// or with a user's code, go as the number by which all ranks share them.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "graze/error.hpp"
+#include "graze/mpi/world.hpp"
+
+namespace graze::mpi {
+
+/// Whether a shape of this class is a plain value.
+template <class C>
+constexpr bool goes_as_it_is = std::is_trivially_copyable_v<C>;
+
+template <class T, std::size_t... i>
+constexpr std::size_t largest_value(std::index_sequence<i...>) {
+  std::size_t largest = 0;
+  const auto look = [&]<class C>(std::type_identity<C>) {
+    if (goes_as_it_is<C> && sizeof(C) > largest) largest = sizeof(C);
+  };
+  (look(std::type_identity<std::variant_alternative_t<i, ShapeList<T>>>{}), ...);
+  return largest;
+}
+
+template <class T>
+struct BodyRecord {
+  Key key;
+  Pose<T> pose;
+  Vec3<T> linear, angular;
+  Filter filter;
+  T rounding;
+  float weight;
+  std::uint32_t type;    ///< place in `ShapeList`
+  std::uint32_t shared;  ///< number of a shared shape, where it is one
+  std::uint8_t fixed, trigger, fast;
+  alignas(16) std::byte value[largest_value<T>(std::make_index_sequence<Shape<T>::count>())];
+};
+
+/// The shapes that all ranks know by number.
+template <class T>
+class SharedShapes {
+ public:
+  void add(const Shape<T>& shape) { shapes_.push_back(shape); }
+  const Shape<T>& operator[](std::uint32_t number) const { return shapes_.at(number); }
+
+  /// The number of a shape that shares its data with a shared one. Throws `InvalidValue`.
+  std::uint32_t number_of(const Shape<T>& shape) const {
+    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
+      if (shapes_[i].index() == shape.index() && shapes_[i].rounding() == shape.rounding() &&
+          data_of(shapes_[i]) == data_of(shape))
+        return i;
+    throw InvalidValue("body.shape", "a shape that all ranks share, or one of plain numbers", shape.name());
+  }
+
+ private:
+  static const void* data_of(const Shape<T>& shape) {
+    return shape.visit([](const auto& c) -> const void* {
+      using C = std::decay_t<decltype(c)>;
+      if constexpr (std::is_same_v<C, UserConvex<T>>)
+        return &c.function();
+      else if constexpr (std::is_same_v<C, Mesh<T>>)
+        return c.points().data();
+      else if constexpr (std::is_same_v<C, HeightField<T>> || std::is_same_v<C, ConvexHull<T>> ||
+                         std::is_same_v<C, Compound<T>>)
+        return &c.data();
+      else
+        return nullptr;
+    });
+  }
+
+  std::vector<Shape<T>> shapes_;
+};
+
+template <class T>
+BodyRecord<T> record_of(Key key, const Body<T>& body, float weight, const SharedShapes<T>& shared) {
+  BodyRecord<T> out{};
+  out.key = key;
+  out.pose = body.pose;
+  out.linear = body.linear;
+  out.angular = body.angular;
+  out.filter = body.filter;
+  out.rounding = body.shape.rounding();
+  out.weight = weight;
+  out.type = static_cast<std::uint32_t>(body.shape.index());
+  out.fixed = body.fixed;
+  out.trigger = body.trigger;
+  out.fast = body.fast;
+  body.shape.visit([&](const auto& c) {
+    if constexpr (goes_as_it_is<std::decay_t<decltype(c)>>)
+      std::memcpy(out.value, &c, sizeof c);
+    else
+      out.shared = shared.number_of(body.shape);
+  });
+  return out;
+}
+
+template <class T, std::size_t... i>
+Shape<T> shape_of(const BodyRecord<T>& record, const SharedShapes<T>& shared, std::index_sequence<i...>) {
+  Shape<T> shape = Sphere<T>(T(0));
+  const auto take = [&]<class C>(std::type_identity<C>) {
+    if constexpr (goes_as_it_is<C>) {
+      alignas(C) std::byte bytes[sizeof(C)];
+      std::memcpy(bytes, record.value, sizeof(C));
+      shape = Shape<T>(*reinterpret_cast<const C*>(bytes), record.rounding);
+    } else {
+      shape = shared[record.shared];
+    }
+  };
+  ((record.type == i ? take(std::type_identity<std::variant_alternative_t<i, ShapeList<T>>>{}) : void()), ...);
+  return shape;
+}
+
+template <class T>
+Body<T> body_of(const BodyRecord<T>& r, const SharedShapes<T>& shared) {
+  return {shape_of(r, shared, std::make_index_sequence<Shape<T>::count>()),
+          r.pose,
+          r.linear,
+          r.angular,
+          r.filter,
+          r.fixed != 0,
+          r.trigger != 0,
+          r.fast != 0};
+}
+
+}  // namespace graze::mpi

@@ -1,0 +1,76 @@
+#include "mpi/keyed_events.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+namespace graze::mpi {
+
+namespace {
+
+auto keys_of(const KeyedEvent& e) { return std::pair(e.a, e.b); }
+
+struct Hash {
+  std::size_t operator()(const std::pair<Key, Key>& keys) const {
+    return std::hash<Key>()(keys.first * 0x9e3779b97f4a7c15 ^ keys.second);
+  }
+};
+
+/// What a rank has to say of a pair: `stay` if it touched here, `begin` if it overlaps here now and did not touch,
+/// `end` if it is near without having touched here.
+struct Claim {
+  Key a, b;
+  std::uint8_t found;  ///< found now; else missed
+  std::uint8_t overlap, trigger;
+};
+
+}  // namespace
+
+void KeyedEvents::update(MPI_Comm comm, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers,
+                         std::uint64_t& bytes) {
+  const auto ranks = static_cast<std::size_t>(size_of(comm));
+  ByRank<Claim> claims(ranks);
+  const auto judge = [&](Key a, Key b) { return Hash()(std::pair(a, b)) / 7 % ranks; };
+  events_.clear();
+  auto last = touching_.begin();
+  const auto miss = [&](const KeyedEvent& e) { claims[judge(e.a, e.b)].push_back({e.a, e.b, 0, 0, e.trigger}); };
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const KeyedPair& p = pairs[i];
+    while (last != touching_.end() && keys_of(*last) < std::pair(p.a, p.b)) miss(*last++);
+    if (last != touching_.end() && keys_of(*last) == std::pair(p.a, p.b))
+      events_.push_back({p.a, p.b, EventKind::stay, (last++)->trigger});
+    else
+      claims[judge(p.a, p.b)].push_back({p.a, p.b, 1, p.overlap, triggers[i]});
+  }
+  while (last != touching_.end()) miss(*last++);
+
+  // The verdict goes to who found the pair, and on an end to who missed it.
+  const ByRank<Claim> heard = exchanged(comm, claims, bytes);
+  ByRank<KeyedEvent> verdicts(ranks);
+  std::unordered_map<std::pair<Key, Key>, std::pair<Claim, std::size_t>, Hash> missed;
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (const Claim& c : heard[r])
+      if (c.found == 0) missed.emplace(std::pair(c.a, c.b), std::pair(c, r));
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (const Claim& c : heard[r]) {
+      if (c.found == 0) continue;
+      const auto before = missed.find(std::pair(c.a, c.b));
+      if (before != missed.end()) {
+        verdicts[r].push_back({c.a, c.b, EventKind::stay, before->second.first.trigger != 0});
+        missed.erase(before);
+      } else if (c.overlap != 0) {
+        verdicts[r].push_back({c.a, c.b, EventKind::begin, c.trigger != 0});
+      }
+    }
+  for (const auto& [keys, claim] : missed)
+    verdicts[claim.second].push_back({keys.first, keys.second, EventKind::end, claim.first.trigger != 0});
+  for (const std::vector<KeyedEvent>& some : exchanged(comm, verdicts, bytes))
+    events_.insert(events_.end(), some.begin(), some.end());
+  std::sort(events_.begin(), events_.end(),
+            [](const KeyedEvent& e, const KeyedEvent& f) { return keys_of(e) < keys_of(f); });
+  touching_.clear();
+  std::copy_if(events_.begin(), events_.end(), std::back_inserter(touching_),
+               [](const KeyedEvent& e) { return e.kind != EventKind::end; });
+}
+
+}  // namespace graze::mpi

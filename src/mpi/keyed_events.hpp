@@ -1,0 +1,26 @@
+// Who began to touch, still does, no longer does, of pairs that are found now by one rank and now by another.
+//
+// Guarantee: as `EventTracker` of one world. Each rank remembers what it found; only what it misses, or had not, is
+// compared with the others', on a rank that the keys name.
+#pragma once
+
+#include "graze/mpi/world.hpp"
+#include "mpi/exchange.hpp"
+
+namespace graze::mpi {
+
+class KeyedEvents {
+ public:
+  /// `pairs` sorted; `triggers[i]` whether one of the i-th two is a trigger. All ranks.
+  void update(MPI_Comm comm, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers,
+              std::uint64_t& bytes);
+
+  const std::vector<KeyedEvent>& events() const { return events_; }
+  std::size_t memory() const { return (events_.capacity() + touching_.capacity()) * sizeof(KeyedEvent); }
+
+ private:
+  std::vector<KeyedEvent> events_;
+  std::vector<KeyedEvent> touching_;  ///< of the last update: all but the ends
+};
+
+}  // namespace graze::mpi
