@@ -14,7 +14,7 @@ const how: Record<Kind, string> = {
   looseOctree: "Cells halve again and again, each twice as large as it has to be, so that every body has one cell by its size and centre.",
   bsp: "Planes along the axes cut space into two, again and again: a k-d tree over the boxes.",
 };
-const count = 100, frames = 40;
+const count = 100, frames = 20;
 
 /** The same bodies for everybody: a linear congruential generator (Numerical Recipes). */
 function bodies(scene: string): { center: Vec; half: Vec; velocity: Vec }[] {
