@@ -1,6 +1,6 @@
 // The page of one lesson: the drawing, the step's words, numbers and formula, and everything around them.
 
-import { line } from "../graze.ts";
+import { ask, line } from "../graze.ts";
 import { lessons } from "../lessons/index.ts";
 import type { Example, Lesson, Step } from "../lessons/lesson.ts";
 import { codeOf } from "../parts/code.ts";
@@ -101,6 +101,8 @@ export class LessonRoom implements Room {
 
   private show(): void {
     try {
+      const { error } = ask(this.question());
+      if (error) throw new Error(error);
       this.steps = this.lesson.steps(this.state);
       this.trouble.hidden = true;
     } catch (error) {
