@@ -1,5 +1,6 @@
 #include "composite/composite.hpp"
 
+#include "composite/flat_faces.hpp"
 #include "composite/internal_edges/ghost_contacts.hpp"
 #include "composite/leaf_pairs.hpp"
 #include "composite/merge_manifolds.hpp"
@@ -132,6 +133,7 @@ struct TouchingPieces {
   T margin;
   bool singly;  ///< without kernels
   ManifoldGroups<T> groups;
+  FlatFaces<T> faces{a, b, margin};
   T least_distance = infinity<T>;
   Manifold<T> instead = {};  ///< what is left where nothing else is
 
@@ -163,13 +165,16 @@ struct TouchingPieces {
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
+    if (faces.passes_over(pa, pb, beside.empty())) return;
     manifold.piece_a = pa.number;
     manifold.piece_b = pb.number;
-    const Settled<T> settled = settle_normal<T>({a.shape, a.pose, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
-                                                {b.shape, b.pose, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch},
-                                                margin, manifold, distance);
+    Settled<T> settled = settle_normal<T>({a.shape, a.pose, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
+                                          {b.shape, b.pose, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch},
+                                          margin, manifold, distance);
     if (nearest) instead = settled.instead;
-    if (!settled.manifold.points.empty()) groups.add(settled.manifold);
+    if (settled.manifold.points.empty()) return;
+    if (faces.stand(pa, pb, settled.manifold) == FlatFaces<T>::Standing::on_known_face) return;
+    groups.add(settled.manifold);
   }
 };
 

@@ -5,7 +5,7 @@
 namespace graze {
 
 template <class T>
-Vec3<T> face_along(const LeafInContext<T>& self, const Vec3<T>& outward) {
+Vec3<T> face_along(const LeafInContext<T>& self, const Vec3<T>& outward, T lean) {
   Vec3<T> face{};
   const Vec3<T> local = rotate(conjugate(self.pose.rotation), outward);
   if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
@@ -18,7 +18,7 @@ Vec3<T> face_along(const LeafInContext<T>& self, const Vec3<T>& outward) {
         face[axis] = local[axis] < T(0) ? T(-1) : T(1);
       }
   }
-  if (face == Vec3<T>{} || length(cross(face, local)) > same_direction<T>) return {};
+  if (face == Vec3<T>{} || length(cross(face, local)) > lean) return {};
   return rotate(self.pose.rotation, face);
 }
 
@@ -44,7 +44,7 @@ bool stands_clear(const LeafInContext<T>& self, const LeafInContext<T>& other, c
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
-  template Vec3<T> face_along(const LeafInContext<T>&, const Vec3<T>&);                                                \
+  template Vec3<T> face_along(const LeafInContext<T>&, const Vec3<T>&, T);                                             \
   template bool stands_clear(const LeafInContext<T>&, const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

@@ -1,0 +1,168 @@
+#include "composite/flat_faces.hpp"
+
+#include "composite/internal_edges/face_contact.hpp"
+#include "composite/internal_edges/occluders.hpp"
+#include "composite/merge_manifolds.hpp"
+#include "narrow/pair_table.hpp"
+#include "shape/mesh_topology.hpp"
+
+namespace graze {
+
+namespace {
+
+/// A contact leans no further than this sine, two degrees, from the face that its body stands on: up to there the caps
+/// of cylinders and cones count as standing too (`contact.hpp`).
+template <class T>
+constexpr T standing_lean = T(0.035);
+
+template <class T>
+bool is_surface(const Shape<T>& shape) {
+  return shape.template as<Mesh<T>>() || shape.template as<HeightField<T>>();
+}
+
+template <class T>
+bool may_stand(const Shape<T>& shape) {
+  return shape.convex() && is_solid(shape);
+}
+
+/// The half-space whose surface is the plane through `point`, `normal` (unit) leading out of it. That straight up is
+/// not turned at all.
+template <class T>
+Pose<T> half_space_below(const Vec3<T>& normal, const Vec3<T>& point) {
+  const bool down = normal.y < T(0);
+  const Vec3<T> n = down ? -normal : normal;
+  const Quat<T> up_to_n = normalized(Quat<T>{n.z, T(0), -n.x, T(1) + n.y}), flip{T(1), T(0), T(0), T(0)};
+  return {point, down ? up_to_n * flip : up_to_n};
+}
+
+/// How far the bounds of a piece may be from a point that lies on it.
+template <class T>
+T reach_of_pieces(const Shape<T>& whole) {
+  if (const auto* mesh = whole.template as<Mesh<T>>()) return reach_on(mesh->data(), T(0));
+  if (const auto* compound = whole.template as<Compound<T>>()) return on_piece<T> * T(2) * compound->core_extent();
+  return on_piece<T> * max_abs(bounds(whole, Pose<T>{}).extent());
+}
+
+/// Whether a convex piece has a face in the plane through `place`, and `place` on it. `noise`: how far it may be off.
+template <class T>
+bool has_in_face(const LeafInContext<T>& self, bool front_only, const Vec3<T>& normal, const Vec3<T>& place, T noise) {
+  const Vec3<T> face = face_along(self, normal);
+  if (face == Vec3<T>{} || max_abs(face - normal) > level_sine<T>) return false;
+  if (const auto* triangle = front_only ? self.piece.template as<Triangle<T>>() : nullptr)
+    if (dot(rotate(self.pose.rotation, face_normal(*triangle)), normal) < T(0)) return false;
+  const T size = max_abs(bounds(self.piece, self.pose).extent());
+  if (std::abs(dot(furthest(self.piece, self.pose, face) - place, face)) > noise + coordinate_noise(size)) return false;
+  return std::abs(distance_to(self, place)) <= on_piece<T> * size + noise;
+}
+
+/// The number of a piece of `whole` that has a face in the plane through `place`, and `place` on it.
+template <class T>
+std::optional<std::uint32_t> piece_below(const Shape<T>& whole, const Pose<T>& pose, const Vec3<T>& normal,
+                                         const Vec3<T>& place, T noise) {
+  std::optional<std::uint32_t> found;
+  const Vec3<T> local = inverse_transform(pose, place);
+  const Aabb<T> region = inflated(Aabb<T>{local, local}, reach_of_pieces(whole) + noise);
+  const bool front_only = one_sided(whole);
+  const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t number) {
+    const bool below = piece.convex() ? has_in_face<T>({whole, pose, piece, at}, front_only, normal, place, noise)
+                                      : piece_below(piece, at, normal, place, noise).has_value();
+    if (below) found = number;
+    return !found;
+  };
+  visit_pieces(
+      whole, pose, region, [] { return T(0); }, look);
+  return found;
+}
+
+/// What places may be off by where a body stands.
+template <class T>
+T standing_noise(const Part<T>& body, const Vec3<T>& place) {
+  return place_noise(place) + coordinate_noise(max_abs(bounds(body.shape, Pose<T>{}).extent()));
+}
+
+}  // namespace
+
+template <class T>
+FlatFaces<T>::FlatFaces(const Part<T>& a, const Part<T>& b, T margin) : margin_(margin) {
+  const auto floor = [](const Shape<T>& one, const Shape<T>& other) {
+    if (is_surface(one)) return may_stand(other) || other.template as<Compound<T>>() != nullptr;
+    return one.template as<Compound<T>>() && may_stand(other);
+  };
+  surface_is_a_ = floor(a.shape, b.shape);
+  if (surface_is_a_ || floor(b.shape, a.shape)) surface_ = surface_is_a_ ? &a : &b;
+}
+
+template <class T>
+bool FlatFaces<T>::is_level_with(const Face& face, const Vec3<T>& normal, const Vec3<T>& place, T noise) const {
+  const Vec3<T> from = place - face.point;
+  return max_abs(normal - face.normal) <= level_sine<T> &&
+         std::abs(dot(from, face.normal)) <= level_sine<T> * length(from) + noise;
+}
+
+template <class T>
+bool FlatFaces<T>::passes_over(const Part<T>& a, const Part<T>& b, bool alone) const {
+  if (faces_.empty() || !alone) return false;
+  const Part<T>&piece = surface_is_a_ ? a : b, &body = surface_is_a_ ? b : a;
+  const auto* mesh = surface_->shape.template as<Mesh<T>>();
+  if (!mesh || !mesh->data().level[piece.number]) return false;
+  const auto& triangle = *piece.shape.template as<Triangle<T>>();
+  const Vec3<T> normal = rotate(piece.pose.rotation, face_normal(triangle));
+  const Vec3<T> place = transform(piece.pose, triangle.point(0));
+  return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+    return face.whole && of_body(face, body) && is_level_with(face, normal, place, standing_noise(body, place));
+  });
+}
+
+template <class T>
+bool FlatFaces<T>::rests_on(const Face& face, const Part<T>& body, Manifold<T>& manifold) const {
+  // What has been let through is pushed to the other side.
+  if (dot(bounds(body.shape, body.pose).center() - face.point, face.normal) <= T(0)) return false;
+  const Shape<T> below = HalfSpace<T>();
+  const Pose<T> pose = half_space_below(face.normal, face.point);
+  if (surface_is_a_)
+    convex_contacts<T>(below, pose, body.shape, body.pose, margin_, manifold);
+  else
+    convex_contacts<T>(body.shape, body.pose, below, pose, margin_, manifold);
+  const auto side = surface_is_a_ ? &ContactPoint<T>::a : &ContactPoint<T>::b;
+  std::optional<std::uint32_t> first;
+  for (const ContactPoint<T>& point : manifold.points) {
+    const Vec3<T>& foot = point.*side;
+    const T noise = standing_noise(body, foot) + level_sine<T> * length(foot - face.point);
+    const auto number = piece_below(surface_->shape, surface_->pose, face.normal, foot, noise);
+    if (!number) return false;
+    if (!first) first = number;
+  }
+  if (!first) return false;
+  (surface_is_a_ ? manifold.piece_a : manifold.piece_b) = *first;
+  (surface_is_a_ ? manifold.piece_b : manifold.piece_a) = body.number;
+  return true;
+}
+
+template <class T>
+typename FlatFaces<T>::Standing FlatFaces<T>::stand(const Part<T>& a, const Part<T>& b, Manifold<T>& manifold) {
+  const Part<T>&piece = surface_is_a_ ? a : b, &body = surface_is_a_ ? b : a;
+  if (!surface_ || !may_stand(body.shape)) return Standing::on_piece;
+  const Vec3<T> outward = surface_is_a_ ? manifold.normal : -manifold.normal;
+  const LeafInContext<T> leaf{surface_->shape, surface_->pose, piece.shape, piece.pose};
+  const Vec3<T> normal = face_along(leaf, outward, standing_lean<T>);
+  if (normal == Vec3<T>{}) return Standing::on_piece;
+  const Vec3<T> touched = manifold.points[0].*(surface_is_a_ ? &ContactPoint<T>::a : &ContactPoint<T>::b);
+  const Vec3<T> place = touched + normal * dot(furthest(piece.shape, piece.pose, normal) - touched, normal);
+  const T noise = standing_noise(body, place);
+  for (const Face& face : faces_)
+    if (of_body(face, body) && is_level_with(face, normal, place, noise))
+      return face.whole ? Standing::on_known_face : Standing::on_piece;
+  if (faces_.size() == most) return Standing::on_piece;
+  Face face{normal, place, &body.shape, body.pose};
+  Manifold<T> resting;
+  face.whole = rests_on(face, body, resting);
+  faces_.push_back(face);
+  if (!face.whole) return Standing::on_piece;
+  manifold = resting;
+  return Standing::on_face;
+}
+
+template class FlatFaces<float>;
+template class FlatFaces<double>;
+
+}  // namespace graze

@@ -1,0 +1,57 @@
+// One manifold for each flat face that a surface's pieces make together.
+//
+// What stands on a floor of pieces meets each of them by itself: their corners and edges cut its own face, and under a
+// lean of milliradians these points come and go. Where each of the points that the body has on the half-space below the
+// pieces' common plane stands on a piece that lies in this plane, cutting says nothing: the body stands on the plane,
+// and its points and their feature numbers are those on the half-space.
+//
+// Guarantee: a face takes the place of its pieces' contacts only where nothing of the surface is missing below any of
+// its points; which pieces, in which order, and how the surface is cut, changes none of these. Pieces lie in one plane
+// up to `level_sine` and to what coordinates lose by rounding.
+#pragma once
+
+#include "composite/internal_edges/leaf_in_context.hpp"
+#include "composite/leaf_pairs.hpp"
+#include "graze/contact.hpp"
+
+namespace graze {
+
+/// The flat faces of one surface that bodies were found to stand on, for the time of one question.
+template <class T>
+class FlatFaces {
+ public:
+  /// Of A and B, whose pieces are asked about with this margin, the surface is a mesh or height field, or else a
+  /// compound, which the other is not; without that there are no faces.
+  FlatFaces(const Part<T>& a, const Part<T>& b, T margin);
+
+  /// Whether a pair of pieces needs no contact of its own, since the body stands on a face that the triangle is inside
+  /// of: nothing but the mesh is around it (`alone`), and it knows that it is level with all that is.
+  bool passes_over(const Part<T>& a, const Part<T>& b, bool alone) const;
+
+  /// What becomes of the contact of a piece: itself; the whole face's, the first time; or nothing.
+  enum class Standing { on_piece, on_face, on_known_face };
+  /// Puts the face's contact in place of one that stands on the flat of a piece, the first time.
+  Standing stand(const Part<T>& a, const Part<T>& b, Manifold<T>& manifold);
+
+ private:
+  struct Face {
+    Vec3<T> normal{}, point{};  ///< outward, unit, and a point of the plane; in the world
+    const Shape<T>* body = nullptr;
+    Pose<T> body_pose{};
+    bool whole = false;
+  };
+  static constexpr std::size_t most = 16;  ///< on more a body does not rest: it lies in a rubble
+
+  bool is_level_with(const Face& face, const Vec3<T>& normal, const Vec3<T>& place, T noise) const;
+  bool of_body(const Face& face, const Part<T>& body) const {
+    return face.body == &body.shape && face.body_pose == body.pose;
+  }
+  bool rests_on(const Face& face, const Part<T>& body, Manifold<T>& manifold) const;
+
+  const Part<T>* surface_ = nullptr;
+  bool surface_is_a_ = false;
+  T margin_;
+  SmallVector<Face, 4> faces_;
+};
+
+}  // namespace graze
