@@ -19,7 +19,7 @@ if(TARGET graze_shared)
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze" TYPE INCLUDE COMPONENT development
         FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h"
-        PATTERN "io" EXCLUDE PATTERN "mpi" EXCLUDE PATTERN "mpi" EXCLUDE PATTERN "tbb_executor.hpp" EXCLUDE)
+        PATTERN "io" EXCLUDE PATTERN "mpi" EXCLUDE PATTERN "tbb_executor.hpp" EXCLUDE)
 install(EXPORT grazeTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}" COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" TYPE DOC COMPONENT development)
 

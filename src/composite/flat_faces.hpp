@@ -40,7 +40,8 @@ class FlatFaces {
     Pose<T> body_pose{};
     bool whole = false;
   };
-  static constexpr std::size_t most = 16;  ///< on more a body does not rest: it lies in a rubble
+  /// On more a body does not rest: it lies in rubble, where every try costs a contact and a search.
+  static constexpr std::size_t most = 4;
 
   bool is_level_with(const Face& face, const Vec3<T>& normal, const Vec3<T>& place, T noise) const;
   bool of_body(const Face& face, const Part<T>& body) const {
