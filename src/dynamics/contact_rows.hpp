@@ -52,8 +52,9 @@ struct ContactStep {
   T gravity{};
 };
 
-/// The springs of a sub-step of h: their period is six sub-steps, damped far beyond the critical, so that nothing swings
-/// (Catto 2024). Stiffer ones against what does not give, as Catto has them, shake heavy bodies that lie on light ones.
+/// The springs of a sub-step of h: their period is six sub-steps, damped far beyond the critical, so that nothing
+/// swings (Catto 2024). Stiffer ones against what does not give, as Catto has them, shake heavy bodies that lie on
+/// light ones.
 template <class T>
 ContactStep<T> contact_step(const SubStep<T>& time, T gravity);
 

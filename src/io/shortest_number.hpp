@@ -1,8 +1,8 @@
 // The shortest text that reads back to the same number, where the standard library has no `std::to_chars` for it.
 //
-// Guarantee: the text of `std::to_chars`: the fewest digits that read back, of fixed and scientific notation the shorter
-// one, and fixed where both are as long. At powers of two, below which numbers lie twice as close as above, one digit
-// more is possible. Takes microseconds.
+// Guarantee: the text of `std::to_chars`: the fewest digits that read back, of fixed and scientific notation the
+// shorter one, and fixed where both are as long. At powers of two, below which numbers lie twice as close as above, one
+// digit more is possible. Takes microseconds.
 #pragma once
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // The journal of a sweep: a directory with a head, which says of what sweep it is, and the answers that are there.
 //
 // Guarantee: what was written when a process was killed is found again, except for a last record that is not whole:
-// that one is recognised by its checksums and its chunk answered anew. Every rank of every run writes a file of its own,
-// so that nothing is ever written behind a torn end.
+// that one is recognised by its checksums and its chunk answered anew. Every rank of every run writes a file of its
+// own, so that nothing is ever written behind a torn end.
 #pragma once
 
 #include <optional>

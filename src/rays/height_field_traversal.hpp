@@ -1,7 +1,7 @@
 // Rays down the pyramid of a height field: one alone, and some at a time.
 //
-// Guarantee: for one ray as `bvh_traversal.hpp`, with cells in place of triangles: none is left out in which the exact ray
-// crosses a triangle, or in which `crossing` finds one crossed or seen edge-on. For some as `mesh_block.hpp`.
+// Guarantee: for one ray as `bvh_traversal.hpp`, with cells in place of triangles: none is left out in which the exact
+// ray crosses a triangle, or in which `crossing` finds one crossed or seen edge-on. For some as `mesh_block.hpp`.
 //
 // Source: Tevs, Ihrke, Seidel 2008, "Maximum mipmaps for fast, accurate, and scalable dynamic height field rendering".
 #pragma once

@@ -1,4 +1,5 @@
-// Functions of JavaScript behind the C interface's callbacks: `user` is the number by which JavaScript knows its function.
+// Functions of JavaScript behind the C interface's callbacks: `user` is the number by which JavaScript knows its
+// function.
 #include <malloc.h>
 
 #include <cstddef>

@@ -21,8 +21,8 @@ struct AnswerLine {
   bool error = false;
 };
 
-/// Answers one question. With the number of its line, counted from 1, as `answer_stream` does: an error that has no `id`
-/// to be known by begins with it.
+/// Answers one question. With the number of its line, counted from 1, as `answer_stream` does: an error that has no
+/// `id` to be known by begins with it.
 GRAZE_API AnswerLine answer_line(std::string_view line, Precision precision, std::size_t number = 0);
 
 /// The answer to a line with its trace, whether the question asks for it (`explain`) or not.

@@ -70,8 +70,8 @@ struct WorldReport {
   double partition = 0, exchange = 0, broad = 0, contacts = 0, events = 0;  ///< seconds, by stage
 };
 
-/// All ranks of the communicator make one together and call `share`, `update` and `gather` together; bodies are added by
-/// any rank, moved and removed by the one on which they live. Serial on each rank unless given an executor.
+/// All ranks of the communicator make one together and call `share`, `update` and `gather` together; bodies are added
+/// by any rank, moved and removed by the one on which they live. Serial on each rank unless given an executor.
 template <class T>
 class GRAZE_API World {
  public:

@@ -29,8 +29,8 @@ Vec3<T> standing_point(const Points& points, Vec3<T> ContactPoint<T>::*side) {
   return deepest.*side + sum / count;
 }
 
-/// The normal of the triangle's or box's face that `outward` is the normal of, but for rounding or a `lean` (sine); zero
-/// if of none.
+/// The normal of the triangle's or box's face that `outward` is the normal of, but for rounding or a `lean` (sine);
+/// zero if of none.
 template <class T>
 Vec3<T> face_along(const LeafInContext<T>& self, const Vec3<T>& outward, T lean = same_direction<T>);
 

@@ -44,8 +44,8 @@ const void* concrete_for_lanes(const Shape<T>& shape) {
   });
 }
 
-/// Tells a sink of each pair: `unknown(i)` where no kernel answers, `apart(i)`, or `row(i, overlap, row, filled)` with a
-/// `ContactRow` and a bit for each of its points that is there.
+/// Tells a sink of each pair: `unknown(i)` where no kernel answers, `apart(i)`, or `row(i, overlap, row, filled)` with
+/// a `ContactRow` and a bit for each of its points that is there.
 template <class T, class Sink>
 void visit_contacts(const PairKinds& kinds, const PlacedPair<T>* pairs, std::size_t count, Sink& sink) {
   const LoadKernels<T>& load = GRAZE_KERNEL(chosen_isa(), plane_load_kernels)().template of<T>();
