@@ -19,10 +19,10 @@
 namespace graze {
 
 /// The points of two bodies that share a normal, struck together.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct Blow {
-  std::uint32_t a, b;  ///< indices of the bodies
-  Vec3<T> normal{};    ///< unit, from a to b
+  std::uint32_t a, b;            ///< indices of the bodies
+  typename Space::Vec normal{};  ///< unit, from a to b
   T restitution{};
   std::uint32_t first_point, point_count;
 };

@@ -24,6 +24,7 @@
 #include "graze/plane/batch.hpp"
 #include "graze/plane/cast.hpp"
 #include "graze/plane/mass.hpp"
+#include "graze/plane/simulation.hpp"
 #include "graze/plane/world.hpp"
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"

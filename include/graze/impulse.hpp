@@ -17,16 +17,15 @@
 // has been applied: the impulse in the tangent plane that would end it, shortened to friction · j where it is longer.
 #pragma once
 
-#include "graze/contact_motion.hpp"
-#include "graze/mass.hpp"
+#include "graze/rigid.hpp"
 
 namespace graze {
 
 /// A body as a blow meets it.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct StruckBody {
-  Motion<T> motion{};
-  InverseMass<T> mass{};
+  typename Rigid<Space>::Motion motion{};
+  typename Rigid<Space>::InverseMass mass{};
 };
 
 /// A contact of two bodies, in world space.
@@ -57,8 +56,9 @@ struct Response {
 };
 
 /// The motion of a body after `impulse` at `point`.
-template <class T>
-GRAZE_API Motion<T> apply_impulse(const StruckBody<T>& body, const Vec3<T>& impulse, const Vec3<T>& point);
+template <class T, class Space>
+GRAZE_API typename Rigid<Space>::Motion
+apply_impulse(const StruckBody<T, Space>& body, const typename Space::Vec& impulse, const typename Space::Vec& point);
 
 /// What the bodies do when they meet at `contact`. Two immovable bodies go on as they are.
 template <class T>

@@ -54,10 +54,11 @@ struct JointDrive {
   T max_force = std::numeric_limits<T>::infinity();  ///< >= 0; a torque for an angular axis
 };
 
-template <class T>
+/// In the plane (`graze/plane/joint.hpp`) frames have two axes to move along, x and y, and turn about the third, z.
+template <class T, class Space = graze::Space<T>>
 struct Joint {
-  BodyId a{}, b{};               ///< two different bodies; a fixed one ties the other to the world
-  Pose<T> frame_a{}, frame_b{};  ///< each in its body's frame
+  BodyId a{}, b{};                            ///< two different bodies; a fixed one ties the other to the world
+  typename Space::Pose frame_a{}, frame_b{};  ///< each in its body's frame
   std::vector<JointLimit<T>> limits;
   std::vector<JointDrive<T>> drives;
   bool enable_collision = false;  ///< otherwise the two do not touch each other

@@ -11,7 +11,8 @@ namespace graze {
 /// KHR_physics_rigid_bodies; `unset` leaves it to the other material, and where both do it is the average.
 enum class Combine { unset, average, minimum, maximum, multiply };
 
-template <class T>
+/// Of bodies of space, and with vectors of the plane of those of the plane.
+template <class T, class Vec = Vec3<T>>
 struct Material {
   T static_friction = T(0.6);   ///< Coulomb's coefficient while nothing slides; >= 0
   T dynamic_friction = T(0.6);  ///< and while it does; >= 0
@@ -19,7 +20,7 @@ struct Material {
   T rolling_friction = T(0);    ///< the lever arm of the torque that resists rolling, as a length; >= 0
   Combine friction_combine = Combine::unset;
   Combine restitution_combine = Combine::unset;
-  Vec3<T> surface_velocity{};  ///< of a conveyor, in the body's frame
+  Vec surface_velocity{};  ///< of a conveyor, in the body's frame
 };
 
 /// The way in which two materials are combined.
@@ -48,8 +49,8 @@ struct ContactMaterial {
 };
 
 /// The larger of the two rolling frictions counts: it is the softer body that is pressed in.
-template <class T>
-constexpr ContactMaterial<T> combined(const Material<T>& a, const Material<T>& b) {
+template <class T, class Vec>
+constexpr ContactMaterial<T> combined(const Material<T, Vec>& a, const Material<T, Vec>& b) {
   const Combine friction = combined(a.friction_combine, b.friction_combine);
   const Combine restitution = combined(a.restitution_combine, b.restitution_combine);
   return {combined(a.static_friction, b.static_friction, friction),

@@ -14,18 +14,17 @@
 #include <memory>
 #include <span>
 
-#include "graze/contact_motion.hpp"
-#include "graze/dynamics.hpp"
 #include "graze/joint.hpp"
 #include "graze/material.hpp"
 #include "graze/motion.hpp"
+#include "graze/rigid.hpp"
 #include "graze/world.hpp"
 
 namespace graze {
 
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct SimulationSettings {
-  Vec3<T> gravity{T(0), T(-9.81), T(0)};
+  typename Space::Vec gravity{T(0), T(-9.81)};
   int sub_steps = 4;        ///< of a step, at least; a power of two
   int most_sub_steps = 16;  ///< of an island that bears much; a power of two
   bool sleep = true;        ///< islands at rest cost nothing and do not move
@@ -34,7 +33,7 @@ struct SimulationSettings {
 };
 
 /// What a step did. Lengths, masses and times in the caller's units; times by the clock in milliseconds.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct StepReport {
   std::size_t awake = 0;     ///< bodies that move by mass and are not asleep
   std::size_t islands = 0;   ///< of awake bodies
@@ -47,15 +46,16 @@ struct StepReport {
   T residual{};              ///< fastest approach of touching points that the solver left
   // Of the bodies with mass as they are now, asleep or not.
   T kinetic_energy{}, potential_energy{};  ///< the latter from the origin up
-  Vec3<T> momentum{}, angular_momentum{};  ///< the latter about the origin
+  typename Space::Vec momentum{};
+  typename Space::Turning angular_momentum{};  ///< about the origin
   double collide_ms{}, prepare_ms{}, solve_ms{}, continuous_ms{}, whole_ms{};
 };
 
-template <class T>
+template <class T, class Space>
 struct SimulationParts;
 
 /// Everything that `restore` brings back: a value that may be kept, copied and thrown away.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API State {
  public:
   State();
@@ -66,28 +66,36 @@ class GRAZE_API State {
   State& operator=(State&&) noexcept;
 
  private:
-  template <class>
+  template <class, class>
   friend class Simulation;
   struct Kept;
   std::unique_ptr<Kept> kept_;
 };
 
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API Simulation {
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+  using Pose = typename Space::Pose;
+  using Velocity = typename Space::Velocity;
+  using Motion = typename Rigid<Space>::Motion;
+  using Dynamics = typename Rigid<Space>::Dynamics;
+  using Material = graze::Material<T, Vec>;
+
  public:
   /// Throws `InvalidValue` for a gravity that is not finite or too large, sub-steps that are no powers of two from 1 to
   /// 1024, the most fewer than the least, and a longest step that is not > 0.
-  explicit Simulation(const SimulationSettings<T>& settings = {}, Executor* executor = nullptr);
+  explicit Simulation(const SimulationSettings<T, Space>& settings = {}, Executor* executor = nullptr);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
   /// The velocity of the body is that of its pose's origin. Throws `InvalidValue` for what `World::add` refuses, and
   /// for masses and materials that are none. The shape of a body with mass has to be bounded.
-  BodyId add(Body<T> body, const Dynamics<T>& dynamics = {}, const Material<T>& material = {});
+  BodyId add(Body<T, Space> body, const Dynamics& dynamics = {}, const Material& material = {});
   /// Throws `InvalidValue` for bodies that are gone or the same, frames that are not finite, limits and drives that are
   /// none.
-  JointId add(const Joint<T>& joint);
+  JointId add(const Joint<T, Space>& joint);
   /// What stood on the body or was joined to it wakes; joints of the body go with it.
   void remove(BodyId id);
   void remove(JointId id);
@@ -97,46 +105,46 @@ class GRAZE_API Simulation {
   void step(T dt);
 
   /// An impulse at a point of the world, at once. None of these moves what is fixed or kinematic; all wake.
-  void apply_impulse(BodyId id, const Vec3<T>& impulse, const Vec3<T>& point);
-  void apply_angular_impulse(BodyId id, const Vec3<T>& impulse);
+  void apply_impulse(BodyId id, const Vec& impulse, const Vec& point);
+  void apply_angular_impulse(BodyId id, const Turning& impulse);
   /// A force on the centre of mass, and a torque, throughout the next step.
-  void apply_force(BodyId id, const Vec3<T>& force);
-  void apply_torque(BodyId id, const Vec3<T>& torque);
+  void apply_force(BodyId id, const Vec& force);
+  void apply_torque(BodyId id, const Turning& torque);
   /// Of the pose's origin, and the turning about it.
-  void set_velocity(BodyId id, const Velocity<T>& velocity);
+  void set_velocity(BodyId id, const Velocity& velocity);
   /// Puts a body elsewhere at once; its velocity stays.
-  void set_pose(BodyId id, const Pose<T>& pose);
+  void set_pose(BodyId id, const Pose& pose);
   /// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
-  void move_to(BodyId id, const Pose<T>& pose, T dt);
-  void set_material(BodyId id, const Material<T>& material);
+  void move_to(BodyId id, const Pose& pose, T dt);
+  void set_material(BodyId id, const Material& material);
   void wake(BodyId id);
 
   /// Of all bodies, by index; what is said in `World::bodies` of indices that are not alive.
-  std::span<const Pose<T>> poses() const;
+  std::span<const Pose> poses() const;
   /// Of the centre of mass.
-  Motion<T> motion(BodyId id) const;
-  Vec3<T> angular_momentum(BodyId id) const;  ///< about the centre of mass
+  Motion motion(BodyId id) const;
+  Turning angular_momentum(BodyId id) const;  ///< about the centre of mass
   T mass(BodyId id) const;                    ///< infinite for what is fixed or kinematic
   bool asleep(BodyId id) const;
-  const Joint<T>& joint(JointId id) const;
+  const Joint<T, Space>& joint(JointId id) const;
   std::span<const T> joint_impulses(JointId id) const;  ///< of the last step, a number for each row of the joint
 
   /// Contacts with the impulses of the last step, events, and all queries. Contacts are those that the last step began
   /// with.
-  const World<T>& world() const;
-  const SimulationSettings<T>& settings() const;
-  void set_gravity(const Vec3<T>& gravity);
+  const World<T, Space>& world() const;
+  const SimulationSettings<T, Space>& settings() const;
+  void set_gravity(const Vec& gravity);
 
-  StepReport<T> report() const;
+  StepReport<T, Space> report() const;
 
-  State<T> save() const;
+  State<T, Space> save() const;
   /// Goes back to a state of this simulation. Throws `InvalidValue` where bodies or joints came or went in between.
   /// Costs an update of the world. What touched is found anew, so that the events of the next step may begin what had
   /// begun before where bodies are apart by less than their margin.
-  void restore(const State<T>& state);
+  void restore(const State<T, Space>& state);
 
  private:
-  std::unique_ptr<SimulationParts<T>> parts_;
+  std::unique_ptr<SimulationParts<T, Space>> parts_;
 };
 
 using Simulationf = Simulation<float>;

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "dynamics/turning.hpp"
+#include "graze/plane/blows.hpp"
 #include "graze/small_vector.hpp"
 
 namespace graze {
@@ -12,32 +14,35 @@ namespace {
 constexpr int most_visits = 200;
 
 /// One point of a manifold while it is struck.
-template <class T>
+template <class T, class Space>
 struct StruckPoint {
-  Vec3<T> position;
+  typename Space::Vec position;
   T effective_mass, target, impulse;
 };
 
-template <class T>
-T normal_velocity(const StruckBody<T>& a, const StruckBody<T>& b, const Vec3<T>& point, const Vec3<T>& normal) {
+template <class T, class Space>
+T normal_velocity(const StruckBody<T, Space>& a, const StruckBody<T, Space>& b, const typename Space::Vec& point,
+                  const typename Space::Vec& normal) {
   return dot(velocity_at(b.motion, point) - velocity_at(a.motion, point), normal);
 }
 
-template <class T>
-T inverse_effective_mass(const StruckBody<T>& body, const Vec3<T>& point, const Vec3<T>& normal) {
-  const Vec3<T> turning = cross(point - body.motion.center, normal);
+template <class T, class Space>
+T inverse_effective_mass(const StruckBody<T, Space>& body, const typename Space::Vec& point,
+                         const typename Space::Vec& normal) {
+  const typename Space::Turning turning = cross(point - body.motion.center, normal);
   return body.mass.mass + dot(turning, body.mass.inertia * turning);
 }
 
 /// Lets the points of one manifold agree on impulses that push, and that reverse what they push.
-template <class T>
-void strike(StruckBody<T>& a, StruckBody<T>& b, const Blow<T>& blow, std::span<const Vec3<T>> points,
-            std::span<T> impulses) {
-  SmallVector<StruckPoint<T>, 8> struck;
+template <class T, class Space>
+void strike(StruckBody<T, Space>& a, StruckBody<T, Space>& b, const Blow<T, Space>& blow,
+            std::span<const typename Space::Vec> points, std::span<T> impulses) {
+  SmallVector<StruckPoint<T, Space>, 8> struck;
   T fastest(0);
-  for (const Vec3<T>& p : points) {
-    const T v = normal_velocity(a, b, p, blow.normal);
-    const T yields = inverse_effective_mass(a, p, blow.normal) + inverse_effective_mass(b, p, blow.normal);
+  for (const typename Space::Vec& p : points) {
+    const T v = normal_velocity<T, Space>(a, b, p, blow.normal);
+    const T yields =
+        inverse_effective_mass<T, Space>(a, p, blow.normal) + inverse_effective_mass<T, Space>(b, p, blow.normal);
     struck.push_back({p, T(1) / yields, -blow.restitution * v, T(0)});
     fastest = greatest(fastest, std::abs(v));
   }
@@ -45,10 +50,10 @@ void strike(StruckBody<T>& a, StruckBody<T>& b, const Blow<T>& blow, std::span<c
   T change = fastest;
   for (int visit = 0; visit < most_visits && change > rounding; ++visit) {
     change = T(0);
-    for (StruckPoint<T>& p : struck) {
-      const T missing = p.target - normal_velocity(a, b, p.position, blow.normal);
+    for (StruckPoint<T, Space>& p : struck) {
+      const T missing = p.target - normal_velocity<T, Space>(a, b, p.position, blow.normal);
       const T impulse = greatest(T(0), p.impulse + missing * p.effective_mass);
-      const Vec3<T> more = blow.normal * (impulse - p.impulse);
+      const typename Space::Vec more = blow.normal * (impulse - p.impulse);
       change = greatest(change, std::abs(impulse - p.impulse) / p.effective_mass);
       p.impulse = impulse;
       a.motion = apply_impulse(a, -more, p.position);
@@ -59,14 +64,36 @@ void strike(StruckBody<T>& a, StruckBody<T>& b, const Blow<T>& blow, std::span<c
 }
 
 /// The speed at which the points of a blow approach, the fastest of them; nothing resists between immovable bodies.
-template <class T>
-T approach_of(std::span<const StruckBody<T>> bodies, const Blow<T>& blow, std::span<const Vec3<T>> points) {
-  const StruckBody<T>&a = bodies[blow.a], &b = bodies[blow.b];
+template <class T, class Space>
+T approach_of(std::span<const StruckBody<T, Space>> bodies, const Blow<T, Space>& blow,
+              std::span<const typename Space::Vec> points) {
+  const StruckBody<T, Space>&a = bodies[blow.a], &b = bodies[blow.b];
   if (!a.mass.movable() && !b.mass.movable()) return T(0);
   T fastest(0);
-  for (const Vec3<T>& p : points.subspan(blow.first_point, blow.point_count))
-    fastest = greatest(fastest, -normal_velocity(a, b, p, blow.normal));
+  for (const typename Space::Vec& p : points.subspan(blow.first_point, blow.point_count))
+    fastest = greatest(fastest, -normal_velocity<T, Space>(a, b, p, blow.normal));
   return fastest;
+}
+
+template <class T, class Space>
+PassedOn<T> strike_until_none(std::span<StruckBody<T, Space>> bodies, std::span<const Blow<T, Space>> blows,
+                              std::span<const typename Space::Vec> points, std::span<T> impulses, T resting_speed,
+                              std::size_t most) {
+  PassedOn<T> passed;
+  while (true) {
+    const Blow<T, Space>* next = nullptr;
+    passed.approach = T(0);
+    for (const Blow<T, Space>& blow : blows) {
+      const T approach = approach_of<T, Space>(bodies, blow, points);
+      if (!(approach > passed.approach)) continue;
+      passed.approach = approach;
+      next = &blow;
+    }
+    if (!next || passed.approach <= resting_speed || passed.struck == most) return passed;
+    strike<T, Space>(bodies[next->a], bodies[next->b], *next, points.subspan(next->first_point, next->point_count),
+                     impulses.subspan(next->first_point, next->point_count));
+    ++passed.struck;
+  }
 }
 
 }  // namespace
@@ -74,26 +101,21 @@ T approach_of(std::span<const StruckBody<T>> bodies, const Blow<T>& blow, std::s
 template <class T>
 PassedOn<T> pass_on(std::span<StruckBody<T>> bodies, std::span<const Blow<T>> blows, std::span<const Vec3<T>> points,
                     std::span<T> impulses, T resting_speed, std::size_t most) {
-  PassedOn<T> passed;
-  while (true) {
-    const Blow<T>* next = nullptr;
-    passed.approach = T(0);
-    for (const Blow<T>& blow : blows) {
-      const T approach = approach_of<T>(bodies, blow, points);
-      if (!(approach > passed.approach)) continue;
-      passed.approach = approach;
-      next = &blow;
-    }
-    if (!next || passed.approach <= resting_speed || passed.struck == most) return passed;
-    strike(bodies[next->a], bodies[next->b], *next, points.subspan(next->first_point, next->point_count),
-           impulses.subspan(next->first_point, next->point_count));
-    ++passed.struck;
-  }
+  return strike_until_none<T, Space<T>>(bodies, blows, points, impulses, resting_speed, most);
+}
+template <class T>
+PassedOn<T> plane::pass_on(std::span<plane::StruckBody<T>> bodies, std::span<const plane::Blow<T>> blows,
+                           std::span<const Vec2<T>> points, std::span<T> impulses, T resting_speed, std::size_t most) {
+  return strike_until_none<T, plane::Space<T>>(bodies, blows, points, impulses, resting_speed, most);
 }
 
-template PassedOn<float> pass_on(std::span<StruckBody<float>>, std::span<const Blow<float>>,
-                                 std::span<const Vec3<float>>, std::span<float>, float, std::size_t);
-template PassedOn<double> pass_on(std::span<StruckBody<double>>, std::span<const Blow<double>>,
-                                  std::span<const Vec3<double>>, std::span<double>, double, std::size_t);
+#define GRAZE_PASS_ON(T)                                                                                               \
+  template PassedOn<T> pass_on(std::span<StruckBody<T>>, std::span<const Blow<T>>, std::span<const Vec3<T>>,           \
+                               std::span<T>, T, std::size_t);                                                          \
+  template PassedOn<T> plane::pass_on(std::span<plane::StruckBody<T>>, std::span<const plane::Blow<T>>,                \
+                                      std::span<const plane::Vec2<T>>, std::span<T>, T, std::size_t);
+GRAZE_PASS_ON(float)
+GRAZE_PASS_ON(double)
+#undef GRAZE_PASS_ON
 
 }  // namespace graze

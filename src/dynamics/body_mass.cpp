@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "graze/plane/mass.hpp"
+
 namespace graze {
 
 namespace {
@@ -57,8 +59,9 @@ void check_inertia(const Vec3<T>& inertia) {
   }
 }
 
-template <class T>
-void check(const Dynamics<T>& dynamics) {
+/// What both spaces say alike.
+template <class Dynamics>
+void check_numbers(const Dynamics& dynamics) {
   if (dynamics.mass) check_positive(*dynamics.mass, "mass");
   check_positive(dynamics.density, "density");
   if (!std::isfinite(dynamics.density))
@@ -67,6 +70,11 @@ void check(const Dynamics<T>& dynamics) {
     validate::fail("gravity_factor", "a finite number", static_cast<double>(dynamics.gravity_factor));
   check_not_negative(dynamics.linear_damping, "linear_damping");
   check_not_negative(dynamics.angular_damping, "angular_damping");
+}
+
+template <class T>
+void check(const Dynamics<T>& dynamics) {
+  check_numbers(dynamics);
   if (dynamics.center_of_mass) validate::point(*dynamics.center_of_mass, "center_of_mass");
   if (dynamics.inertia_diagonal) check_inertia(*dynamics.inertia_diagonal);
 }
@@ -102,12 +110,12 @@ PrincipalAxes<T> principal_axes(const Mat3<T>& tensor) {
 }
 
 template <class T>
-BodyMass<T> body_mass(const Shape<T>& shape, const Dynamics<T>& dynamics, bool movable) {
+BodyMass<T, Space<T>> body_mass(const Shape<T>& shape, const Dynamics<T>& dynamics, bool movable) {
   check(dynamics);
   const Quat<T> given = validate::rotation(dynamics.inertia_orientation, "inertia_orientation");
   const MassProperties<T> of = mass_properties(shape);
   const bool solid = of.volume > T(0);
-  BodyMass<T> body;
+  BodyMass<T, Space<T>> body;
   body.mass = std::numeric_limits<T>::infinity();
   body.principal.translation = dynamics.center_of_mass.value_or(of.center);
   if (!movable) return body;
@@ -131,9 +139,39 @@ BodyMass<T> body_mass(const Shape<T>& shape, const Dynamics<T>& dynamics, bool m
   return body;
 }
 
-template BodyMass<float> body_mass(const Shape<float>&, const Dynamics<float>&, bool);
-template BodyMass<double> body_mass(const Shape<double>&, const Dynamics<double>&, bool);
-template PrincipalAxes<float> principal_axes(const Mat3<float>&);
-template PrincipalAxes<double> principal_axes(const Mat3<double>&);
+template <class T>
+BodyMass<T, plane::Space<T>> body_mass(const plane::Shape<T>& shape, const plane::Dynamics<T>& dynamics, bool movable) {
+  check_numbers(dynamics);
+  if (dynamics.center_of_mass) plane::detail::checked_point(*dynamics.center_of_mass, "center_of_mass");
+  if (dynamics.inertia) check_positive(*dynamics.inertia, "inertia");
+  const plane::MassProperties<T> of = plane::mass_properties(shape);
+  const bool solid = of.area > T(0);
+  BodyMass<T, plane::Space<T>> body;
+  body.mass = std::numeric_limits<T>::infinity();
+  body.principal.translation = dynamics.center_of_mass.value_or(of.center);
+  if (!movable) return body;
+  if (!solid && !(dynamics.mass && dynamics.inertia))
+    validate::fail("shape", "a shape with an area, or a mass and an inertia", shape.name());
+  const T mass = dynamics.mass ? *dynamics.mass : of.area * dynamics.density;
+  check_positive(mass, "mass");
+  body.mass = mass;
+  body.inverse_mass = T(1) / mass;
+  if (dynamics.inertia) {
+    body.inertia = *dynamics.inertia;
+  } else if (std::isfinite(mass)) {
+    body.inertia = of.inertia * (mass / of.area);
+    check_positive(body.inertia, "inertia of the shape");
+  }
+  if (body.inverse_mass != T(0)) body.inverse_inertia = T(1) / body.inertia;
+  return body;
+}
+
+#define GRAZE_BODY_MASS(T)                                                                                             \
+  template BodyMass<T, Space<T>> body_mass(const Shape<T>&, const Dynamics<T>&, bool);                                 \
+  template BodyMass<T, plane::Space<T>> body_mass(const plane::Shape<T>&, const plane::Dynamics<T>&, bool);            \
+  template PrincipalAxes<T> principal_axes(const Mat3<T>&);
+GRAZE_BODY_MASS(float)
+GRAZE_BODY_MASS(double)
+#undef GRAZE_BODY_MASS
 
 }  // namespace graze

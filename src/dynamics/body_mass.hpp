@@ -4,22 +4,26 @@
 // are found by Jacobi's rotations, in + - * / and sqrt alone.
 #pragma once
 
-#include "graze/dynamics.hpp"
-#include "graze/pose.hpp"
-#include "graze/shape.hpp"
+#include "graze/plane/rigid.hpp"
+#include "graze/rigid.hpp"
 
 namespace graze {
 
-template <class T>
+template <class T, class Space>
 struct BodyMass {
+  using Inertia = typename Rigid<Space>::PrincipalInertia;
+
   T mass{}, inverse_mass{};              ///< infinite and zero of what nothing pushes
-  Vec3<T> inertia{}, inverse_inertia{};  ///< about the principal axes
-  Pose<T> principal{};                   ///< centre of mass and principal axes, in the body's frame
+  Inertia inertia{}, inverse_inertia{};  ///< about the principal axes
+  typename Space::Pose principal{};      ///< centre of mass and principal axes, in the body's frame
 };
 
-/// Throws `InvalidValue` for what is no mass or inertia, and for a shape without volume that needs one.
+/// Throws `InvalidValue` for what is no mass or inertia, and for a shape without volume (in the plane, area) that
+/// needs one.
 template <class T>
-BodyMass<T> body_mass(const Shape<T>& shape, const Dynamics<T>& dynamics, bool movable);
+BodyMass<T, Space<T>> body_mass(const Shape<T>& shape, const Dynamics<T>& dynamics, bool movable);
+template <class T>
+BodyMass<T, plane::Space<T>> body_mass(const plane::Shape<T>& shape, const plane::Dynamics<T>& dynamics, bool movable);
 
 /// A symmetric tensor as a diagonal one in turned axes.
 template <class T>

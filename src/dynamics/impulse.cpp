@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "graze/plane/rigid.hpp"
+
 namespace graze {
 
 namespace {
@@ -38,9 +40,10 @@ Vec3<T> stopping(const Yielding<T>& k, const Vec3<T>& normal, const Vec3<T>& sli
 
 }  // namespace
 
-template <class T>
-Motion<T> apply_impulse(const StruckBody<T>& body, const Vec3<T>& impulse, const Vec3<T>& point) {
-  Motion<T> after = body.motion;
+template <class T, class Space>
+typename Rigid<Space>::Motion apply_impulse(const StruckBody<T, Space>& body, const typename Space::Vec& impulse,
+                                            const typename Space::Vec& point) {
+  auto after = body.motion;
   after.linear += impulse * body.mass.mass;
   after.angular += body.mass.inertia * cross(point - body.motion.center, impulse);
   return after;
@@ -76,8 +79,13 @@ Response<T> response(const StruckContact<T>& contact, const StruckBody<T>& a, co
   return r;
 }
 
-template Motion<float> apply_impulse(const StruckBody<float>&, const Vec3<float>&, const Vec3<float>&);
-template Motion<double> apply_impulse(const StruckBody<double>&, const Vec3<double>&, const Vec3<double>&);
+#define GRAZE_APPLY_IMPULSE(T)                                                                                         \
+  template Motion<T> apply_impulse(const StruckBody<T>&, const Vec3<T>&, const Vec3<T>&);                              \
+  template plane::Motion<T> apply_impulse(const StruckBody<T, plane::Space<T>>&, const plane::Vec2<T>&,                \
+                                          const plane::Vec2<T>&);
+GRAZE_APPLY_IMPULSE(float)
+GRAZE_APPLY_IMPULSE(double)
+#undef GRAZE_APPLY_IMPULSE
 template Response<float> response(const StruckContact<float>&, const StruckBody<float>&, const StruckBody<float>&);
 template Response<double> response(const StruckContact<double>&, const StruckBody<double>&, const StruckBody<double>&);
 

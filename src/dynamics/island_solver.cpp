@@ -22,23 +22,10 @@ constexpr T fall_in_sub_step = T(0.02);
 /// Contacts or bodies of an island that a task has: enough that to hand it out costs little beside.
 constexpr std::size_t per_task = 64;
 
-template <class T>
-Mat3<T> in_world(const Vec3<T>& diagonal, const Quat<T>& rotation) {
-  const Mat3<T> r = rotation_matrix(rotation);
-  return r * Mat3<T>::diagonal(diagonal) * transposed(r);
-}
-
-/// An inertia that is infinite never gains angular momentum: any number will do.
-template <class T>
-Vec3<T> finite(const Vec3<T>& inertia, const Vec3<T>& inverse) {
-  return {inverse.x > T(0) ? inertia.x : T(0), inverse.y > T(0) ? inertia.y : T(0),
-          inverse.z > T(0) ? inertia.z : T(0)};
-}
-
 }  // namespace
 
-template <class T>
-void IslandSolver<T>::clear(Executor* executor) {
+template <class T, class Space>
+void IslandSolver<T, Space>::clear(Executor* executor) {
   executor_ = executor;
   movable_.clear();
   contacts_.clear();
@@ -57,9 +44,9 @@ void IslandSolver<T>::clear(Executor* executor) {
   residual_ = T(0);
 }
 
-template <class T>
-std::uint32_t IslandSolver<T>::add(const IslandBody<T>& body) {
-  SolverBody<T> b;
+template <class T, class Space>
+std::uint32_t IslandSolver<T, Space>::add(const IslandBody<T, Space>& body) {
+  SolverBody<T, Space> b;
   b.linear = body.free.linear;
   b.angular = body.movable ? angular_velocity(body.free) : body.spin;
   b.center = body.free.center;
@@ -67,18 +54,19 @@ std::uint32_t IslandSolver<T>::add(const IslandBody<T>& body) {
   b.first_center = body.first.center;
   b.first_rotation = body.first.rotation;
   b.moved = b.center - b.first_center;
-  b.turned = b.rotation == b.first_rotation ? Quat<T>{} : b.rotation * conjugate(b.first_rotation);
+  b.turned = b.rotation == b.first_rotation ? RotationIn<Space>{} : b.rotation * conjugate(b.first_rotation);
   if (body.movable) b.mass = {body.inverse_mass, in_world(body.free.inverse_inertia, body.free.rotation)};
   states_.push_back(body);
   movable_.push_back(body.movable ? 1 : 0);
   bodies_.push_back(b);
-  inertias_.push_back(body.movable ? in_world(finite(body.inertia, body.free.inverse_inertia), body.free.rotation)
-                                   : Mat3<T>{});
+  inertias_.push_back(body.movable
+                          ? in_world(finite_inertia(body.inertia, body.free.inverse_inertia), body.free.rotation)
+                          : InertiaIn<Space>{});
   return static_cast<std::uint32_t>(bodies_.size() - 1);
 }
 
-template <class T>
-std::uint32_t IslandSolver<T>::add_once(std::uint32_t index, const IslandBody<T>& body) {
+template <class T, class Space>
+std::uint32_t IslandSolver<T, Space>::add_once(std::uint32_t index, const IslandBody<T, Space>& body) {
   const auto at = std::lower_bound(immovable_.begin(), immovable_.end(), index,
                                    [](const auto& known, std::uint32_t i) { return known.first < i; });
   if (at != immovable_.end() && at->first == index) return at->second;
@@ -87,16 +75,17 @@ std::uint32_t IslandSolver<T>::add_once(std::uint32_t index, const IslandBody<T>
   return add(body);
 }
 
-template <class T>
-void IslandSolver<T>::add(const TouchingBodies<T>& touching, std::span<const ContactManifold<T>> manifolds) {
+template <class T, class Space>
+void IslandSolver<T, Space>::add(const TouchingBodies<T, Space>& touching,
+                                 std::span<const ContactManifold<T, Space>> manifolds) {
   added_.push_back({touching, manifolds});
   touching_.push_back({touching.a, touching.b});
 }
 
 /// Calls `f` with each number below `count`, on the island's threads.
-template <class T>
+template <class T, class Space>
 template <class F>
-void IslandSolver<T>::each(std::size_t count, const F& f) {
+void IslandSolver<T, Space>::each(std::size_t count, const F& f) {
   if (!executor_ || count <= per_task) {
     for (std::size_t i = 0; i < count; ++i) f(i);
     return;
@@ -108,18 +97,18 @@ void IslandSolver<T>::each(std::size_t count, const F& f) {
 
 /// Calls `f` with each contact and its bodies, one colour after the other. Of a body that nothing pushes, which several
 /// contacts of a colour have, `f` is given a copy.
-template <class T>
+template <class T, class Space>
 template <class F>
-void IslandSolver<T>::each_by_color(const F& f) {
+void IslandSolver<T, Space>::each_by_color(const F& f) {
   const auto with_bodies = [&](Contact& contact) {
     const auto [a, b] = std::pair(contact.touching.a, contact.touching.b);
     if (movable_[a] != 0 && movable_[b] != 0) {
       f(contact, bodies_[a], bodies_[b]);
     } else if (movable_[a] != 0) {
-      SolverBody<T> copy = bodies_[b];
+      SolverBody<T, Space> copy = bodies_[b];
       f(contact, bodies_[a], copy);
     } else {
-      SolverBody<T> copy = bodies_[a];
+      SolverBody<T, Space> copy = bodies_[a];
       f(contact, copy, bodies_[b]);
     }
   };
@@ -132,15 +121,15 @@ void IslandSolver<T>::each_by_color(const F& f) {
   }
 }
 
-template <class T>
-void IslandSolver<T>::prepare_contacts(std::span<const SolverPoint<T>> points, T share) {
+template <class T, class Space>
+void IslandSolver<T, Space>::prepare_contacts(std::span<const SolverPoint<T, Space>> points, T share) {
   coloring_.find(movable_, touching_);
   std::uint32_t manifolds = 0, rows = 0;
   for (const std::uint32_t i : coloring_.order()) {
     Contact& contact = contacts_.emplace_back(added_[i]);
     contact.first_manifold = manifolds;
     contact.first_row = rows;
-    for (const ContactManifold<T>& m : contact.found) {
+    for (const ContactManifold<T, Space>& m : contact.found) {
       contact.manifold_count += m.point_count != 0 ? 1 : 0;
       rows += m.point_count;
     }
@@ -151,64 +140,61 @@ void IslandSolver<T>::prepare_contacts(std::span<const SolverPoint<T>> points, T
   each(contacts_.size(), [&](std::size_t i) {
     const Contact& contact = contacts_[i];
     std::uint32_t row = contact.first_row, manifold = contact.first_manifold;
-    for (const ContactManifold<T>& m : contact.found) {
+    for (const ContactManifold<T, Space>& m : contact.found) {
       if (m.point_count == 0) continue;
-      manifolds_[manifold++] = prepare<T>(contact.touching, bodies_, m, points.subspan(m.first_point, m.point_count),
-                                          share, row, std::span(points_).subspan(row, m.point_count));
+      manifolds_[manifold++] =
+          prepare<T, Space>(contact.touching, bodies_, m, points.subspan(m.first_point, m.point_count), share, row,
+                            std::span(points_).subspan(row, m.point_count));
       row += m.point_count;
     }
   });
 }
 
-template <class T>
-void IslandSolver<T>::add(JointInPlace<T>& joint, std::uint32_t a, std::uint32_t b) {
+template <class T, class Space>
+void IslandSolver<T, Space>::add(JointInPlace<T, Space>& joint, std::uint32_t a, std::uint32_t b) {
   joined_.push_back(&joint);
   joint_bodies_.emplace_back(a, b);
 }
 
-template <class T>
-void IslandSolver<T>::choose_sub_steps(T step, T gravity, int least, int most) {
+template <class T, class Space>
+void IslandSolver<T, Space>::choose_sub_steps(T step, T gravity, int least, int most) {
   // What a joint holds moves along a chord of its arc: off by the square of the sub-step, a quarter of it with two for
   // one.
   sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : manifolds_.empty() ? 1 : least;
-  const auto sinks = [&](const ManifoldRows<T>& m, int count, T share) {
+  const auto sinks = [&](const ManifoldRows<T, Space>& m, int count, T share) {
     const T h = step / T(count);
     if (gravity * h * h > fall_in_sub_step<T> * m.size) return true;
     T pressed(0);
-    for (const PointRow<T>& r : std::span(points_).subspan(m.first_row, m.row_count)) pressed += r.impulse;
+    for (const PointRow<T, Space>& r : std::span(points_).subspan(m.first_row, m.row_count)) pressed += r.impulse;
     return predicted_sink(pressed / step, m.inverse_mass, h) > share * visible_sink<T> * m.size;
   };
   // Points have the impulse of the whole step until the number is known.
   const auto too_few = [&](int count, T share) {
     return std::any_of(manifolds_.begin(), manifolds_.end(),
-                       [&](const ManifoldRows<T>& m) { return sinks(m, count, share); });
+                       [&](const ManifoldRows<T, Space>& m) { return sinks(m, count, share); });
   };
   while (sub_steps_ < most && too_few(sub_steps_, T(1))) sub_steps_ *= 2;
   int last = 0;
-  for (const IslandBody<T>& body : states_)
+  for (const IslandBody<T, Space>& body : states_)
     if (body.movable) last = std::max(last, body.sub_steps == 0 ? most : std::min(body.sub_steps, most));
   if (!manifolds_.empty() && sub_steps_ < last)
     sub_steps_ = std::max(sub_steps_, too_few(last / 2, calm_sink<T>) ? last : last / 2);
   const T part = T(1) / T(sub_steps_);
-  for (PointRow<T>& r : points_) r.impulse *= part;
-  for (ManifoldRows<T>& m : manifolds_) {
-    m.friction_u *= part;
-    m.friction_v *= part;
-    m.twist *= part;
-  }
+  for (PointRow<T, Space>& r : points_) r.impulse *= part;
+  for (ManifoldRows<T, Space>& m : manifolds_) m.friction.scale(part);
 }
 
-template <class T>
-void IslandSolver<T>::begin_body(std::size_t i, const SubStep<T>& time) {
-  IslandBody<T>& state = states_[i];
-  SolverBody<T>& body = bodies_[i];
+template <class T, class Space>
+void IslandSolver<T, Space>::begin_body(std::size_t i, const SubStep<T>& time) {
+  IslandBody<T, Space>& state = states_[i];
+  SolverBody<T, Space>& body = bodies_[i];
   if (!state.movable) {
     body.linear_before = body.linear;
     body.angular_before = body.angular;
     return;
   }
   body.linear = state.free.linear;
-  body.pressed = SolverBody<T>::Pressed::freely;
+  body.pressed = SolverBody<T, Space>::Pressed::freely;
   body.angular = angular_velocity(state.free);
   body.linear_before = body.linear;
   body.angular_before = body.angular;
@@ -216,32 +202,32 @@ void IslandSolver<T>::begin_body(std::size_t i, const SubStep<T>& time) {
   body.linear = (body.linear + state.acceleration * h) * (T(1) / (T(1) + state.linear_damping * h));
   body.angular = (body.angular + body.mass.inertia * (state.torque * h)) * (T(1) / (T(1) + state.angular_damping * h));
 }
-template <class T>
-void IslandSolver<T>::begin_sub_step(const SubStep<T>& time) {
+template <class T, class Space>
+void IslandSolver<T, Space>::begin_sub_step(const SubStep<T>& time) {
   each(bodies_.size(), [&](std::size_t i) { begin_body(i, time); });
 }
 
 /// The angular momentum of what nothing turned stays bit for bit.
-template <class T>
-void IslandSolver<T>::move_body(std::size_t i, const SubStep<T>& time) {
-  IslandBody<T>& state = states_[i];
-  SolverBody<T>& body = bodies_[i];
+template <class T, class Space>
+void IslandSolver<T, Space>::move_body(std::size_t i, const SubStep<T>& time) {
+  IslandBody<T, Space>& state = states_[i];
+  SolverBody<T, Space>& body = bodies_[i];
   const T h = time.h * state.share;
-  FreeBody<T> moving = state.free;
+  FreeBodyIn<Space> moving = state.free;
   moving.linear = body.moving_velocity();
-  Vec3<T> gained{};
+  typename Space::Turning gained{};
   if (state.movable) {
     if (!(body.angular == body.angular_before)) gained = inertias_[i] * (body.angular - body.angular_before);
-    moving.angular_momentum += body.pressed == SolverBody<T>::Pressed::freely ? gained / T(2) : gained;
+    moving.angular_momentum += body.pressed == SolverBody<T, Space>::Pressed::freely ? gained / T(2) : gained;
   } else {
-    moving.inverse_inertia = {T(1), T(1), T(1)};
-    moving.angular_momentum = state.spin;
+    moving = spinning(moving, state.spin);
   }
-  advance(moving, Vec3<T>{}, h);
+  advance(moving, typename Space::Vec{}, h);
   state.free.center = body.center = moving.center;
   state.free.rotation = body.rotation = moving.rotation;
   body.moved = body.center - body.first_center;
-  body.turned = body.rotation == body.first_rotation ? Quat<T>{} : body.rotation * conjugate(body.first_rotation);
+  body.turned =
+      body.rotation == body.first_rotation ? RotationIn<Space>{} : body.rotation * conjugate(body.first_rotation);
   if (!state.movable) return;
   state.free.linear = body.linear;
   state.free.angular_momentum += gained;
@@ -249,49 +235,49 @@ void IslandSolver<T>::move_body(std::size_t i, const SubStep<T>& time) {
   body.angular = angular_velocity(state.free);
   body.angular_before = body.angular;
 }
-template <class T>
-void IslandSolver<T>::move(const SubStep<T>& time) {
+template <class T, class Space>
+void IslandSolver<T, Space>::move(const SubStep<T>& time) {
   each(bodies_.size(), [&](std::size_t i) { move_body(i, time); });
 }
 
 /// What the pass without bias changed.
-template <class T>
-void IslandSolver<T>::end_body(std::size_t i) {
+template <class T, class Space>
+void IslandSolver<T, Space>::end_body(std::size_t i) {
   if (!states_[i].movable) return;
   states_[i].free.linear = bodies_[i].linear;
   if (!(bodies_[i].angular == bodies_[i].angular_before))
     states_[i].free.angular_momentum += inertias_[i] * (bodies_[i].angular - bodies_[i].angular_before);
 }
-template <class T>
-void IslandSolver<T>::end_sub_step() {
+template <class T, class Space>
+void IslandSolver<T, Space>::end_sub_step() {
   each(bodies_.size(), [&](std::size_t i) { end_body(i); });
 }
 
-template <class T>
-void IslandSolver<T>::warm_start_contacts() {
-  each_by_color([&](Contact& contact, SolverBody<T>& a, SolverBody<T>& b) {
-    for (const ManifoldRows<T>& m : manifolds_of(contact)) warm_start<T>(m, rows_of(m), a, b);
+template <class T, class Space>
+void IslandSolver<T, Space>::warm_start_contacts() {
+  each_by_color([&](Contact& contact, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
+    for (const ManifoldRows<T, Space>& m : manifolds_of(contact)) warm_start<T, Space>(m, rows_of(m), a, b);
   });
 }
 
 /// One pass. That with bias decides how bodies move, and notes along what they are pressed.
-template <class T>
-void IslandSolver<T>::solve_rows(const ContactStep<T>& step, bool bias) {
+template <class T, class Space>
+void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    SolverBody<T>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
+    SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
     joints_[j].solve(a, b, bias);
-    if (bias && !manifolds_.empty()) a.pressed = b.pressed = SolverBody<T>::Pressed::tied;
+    if (bias && !manifolds_.empty()) a.pressed = b.pressed = SolverBody<T, Space>::Pressed::tied;
   }
-  each_by_color([&](Contact& contact, SolverBody<T>& a, SolverBody<T>& b) {
-    for (ManifoldRows<T>& m : manifolds_of(contact)) {
-      graze::solve<T>(m, rows_of(m), a, b, step, bias);
-      if (bias) graze::note_pressed<T>(m, rows_of(m), a, b);
+  each_by_color([&](Contact& contact, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
+    for (ManifoldRows<T, Space>& m : manifolds_of(contact)) {
+      graze::solve<T, Space>(m, rows_of(m), a, b, step, bias);
+      if (bias) graze::note_pressed<T, Space>(m, rows_of(m), a, b);
     }
   });
 }
 
-template <class T>
-void IslandSolver<T>::solve(T step, T gravity) {
+template <class T, class Space>
+void IslandSolver<T, Space>::solve(T step, T gravity) {
   const T h = step / T(sub_steps_);
   const SubStep<T> time{h, T(1) / h, step, manifolds_.empty()};
   const ContactStep<T> contact = contact_step(time, gravity);
@@ -300,7 +286,7 @@ void IslandSolver<T>::solve(T step, T gravity) {
   for (int s = 0; s < sub_steps_; ++s) {
     begin_sub_step(time);
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      SolverBody<T>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
+      SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
       joints_[j].refresh(a, b);
       joints_[j].warm_start(a, b);
     }
@@ -313,27 +299,29 @@ void IslandSolver<T>::solve(T step, T gravity) {
   find_residual();
 }
 
-template <class T>
-void IslandSolver<T>::find_residual() {
-  for (const ManifoldRows<T>& m : manifolds_)
-    for (const PointRow<T>& r : std::span(points_).subspan(m.first_row, m.row_count)) {
+template <class T, class Space>
+void IslandSolver<T, Space>::find_residual() {
+  for (const ManifoldRows<T, Space>& m : manifolds_)
+    for (const PointRow<T, Space>& r : std::span(points_).subspan(m.first_row, m.row_count)) {
       if (!(r.impulse > T(0))) continue;
-      const SolverBody<T>&a = bodies_[m.a], &b = bodies_[m.b];
+      const SolverBody<T, Space>&a = bodies_[m.a], &b = bodies_[m.b];
       const T speed = dot(b.linear - a.linear, m.normal) + dot(r.turn_b, b.angular) - dot(r.turn_a, a.angular);
       residual_ = greatest(residual_, -speed);
     }
 }
 
-template <class T>
-void IslandSolver<T>::store(std::span<SolverPoint<T>> points) {
+template <class T, class Space>
+void IslandSolver<T, Space>::store(std::span<SolverPoint<T, Space>> points) {
   each(manifolds_.size(), [&](std::size_t i) {
-    const ManifoldRows<T>& m = manifolds_[i];
-    graze::store<T>(m, rows_of(m), points.subspan(m.first_point, m.row_count), T(sub_steps_));
+    const ManifoldRows<T, Space>& m = manifolds_[i];
+    graze::store<T, Space>(m, rows_of(m), points.subspan(m.first_point, m.row_count), T(sub_steps_));
   });
-  for (const JointRows<T>& j : joints_) j.store();
+  for (const JointRows<T, Space>& j : joints_) j.store();
 }
 
-template class IslandSolver<float>;
-template class IslandSolver<double>;
+template class IslandSolver<float, Space<float>>;
+template class IslandSolver<double, Space<double>>;
+template class IslandSolver<float, plane::Space<float>>;
+template class IslandSolver<double, plane::Space<double>>;
 
 }  // namespace graze

@@ -8,6 +8,22 @@
 
 namespace graze {
 
+namespace plane {
+
+namespace {
+
+template <class T>
+void check_frame(const Pose2<T>& frame, const std::string& path) {
+  detail::checked_point(frame.translation, path + ".translation");
+  const T square = frame.rotation.cosine * frame.rotation.cosine + frame.rotation.sine * frame.rotation.sine;
+  if (!std::isfinite(square) || !(square > T(0)))
+    validate::fail(path + ".rotation", "finite and not zero", static_cast<double>(square));
+}
+
+}  // namespace
+
+}  // namespace plane
+
 namespace {
 
 /// Errors of the size that a sub-step's drift makes are taken back in one sub-step; larger ones, of frames that were
@@ -37,8 +53,8 @@ T nearest_turn(T angle, T about) {
   return angle;
 }
 
-template <class T>
-Vec3<T> turned_by(const InverseMass<T>& mass, const Vec3<T>& angular) {
+template <class Mass, class Turning>
+Turning turned_by(const Mass& mass, const Turning& angular) {
   return mass.inertia * angular;
 }
 
@@ -78,28 +94,67 @@ void check_drive(const JointDrive<T>& drive, const std::string& path) {
     validate::fail(path + ".max_force", "a number >= 0", static_cast<double>(drive.max_force));
 }
 
-}  // namespace
-
 template <class T>
-void check(const Joint<T>& joint) {
+void check_frames(const Joint<T>& joint) {
   validate::point(joint.frame_a.translation, "joint.frame_a.translation");
   validate::point(joint.frame_b.translation, "joint.frame_b.translation");
   validate::rotation(joint.frame_a.rotation, "joint.frame_a.rotation");
   validate::rotation(joint.frame_b.rotation, "joint.frame_b.rotation");
-  for (std::size_t i = 0; i < joint.limits.size(); ++i)
-    check_limit(joint.limits[i], "joint.limits[" + std::to_string(i) + "]");
-  for (std::size_t i = 0; i < joint.drives.size(); ++i)
-    check_drive(joint.drives[i], "joint.drives[" + std::to_string(i) + "]");
 }
+template <class T>
+void check_axes(const JointLimit<T>&, const Space<T>&, const std::string&) {}
+template <class T>
+void check_axes(const JointDrive<T>&, const Space<T>&, const std::string&) {}
 
 template <class T>
-void JointRows<T>::prepare(JointInPlace<T>& joint, const SubStep<T>& step) {
+void check_frames(const Joint<T, plane::Space<T>>& joint) {
+  plane::check_frame(joint.frame_a, "joint.frame_a");
+  plane::check_frame(joint.frame_b, "joint.frame_b");
+}
+/// In the plane bodies move along x and y and turn about z.
+template <class T>
+void check_axes(const JointLimit<T>& limit, const plane::Space<T>&, const std::string& path) {
+  const bool linear = limit.space == JointSpace::linear;
+  if (linear ? limit.axes[2] : limit.axes[0] || limit.axes[1])
+    throw InvalidValue(path + ".axes", linear ? "x and y, of a joint of the plane" : "z, of a joint of the plane",
+                       linear          ? "z"
+                       : limit.axes[0] ? "x"
+                                       : "y");
+}
+template <class T>
+void check_axes(const JointDrive<T>& drive, const plane::Space<T>&, const std::string& path) {
+  const bool linear = drive.space == JointSpace::linear;
+  if (linear == (drive.axis == 2))
+    throw InvalidValue(path + ".axis", linear ? "0 or 1, of a joint of the plane" : "2, of a joint of the plane",
+                       std::to_string(drive.axis));
+}
+
+}  // namespace
+
+template <class T, class Space>
+void check(const Joint<T, Space>& joint) {
+  check_frames(joint);
+  for (std::size_t i = 0; i < joint.limits.size(); ++i) {
+    const std::string path = "joint.limits[" + std::to_string(i) + "]";
+    check_limit(joint.limits[i], path);
+    check_axes(joint.limits[i], Space{}, path);
+  }
+  for (std::size_t i = 0; i < joint.drives.size(); ++i) {
+    const std::string path = "joint.drives[" + std::to_string(i) + "]";
+    check_drive(joint.drives[i], path);
+    check_axes(joint.drives[i], Space{}, path);
+  }
+}
+
+template <class T, class Space>
+void JointRows<T, Space>::prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step) {
   joint_ = &joint;
   step_ = step;
   rows_.clear();
   add_limits(joint.joint);
   for (const JointDrive<T>& drive : joint.joint.drives) {
-    Row row{drive.space == JointSpace::linear ? Measure::along : Measure::twist, drive.axis};
+    Row row{};
+    row.what = {drive.space == JointSpace::linear ? Measure::along : Measure::twist, drive.axis};
     row.soft = true;
     row.angle = drive.space == JointSpace::angular;
     row.acceleration = drive.mode == DriveMode::acceleration;
@@ -116,8 +171,8 @@ void JointRows<T>::prepare(JointInPlace<T>& joint, const SubStep<T>& step) {
 }
 
 /// Axes that are held by any hard limit are locked together; what is left of the limits has bounds.
-template <class T>
-void JointRows<T>::add_limits(const Joint<T>& joint) {
+template <class T, class Space>
+void JointRows<T, Space>::add_limits(const Joint<T, Space>& joint) {
   std::array<bool, 3> linear{}, angular{};
   const auto is_lock = [](const JointLimit<T>& l) {
     return !l.stiffness && l.max == T(0) && (l.min == T(0) || (count(l.axes) > 1 && l.min <= T(0)));
@@ -126,27 +181,27 @@ void JointRows<T>::add_limits(const Joint<T>& joint) {
     for (std::size_t i = 0; i < 3; ++i)
       if (is_lock(l) && l.axes[i]) (l.space == JointSpace::linear ? linear : angular)[i] = true;
   for (std::uint8_t i = 0; i < 3; ++i)
-    if (linear[i]) rows_.push_back({Measure::along, i});
+    if (linear[i]) rows_.push_back({{Measure::along, i}});
   const std::uint8_t held = !angular[0] ? 0 : !angular[1] ? 1 : 2;  // of two locked angles, the axis that stays
   for (std::uint8_t i = 0; i < 3; ++i)
     if (angular[i])
-      rows_.push_back({count(angular) == 3   ? Measure::locked_turn
-                       : count(angular) == 2 ? Measure::locked_swing
-                                             : Measure::twist,
-                       i, held});
+      rows_.push_back({{count(angular) == 3   ? Measure::locked_turn
+                        : count(angular) == 2 ? Measure::locked_swing
+                                              : Measure::twist,
+                        i, held}});
   locked_ = rows_.size();
   for (const JointLimit<T>& l : joint.limits) {
     if (is_lock(l)) continue;
     Row row{};
-    row.axes = l.axes;
+    row.what.axes = l.axes;
     row.angle = l.space == JointSpace::angular;
     const int axes = count(l.axes);
     const std::uint8_t first = l.axes[0] ? 0 : l.axes[1] ? 1 : 2, left = !l.axes[0] ? 0 : !l.axes[1] ? 1 : 2;
-    row.axis = axes == 2 && row.angle ? left : first;
+    row.what.axis = axes == 2 && row.angle ? left : first;
     if (row.angle)
-      row.measure = axes == 1 ? Measure::twist : axes == 2 ? Measure::swing : Measure::whole_turn;
+      row.what.measure = axes == 1 ? Measure::twist : axes == 2 ? Measure::swing : Measure::whole_turn;
     else
-      row.measure = axes == 1 ? Measure::along : Measure::distance;
+      row.what.measure = axes == 1 ? Measure::along : Measure::distance;
     row.soft = l.stiffness.has_value();
     row.stiffness = l.stiffness.value_or(T(0));
     row.damping = l.damping;
@@ -155,8 +210,8 @@ void JointRows<T>::add_limits(const Joint<T>& joint) {
   }
 }
 
-template <class T>
-void JointRows<T>::add_bounds(const JointLimit<T>& limit, const Row& row) {
+template <class T, class Space>
+void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row) {
   const bool several = count(limit.axes) > 1;
   if (limit.min == limit.max) {
     rows_.push_back(row);
@@ -164,7 +219,7 @@ void JointRows<T>::add_bounds(const JointLimit<T>& limit, const Row& row) {
     return;
   }
   // A turn has no end where its range is a whole one.
-  if (row.measure == Measure::twist && limit.max - limit.min >= T(2) * pi<T>) return;
+  if (row.what.measure == Measure::twist && limit.max - limit.min >= T(2) * pi<T>) return;
   const Side sides[] = {Side::lower, Side::upper};
   const T bounds[] = {limit.min, limit.max};
   for (int i = 0; i < 2; ++i) {
@@ -175,21 +230,13 @@ void JointRows<T>::add_bounds(const JointLimit<T>& limit, const Row& row) {
   }
 }
 
-template <class T>
-void JointRows<T>::measure(const SolverBody<T>& a, const SolverBody<T>& b) {
-  const JointFrames<T> frames(a, joint_->frame_a, b, joint_->frame_b);
+template <class T, class Space>
+void JointRows<T, Space>::measure(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
+  const JointFrames<T, Space> frames(a, joint_->frame_a, b, joint_->frame_b);
   reach_ = length(frames.arm_a) + length(frames.arm_b);
   for (Row& row : rows_) {
-    switch (row.measure) {
-    case Measure::along: row.at = frames.along_axis(row.axis); break;
-    case Measure::distance: row.at = frames.distance(row.axes); break;
-    case Measure::twist: row.at = frames.twist(row.axis); break;
-    case Measure::swing: row.at = frames.swing(row.axis); break;
-    case Measure::whole_turn: row.at = frames.whole_turn(); break;
-    case Measure::locked_swing: row.at = frames.locked_swing(row.axis, row.other); break;
-    case Measure::locked_turn: row.at = frames.locked_turn(row.axis); break;
-    }
-    const T value = row.measure == Measure::twist ? nearest_turn(row.at.value, row.target) : row.at.value;
+    row.at = frames.measured(row.what);
+    const T value = row.what.measure == Measure::twist ? nearest_turn(row.at.value, row.target) : row.at.value;
     row.error = value - row.target;
   }
   factor(a, b);
@@ -197,14 +244,14 @@ void JointRows<T>::measure(const SolverBody<T>& a, const SolverBody<T>& b) {
 }
 
 /// L D Lᵀ of the locked rows' matrix J M⁻¹ Jᵀ. A row that follows from those before is left out.
-template <class T>
-void JointRows<T>::factor(const SolverBody<T>& a, const SolverBody<T>& b) {
+template <class T, class Space>
+void JointRows<T, Space>::factor(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
   for (std::size_t i = 0; i < locked_; ++i) {
-    const MeasuredRow<T>& r = rows_[i].at;
-    const Vec3<T> linear = r.linear * (a.mass.mass + b.mass.mass);
-    const Vec3<T> turn_a = turned_by(a.mass, r.angular_a), turn_b = turned_by(b.mass, r.angular_b);
+    const MeasuredRow<T, Space>& r = rows_[i].at;
+    const auto linear = r.linear * (a.mass.mass + b.mass.mass);
+    const auto turn_a = turned_by(a.mass, r.angular_a), turn_b = turned_by(b.mass, r.angular_b);
     for (std::size_t j = 0; j <= i; ++j) {
-      const MeasuredRow<T>& o = rows_[j].at;
+      const MeasuredRow<T, Space>& o = rows_[j].at;
       T k = dot(linear, o.linear) + dot(turn_a, o.angular_a) + dot(turn_b, o.angular_b);
       const T own = k;
       for (std::size_t m = 0; m < j; ++m)
@@ -218,8 +265,8 @@ void JointRows<T>::factor(const SolverBody<T>& a, const SolverBody<T>& b) {
 }
 
 /// Solves with the factors.
-template <class T>
-std::array<T, JointRows<T>::most_locked> JointRows<T>::eliminated(std::array<T, most_locked> v) const {
+template <class T, class Space>
+auto JointRows<T, Space>::eliminated(std::array<T, most_locked> v) const -> std::array<T, most_locked> {
   for (std::size_t i = 0; i < locked_; ++i)
     for (std::size_t j = 0; j < i; ++j) v[i] -= lower_[i][j] * v[j];
   for (std::size_t i = 0; i < locked_; ++i) v[i] *= inverse_pivots_[i];
@@ -229,32 +276,31 @@ std::array<T, JointRows<T>::most_locked> JointRows<T>::eliminated(std::array<T, 
 }
 
 /// A row with the reaction of what is locked: pushing it does not move a locked axis.
-template <class T>
-void JointRows<T>::free_of_locked(Row& row, const SolverBody<T>& a, const SolverBody<T>& b) const {
-  const Vec3<T> linear = row.at.linear * (a.mass.mass + b.mass.mass);
-  const Vec3<T> turn_a = turned_by(a.mass, row.at.angular_a), turn_b = turned_by(b.mass, row.at.angular_b);
+template <class T, class Space>
+void JointRows<T, Space>::free_of_locked(Row& row, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) const {
+  const auto linear = row.at.linear * (a.mass.mass + b.mass.mass);
+  const auto turn_a = turned_by(a.mass, row.at.angular_a), turn_b = turned_by(b.mass, row.at.angular_b);
   std::array<T, most_locked> coupling{};
   for (std::size_t i = 0; i < locked_; ++i) {
-    const MeasuredRow<T>& r = rows_[i].at;
+    const MeasuredRow<T, Space>& r = rows_[i].at;
     coupling[i] = dot(linear, r.linear) + dot(turn_a, r.angular_a) + dot(turn_b, r.angular_b);
   }
   row.reaction = eliminated(coupling);
-  row.free_linear = row.at.linear;
-  row.free_angular_a = row.at.angular_a;
-  row.free_angular_b = row.at.angular_b;
+  row.free = row.at;
+  row.free.value = T(0);
   for (std::size_t i = 0; i < locked_; ++i) {
-    const MeasuredRow<T>& r = rows_[i].at;
-    row.free_linear -= r.linear * row.reaction[i];
-    row.free_angular_a -= r.angular_a * row.reaction[i];
-    row.free_angular_b -= r.angular_b * row.reaction[i];
+    const MeasuredRow<T, Space>& r = rows_[i].at;
+    row.free.linear -= r.linear * row.reaction[i];
+    row.free.angular_a -= r.angular_a * row.reaction[i];
+    row.free.angular_b -= r.angular_b * row.reaction[i];
   }
   const T own = dot(linear, row.at.linear) + dot(turn_a, row.at.angular_a) + dot(turn_b, row.at.angular_b);
-  row.yielding = dot(row.free_linear, linear) + dot(row.free_angular_a, turn_a) + dot(row.free_angular_b, turn_b);
+  row.yielding = dot(row.free.linear, linear) + dot(row.free.angular_a, turn_a) + dot(row.free.angular_b, turn_b);
   if (!(row.yielding > own * redundant<T>)) row.yielding = T(0);
 }
 
-template <class T>
-void JointRows<T>::refresh(const SolverBody<T>& a, const SolverBody<T>& b) {
+template <class T, class Space>
+void JointRows<T, Space>::refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
   moved_ = false;
   measure(a, b);
   for (std::size_t i = locked_; i < rows_.size(); ++i) {
@@ -266,30 +312,30 @@ void JointRows<T>::refresh(const SolverBody<T>& a, const SolverBody<T>& b) {
   }
 }
 
-template <class T>
-void push_row(const MeasuredRow<T>& row, T impulse, SolverBody<T>& a, SolverBody<T>& b) {
+template <class T, class Space>
+void push_row(const MeasuredRow<T, Space>& row, T impulse, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
   a.linear -= row.linear * (impulse * a.mass.mass);
   b.linear += row.linear * (impulse * b.mass.mass);
   a.angular -= a.mass.inertia * (row.angular_a * impulse);
   b.angular += b.mass.inertia * (row.angular_b * impulse);
 }
 
-template <class T>
-T rate_of(const MeasuredRow<T>& row, const SolverBody<T>& a, const SolverBody<T>& b) {
+template <class T, class Space>
+T rate_of(const MeasuredRow<T, Space>& row, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
   return row.rate(a.linear, a.angular, b.linear, b.angular);
 }
-template <class T>
-T rate_before(const MeasuredRow<T>& row, const SolverBody<T>& a, const SolverBody<T>& b) {
+template <class T, class Space>
+T rate_before(const MeasuredRow<T, Space>& row, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
   return row.rate(a.linear_before, a.angular_before, b.linear_before, b.angular_before);
 }
 
-template <class T>
-void JointRows<T>::warm_start(SolverBody<T>& a, SolverBody<T>& b) const {
+template <class T, class Space>
+void JointRows<T, Space>::warm_start(SolverBody<T, Space>& a, SolverBody<T, Space>& b) const {
   for (const Row& row : rows_) push_row(row.at, row.impulse, a, b);
 }
 
-template <class T>
-void JointRows<T>::solve(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
+template <class T, class Space>
+void JointRows<T, Space>::solve(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
   if (!bias && !moved_ && step_.joined_by_mean) {
     for (const Row& row : rows_) push_row(row.at, row.impulse / T(-2), a, b);
     measure(a, b);
@@ -308,22 +354,23 @@ void JointRows<T>::solve(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
 }
 
 /// The part of a row's error that one sub-step takes back.
-template <class T>
-T JointRows<T>::corrected(const Row& row) const {
-  const bool angle = row.measure != Measure::along && row.measure != Measure::distance;
+template <class T, class Space>
+T JointRows<T, Space>::corrected(const Row& row) const {
+  const bool angle = row.what.measure != Measure::along && row.what.measure != Measure::distance;
   return part_of(row.error, angle ? drift_part<T> : drift_part<T> * reach_);
 }
 
 /// The rate at which an error is gone at the end of the sub-step: where bodies move by h (v₀ + v₁) / 2, it is
 /// -2 e / h - v₀, and where they move by h v₁, -e / h.
-template <class T>
-T JointRows<T>::rate_towards(const Row& row, T error, const SolverBody<T>& a, const SolverBody<T>& b) const {
+template <class T, class Space>
+T JointRows<T, Space>::rate_towards(const Row& row, T error, const SolverBody<T, Space>& a,
+                                    const SolverBody<T, Space>& b) const {
   if (!step_.joined_by_mean) return -error * step_.inverse_h;
   return T(-2) * error * step_.inverse_h - rate_before(row.at, a, b);
 }
 
-template <class T>
-void JointRows<T>::solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
+template <class T, class Space>
+void JointRows<T, Space>::solve_locked(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
   if (locked_ == 0) return;
   std::array<T, most_locked> wanted{};
   for (std::size_t i = 0; i < locked_; ++i) {
@@ -338,16 +385,16 @@ void JointRows<T>::solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias) {
   }
 }
 
-template <class T>
-void JointRows<T>::push_free(Row& row, T impulse, SolverBody<T>& a, SolverBody<T>& b) {
-  push_row(MeasuredRow<T>{row.free_linear, row.free_angular_a, row.free_angular_b, T(0)}, impulse, a, b);
+template <class T, class Space>
+void JointRows<T, Space>::push_free(Row& row, T impulse, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
+  push_row(row.free, impulse, a, b);
   row.impulse += impulse;
   for (std::size_t i = 0; i < locked_; ++i) rows_[i].impulse -= row.reaction[i] * impulse;
 }
 
 /// A bound is kept at the end of the sub-step, however far it is now; once there, nothing goes on past it.
-template <class T>
-void JointRows<T>::solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool bias) {
+template <class T, class Space>
+void JointRows<T, Space>::solve_hard(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
   T wanted = -rate_of(row.at, a, b);
   if (bias) {
     const bool past = row.side == Side::both || (row.side == Side::lower) == (row.error < T(0));
@@ -364,8 +411,8 @@ void JointRows<T>::solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool
 /// A spring and damper by the implicit midpoint rule, which neither adds nor takes energy and is right to the second
 /// order; one that is too stiff for the sub-step by backward Euler (weight 1), which does not ring, as is any whose
 /// bodies do not move by the mean of their velocities.
-template <class T>
-void JointRows<T>::solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b) {
+template <class T, class Space>
+void JointRows<T, Space>::solve_soft(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
   const T h = step_.h, mass = row.acceleration ? T(1) / row.yielding : T(1);
   const T k = row.stiffness * mass, c = row.damping * mass;
   const T stiff = h * (h * k + c) * row.yielding;
@@ -382,8 +429,8 @@ void JointRows<T>::solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b) {
   push_free(row, impulse - row.impulse, a, b);
 }
 
-template <class T>
-void JointRows<T>::store() const {
+template <class T, class Space>
+void JointRows<T, Space>::store() const {
   joint_->impulses.resize(rows_.size());
   for (std::size_t i = 0; i < rows_.size(); ++i) joint_->impulses[i] = rows_[i].impulse;
   joint_->impulse_step = step_.h;
@@ -391,7 +438,11 @@ void JointRows<T>::store() const {
 
 template void check(const Joint<float>&);
 template void check(const Joint<double>&);
-template class JointRows<float>;
-template class JointRows<double>;
+template void check(const Joint<float, plane::Space<float>>&);
+template void check(const Joint<double, plane::Space<double>>&);
+template class JointRows<float, Space<float>>;
+template class JointRows<double, Space<double>>;
+template class JointRows<float, plane::Space<float>>;
+template class JointRows<double, plane::Space<double>>;
 
 }  // namespace graze

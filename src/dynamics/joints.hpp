@@ -20,31 +20,31 @@
 namespace graze {
 
 /// A joint among the bodies of a simulation.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct JointInPlace {
-  Joint<T> joint;
-  std::uint32_t a{}, b{};        ///< indices of the bodies, as all arrays have them
-  Pose<T> frame_a{}, frame_b{};  ///< in the frames of the principal axes about the centres of mass
-  std::vector<T> impulses;       ///< λ of each row, of the last sub-step solved; carried from step to step
-  T impulse_step{};              ///< the duration of that sub-step
+  Joint<T, Space> joint;
+  std::uint32_t a{}, b{};                     ///< indices of the bodies, as all arrays have them
+  typename Space::Pose frame_a{}, frame_b{};  ///< in the frames of the principal axes about the centres of mass
+  std::vector<T> impulses;  ///< λ of each row, of the last sub-step solved; carried from step to step
+  T impulse_step{};         ///< the duration of that sub-step
 };
 
 /// Throws `InvalidValue` for frames, limits and drives that are none. The bodies are the caller's to check.
-template <class T>
-void check(const Joint<T>& joint);
+template <class T, class Space>
+void check(const Joint<T, Space>& joint);
 
 /// The rows of a joint while a step is solved.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class JointRows {
  public:
   /// Takes the joint's impulses over, scaled to the sub-steps of this step. `joint` outlives the rows.
-  void prepare(JointInPlace<T>& joint, const SubStep<T>& step);
+  void prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step);
   /// Axes, arms, errors and effective masses where the bodies are now, at the beginning of a sub-step.
-  void refresh(const SolverBody<T>& a, const SolverBody<T>& b);
+  void refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   /// Applies the impulses of the last sub-step.
-  void warm_start(SolverBody<T>& a, SolverBody<T>& b) const;
+  void warm_start(SolverBody<T, Space>& a, SolverBody<T, Space>& b) const;
   /// One pass over the rows: with `bias` errors of position are corrected (see `SubStep`), otherwise velocities alone.
-  void solve(SolverBody<T>& a, SolverBody<T>& b, bool bias);
+  void solve(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
   /// Writes the impulses back to the joint.
   void store() const;
 
@@ -54,43 +54,38 @@ class JointRows {
  private:
   static constexpr std::size_t most_locked = 6;
 
-  /// How a row measures.
-  enum class Measure : std::uint8_t { along, distance, twist, swing, whole_turn, locked_swing, locked_turn };
   /// Which way a row pushes: any, or only towards larger or smaller values.
   enum class Side : std::uint8_t { both, lower, upper };
 
   struct Row {
-    Measure measure;
-    std::uint8_t axis = 0;       ///< of frame A
-    std::uint8_t other = 0;      ///< the axis that is held, of a locked swing
-    std::array<bool, 3> axes{};  ///< of a distance
+    Measured what{};
     Side side = Side::both;
     bool soft = false, acceleration = false, angle = false;
     bool active = true;
     T target{}, target_speed{}, stiffness{}, damping{}, max_force{};
     T impulse{};
     // Where the bodies are now.
-    MeasuredRow<T> at{};
+    MeasuredRow<T, Space> at{};
     T error{};     ///< past the target
     T yielding{};  ///< the change of the rate by an impulse of 1, with what is locked pushing back
-    std::array<T, most_locked> reaction{};                      ///< of what is locked, to an impulse of 1
-    Vec3<T> free_linear{}, free_angular_a{}, free_angular_b{};  ///< the row less that reaction
+    std::array<T, most_locked> reaction{};  ///< of what is locked, to an impulse of 1
+    MeasuredRow<T, Space> free{};           ///< the row less that reaction
   };
 
-  void add_limits(const Joint<T>& joint);
+  void add_limits(const Joint<T, Space>& joint);
   void add_bounds(const JointLimit<T>& limit, const Row& row);
-  void measure(const SolverBody<T>& a, const SolverBody<T>& b);
-  void factor(const SolverBody<T>& a, const SolverBody<T>& b);
-  void free_of_locked(Row& row, const SolverBody<T>& a, const SolverBody<T>& b) const;
+  void measure(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
+  void factor(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
+  void free_of_locked(Row& row, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) const;
   std::array<T, most_locked> eliminated(std::array<T, most_locked> v) const;
-  void solve_locked(SolverBody<T>& a, SolverBody<T>& b, bool bias);
-  void solve_hard(Row& row, SolverBody<T>& a, SolverBody<T>& b, bool bias);
-  void solve_soft(Row& row, SolverBody<T>& a, SolverBody<T>& b);
-  void push_free(Row& row, T impulse, SolverBody<T>& a, SolverBody<T>& b);
+  void solve_locked(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
+  void solve_hard(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
+  void solve_soft(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
+  void push_free(Row& row, T impulse, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
   T corrected(const Row& row) const;
-  T rate_towards(const Row& row, T error, const SolverBody<T>& a, const SolverBody<T>& b) const;
+  T rate_towards(const Row& row, T error, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) const;
 
-  JointInPlace<T>* joint_ = nullptr;
+  JointInPlace<T, Space>* joint_ = nullptr;
   SubStep<T> step_{};
   std::vector<Row> rows_;  ///< those that are locked first
   std::size_t locked_ = 0;

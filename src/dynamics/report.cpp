@@ -3,13 +3,13 @@
 
 namespace graze {
 
-template <class T>
-StepReport<T> Simulation<T>::report() const {
-  const SimulationParts<T>& p = *parts_;
-  StepReport<T> r = p.last;
+template <class T, class Space>
+StepReport<T, Space> Simulation<T, Space>::report() const {
+  const SimulationParts<T, Space>& p = *parts_;
+  StepReport<T, Space> r = p.last;
   const auto alive = p.world.bodies().alive();
   for (std::uint32_t i = 0; i < p.bodies.size(); ++i) {
-    const SimulatedBody<T>& body = p.bodies[i];
+    const SimulatedBody<T, Space>& body = p.bodies[i];
     if (alive[i] == 0 || !body.movable) continue;
     const T mass = body.mass.mass;
     r.kinetic_energy += mass * length_squared(body.free.linear) / T(2) + rotational_energy(body.free);
@@ -18,7 +18,7 @@ StepReport<T> Simulation<T>::report() const {
     r.angular_momentum += cross(body.free.center, body.free.linear) * mass + body.free.angular_momentum;
   }
   std::size_t deep = 0;
-  for (const SolverPoint<T>& point : p.world.contacts().points) {
+  for (const SolverPoint<T, Space>& point : p.world.contacts().points) {
     if (!(point.distance < T(0))) continue;
     r.deepest = greatest(r.deepest, -point.distance);
     r.mean_depth -= point.distance;
@@ -28,7 +28,11 @@ StepReport<T> Simulation<T>::report() const {
   return r;
 }
 
-template StepReport<float> Simulation<float>::report() const;
-template StepReport<double> Simulation<double>::report() const;
+#define GRAZE_REPORT(T, Space) template StepReport<T, Space> Simulation<T, Space>::report() const;
+GRAZE_REPORT(float, Space<float>)
+GRAZE_REPORT(double, Space<double>)
+GRAZE_REPORT(float, plane::Space<float>)
+GRAZE_REPORT(double, plane::Space<double>)
+#undef GRAZE_REPORT
 
 }  // namespace graze

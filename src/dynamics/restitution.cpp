@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "dynamics/simulation_parts.hpp"
-#include "graze/blows.hpp"
+#include "graze/plane/blows.hpp"
 
 namespace graze {
 
@@ -26,23 +26,24 @@ constexpr T bouncing_steps = T(2);
 constexpr std::size_t blows_per_contact = 16;
 
 /// A point of a manifold where the bodies are now, halfway between its two material points.
-template <class T>
+template <class T, class Space>
 struct MovedPoint {
-  Vec3<T> position;
+  typename Space::Vec position;
   T distance;
 };
 
-template <class T>
-Vec3<T> moved(const FreeBody<T>& from, const FreeBody<T>& to, const Vec3<T>& point) {
+template <class T, class Space>
+typename Space::Vec moved(const FreeBodyIn<Space>& from, const FreeBodyIn<Space>& to,
+                          const typename Space::Vec& point) {
   if (from.center == to.center && from.rotation == to.rotation) return point;
   return to.center + rotate(to.rotation * conjugate(from.rotation), point - from.center);
 }
 
-template <class T>
-MovedPoint<T> moved(const SimulationParts<T>& parts, const ContactPair<T>& pair, const Vec3<T>& normal,
-                    const ContactPoint<T>& p) {
-  const Vec3<T> a = moved(parts.before[pair.a], parts.bodies[pair.a].free, p.a);
-  const Vec3<T> b = moved(parts.before[pair.b], parts.bodies[pair.b].free, p.b);
+template <class T, class Space>
+MovedPoint<T, Space> moved(const SimulationParts<T, Space>& parts, const ContactPair<T>& pair,
+                           const typename Space::Vec& normal, const typename Space::ContactPoint& p) {
+  const typename Space::Vec a = moved<T, Space>(parts.before[pair.a], parts.bodies[pair.a].free, p.a);
+  const typename Space::Vec b = moved<T, Space>(parts.before[pair.b], parts.bodies[pair.b].free, p.b);
   return {a + (b - a) * p.weight, dot(b - a, normal)};
 }
 
@@ -54,14 +55,14 @@ struct Flight {
 };
 
 /// When the points of a manifold meet, seen from now; negative when they have. Infinite for what does not bounce.
-template <class T>
-T time_of_blow(const SimulationParts<T>& parts, const ContactPair<T>& pair, const ContactManifold<T>& m,
-               std::span<const SolverPoint<T>> points, T slow, T dt) {
-  const Motion<T> a = parts.motion(pair.a), b = parts.motion(pair.b);
+template <class T, class Space>
+T time_of_blow(const SimulationParts<T, Space>& parts, const ContactPair<T>& pair, const ContactManifold<T, Space>& m,
+               std::span<const SolverPoint<T, Space>> points, T slow, T dt) {
+  const MotionIn<Space> a = parts.motion(pair.a), b = parts.motion(pair.b);
   T first = std::numeric_limits<T>::infinity();
   bool known = false;
-  for (const SolverPoint<T>& p : points) {
-    known = known || !(p.impulse == Vec3<T>{});
+  for (const SolverPoint<T, Space>& p : points) {
+    known = known || !(p.impulse == typename Space::Vec{});
     const T speed = -relative_velocity(p, m.normal, a, b).normal;
     if (speed > slow) first = least(first, p.distance / speed);
   }
@@ -70,29 +71,30 @@ T time_of_blow(const SimulationParts<T>& parts, const ContactPair<T>& pair, cons
 }
 
 /// Takes the struck body along its flight to the blow.
-template <class T>
-void fly(SimulationParts<T>& parts, std::uint32_t index, const Flight<T>& flight, T dt) {
-  SimulatedBody<T>& body = parts.bodies[index];
-  const Vec3<T> acceleration = flight.supported ? Vec3<T>{} : parts.settings.gravity * body.gravity_factor;
+template <class T, class Space>
+void fly(SimulationParts<T, Space>& parts, std::uint32_t index, const Flight<T>& flight, T dt) {
+  SimulatedBody<T, Space>& body = parts.bodies[index];
+  const typename Space::Vec acceleration =
+      flight.supported ? typename Space::Vec{} : parts.settings.gravity * body.gravity_factor;
   advance(body.free, acceleration, flight.until);
   parts.shares[index] = (dt - flight.until) / dt;
 }
 
 /// The blows of an island and its bodies, side by side.
-template <class T>
+template <class T, class Space>
 struct IslandBlows {
   std::vector<std::uint32_t> indices;
-  std::vector<StruckBody<T>> bodies;
-  std::vector<Motion<T>> before;
-  std::vector<Blow<T>> blows;
+  std::vector<StruckBody<T, Space>> bodies;
+  std::vector<MotionIn<Space>> before;
+  std::vector<Blow<T, Space>> blows;
   std::vector<T> friction;  ///< of each blow
-  std::vector<Vec3<T>> points;
+  std::vector<typename Space::Vec> points;
   std::vector<T> impulses;
 };
 
-template <class T>
-std::uint32_t place_of(const SimulationParts<T>& parts, std::span<const std::uint32_t> members, std::uint32_t index,
-                       IslandBlows<T>& island) {
+template <class T, class Space>
+std::uint32_t place_of(const SimulationParts<T, Space>& parts, std::span<const std::uint32_t> members,
+                       std::uint32_t index, IslandBlows<T, Space>& island) {
   if (parts.movable[index] != 0)
     return static_cast<std::uint32_t>(std::lower_bound(members.begin(), members.end(), index) - members.begin());
   island.indices.push_back(index);
@@ -101,21 +103,21 @@ std::uint32_t place_of(const SimulationParts<T>& parts, std::span<const std::uin
 }
 
 /// Coulomb's friction of what each point pushed, no longer than it takes to end the sliding there.
-template <class T>
-void rub(IslandBlows<T>& island) {
+template <class T, class Space>
+void rub(IslandBlows<T, Space>& island) {
   for (std::size_t k = 0; k < island.blows.size(); ++k) {
-    const Blow<T>& blow = island.blows[k];
-    StruckBody<T>&a = island.bodies[blow.a], &b = island.bodies[blow.b];
+    const Blow<T, Space>& blow = island.blows[k];
+    StruckBody<T, Space>&a = island.bodies[blow.a], &b = island.bodies[blow.b];
     for (std::uint32_t i = blow.first_point; i < blow.first_point + blow.point_count; ++i) {
       if (!(island.impulses[i] > T(0))) continue;
-      const Vec3<T>& at = island.points[i];
-      const Vec3<T> v = velocity_at(b.motion, at) - velocity_at(a.motion, at);
-      const Vec3<T> slip = v - blow.normal * dot(v, blow.normal);
+      const typename Space::Vec& at = island.points[i];
+      const typename Space::Vec v = velocity_at(b.motion, at) - velocity_at(a.motion, at);
+      const typename Space::Vec slip = v - blow.normal * dot(v, blow.normal);
       const T speed = length(slip);
       if (!(speed > T(0))) continue;
-      const Vec3<T> along = slip / speed;
-      const auto yields = [&](const StruckBody<T>& body) {
-        const Vec3<T> turn = cross(at - body.motion.center, along);
+      const typename Space::Vec along = slip / speed;
+      const auto yields = [&](const StruckBody<T, Space>& body) {
+        const typename Space::Turning turn = cross(at - body.motion.center, along);
         return body.mass.mass + dot(turn, body.mass.inertia * turn);
       };
       const T push = least(island.friction[k] * island.impulses[i], speed / (yields(a) + yields(b)));
@@ -125,15 +127,14 @@ void rub(IslandBlows<T>& island) {
   }
 }
 
-template <class T>
-void gather(const SimulationParts<T>& parts, const Islands::Range& range, IslandBlows<T>& island) {
+template <class T, class Space>
+void gather(const SimulationParts<T, Space>& parts, const Islands::Range& range, IslandBlows<T, Space>& island) {
   const auto members = parts.islands.bodies_of(range);
   for (const std::uint32_t i : members) {
-    const SimulatedBody<T>& body = parts.bodies[i];
-    const Mat3<T> r = rotation_matrix(body.free.rotation);
+    const SimulatedBody<T, Space>& body = parts.bodies[i];
     island.indices.push_back(i);
     island.bodies.push_back(
-        {parts.motion(i), {body.mass.inverse_mass, r * Mat3<T>::diagonal(body.free.inverse_inertia) * transposed(r)}});
+        {parts.motion(i), {body.mass.inverse_mass, in_world(body.free.inverse_inertia, body.free.rotation)}});
   }
   for (const std::uint32_t l : parts.islands.links_of(range)) {
     const ContactPair<T>* pair = parts.contact_of(l);
@@ -142,17 +143,17 @@ void gather(const SimulationParts<T>& parts, const Islands::Range& range, Island
     const T near = touching<T> * least(parts.bodies[pair->a].size, parts.bodies[pair->b].size);
     std::uint32_t a = 0, b = 0;
     bool placed = false;
-    for (const ContactManifold<T>& m : parts.world.contacts().manifolds_of(*pair)) {
+    for (const ContactManifold<T, Space>& m : parts.world.contacts().manifolds_of(*pair)) {
       const auto first = static_cast<std::uint32_t>(island.points.size());
-      for (const SolverPoint<T>& p : parts.world.contacts().points_of(m)) {
-        const MovedPoint<T> at = moved(parts, *pair, m.normal, p);
+      for (const SolverPoint<T, Space>& p : parts.world.contacts().points_of(m)) {
+        const MovedPoint<T, Space> at = moved<T, Space>(parts, *pair, m.normal, p);
         if (at.distance <= near) island.points.push_back(at.position);
       }
       const auto count = static_cast<std::uint32_t>(island.points.size()) - first;
       if (count == 0) continue;
       if (!placed) {
-        a = place_of(parts, members, pair->a, island);
-        b = place_of(parts, members, pair->b, island);
+        a = place_of<T, Space>(parts, members, pair->a, island);
+        b = place_of<T, Space>(parts, members, pair->b, island);
         placed = true;
       }
       island.blows.push_back({a, b, m.normal, material.restitution, first, count});
@@ -160,32 +161,29 @@ void gather(const SimulationParts<T>& parts, const Islands::Range& range, Island
     }
   }
   island.impulses.assign(island.points.size(), T(0));
-  for (const StruckBody<T>& body : island.bodies) island.before.push_back(body.motion);
+  for (const StruckBody<T, Space>& body : island.bodies) island.before.push_back(body.motion);
 }
 
 /// Gives the bodies the motions that the blows left, by what was added to them.
-template <class T>
-void take_over(SimulationParts<T>& parts, const IslandBlows<T>& island, std::size_t members) {
+template <class T, class Space>
+void take_over(SimulationParts<T, Space>& parts, const IslandBlows<T, Space>& island, std::size_t members) {
   for (std::size_t k = 0; k < members; ++k) {
-    SimulatedBody<T>& body = parts.bodies[island.indices[k]];
-    const Motion<T>&was = island.before[k], &is = island.bodies[k].motion;
+    SimulatedBody<T, Space>& body = parts.bodies[island.indices[k]];
+    const MotionIn<Space>&was = island.before[k], &is = island.bodies[k].motion;
     body.free.linear = is.linear;
     if (is.angular == was.angular) continue;
-    Vec3<T> gained = rotate(conjugate(body.free.rotation), is.angular - was.angular);
-    for (std::size_t i = 0; i < 3; ++i)
-      gained[i] = body.free.inverse_inertia[i] > T(0) ? gained[i] * body.mass.inertia[i] : T(0);
-    body.free.angular_momentum += rotate(body.free.rotation, gained);
+    body.free.angular_momentum += momentum_of(body.free, body.mass.inertia, is.angular - was.angular);
   }
 }
 
 }  // namespace
 
-template <class T>
-void SimulationParts<T>::pass_blows_on(T dt) {
+template <class T, class Space>
+void SimulationParts<T, Space>::pass_blows_on(T dt) {
   const T slow = bouncing_steps<T> * length(settings.gravity) * dt;
-  const ContactArrays<T>& contacts = world.contacts();
+  const ContactArrays<T, Space>& contacts = world.contacts();
   std::vector<Flight<T>> flights;
-  IslandBlows<T> blows;
+  IslandBlows<T, Space> blows;
   for (std::size_t k = 0; k < awake.size(); ++k) {
     if (awake[k] == 0) continue;
     const Islands::Range& range = islands.ranges()[k];
@@ -207,11 +205,13 @@ void SimulationParts<T>::pass_blows_on(T dt) {
       const ContactPair<T>* pair = contact_of(l);
       if (!pair) continue;
       const bool bouncy = material_of(*pair).restitution > T(0);
-      for (const ContactManifold<T>& m : contacts.manifolds_of(*pair)) {
+      for (const ContactManifold<T, Space>& m : contacts.manifolds_of(*pair)) {
         const auto points = contacts.points_of(m);
-        const T t = bouncy ? time_of_blow(*this, *pair, m, points, slow, dt) : std::numeric_limits<T>::infinity();
-        const bool bears = std::any_of(points.begin(), points.end(),
-                                       [](const SolverPoint<T>& p) { return !(p.impulse == Vec3<T>{}); });
+        const T t =
+            bouncy ? time_of_blow<T, Space>(*this, *pair, m, points, slow, dt) : std::numeric_limits<T>::infinity();
+        const bool bears = std::any_of(points.begin(), points.end(), [](const SolverPoint<T, Space>& p) {
+          return !(p.impulse == typename Space::Vec{});
+        });
         struck = struck || t <= dt;
         for (const std::uint32_t i : {pair->a, pair->b}) {
           Flight<T>* flight = flight_of(i);
@@ -232,7 +232,11 @@ void SimulationParts<T>::pass_blows_on(T dt) {
   }
 }
 
-template void SimulationParts<float>::pass_blows_on(float);
-template void SimulationParts<double>::pass_blows_on(double);
+#define GRAZE_PASS_BLOWS_ON(T, Space) template void SimulationParts<T, Space>::pass_blows_on(T);
+GRAZE_PASS_BLOWS_ON(float, Space<float>)
+GRAZE_PASS_BLOWS_ON(double, Space<double>)
+GRAZE_PASS_BLOWS_ON(float, plane::Space<float>)
+GRAZE_PASS_BLOWS_ON(double, plane::Space<double>)
+#undef GRAZE_PASS_BLOWS_ON
 
 }  // namespace graze

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "dynamics/simulation_parts.hpp"
-#include "shape/reach.hpp"
 
 namespace graze {
 
@@ -23,8 +22,8 @@ void check_number(T value, const char* path, const char* expectation, bool good)
   if (!good) validate::fail(path, expectation, static_cast<double>(value));
 }
 
-template <class T>
-void check(const Material<T>& m) {
+template <class T, class Space>
+void check_material(const MaterialIn<T, Space>& m) {
   const auto positive = [](T value, const char* path) {
     check_number(value, path, "a finite number >= 0", value >= T(0) && std::isfinite(value));
   };
@@ -32,14 +31,14 @@ void check(const Material<T>& m) {
   positive(m.dynamic_friction, "dynamic_friction");
   positive(m.rolling_friction, "rolling_friction");
   check_number(m.restitution, "restitution", "a number from 0 to 1", m.restitution >= T(0) && m.restitution <= T(1));
-  validate::point(m.surface_velocity, "surface_velocity");
+  checked_vector(m.surface_velocity, "surface_velocity");
 }
 
 bool power_of_two(int n) { return n > 0 && n <= 1024 && (n & (n - 1)) == 0; }
 
-template <class T>
-void check(const SimulationSettings<T>& s) {
-  validate::point(s.gravity, "gravity");
+template <class T, class Space>
+void check_settings(const SimulationSettings<T, Space>& s) {
+  checked_vector(s.gravity, "gravity");
   if (!power_of_two(s.sub_steps)) validate::fail("sub_steps", "a power of two from 1 to 1024", s.sub_steps);
   if (!power_of_two(s.most_sub_steps) || s.most_sub_steps < s.sub_steps)
     validate::fail("most_sub_steps", "a power of two from sub_steps to 1024", s.most_sub_steps);
@@ -47,47 +46,36 @@ void check(const SimulationSettings<T>& s) {
                s.longest_step > T(0) && std::isfinite(s.longest_step));
 }
 
-/// The least extent of a shape along its axes; infinite for a half-space, and for a surface what it is thick.
-template <class T>
-T size_of(const Shape<T>& shape) {
-  if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
-  const Aabb<T> box = bounds(shape, Pose<T>{});
-  const Vec3<T> extent = box.upper - box.lower;
-  T least_extent = std::numeric_limits<T>::infinity();
-  for (std::size_t i = 0; i < 3; ++i)
-    if (extent[i] > max_abs(extent) * T(1e-3)) least_extent = least(least_extent, extent[i]);
-  return least_extent;
-}
-
 }  // namespace
 
-template <class T>
-std::uint32_t SimulationParts<T>::checked(BodyId id) const {
+template <class T, class Space>
+std::uint32_t SimulationParts<T, Space>::checked(BodyId id) const {
   if (!world.bodies().contains(id))
     throw InvalidValue("body", "the handle of a body that is in the simulation",
                        std::to_string(id.index) + " of generation " + std::to_string(id.generation));
   return id.index;
 }
 
-template <class T>
-std::uint32_t SimulationParts<T>::checked(JointId id) const {
+template <class T, class Space>
+std::uint32_t SimulationParts<T, Space>::checked(JointId id) const {
   if (id.index >= joints.size() || !joints[id.index].alive || joints[id.index].generation != id.generation)
     throw InvalidValue("joint", "the handle of a joint that is in the simulation",
                        std::to_string(id.index) + " of generation " + std::to_string(id.generation));
   return id.index;
 }
 
-template <class T>
-Pose<T> SimulationParts<T>::pose_of(std::uint32_t index) const {
-  const SimulatedBody<T>& body = bodies[index];
-  const Quat<T> rotation = normalized(body.free.rotation * conjugate(body.mass.principal.rotation));
+template <class T, class Space>
+typename Space::Pose SimulationParts<T, Space>::pose_of(std::uint32_t index) const {
+  const SimulatedBody<T, Space>& body = bodies[index];
+  const RotationIn<Space> rotation = normalized(body.free.rotation * conjugate(body.mass.principal.rotation));
   return {body.free.center - rotate(rotation, body.mass.principal.translation), rotation};
 }
 
-template <class T>
-void SimulationParts<T>::place(std::uint32_t index, const Pose<T>& pose, const Velocity<T>& velocity) {
-  SimulatedBody<T>& body = bodies[index];
-  const Vec3<T> arm = rotate(pose.rotation, body.mass.principal.translation);
+template <class T, class Space>
+void SimulationParts<T, Space>::place(std::uint32_t index, const typename Space::Pose& pose,
+                                      const typename Space::Velocity& velocity) {
+  SimulatedBody<T, Space>& body = bodies[index];
+  const typename Space::Vec arm = rotate(pose.rotation, body.mass.principal.translation);
   body.free.center = pose.translation + arm;
   body.free.rotation = normalized(pose.rotation * body.mass.principal.rotation);
   body.free.linear = velocity.linear + cross(velocity.angular, arm);
@@ -95,26 +83,28 @@ void SimulationParts<T>::place(std::uint32_t index, const Pose<T>& pose, const V
   if (body.movable) set_angular_velocity(body.free, velocity.angular);
 }
 
-template <class T>
-Motion<T> SimulationParts<T>::motion(std::uint32_t index) const {
-  const SimulatedBody<T>& body = bodies[index];
+template <class T, class Space>
+MotionIn<Space> SimulationParts<T, Space>::motion(std::uint32_t index) const {
+  const SimulatedBody<T, Space>& body = bodies[index];
   return {body.free.linear, body.movable ? angular_velocity(body.free) : body.spin, body.free.center};
 }
 
-template <class T>
-void SimulationParts<T>::move_world() {
+template <class T, class Space>
+void SimulationParts<T, Space>::move_world() {
   const auto alive = world.bodies().alive();
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    SimulatedBody<T>& body = bodies[i];
+    SimulatedBody<T, Space>& body = bodies[i];
     if (alive[i] == 0 || !body.moves || body.asleep) continue;
-    Pose<T> pose = pose_of(i);
-    const Motion<T> m = motion(i);
-    Vec3<T> linear = m.linear + cross(m.angular, pose.translation - m.center), angular = m.angular;
+    typename Space::Pose pose = pose_of(i);
+    const MotionIn<Space> m = motion(i);
+    typename Space::Vec linear = m.linear + cross(m.angular, pose.translation - m.center);
+    typename Space::Turning angular = m.angular;
     // What has left the numbers that are accepted stays where it was.
     const T reached = greatest(max_abs(pose.translation), greatest(max_abs(linear), max_abs(angular)));
-    if (!(reached <= largest_magnitude<T>) || !std::isfinite(pose.rotation.w)) {
+    if (!(reached <= largest_magnitude<T>) || !is_finite(pose.rotation)) {
       pose = world.bodies().poses()[i];
-      linear = angular = {};
+      linear = {};
+      angular = {};
       body.free.angular_momentum = {};
       place(i, pose, {});
     }
@@ -122,8 +112,8 @@ void SimulationParts<T>::move_world() {
   }
 }
 
-template <class T>
-void SimulationParts<T>::mute() {
+template <class T, class Space>
+void SimulationParts<T, Space>::mute() {
   std::sort(muted.begin(), muted.end());
   if (muted.empty()) return world.set_allow({});
   world.set_allow([this](BodyId a, BodyId b) {
@@ -132,19 +122,19 @@ void SimulationParts<T>::mute() {
   });
 }
 
-template <class T>
-Simulation<T>::Simulation(const SimulationSettings<T>& settings, Executor* executor) {
-  check(settings);
-  parts_ = std::make_unique<SimulationParts<T>>(settings, executor);
+template <class T, class Space>
+Simulation<T, Space>::Simulation(const SimulationSettings<T, Space>& settings, Executor* executor) {
+  check_settings(settings);
+  parts_ = std::make_unique<SimulationParts<T, Space>>(settings, executor);
 }
-template <class T>
-Simulation<T>::~Simulation() = default;
+template <class T, class Space>
+Simulation<T, Space>::~Simulation() = default;
 
-template <class T>
-BodyId Simulation<T>::add(Body<T> body, const Dynamics<T>& dynamics, const Material<T>& material) {
-  check(material);
+template <class T, class Space>
+BodyId Simulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, const MaterialIn<T, Space>& material) {
+  check_material<T, Space>(material);
   const bool movable = !body.fixed && !dynamics.kinematic && !body.trigger;
-  SimulatedBody<T> simulated;
+  SimulatedBody<T, Space> simulated;
   simulated.mass = body_mass(body.shape, dynamics, movable);
   simulated.movable = movable && simulated.mass.inverse_mass > T(0);
   simulated.moves = !body.fixed;
@@ -158,7 +148,8 @@ BodyId Simulation<T>::add(Body<T> body, const Dynamics<T>& dynamics, const Mater
   simulated.size = size_of(body.shape);
   simulated.radius = reach_of(body.shape) + length(simulated.mass.principal.translation);
   simulated.free.inverse_inertia = simulated.mass.inverse_inertia;
-  const Velocity<T> velocity{body.fixed ? Vec3<T>{} : body.linear, body.fixed ? Vec3<T>{} : body.angular};
+  typename Space::Velocity velocity{};
+  if (!body.fixed) velocity = {body.linear, body.angular};
   const BodyId id = parts_->world.add(std::move(body));
   if (parts_->bodies.size() <= id.index) parts_->bodies.resize(id.index + 1);
   parts_->bodies[id.index] = std::move(simulated);
@@ -166,12 +157,12 @@ BodyId Simulation<T>::add(Body<T> body, const Dynamics<T>& dynamics, const Mater
   return id;
 }
 
-template <class T>
-JointId Simulation<T>::add(const Joint<T>& joint) {
-  SimulationParts<T>& p = *parts_;
+template <class T, class Space>
+JointId Simulation<T, Space>::add(const Joint<T, Space>& joint) {
+  SimulationParts<T, Space>& p = *parts_;
   const std::uint32_t a = p.checked(joint.a), b = p.checked(joint.b);
   if (a == b) validate::fail("b", "another body than a", std::to_string(b));
-  graze::check(joint);
+  check(joint);
   std::uint32_t index{};
   if (p.free_joints.empty()) {
     index = static_cast<std::uint32_t>(p.joints.size());
@@ -180,11 +171,10 @@ JointId Simulation<T>::add(const Joint<T>& joint) {
     index = p.free_joints.back();
     p.free_joints.pop_back();
   }
-  JointPlace<T>& place = p.joints[index];
+  JointPlace<T, Space>& place = p.joints[index];
   place.alive = true;
-  const auto in_principal = [&](std::uint32_t body, const Pose<T>& frame) {
-    return compose(inverse(p.bodies[body].mass.principal),
-                   Pose<T>{frame.translation, validate::rotation(frame.rotation, "frame.rotation")});
+  const auto in_principal = [&](std::uint32_t body, const typename Space::Pose& frame) {
+    return compose(inverse(p.bodies[body].mass.principal), Space::checked(frame));
   };
   place.in_place = {joint, a, b, in_principal(a, joint.frame_a), in_principal(b, joint.frame_b), {}, T(0)};
   p.wake(a);
@@ -196,10 +186,10 @@ JointId Simulation<T>::add(const Joint<T>& joint) {
   return {index, place.generation};
 }
 
-template <class T>
-void Simulation<T>::remove(JointId id) {
-  SimulationParts<T>& p = *parts_;
-  JointPlace<T>& place = p.joints[p.checked(id)];
+template <class T, class Space>
+void Simulation<T, Space>::remove(JointId id) {
+  SimulationParts<T, Space>& p = *parts_;
+  JointPlace<T, Space>& place = p.joints[p.checked(id)];
   const std::uint32_t a = place.in_place.a, b = place.in_place.b;
   p.wake(a);
   p.wake(b);
@@ -214,9 +204,9 @@ void Simulation<T>::remove(JointId id) {
   p.free_joints.push_back(id.index);
 }
 
-template <class T>
-void Simulation<T>::remove(BodyId id) {
-  SimulationParts<T>& p = *parts_;
+template <class T, class Space>
+void Simulation<T, Space>::remove(BodyId id) {
+  SimulationParts<T, Space>& p = *parts_;
   const std::uint32_t index = p.checked(id);
   p.wake_around(index);
   for (std::uint32_t j = 0; j < p.joints.size(); ++j)
@@ -226,9 +216,9 @@ void Simulation<T>::remove(BodyId id) {
   p.bodies[index] = {};
 }
 
-template <class T>
-void Simulation<T>::step(T dt) {
-  SimulationParts<T>& p = *parts_;
+template <class T, class Space>
+void Simulation<T, Space>::step(T dt) {
+  SimulationParts<T, Space>& p = *parts_;
   if (!(dt > T(0)) || !(dt <= p.settings.longest_step))
     validate::fail("dt", "a number > 0 and at most longest_step", static_cast<double>(dt));
   const auto start = Clock::now();
@@ -248,7 +238,10 @@ void Simulation<T>::step(T dt) {
   const auto held = Clock::now();
   p.put_to_sleep(dt);
   p.move_world();
-  for (SimulatedBody<T>& body : p.bodies) body.force = body.torque = {};
+  for (SimulatedBody<T, Space>& body : p.bodies) {
+    body.force = {};
+    body.torque = {};
+  }
   p.last_step = dt;
   p.last.collide_ms = milliseconds(start, collided);
   p.last.prepare_ms = milliseconds(collided, prepared);
@@ -257,137 +250,136 @@ void Simulation<T>::step(T dt) {
   p.last.whole_ms = milliseconds(start, Clock::now());
 }
 
-template <class T>
-void Simulation<T>::apply_impulse(BodyId id, const Vec3<T>& impulse, const Vec3<T>& point) {
-  SimulatedBody<T>& body = parts_->bodies[parts_->checked(id)];
-  validate::point(impulse, "impulse");
-  validate::point(point, "point");
+template <class T, class Space>
+void Simulation<T, Space>::apply_impulse(BodyId id, const typename Space::Vec& impulse,
+                                         const typename Space::Vec& point) {
+  SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
+  checked_vector(impulse, "impulse");
+  checked_vector(point, "point");
   parts_->wake(id.index);
   if (!body.movable) return;
   body.free.linear += impulse * body.mass.inverse_mass;
   body.free.angular_momentum += cross(point - body.free.center, impulse);
 }
-template <class T>
-void Simulation<T>::apply_angular_impulse(BodyId id, const Vec3<T>& impulse) {
-  SimulatedBody<T>& body = parts_->bodies[parts_->checked(id)];
-  validate::point(impulse, "impulse");
+template <class T, class Space>
+void Simulation<T, Space>::apply_angular_impulse(BodyId id, const typename Space::Turning& impulse) {
+  SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
+  checked_vector(impulse, "impulse");
   parts_->wake(id.index);
   if (body.movable) body.free.angular_momentum += impulse;
 }
-template <class T>
-void Simulation<T>::apply_force(BodyId id, const Vec3<T>& force) {
-  SimulatedBody<T>& body = parts_->bodies[parts_->checked(id)];
-  body.force += validate::point(force, "force");
+template <class T, class Space>
+void Simulation<T, Space>::apply_force(BodyId id, const typename Space::Vec& force) {
+  SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
+  body.force += checked_vector(force, "force");
   parts_->wake(id.index);
 }
-template <class T>
-void Simulation<T>::apply_torque(BodyId id, const Vec3<T>& torque) {
-  SimulatedBody<T>& body = parts_->bodies[parts_->checked(id)];
-  body.torque += validate::point(torque, "torque");
+template <class T, class Space>
+void Simulation<T, Space>::apply_torque(BodyId id, const typename Space::Turning& torque) {
+  SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
+  body.torque += checked_vector(torque, "torque");
   parts_->wake(id.index);
 }
-template <class T>
-void Simulation<T>::set_velocity(BodyId id, const Velocity<T>& velocity) {
+template <class T, class Space>
+void Simulation<T, Space>::set_velocity(BodyId id, const typename Space::Velocity& velocity) {
   const std::uint32_t index = parts_->checked(id);
-  validate::point(velocity.linear, "linear");
-  validate::point(velocity.angular, "angular");
+  checked_vector(velocity.linear, "linear");
+  checked_vector(velocity.angular, "angular");
   if (!parts_->bodies[index].moves) return;
-  const Pose<T> pose = parts_->world.bodies().poses()[index];
+  const typename Space::Pose pose = parts_->world.bodies().poses()[index];
   parts_->world.move(id, pose, velocity.linear, velocity.angular);
-  const FreeBody<T> there = parts_->bodies[index].free;
+  const FreeBodyIn<Space> there = parts_->bodies[index].free;
   parts_->place(index, pose, velocity);
   parts_->bodies[index].free.center = there.center;
   parts_->bodies[index].free.rotation = there.rotation;
   parts_->wake(index);
 }
-template <class T>
-void Simulation<T>::set_pose(BodyId id, const Pose<T>& pose) {
+template <class T, class Space>
+void Simulation<T, Space>::set_pose(BodyId id, const typename Space::Pose& pose) {
   const std::uint32_t index = parts_->checked(id);
-  const Motion<T> motion = parts_->motion(index);
+  const MotionIn<Space> motion = parts_->motion(index);
   parts_->world.move(id, pose);
   parts_->wake_around(index);
   parts_->place(index, parts_->world.bodies().poses()[index], {});
-  SimulatedBody<T>& body = parts_->bodies[index];
+  SimulatedBody<T, Space>& body = parts_->bodies[index];
   body.free.linear = motion.linear;
   body.spin = motion.angular;
   if (body.movable) set_angular_velocity(body.free, motion.angular);
 }
-template <class T>
-void Simulation<T>::move_to(BodyId id, const Pose<T>& pose, T dt) {
+template <class T, class Space>
+void Simulation<T, Space>::move_to(BodyId id, const typename Space::Pose& pose, T dt) {
   const std::uint32_t index = parts_->checked(id);
   if (!(dt > T(0)) || !std::isfinite(dt)) validate::fail("dt", "a finite number > 0", static_cast<double>(dt));
-  const Quat<T> to = validate::rotation(pose.rotation, "pose.rotation");
-  validate::point(pose.translation, "pose.translation");
-  SimulatedBody<T>& body = parts_->bodies[index];
+  const typename Space::Pose to = Space::checked(pose);
+  SimulatedBody<T, Space>& body = parts_->bodies[index];
   if (body.movable || !body.moves) return;
-  // The axis times the angle of the turn, the shorter way: in vector part v and w, 2 atan2(|v|, w) v / |v|.
-  Quat<T> turn = to * conjugate(parts_->world.bodies().poses()[index].rotation);
-  if (turn.w < T(0)) turn = {-turn.x, -turn.y, -turn.z, -turn.w};
-  const T sine = length(turn.vector());
-  const T per_sine = sine > T(0) ? T(2) * std::atan2(sine, turn.w) / sine : T(2);
-  const Vec3<T> center = pose.translation + rotate(to, body.mass.principal.translation);
+  const typename Space::Vec center = to.translation + rotate(to.rotation, body.mass.principal.translation);
   body.free.linear = (center - body.free.center) / dt;
-  body.spin = turn.vector() * (per_sine / dt);
+  body.spin = turning_between(parts_->world.bodies().poses()[index].rotation, to.rotation, dt);
   parts_->wake(index);
 }
-template <class T>
-void Simulation<T>::set_material(BodyId id, const Material<T>& material) {
-  check(material);
+template <class T, class Space>
+void Simulation<T, Space>::set_material(BodyId id, const MaterialIn<T, Space>& material) {
+  check_material<T, Space>(material);
   const std::uint32_t index = parts_->checked(id);
   parts_->bodies[index].material = material;
   parts_->wake_around(index);
 }
-template <class T>
-void Simulation<T>::wake(BodyId id) {
+template <class T, class Space>
+void Simulation<T, Space>::wake(BodyId id) {
   parts_->wake(parts_->checked(id));
 }
 
-template <class T>
-std::span<const Pose<T>> Simulation<T>::poses() const {
+template <class T, class Space>
+std::span<const typename Space::Pose> Simulation<T, Space>::poses() const {
   return parts_->world.bodies().poses();
 }
-template <class T>
-Motion<T> Simulation<T>::motion(BodyId id) const {
+template <class T, class Space>
+MotionIn<Space> Simulation<T, Space>::motion(BodyId id) const {
   return parts_->motion(parts_->checked(id));
 }
-template <class T>
-Vec3<T> Simulation<T>::angular_momentum(BodyId id) const {
+template <class T, class Space>
+typename Space::Turning Simulation<T, Space>::angular_momentum(BodyId id) const {
   return parts_->bodies[parts_->checked(id)].free.angular_momentum;
 }
-template <class T>
-T Simulation<T>::mass(BodyId id) const {
-  const SimulatedBody<T>& body = parts_->bodies[parts_->checked(id)];
+template <class T, class Space>
+T Simulation<T, Space>::mass(BodyId id) const {
+  const SimulatedBody<T, Space>& body = parts_->bodies[parts_->checked(id)];
   return body.movable ? body.mass.mass : std::numeric_limits<T>::infinity();
 }
-template <class T>
-bool Simulation<T>::asleep(BodyId id) const {
+template <class T, class Space>
+bool Simulation<T, Space>::asleep(BodyId id) const {
   return parts_->bodies[parts_->checked(id)].asleep;
 }
-template <class T>
-const Joint<T>& Simulation<T>::joint(JointId id) const {
+template <class T, class Space>
+const Joint<T, Space>& Simulation<T, Space>::joint(JointId id) const {
   return parts_->joints[parts_->checked(id)].in_place.joint;
 }
-template <class T>
-std::span<const T> Simulation<T>::joint_impulses(JointId id) const {
+template <class T, class Space>
+std::span<const T> Simulation<T, Space>::joint_impulses(JointId id) const {
   return parts_->joints[parts_->checked(id)].in_place.impulses;
 }
-template <class T>
-const World<T>& Simulation<T>::world() const {
+template <class T, class Space>
+const World<T, Space>& Simulation<T, Space>::world() const {
   return parts_->world;
 }
-template <class T>
-const SimulationSettings<T>& Simulation<T>::settings() const {
+template <class T, class Space>
+const SimulationSettings<T, Space>& Simulation<T, Space>::settings() const {
   return parts_->settings;
 }
-template <class T>
-void Simulation<T>::set_gravity(const Vec3<T>& gravity) {
-  parts_->settings.gravity = validate::point(gravity, "gravity");
+template <class T, class Space>
+void Simulation<T, Space>::set_gravity(const typename Space::Vec& gravity) {
+  parts_->settings.gravity = checked_vector(gravity, "gravity");
   for (std::uint32_t i = 0; i < parts_->bodies.size(); ++i) parts_->wake(i);
 }
 
-template struct SimulationParts<float>;
-template struct SimulationParts<double>;
-template class Simulation<float>;
-template class Simulation<double>;
+#define GRAZE_SIMULATION(T, Space)                                                                                     \
+  template struct SimulationParts<T, Space>;                                                                           \
+  template class Simulation<T, Space>;
+GRAZE_SIMULATION(float, Space<float>)
+GRAZE_SIMULATION(double, Space<double>)
+GRAZE_SIMULATION(float, plane::Space<float>)
+GRAZE_SIMULATION(double, plane::Space<double>)
+#undef GRAZE_SIMULATION
 
 }  // namespace graze

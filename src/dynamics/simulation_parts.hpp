@@ -17,17 +17,21 @@
 
 namespace graze {
 
+template <class T, class Space>
+using MaterialIn = Material<T, typename Space::Vec>;
+
 /// A body and how it moves.
-template <class T>
+template <class T, class Space>
 struct SimulatedBody {
-  FreeBody<T> free{};
-  Vec3<T> spin{};  ///< angular velocity of what nothing pushes, which has no angular momentum
-  BodyMass<T> mass{};
-  Material<T> material{};
+  FreeBodyIn<Space> free{};
+  typename Space::Turning spin{};  ///< angular velocity of what nothing pushes, which has no angular momentum
+  BodyMass<T, Space> mass{};
+  MaterialIn<T, Space> material{};
   T gravity_factor = T(1), linear_damping{}, angular_damping{};
   T size{};    ///< the least extent of the shape: what tolerances refer to
   T radius{};  ///< no point of the shape is further from the centre of mass
-  Vec3<T> force{}, torque{};
+  typename Space::Vec force{};
+  typename Space::Turning torque{};
   T rested{};            ///< for how long it has been slow
   int sub_steps = 0;     ///< of its island in the last step; 0 before its first
   bool movable = false;  ///< by pushing
@@ -37,9 +41,9 @@ struct SimulatedBody {
 };
 
 /// A joint's place: whether there is one, and how often its index was given away.
-template <class T>
+template <class T, class Space>
 struct JointPlace {
-  JointInPlace<T> in_place;
+  JointInPlace<T, Space> in_place;
   std::uint32_t generation = 0;
   bool alive = false;
 };
@@ -57,38 +61,39 @@ struct Scales {
   T time(T size) const { return gravity > T(0) ? std::sqrt(size / gravity) : T(20) * step; }
 };
 
-template <class T>
+template <class T, class Space>
 struct SimulationParts {
-  SimulationParts(const SimulationSettings<T>& s, Executor* e) : settings(s), executor(e ? e : &serial), world({}, e) {}
+  SimulationParts(const SimulationSettings<T, Space>& s, Executor* e)
+      : settings(s), executor(e ? e : &serial), world({}, e) {}
 
-  SimulationSettings<T> settings;
+  SimulationSettings<T, Space> settings;
   SerialExecutor serial;
   Executor* executor;
-  World<T> world;
-  std::vector<SimulatedBody<T>> bodies;
-  std::vector<JointPlace<T>> joints;
+  World<T, Space> world;
+  std::vector<SimulatedBody<T, Space>> bodies;
+  std::vector<JointPlace<T, Space>> joints;
   std::vector<std::uint32_t> free_joints;
   std::vector<IdPair> muted;  ///< by joints, sorted; as often as there are joints that mute them
 
   // Of a step.
   Islands islands;
-  std::vector<IslandSolver<T>> solvers;      ///< one for each task, kept for their storage
-  std::vector<std::uint8_t> movable, awake;  ///< of each body; of each island
-  std::vector<Pose<T>> found_at;             ///< where the last update found contacts
+  std::vector<IslandSolver<T, Space>> solvers;  ///< one for each task, kept for their storage
+  std::vector<std::uint8_t> movable, awake;     ///< of each body; of each island
+  std::vector<typename Space::Pose> found_at;   ///< where the last update found contacts
   std::vector<IslandLink> links;
   std::vector<std::uint32_t> link_pairs;  ///< of each link: its place among the contact pairs, or the joint behind them
-  std::vector<FreeBody<T>> before;        ///< how bodies stood when the step began
+  std::vector<FreeBodyIn<Space>> before;  ///< how bodies stood when the step began
   std::vector<T> shares;                  ///< of the step that each body has: less where it was moved ahead to a blow
   T last_step{};
-  StepReport<T> last{};
+  StepReport<T, Space> last{};
 
   Scales<T> scales(T dt) const { return {length(settings.gravity), dt}; }
   std::uint32_t checked(BodyId id) const;
   std::uint32_t checked(JointId id) const;
-  Pose<T> pose_of(std::uint32_t index) const;
+  typename Space::Pose pose_of(std::uint32_t index) const;
   /// The state of the body from the pose and velocity that the world has of it.
-  void place(std::uint32_t index, const Pose<T>& pose, const Velocity<T>& velocity);
-  Motion<T> motion(std::uint32_t index) const;
+  void place(std::uint32_t index, const typename Space::Pose& pose, const typename Space::Velocity& velocity);
+  MotionIn<Space> motion(std::uint32_t index) const;
   void wake(std::uint32_t index);
   /// Wakes all that touches the body or is joined to it.
   void wake_around(std::uint32_t index);
@@ -97,7 +102,7 @@ struct SimulationParts {
     const auto& pairs = world.contacts().pairs;
     return link_pairs[link] < pairs.size() ? &pairs[link_pairs[link]] : nullptr;
   }
-  JointInPlace<T>& joint_of(std::uint32_t link) {
+  JointInPlace<T, Space>& joint_of(std::uint32_t link) {
     return joints[link_pairs[link] - world.contacts().pairs.size()].in_place;
   }
   void mute();
@@ -106,8 +111,8 @@ struct SimulationParts {
     return combined(bodies[pair.a].material, bodies[pair.b].material);
   }
   void find_islands();
-  void solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt, Executor* threads);
-  IslandBody<T> island_body(std::uint32_t index) const;
+  void solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt, Executor* threads);
+  IslandBody<T, Space> island_body(std::uint32_t index) const;
   void pass_blows_on(T dt);  // restitution.cpp
   void solve_islands(T dt);
   void hold_back(T dt);     // continuous.cpp

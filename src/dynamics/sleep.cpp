@@ -22,28 +22,28 @@ constexpr T resting_steps = T(10);
 
 }  // namespace
 
-template <class T>
-void SimulationParts<T>::wake(std::uint32_t index) {
+template <class T, class Space>
+void SimulationParts<T, Space>::wake(std::uint32_t index) {
   bodies[index].asleep = false;
   bodies[index].rested = T(0);
 }
 
-template <class T>
-void SimulationParts<T>::wake_around(std::uint32_t index) {
+template <class T, class Space>
+void SimulationParts<T, Space>::wake_around(std::uint32_t index) {
   wake(index);
   for (const ContactPair<T>& pair : world.contacts().pairs) {
     if (pair.a == index) wake(pair.b);
     if (pair.b == index) wake(pair.a);
   }
-  for (const JointPlace<T>& joint : joints) {
+  for (const JointPlace<T, Space>& joint : joints) {
     if (!joint.alive || (joint.in_place.a != index && joint.in_place.b != index)) continue;
     wake(joint.in_place.a);
     wake(joint.in_place.b);
   }
 }
 
-template <class T>
-void SimulationParts<T>::put_to_sleep(T dt) {
+template <class T, class Space>
+void SimulationParts<T, Space>::put_to_sleep(T dt) {
   if (!settings.sleep) return;
   const Scales<T> scale = scales(dt);
   for (std::size_t k = 0; k < awake.size(); ++k) {
@@ -51,8 +51,8 @@ void SimulationParts<T>::put_to_sleep(T dt) {
     const auto members = islands.bodies_of(islands.ranges()[k]);
     bool still = true;
     for (const std::uint32_t i : members) {
-      SimulatedBody<T>& body = bodies[i];
-      const Motion<T> m = motion(i);
+      SimulatedBody<T, Space>& body = bodies[i];
+      const MotionIn<Space> m = motion(i);
       const T speed = length(m.linear) + length(m.angular) * body.radius;
       body.rested = speed < resting_speed<T> * scale.speed(body.size) ? body.rested + dt : T(0);
       const T long_enough = greatest(resting_time<T> * scale.time(body.size), resting_steps<T> * dt);
@@ -61,21 +61,24 @@ void SimulationParts<T>::put_to_sleep(T dt) {
     if (!still) continue;
     // A body without contacts that is slow for a moment, at the top of its flight, is not long enough so.
     for (const std::uint32_t i : members) {
-      SimulatedBody<T>& body = bodies[i];
+      SimulatedBody<T, Space>& body = bodies[i];
       body.asleep = true;
-      body.free.linear = body.free.angular_momentum = {};
+      body.free.linear = {};
+      body.free.angular_momentum = {};
       const BodyId id = world.bodies().id(i);
       world.move(id, pose_of(i), {}, {});
     }
   }
 }
 
-#define GRAZE_SLEEP(T)                                                                                                 \
-  template void SimulationParts<T>::wake(std::uint32_t);                                                               \
-  template void SimulationParts<T>::wake_around(std::uint32_t);                                                        \
-  template void SimulationParts<T>::put_to_sleep(T);
-GRAZE_SLEEP(float)
-GRAZE_SLEEP(double)
+#define GRAZE_SLEEP(T, Space)                                                                                          \
+  template void SimulationParts<T, Space>::wake(std::uint32_t);                                                        \
+  template void SimulationParts<T, Space>::wake_around(std::uint32_t);                                                 \
+  template void SimulationParts<T, Space>::put_to_sleep(T);
+GRAZE_SLEEP(float, Space<float>)
+GRAZE_SLEEP(double, Space<double>)
+GRAZE_SLEEP(float, plane::Space<float>)
+GRAZE_SLEEP(double, plane::Space<double>)
 #undef GRAZE_SLEEP
 
 }  // namespace graze

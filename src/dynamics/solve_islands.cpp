@@ -16,8 +16,8 @@ constexpr std::uint32_t links_of_large = 512;
 
 /// Islands of contacts and joints. One in which anything is awake, or that something touches which moves by itself, is
 /// awake as a whole.
-template <class T>
-void SimulationParts<T>::find_islands() {
+template <class T, class Space>
+void SimulationParts<T, Space>::find_islands() {
   const auto alive = world.bodies().alive();
   movable.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) movable[i] = alive[i] != 0 && bodies[i].movable ? 1 : 0;
@@ -37,7 +37,8 @@ void SimulationParts<T>::find_islands() {
 
   awake.assign(islands.ranges().size(), 0);
   const auto drifts = [&](std::uint32_t i) {
-    return movable[i] == 0 && bodies[i].moves && !(bodies[i].free.linear == Vec3<T>{} && bodies[i].spin == Vec3<T>{});
+    return movable[i] == 0 && bodies[i].moves &&
+           !(bodies[i].free.linear == typename Space::Vec{} && bodies[i].spin == typename Space::Turning{});
   };
   for (std::size_t k = 0; k < awake.size(); ++k) {
     const Islands::Range& r = islands.ranges()[k];
@@ -51,10 +52,10 @@ void SimulationParts<T>::find_islands() {
   }
 }
 
-template <class T>
-IslandBody<T> SimulationParts<T>::island_body(std::uint32_t index) const {
-  const SimulatedBody<T>& body = bodies[index];
-  IslandBody<T> b;
+template <class T, class Space>
+IslandBody<T, Space> SimulationParts<T, Space>::island_body(std::uint32_t index) const {
+  const SimulatedBody<T, Space>& body = bodies[index];
+  IslandBody<T, Space> b;
   b.free = body.free;
   b.first = before[index];
   b.inertia = body.mass.inertia;
@@ -70,9 +71,10 @@ IslandBody<T> SimulationParts<T>::island_body(std::uint32_t index) const {
   return b;
 }
 
-template <class T>
-void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Range& island, T dt, Executor* threads) {
-  ContactArrays<T>& contacts = world.contacts();
+template <class T, class Space>
+void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, const Islands::Range& island, T dt,
+                                             Executor* threads) {
+  ContactArrays<T, Space>& contacts = world.contacts();
   const T gravity = length(settings.gravity), share = last_step > T(0) ? dt / last_step : T(0);
   const auto members = islands.bodies_of(island);
   solver.clear(threads);
@@ -88,13 +90,13 @@ void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Ra
       solver.add(joint_of(l), a, b);
       continue;
     }
-    const SimulatedBody<T>&body_a = bodies[pair->a], &body_b = bodies[pair->b];
-    const TouchingBodies<T> touching{a,
-                                     b,
-                                     material_of(*pair),
-                                     rotate(found_at[pair->a].rotation, body_a.material.surface_velocity),
-                                     rotate(found_at[pair->b].rotation, body_b.material.surface_velocity),
-                                     least(body_a.size, body_b.size)};
+    const SimulatedBody<T, Space>&body_a = bodies[pair->a], &body_b = bodies[pair->b];
+    const TouchingBodies<T, Space> touching{a,
+                                            b,
+                                            material_of(*pair),
+                                            rotate(found_at[pair->a].rotation, body_a.material.surface_velocity),
+                                            rotate(found_at[pair->b].rotation, body_b.material.surface_velocity),
+                                            least(body_a.size, body_b.size)};
     solver.add(touching, contacts.manifolds_of(*pair));
   }
   solver.prepare_contacts(contacts.points, share);
@@ -107,8 +109,8 @@ void SimulationParts<T>::solve_island(IslandSolver<T>& solver, const Islands::Ra
   }
 }
 
-template <class T>
-void SimulationParts<T>::solve_islands(T dt) {
+template <class T, class Space>
+void SimulationParts<T, Space>::solve_islands(T dt) {
   const auto ranges = islands.ranges();
   const std::size_t tasks = (ranges.size() + islands_per_task - 1) / islands_per_task;
   if (solvers.size() < tasks) solvers.resize(tasks);
@@ -118,7 +120,7 @@ void SimulationParts<T>::solve_islands(T dt) {
     T residual{};
   };
   std::vector<Outcome> outcomes(tasks + 1);
-  const auto solve = [&](std::size_t k, IslandSolver<T>& solver, Outcome& outcome, Executor* threads) {
+  const auto solve = [&](std::size_t k, IslandSolver<T, Space>& solver, Outcome& outcome, Executor* threads) {
     solve_island(solver, ranges[k], dt, threads);
     outcome.contacts += solver.point_count();
     outcome.colors = std::max(outcome.colors, solver.color_count());
@@ -141,22 +143,23 @@ void SimulationParts<T>::solve_islands(T dt) {
   }
   const auto alive = world.bodies().alive();
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    SimulatedBody<T>& body = bodies[i];
+    SimulatedBody<T, Space>& body = bodies[i];
     if (alive[i] == 0 || body.movable || !body.moves) continue;
-    FreeBody<T> moving = body.free;
-    moving.inverse_inertia = {T(1), T(1), T(1)};
-    moving.angular_momentum = body.spin;
-    advance(moving, Vec3<T>{}, dt);
+    FreeBodyIn<Space> moving = spinning(body.free, body.spin);
+    advance(moving, typename Space::Vec{}, dt);
     body.free.center = moving.center;
     body.free.rotation = moving.rotation;
   }
 }
 
-template void SimulationParts<float>::find_islands();
-template void SimulationParts<double>::find_islands();
-template IslandBody<float> SimulationParts<float>::island_body(std::uint32_t) const;
-template IslandBody<double> SimulationParts<double>::island_body(std::uint32_t) const;
-template void SimulationParts<float>::solve_islands(float);
-template void SimulationParts<double>::solve_islands(double);
+#define GRAZE_ISLANDS(T, Space)                                                                                        \
+  template void SimulationParts<T, Space>::find_islands();                                                             \
+  template IslandBody<T, Space> SimulationParts<T, Space>::island_body(std::uint32_t) const;                           \
+  template void SimulationParts<T, Space>::solve_islands(T);
+GRAZE_ISLANDS(float, Space<float>)
+GRAZE_ISLANDS(double, Space<double>)
+GRAZE_ISLANDS(float, plane::Space<float>)
+GRAZE_ISLANDS(double, plane::Space<double>)
+#undef GRAZE_ISLANDS
 
 }  // namespace graze

@@ -5,28 +5,32 @@
 // needs a case of its own for it.
 #pragma once
 
-#include "graze/free_motion.hpp"
-#include "graze/mass.hpp"
+#include "dynamics/rigid_space.hpp"
 
 namespace graze {
 
-template <class T>
+template <class T, class Space = graze::Space<T>>
 struct SolverBody {
-  Vec3<T> linear{}, angular{};                ///< of the centre of mass, in world space
-  Vec3<T> linear_before{}, angular_before{};  ///< the same at the beginning of the sub-step
-  InverseMass<T> mass{};                      ///< in world space, of this sub-step
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+
+  Vec linear{};  ///< of the centre of mass, in world space
+  Turning angular{};
+  Vec linear_before{};  ///< the same at the beginning of the sub-step
+  Turning angular_before{};
+  InverseMassIn<Space> mass{};  ///< in world space, of this sub-step
   // Where the body is now and where it was when its contacts were found; of the centre of mass and the principal axes.
-  Vec3<T> center{}, first_center{};
-  Quat<T> rotation{}, first_rotation{};
-  Vec3<T> moved{};   ///< center - first_center
-  Quat<T> turned{};  ///< from first_rotation to rotation
+  Vec center{}, first_center{};
+  RotationIn<Space> rotation{}, first_rotation{};
+  Vec moved{};                 ///< center - first_center
+  RotationIn<Space> turned{};  ///< from first_rotation to rotation
 
   /// Along what contacts press the body in this sub-step.
   enum class Pressed : std::uint8_t { freely, along_normal, tied };
   Pressed pressed = Pressed::freely;
-  Vec3<T> normal{};
+  Vec normal{};
 
-  void press(const Vec3<T>& along) {
+  void press(const Vec& along) {
     if (pressed == Pressed::freely) {
       pressed = Pressed::along_normal;
       normal = along;
@@ -37,17 +41,17 @@ struct SolverBody {
   /// The velocity that moves the body in this sub-step: the mean of that before and after, which is exact under gravity
   /// and friction; but along what it is pressed, and in all directions where that is several, the one after,
   /// which the rows made what they wanted.
-  Vec3<T> moving_velocity() const {
+  Vec moving_velocity() const {
     if (pressed == Pressed::tied) return linear;
-    const Vec3<T> half = (linear_before - linear) / T(2);
+    const Vec half = (linear_before - linear) / T(2);
     return linear + (pressed == Pressed::freely ? half : half - normal * dot(half, normal));
   }
 
   /// How the body's point moved since that was `arm` from the centre when contacts were found.
-  Vec3<T> displacement(const Vec3<T>& arm) const { return moved + (rotate(turned, arm) - arm); }
-  Vec3<T> velocity(const Vec3<T>& arm) const { return linear + cross(angular, arm); }
+  Vec displacement(const Vec& arm) const { return moved + (rotate(turned, arm) - arm); }
+  Vec velocity(const Vec& arm) const { return linear + cross(angular, arm); }
   /// Pushes by `impulse` at `arm` from the centre.
-  void push(const Vec3<T>& impulse, const Vec3<T>& arm) {
+  void push(const Vec& impulse, const Vec& arm) {
     linear += impulse * mass.mass;
     angular += mass.inertia * cross(arm, impulse);
   }

@@ -8,40 +8,41 @@
 
 namespace graze {
 
-template <class T>
-struct State<T>::Kept {
+template <class T, class Space>
+struct State<T, Space>::Kept {
   const void* of = nullptr;  ///< the simulation
-  std::vector<SimulatedBody<T>> bodies;
-  std::vector<JointPlace<T>> joints;
+  std::vector<SimulatedBody<T, Space>> bodies;
+  std::vector<JointPlace<T, Space>> joints;
   std::vector<BodyId> ids;
-  std::vector<Pose<T>> poses, found_at;
-  std::vector<Vec3<T>> linear, angular;
-  std::vector<Vec3<T>> impulses;  ///< in the order of pairs
-  SimulationSettings<T> settings;
-  StepReport<T> last;
+  std::vector<typename Space::Pose> poses, found_at;
+  std::vector<typename Space::Vec> linear;
+  std::vector<typename Space::Turning> angular;
+  std::vector<typename Space::Vec> impulses;  ///< in the order of pairs
+  SimulationSettings<T, Space> settings;
+  StepReport<T, Space> last;
   T last_step{};
 };
 
-template <class T>
-State<T>::State() = default;
-template <class T>
-State<T>::~State() = default;
-template <class T>
-State<T>::State(const State& other) : kept_(other.kept_ ? std::make_unique<Kept>(*other.kept_) : nullptr) {}
-template <class T>
-State<T>::State(State&&) noexcept = default;
-template <class T>
-State<T>& State<T>::operator=(const State& other) {
+template <class T, class Space>
+State<T, Space>::State() = default;
+template <class T, class Space>
+State<T, Space>::~State() = default;
+template <class T, class Space>
+State<T, Space>::State(const State& other) : kept_(other.kept_ ? std::make_unique<Kept>(*other.kept_) : nullptr) {}
+template <class T, class Space>
+State<T, Space>::State(State&&) noexcept = default;
+template <class T, class Space>
+State<T, Space>& State<T, Space>::operator=(const State& other) {
   if (this != &other) kept_ = other.kept_ ? std::make_unique<Kept>(*other.kept_) : nullptr;
   return *this;
 }
-template <class T>
-State<T>& State<T>::operator=(State&&) noexcept = default;
+template <class T, class Space>
+State<T, Space>& State<T, Space>::operator=(State&&) noexcept = default;
 
 namespace {
 
-template <class T>
-std::vector<BodyId> ids_of(const World<T>& world) {
+template <class T, class Space>
+std::vector<BodyId> ids_of(const World<T, Space>& world) {
   std::vector<BodyId> ids;
   for (std::uint32_t i = 0; i < world.bodies().size(); ++i)
     if (world.bodies().alive()[i] != 0) ids.push_back(world.bodies().id(i));
@@ -49,15 +50,15 @@ std::vector<BodyId> ids_of(const World<T>& world) {
 }
 
 /// Calls `f` with every point, pair by pair: an order that the pairs alone decide.
-template <class T, class F>
-void each_point(ContactArrays<T>& contacts, F&& f) {
+template <class T, class Space, class F>
+void each_point(ContactArrays<T, Space>& contacts, F&& f) {
   for (const ContactPair<T>& pair : contacts.pairs)
-    for (const ContactManifold<T>& m : contacts.manifolds_of(pair))
+    for (const ContactManifold<T, Space>& m : contacts.manifolds_of(pair))
       for (std::uint32_t i = 0; i < m.point_count; ++i) f(contacts.points[m.first_point + i]);
 }
 
-template <class T>
-bool same_joints(const std::vector<JointPlace<T>>& a, const std::vector<JointPlace<T>>& b) {
+template <class T, class Space>
+bool same_joints(const std::vector<JointPlace<T, Space>>& a, const std::vector<JointPlace<T, Space>>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i)
     if (a[i].alive != b[i].alive || a[i].generation != b[i].generation) return false;
@@ -66,12 +67,12 @@ bool same_joints(const std::vector<JointPlace<T>>& a, const std::vector<JointPla
 
 }  // namespace
 
-template <class T>
-State<T> Simulation<T>::save() const {
-  SimulationParts<T>& p = *parts_;
-  const BodyArrays<T>& all = p.world.bodies();
-  State<T> state;
-  state.kept_ = std::make_unique<typename State<T>::Kept>();
+template <class T, class Space>
+State<T, Space> Simulation<T, Space>::save() const {
+  SimulationParts<T, Space>& p = *parts_;
+  const BodyArrays<T, Space>& all = p.world.bodies();
+  State<T, Space> state;
+  state.kept_ = std::make_unique<typename State<T, Space>::Kept>();
   auto& kept = *state.kept_;
   kept.of = parts_.get();
   kept.bodies = p.bodies;
@@ -83,30 +84,31 @@ State<T> Simulation<T>::save() const {
   // Bodies that were added since the last update have not been found anywhere yet.
   kept.found_at = p.found_at;
   for (std::size_t i = kept.found_at.size(); i < kept.poses.size(); ++i) kept.found_at.push_back(kept.poses[i]);
-  each_point(p.world.contacts(), [&](const SolverPoint<T>& point) { kept.impulses.push_back(point.impulse); });
+  each_point<T, Space>(p.world.contacts(),
+                       [&](const SolverPoint<T, Space>& point) { kept.impulses.push_back(point.impulse); });
   kept.settings = p.settings;
   kept.last = p.last;
   kept.last_step = p.last_step;
   return state;
 }
 
-template <class T>
-void Simulation<T>::restore(const State<T>& state) {
-  SimulationParts<T>& p = *parts_;
+template <class T, class Space>
+void Simulation<T, Space>::restore(const State<T, Space>& state) {
+  SimulationParts<T, Space>& p = *parts_;
   if (!state.kept_ || state.kept_->of != parts_.get())
     throw InvalidValue("state", "a state that this simulation saved", "another");
   const auto& kept = *state.kept_;
   if (kept.ids != ids_of(p.world)) throw InvalidValue("state", "one of the bodies that there are now", "others");
   if (!same_joints(kept.joints, p.joints))
     throw InvalidValue("state", "one of the joints that there are now", "others");
-  const auto put = [&](std::span<const Pose<T>> poses) {
+  const auto put = [&](std::span<const typename Space::Pose> poses) {
     for (const BodyId id : kept.ids) p.world.move(id, poses[id.index], kept.linear[id.index], kept.angular[id.index]);
   };
   put(kept.found_at);
   p.world.update();
   std::size_t known = 0;
-  each_point(p.world.contacts(), [&](SolverPoint<T>& point) {
-    point.impulse = known < kept.impulses.size() ? kept.impulses[known] : Vec3<T>{};
+  each_point<T, Space>(p.world.contacts(), [&](SolverPoint<T, Space>& point) {
+    point.impulse = known < kept.impulses.size() ? kept.impulses[known] : typename Space::Vec{};
     ++known;
   });
   put(kept.poses);
@@ -118,12 +120,14 @@ void Simulation<T>::restore(const State<T>& state) {
   p.last_step = kept.last_step;
 }
 
-#define GRAZE_STATE(T)                                                                                                 \
-  template class State<T>;                                                                                             \
-  template State<T> Simulation<T>::save() const;                                                                       \
-  template void Simulation<T>::restore(const State<T>&);
-GRAZE_STATE(float)
-GRAZE_STATE(double)
+#define GRAZE_STATE(T, Space)                                                                                          \
+  template class State<T, Space>;                                                                                      \
+  template State<T, Space> Simulation<T, Space>::save() const;                                                         \
+  template void Simulation<T, Space>::restore(const State<T, Space>&);
+GRAZE_STATE(float, Space<float>)
+GRAZE_STATE(double, Space<double>)
+GRAZE_STATE(float, plane::Space<float>)
+GRAZE_STATE(double, plane::Space<double>)
 #undef GRAZE_STATE
 
 }  // namespace graze

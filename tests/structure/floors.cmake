@@ -9,7 +9,7 @@ set(floors
     "^src/composite/"
     "^src/query/|^include/graze/(query|cast|raycast|batch|batch_raycast|contact_motion)\\.hpp$"
     "^src/world/|^include/graze/(world[./]|slide\\.hpp$|plane/(space|world)\\.hpp$)"
-    "^src/dynamics/|^include/graze/(free_motion|impulse|blows|mass|material|dynamics|joint|simulation)\\.hpp$"
+    "^src/dynamics/|^include/graze/((plane/)?(free_motion|blows|dynamics|joint|rigid|simulation)|impulse|mass|material|plane/contact_motion)\\.hpp$"
     "^src/(tbb|io|mpi)/|^include/graze/(io/|mpi/|tbb_executor\\.hpp$)"
     "^include/graze/graze\\.hpp$")
 

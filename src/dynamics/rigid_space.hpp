@@ -1,0 +1,158 @@
+// What each space does in its own way to bodies that turn, under the same names, so that all else is written once.
+//
+// Guarantee: free functions found by their arguments, of `graze` for three dimensions and of `graze::plane` for two.
+#pragma once
+
+#include "dynamics/angles.hpp"
+#include "dynamics/turning.hpp"
+#include "graze/plane/rigid.hpp"
+#include "graze/rigid.hpp"
+#include "shape/reach.hpp"
+
+namespace graze {
+
+template <class Space>
+using RotationIn = typename Rigid<Space>::Rotation;
+template <class Space>
+using MotionIn = typename Rigid<Space>::Motion;
+template <class Space>
+using FreeBodyIn = typename Rigid<Space>::FreeBody;
+template <class Space>
+using InertiaIn = typename Rigid<Space>::Inertia;
+template <class Space>
+using InverseMassIn = typename Rigid<Space>::InverseMass;
+
+/// A body that nothing pushes as one that keeps its `spin`.
+template <class T>
+FreeBody<T> spinning(FreeBody<T> body, const Vec3<T>& spin) {
+  body.inverse_inertia = {T(1), T(1), T(1)};
+  body.angular_momentum = spin;
+  return body;
+}
+
+/// What is diagonal about the principal axes, in world space.
+template <class T>
+Mat3<T> in_world(const Vec3<T>& diagonal, const Quat<T>& rotation) {
+  const Mat3<T> r = rotation_matrix(rotation);
+  return r * Mat3<T>::diagonal(diagonal) * transposed(r);
+}
+
+/// An inertia that is infinite never gains angular momentum: any number will do.
+template <class T>
+Vec3<T> finite_inertia(const Vec3<T>& inertia, const Vec3<T>& inverse) {
+  return {inverse.x > T(0) ? inertia.x : T(0), inverse.y > T(0) ? inertia.y : T(0),
+          inverse.z > T(0) ? inertia.z : T(0)};
+}
+
+/// The angular momentum of a change of the angular velocity.
+template <class T>
+Vec3<T> momentum_of(const FreeBody<T>& body, const Vec3<T>& inertia, const Vec3<T>& angular) {
+  Vec3<T> gained = rotate(conjugate(body.rotation), angular);
+  for (std::size_t i = 0; i < 3; ++i) gained[i] = body.inverse_inertia[i] > T(0) ? gained[i] * inertia[i] : T(0);
+  return rotate(body.rotation, gained);
+}
+
+/// The axis times the angle of the turn from one rotation to another, the shorter way: in vector part v and w,
+/// 2 atan2(|v|, w) v / |v|; as a rate, over `time`.
+template <class T>
+Vec3<T> turning_between(const Quat<T>& from, const Quat<T>& to, T time) {
+  Quat<T> turn = to * conjugate(from);
+  if (turn.w < T(0)) turn = {-turn.x, -turn.y, -turn.z, -turn.w};
+  const T sine = length(turn.vector());
+  const T per_sine = sine > T(0) ? T(2) * std::atan2(sine, turn.w) / sine : T(2);
+  return turn.vector() * (per_sine / time);
+}
+
+template <class T>
+bool is_finite(const Quat<T>& rotation) {
+  return std::isfinite(rotation.w);
+}
+
+/// The point or turning; throws `InvalidValue` for one that is not finite or too large.
+template <class T>
+Vec3<T> checked_vector(const Vec3<T>& v, const char* path) {
+  return validate::point(v, path);
+}
+
+/// The least extent of a shape along its axes; infinite for a half-space, and for a surface what it is thick.
+template <class T>
+T size_of(const Shape<T>& shape) {
+  if (shape.template as<HalfSpace<T>>()) return std::numeric_limits<T>::infinity();
+  const Aabb<T> box = bounds(shape, Pose<T>{});
+  const Vec3<T> extent = box.upper - box.lower;
+  T least_extent = std::numeric_limits<T>::infinity();
+  for (std::size_t i = 0; i < 3; ++i)
+    if (extent[i] > max_abs(extent) * T(1e-3)) least_extent = least(least_extent, extent[i]);
+  return least_extent;
+}
+
+namespace plane {
+
+template <class T>
+constexpr Rot2<T> conjugate(const Rot2<T>& q) {
+  return inverse(q);
+}
+
+template <class T>
+constexpr Pose2<T> inverse(const Pose2<T>& pose) {
+  return {inverse_rotate(pose.rotation, -pose.translation), inverse(pose.rotation)};
+}
+
+template <class T>
+FreeBody<T> spinning(FreeBody<T> body, const T& spin) {
+  body.inverse_inertia = T(1);
+  body.angular_momentum = spin;
+  return body;
+}
+template <class T>
+T in_world(const T& inertia, const Rot2<T>&) {
+  return inertia;
+}
+template <class T>
+T momentum_of(const FreeBody<T>& body, const T& inertia, const T& angular) {
+  return body.inverse_inertia > T(0) ? angular * inertia : T(0);
+}
+template <class T>
+T turning_between(const Rot2<T>& from, const Rot2<T>& to, T time) {
+  const Rot2<T> turn = to * conjugate(from);
+  return angle_of(turn.cosine, turn.sine) / time;
+}
+template <class T>
+bool is_finite(const Rot2<T>& rotation) {
+  return std::isfinite(rotation.cosine);
+}
+template <class T>
+Vec2<T> checked_vector(const Vec2<T>& v, const char* path) {
+  return plane::detail::checked_point(v, path);
+}
+/// The radius of the disc about the shape's origin that holds it; infinite for what has no end.
+template <class T>
+T reach_of(const Shape<T>& shape) {
+  return Space<T>::speed_of_turning(shape, T(1));
+}
+template <class T>
+T size_of(const Shape<T>& shape) {
+  if (shape.template as<HalfPlane<T>>()) return std::numeric_limits<T>::infinity();
+  const Aabb2<T> box = bounds(shape, Pose2<T>{});
+  const Vec2<T> extent = box.upper - box.lower;
+  T least_extent = std::numeric_limits<T>::infinity();
+  for (const T e : {extent.x, extent.y})
+    if (e > max_abs(extent) * T(1e-3)) least_extent = least(least_extent, e);
+  return least_extent;
+}
+
+}  // namespace plane
+
+/// A number of the plane stands for itself; of those without a type of its own, whose names nothing finds.
+template <std::floating_point T>
+T finite_inertia(const T& inertia, const T& inverse) {
+  return inverse > T(0) ? inertia : T(0);
+}
+template <std::floating_point T>
+T checked_vector(const T& turning, const char* path) {
+  if (const char* expectation = validate::fault_of_coordinate(turning))
+    validate::fail(path, expectation, static_cast<double>(turning));
+  return turning;
+}
+
+}  // namespace graze
