@@ -260,26 +260,43 @@ void IslandSolver<T, Space>::warm_start_contacts() {
   });
 }
 
+template <class T, class Space>
+void IslandSolver<T, Space>::solve_joints(bool bias) {
+  joint_system_.solve(joints_, bodies_, bias);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
+    if (!joint_system_.holds(j)) joints_[j].solve_loop(a, b, bias);
+    joints_[j].solve_free(a, b, bias);
+    if (bias && !by_mean_) a.pressed = b.pressed = SolverBody<T, Space>::Pressed::tied;
+  }
+}
+
+/// The rows of joints where bodies are at the end of the sub-step.
+template <class T, class Space>
+void IslandSolver<T, Space>::arrive() {
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    joints_[j].arrive(bodies_[joint_bodies_[j].first], bodies_[joint_bodies_[j].second]);
+  joint_system_.factor(joints_, bodies_);
+}
+
 /// One pass. That with bias decides how bodies move, and notes along what they are pressed.
 template <class T, class Space>
 void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
-    joints_[j].solve(a, b, bias);
-    if (bias && !manifolds_.empty()) a.pressed = b.pressed = SolverBody<T, Space>::Pressed::tied;
-  }
   each_by_color([&](Contact& contact, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
     for (ManifoldRows<T, Space>& m : manifolds_of(contact)) {
       graze::solve<T, Space>(m, rows_of(m), a, b, step, bias);
       if (bias) graze::note_pressed<T, Space>(m, rows_of(m), a, b);
     }
   });
+  solve_joints(bias);
 }
 
 template <class T, class Space>
 void IslandSolver<T, Space>::solve(T step, T gravity) {
   const T h = step / T(sub_steps_);
-  const SubStep<T> time{h, T(1) / h, step, manifolds_.empty()};
+  joint_system_.prepare(joint_bodies_, movable_);
+  by_mean_ = manifolds_.empty() && !joint_system_.has_loops();
+  const SubStep<T> time{h, T(1) / h, step, by_mean_};
   const ContactStep<T> contact = contact_step(time, gravity);
   joints_.resize(joined_.size());
   for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].prepare(*joined_[j], time);
@@ -290,9 +307,11 @@ void IslandSolver<T, Space>::solve(T step, T gravity) {
       joints_[j].refresh(a, b);
       joints_[j].warm_start(a, b);
     }
+    joint_system_.factor(joints_, bodies_);
     warm_start_contacts();
     solve_rows(contact, true);
     move(time);
+    if (by_mean_) arrive();
     solve_rows(contact, false);
     end_sub_step();
   }

@@ -9,6 +9,7 @@
 
 #include "dynamics/colors.hpp"
 #include "dynamics/contact_rows.hpp"
+#include "dynamics/joint_system.hpp"
 #include "dynamics/joints.hpp"
 
 namespace graze {
@@ -74,6 +75,8 @@ class IslandSolver {
   void move_body(std::size_t i, const SubStep<T>& time);
   void end_body(std::size_t i);
   void solve_rows(const ContactStep<T>& step, bool bias);
+  void solve_joints(bool bias);
+  void arrive();
   void warm_start_contacts();
   void find_residual();
   std::span<PointRow<T, Space>> rows_of(const ManifoldRows<T, Space>& m) {
@@ -99,6 +102,8 @@ class IslandSolver {
   std::vector<PointRow<T, Space>> points_;
   std::vector<JointRows<T, Space>> joints_;
   std::vector<JointInPlace<T, Space>*> joined_;
+  JointSystem<T, Space> joint_system_;
+  bool by_mean_ = true;  ///< what joints hold moves by the mean of its velocities
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joint_bodies_;
   Executor* executor_ = nullptr;
   int sub_steps_ = 1;

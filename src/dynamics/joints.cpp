@@ -33,9 +33,12 @@ inline constexpr T drift_part = T(1) / T(64);  // of the arms, or in radians
 template <class T>
 inline constexpr T recovered_part = T(1) / T(8);
 
-/// A locked row follows from those before where this part of its own yielding is all that elimination leaves.
+/// A loop's joint is a spring whose period is so many sub-steps, damped far beyond the critical: stiffer ones swing
+/// themselves up with what the rest of the loop holds.
 template <class T>
-inline constexpr T redundant = T(64) * std::numeric_limits<T>::epsilon();
+inline constexpr T loop_period = T(4);
+template <class T>
+inline constexpr T loop_damping_ratio = T(5);
 
 template <class T>
 T part_of(T error, T drift) {
@@ -243,36 +246,20 @@ void JointRows<T, Space>::measure(const SolverBody<T, Space>& a, const SolverBod
   for (std::size_t i = locked_; i < rows_.size(); ++i) free_of_locked(rows_[i], a, b);
 }
 
-/// L D Lᵀ of the locked rows' matrix J M⁻¹ Jᵀ. A row that follows from those before is left out.
 template <class T, class Space>
 void JointRows<T, Space>::factor(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
+  std::array<typename Space::Vec, most_locked> linear{};
+  std::array<typename Space::Turning, most_locked> turn_a{}, turn_b{};
   for (std::size_t i = 0; i < locked_; ++i) {
-    const MeasuredRow<T, Space>& r = rows_[i].at;
-    const auto linear = r.linear * (a.mass.mass + b.mass.mass);
-    const auto turn_a = turned_by(a.mass, r.angular_a), turn_b = turned_by(b.mass, r.angular_b);
-    for (std::size_t j = 0; j <= i; ++j) {
-      const MeasuredRow<T, Space>& o = rows_[j].at;
-      T k = dot(linear, o.linear) + dot(turn_a, o.angular_a) + dot(turn_b, o.angular_b);
-      const T own = k;
-      for (std::size_t m = 0; m < j; ++m)
-        if (inverse_pivots_[m] > T(0)) k -= lower_[i][m] * lower_[j][m] / inverse_pivots_[m];
-      if (j < i)
-        lower_[i][j] = k * inverse_pivots_[j];
-      else
-        inverse_pivots_[i] = k > own * redundant<T> ? T(1) / k : T(0);
-    }
+    linear[i] = rows_[i].at.linear * (a.mass.mass + b.mass.mass);
+    turn_a[i] = turned_by(a.mass, rows_[i].at.angular_a);
+    turn_b[i] = turned_by(b.mass, rows_[i].at.angular_b);
   }
-}
-
-/// Solves with the factors.
-template <class T, class Space>
-auto JointRows<T, Space>::eliminated(std::array<T, most_locked> v) const -> std::array<T, most_locked> {
-  for (std::size_t i = 0; i < locked_; ++i)
-    for (std::size_t j = 0; j < i; ++j) v[i] -= lower_[i][j] * v[j];
-  for (std::size_t i = 0; i < locked_; ++i) v[i] *= inverse_pivots_[i];
-  for (std::size_t i = locked_; i-- > 0;)
-    for (std::size_t j = i + 1; j < locked_; ++j) v[i] -= lower_[j][i] * v[j];
-  return v;
+  const auto element = [&](std::size_t i, std::size_t j) {
+    const MeasuredRow<T, Space>& o = rows_[j].at;
+    return dot(linear[i], o.linear) + dot(turn_a[i], o.angular_a) + dot(turn_b[i], o.angular_b);
+  };
+  factors_.factor(locked_, element, [&](std::size_t i) { return element(i, i); });
 }
 
 /// A row with the reaction of what is locked: pushing it does not move a locked axis.
@@ -285,7 +272,7 @@ void JointRows<T, Space>::free_of_locked(Row& row, const SolverBody<T, Space>& a
     const MeasuredRow<T, Space>& r = rows_[i].at;
     coupling[i] = dot(linear, r.linear) + dot(turn_a, r.angular_a) + dot(turn_b, r.angular_b);
   }
-  row.reaction = eliminated(coupling);
+  row.reaction = factors_.solved(coupling);
   row.free = row.at;
   row.free.value = T(0);
   for (std::size_t i = 0; i < locked_; ++i) {
@@ -301,7 +288,6 @@ void JointRows<T, Space>::free_of_locked(Row& row, const SolverBody<T, Space>& a
 
 template <class T, class Space>
 void JointRows<T, Space>::refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
-  moved_ = false;
   measure(a, b);
   for (std::size_t i = locked_; i < rows_.size(); ++i) {
     Row& row = rows_[i];
@@ -335,14 +321,14 @@ void JointRows<T, Space>::warm_start(SolverBody<T, Space>& a, SolverBody<T, Spac
 }
 
 template <class T, class Space>
-void JointRows<T, Space>::solve(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
-  if (!bias && !moved_ && step_.joined_by_mean) {
-    for (const Row& row : rows_) push_row(row.at, row.impulse / T(-2), a, b);
-    measure(a, b);
-    for (const Row& row : rows_) push_row(row.at, row.impulse / T(2), a, b);
-    moved_ = true;
-  }
-  solve_locked(a, b, bias);
+void JointRows<T, Space>::arrive(SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
+  for (const Row& row : rows_) push_row(row.at, row.impulse / T(-2), a, b);
+  measure(a, b);
+  for (const Row& row : rows_) push_row(row.at, row.impulse / T(2), a, b);
+}
+
+template <class T, class Space>
+void JointRows<T, Space>::solve_free(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
   for (std::size_t i = locked_; i < rows_.size(); ++i) {
     Row& row = rows_[i];
     if (!row.active || !(row.yielding > T(0))) continue;
@@ -370,19 +356,39 @@ T JointRows<T, Space>::rate_towards(const Row& row, T error, const SolverBody<T,
 }
 
 template <class T, class Space>
-void JointRows<T, Space>::solve_locked(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
-  if (locked_ == 0) return;
-  std::array<T, most_locked> wanted{};
+auto JointRows<T, Space>::wanted(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b, bool bias) const
+    -> std::array<T, most_locked> {
+  std::array<T, most_locked> rates{};
   for (std::size_t i = 0; i < locked_; ++i) {
     const Row& row = rows_[i];
-    wanted[i] = -rate_of(row.at, a, b);
-    if (bias) wanted[i] += rate_towards(row, corrected(row), a, b);
+    rates[i] = -rate_of(row.at, a, b);
+    if (bias) rates[i] += rate_towards(row, corrected(row), a, b);
   }
-  const auto impulses = eliminated(wanted);
+  return rates;
+}
+
+template <class T, class Space>
+void JointRows<T, Space>::push_locked(const std::array<T, most_locked>& impulses, SolverBody<T, Space>& a,
+                                      SolverBody<T, Space>& b) {
   for (std::size_t i = 0; i < locked_; ++i) {
     rows_[i].impulse += impulses[i];
     push_row(rows_[i].at, impulses[i], a, b);
   }
+}
+
+template <class T, class Space>
+void JointRows<T, Space>::solve_loop(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias) {
+  const Softness<T> spring = softness(T(2) * pi<T> * step_.inverse_h / loop_period<T>, loop_damping_ratio<T>, step_.h);
+  std::array<T, most_locked> rates{};
+  for (std::size_t i = 0; i < locked_; ++i) {
+    rates[i] = -rate_of(rows_[i].at, a, b);
+    if (bias) rates[i] -= corrected(rows_[i]) * spring.bias_rate;
+  }
+  std::array<T, most_locked> impulses = factors_.solved(rates);
+  if (bias)
+    for (std::size_t i = 0; i < locked_; ++i)
+      impulses[i] = impulses[i] * spring.mass_scale - rows_[i].impulse * spring.impulse_scale;
+  push_locked(impulses, a, b);
 }
 
 template <class T, class Space>

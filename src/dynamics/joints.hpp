@@ -33,18 +33,80 @@ struct JointInPlace {
 template <class T, class Space>
 void check(const Joint<T, Space>& joint);
 
-/// The rows of a joint while a step is solved.
+/// L D Lᵀ of a symmetric matrix that has no negative eigenvalues. A row that follows from those before is left out.
+template <class T, std::size_t N>
+class FactoredRows {
+ public:
+  using Rows = std::array<T, N>;
+
+  /// Of the first `count` rows, by their lower half. `scale(i)` is what a diagonal element is a difference of.
+  template <class Element, class Scale>
+  void factor(std::size_t count, const Element& element, const Scale& scale);
+  /// What times the matrix is `v`; zero of the rows that were left out.
+  Rows solved(Rows v) const;
+
+ private:
+  std::size_t count_ = 0;
+  std::array<Rows, N> lower_{};
+  Rows inverse_pivots_{};  ///< of D; zero where a row follows from those before
+};
+
+/// A row follows from those before where elimination leaves no more than this part of its scale: some roundings.
+template <class T>
+inline constexpr T redundant = T(64) * std::numeric_limits<T>::epsilon();
+
+template <class T, std::size_t N>
+template <class Element, class Scale>
+void FactoredRows<T, N>::factor(std::size_t count, const Element& element, const Scale& scale) {
+  count_ = count;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      T k = element(i, j);
+      for (std::size_t m = 0; m < j; ++m)
+        if (inverse_pivots_[m] > T(0)) k -= lower_[i][m] * lower_[j][m] / inverse_pivots_[m];
+      if (j < i)
+        lower_[i][j] = k * inverse_pivots_[j];
+      else
+        inverse_pivots_[i] = k > scale(i) * redundant<T> ? T(1) / k : T(0);
+    }
+}
+
+template <class T, std::size_t N>
+auto FactoredRows<T, N>::solved(Rows v) const -> Rows {
+  for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t j = 0; j < i; ++j) v[i] -= lower_[i][j] * v[j];
+  for (std::size_t i = 0; i < count_; ++i) v[i] *= inverse_pivots_[i];
+  for (std::size_t i = count_; i-- > 0;)
+    for (std::size_t j = i + 1; j < count_; ++j) v[i] -= lower_[j][i] * v[j];
+  return v;
+}
+
+/// The rows of a joint while a step is solved. Those of locked axes are solved by `JointSystem`, or, where the joint
+/// closes a loop, by themselves.
 template <class T, class Space = graze::Space<T>>
 class JointRows {
  public:
+  static constexpr std::size_t most_locked = 6;
+
   /// Takes the joint's impulses over, scaled to the sub-steps of this step. `joint` outlives the rows.
   void prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step);
   /// Axes, arms, errors and effective masses where the bodies are now, at the beginning of a sub-step.
   void refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   /// Applies the impulses of the last sub-step.
   void warm_start(SolverBody<T, Space>& a, SolverBody<T, Space>& b) const;
-  /// One pass over the rows: with `bias` errors of position are corrected (see `SubStep`), otherwise velocities alone.
-  void solve(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
+  /// Axes where the bodies are at the end of the sub-step, for the pass without bias after they have moved by the mean
+  /// of their velocities.
+  void arrive(SolverBody<T, Space>& a, SolverBody<T, Space>& b);
+  /// The locked rows, and by how much their rates are to change: with `bias` errors of position are corrected (see
+  /// `SubStep`), otherwise velocities alone.
+  std::size_t locked() const { return locked_; }
+  const MeasuredRow<T, Space>& locked_row(std::size_t i) const { return rows_[i].at; }
+  std::array<T, most_locked> wanted(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b, bool bias) const;
+  void push_locked(const std::array<T, most_locked>& impulses, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
+  /// One pass over the locked rows of a joint that closes a loop: as a spring, for what others hold is not known here.
+  void solve_loop(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
+  /// One pass over the rows of bounds and drives.
+  void solve_free(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
   /// Writes the impulses back to the joint.
   void store() const;
 
@@ -52,8 +114,6 @@ class JointRows {
   std::uint32_t b() const { return joint_->b; }
 
  private:
-  static constexpr std::size_t most_locked = 6;
-
   /// Which way a row pushes: any, or only towards larger or smaller values.
   enum class Side : std::uint8_t { both, lower, upper };
 
@@ -77,8 +137,6 @@ class JointRows {
   void measure(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   void factor(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   void free_of_locked(Row& row, const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) const;
-  std::array<T, most_locked> eliminated(std::array<T, most_locked> v) const;
-  void solve_locked(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
   void solve_hard(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
   void solve_soft(Row& row, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
   void push_free(Row& row, T impulse, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
@@ -89,10 +147,8 @@ class JointRows {
   SubStep<T> step_{};
   std::vector<Row> rows_;  ///< those that are locked first
   std::size_t locked_ = 0;
-  std::array<std::array<T, most_locked>, most_locked> lower_{};  ///< L of the locked rows' L D Lᵀ
-  std::array<T, most_locked> inverse_pivots_{};                  ///< of D; zero where a row follows from those before
-  T reach_{};                                                    ///< of both arms
-  bool moved_ = false;                                           ///< the rows are those of the end of the sub-step
+  FactoredRows<T, most_locked> factors_{};  ///< of the locked rows' J M⁻¹ Jᵀ
+  T reach_{};                               ///< of both arms
 };
 
 }  // namespace graze

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "dynamics/joints.hpp"
+#include "dynamics/joint_system.hpp"
 #include "graze/free_motion.hpp"
 
 namespace graze::joints_test {
@@ -52,6 +52,12 @@ struct Chain {
   void step() {
     const double h = dt / sub_steps;
     std::vector<JointRows<double>> rows(joints.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (const JointInPlace<double>& j : joints) ends.emplace_back(j.a, j.b);
+    std::vector<std::uint8_t> movable;
+    for (const double mass : masses) movable.push_back(mass > 0 ? 1 : 0);
+    JointSystem<double, graze::Space<double>> system;
+    system.prepare(ends, movable);
     for (std::size_t i = 0; i < joints.size(); ++i) rows[i].prepare(joints[i], {h, 1 / h, dt, true});
     for (int s = 0; s < sub_steps; ++s) {
       for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -65,9 +71,14 @@ struct Chain {
       };
       each([](auto& r, auto& a, auto& b) { r.refresh(a, b); });
       each([](auto& r, auto& a, auto& b) { r.warm_start(a, b); });
-      each([](auto& r, auto& a, auto& b) { r.solve(a, b, true); });
+      system.factor(rows, bodies);
+      system.solve(rows, bodies, true);
+      each([](auto& r, auto& a, auto& b) { r.solve_free(a, b, true); });
       for (std::size_t i = 0; i < bodies.size(); ++i) move(i, h);
-      each([](auto& r, auto& a, auto& b) { r.solve(a, b, false); });
+      each([](auto& r, auto& a, auto& b) { r.arrive(a, b); });
+      system.factor(rows, bodies);
+      system.solve(rows, bodies, false);
+      each([](auto& r, auto& a, auto& b) { r.solve_free(a, b, false); });
     }
     for (JointRows<double>& r : rows) r.store();
     time += dt;

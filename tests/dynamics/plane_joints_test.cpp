@@ -101,6 +101,20 @@ TEST(PlaneJoints, ARopeIsNeverLonger) {
   EXPECT_GT(longest, 0.99);
 }
 
+/// Five blocks in a row on a wall.
+TEST(PlaneJoints, FixedJointsHoldABeam) {
+  Hooked h;
+  BodyId last = h.hook;
+  for (int i = 0; i < 5; ++i) {
+    const BodyId block = h.simulation.add({Box<double>({0.2, 0.2}), {{0.2 * (i + 1), 0}, {}}});
+    h.simulation.add(fixed_joint(last, At{{0.1, 0}, {}}, block, At{{-0.1, 0}, {}}));
+    last = block;
+  }
+  h.run(5);
+  EXPECT_NEAR(h.pose(last).translation.x, 1, 1e-4);
+  EXPECT_NEAR(h.pose(last).translation.y, 0, 1e-4);
+}
+
 /// Two bodies that only a joint moves keep their momentum and angular momentum.
 TEST(PlaneJoints, MomentumStays) {
   Hooked h(0);

@@ -1,0 +1,217 @@
+// Many joints at once: the rates of trees against what was wanted, row by row; and what hangs on chains, beams and rings
+// for many seconds, where rows that are solved one after the other swing themselves up.
+#include "dynamics/joint_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "graze/simulation.hpp"
+
+namespace graze {
+namespace {
+
+using At = Pose<double>;
+
+/// Bodies that hang on each other at random: each on one before it or on the world, by a joint of any kind.
+struct RandomTree {
+  std::mt19937 random;
+  std::vector<SolverBody<double>> bodies;
+  std::vector<std::uint8_t> movable;
+  std::vector<JointInPlace<double>> joints;
+  std::vector<JointRows<double>> rows;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  bool all_turn = true;
+
+  explicit RandomTree(unsigned seed) : random(seed) {
+    const std::size_t count = 2 + random() % 12;
+    for (std::size_t i = 0; i < count; ++i) {
+      add_body();
+      if (i > 0) join(static_cast<std::uint32_t>(random() % i), static_cast<std::uint32_t>(i));
+    }
+    rows.resize(joints.size());
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      rows[j].prepare(joints[j], {0.01, 100, 0.01, true});
+      rows[j].refresh(bodies[ends[j].first], bodies[ends[j].second]);
+    }
+  }
+  double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
+  Vec3d vector() { return {number(), number(), number()}; }
+  Quatd turn() { return Quatd::from_axis_angle(normalized(vector()), 3 * number()); }
+
+  /// One in five does not move, one in twelve does not turn about one axis.
+  void add_body() {
+    SolverBody<double> body;
+    body.center = vector();
+    body.rotation = turn();
+    body.linear = vector();
+    body.angular = vector();
+    const bool moves = random() % 5 != 0;
+    Vec3d inertia{1 + number() / 2, 1 + number() / 2, 1 + number() / 2};
+    if (random() % 12 == 0) {
+      inertia[random() % 3] = std::numeric_limits<double>::infinity();
+      all_turn = false;
+    }
+    if (moves) body.mass = inverse_mass(std::pow(10.0, 2 * number()), inertia, body.rotation);
+    if (!moves) body.linear = body.angular = {};
+    bodies.push_back(body);
+    movable.push_back(moves ? 1 : 0);
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    if (random() % 2 == 0) std::swap(a, b);
+    const At frame_a{vector(), turn()}, frame_b{vector(), turn()};
+    JointInPlace<double> in_place;
+    switch (random() % 4) {
+    case 0: in_place.joint = fixed_joint({}, frame_a, {}, frame_b); break;
+    case 1: in_place.joint = hinge_joint({}, frame_a, {}, frame_b); break;
+    case 2: in_place.joint = slider_joint({}, frame_a, {}, frame_b); break;
+    default: in_place.joint = ball_joint({}, frame_a, {}, frame_b);
+    }
+    in_place.a = a;
+    in_place.b = b;
+    in_place.frame_a = frame_a;
+    in_place.frame_b = frame_b;
+    joints.push_back(in_place);
+    ends.emplace_back(a, b);
+  }
+};
+
+/// What does not turn about an axis may be asked to by several joints at once, which no impulse can do: there it is only
+/// asked that velocities stay of the order they are.
+TEST(JointSystem, RatesOfATreeBecomeWhatIsWanted) {
+  std::size_t solved = 0;
+  for (unsigned seed = 1; seed <= 2000; ++seed) {
+    RandomTree tree(seed);
+    JointSystem<double, Space<double>> system;
+    system.prepare(tree.ends, tree.movable);
+    if (system.has_loops()) continue;  // two parts of the world are tied by what hangs between them
+    system.factor(tree.rows, tree.bodies);
+    system.solve(tree.rows, tree.bodies, false);
+    for (const SolverBody<double>& body : tree.bodies)
+      ASSERT_LT(length(body.linear) + length(body.angular), 1000) << seed;
+    for (std::size_t j = 0; tree.all_turn && j < tree.rows.size(); ++j) {
+      const auto [a, b] = tree.ends[j];
+      const auto left = tree.rows[j].wanted(tree.bodies[a], tree.bodies[b], false);
+      for (std::size_t i = 0; i < tree.rows[j].locked(); ++i) ASSERT_NEAR(left[i], 0, 1e-8) << seed << ' ' << j;
+      ++solved;
+    }
+  }
+  EXPECT_GT(solved, 1000u);
+}
+
+/// Bodies that only joints move, and that meet nothing.
+struct Hanging {
+  Simulation<double> simulation{settings()};
+  std::vector<BodyId> bodies;
+  double first_energy = 0, most_energy = 0, widest = 0;
+
+  static SimulationSettings<double> settings() {
+    SimulationSettings<double> s;
+    s.gravity = {0, -10, 0};
+    s.sleep = false;
+    return s;
+  }
+  BodyId add(const Vec3d& size, const At& pose, bool fixed = false) {
+    Body<double> body{Box<double>(size), pose};
+    body.filter.mask = 0;
+    body.fixed = fixed;
+    bodies.push_back(simulation.add(body));
+    return bodies.back();
+  }
+  double energy() const { return simulation.report().kinetic_energy + simulation.report().potential_energy; }
+  template <class Gap>
+  void run(double seconds, const Gap& gap) {
+    first_energy = energy();
+    most_energy = -std::numeric_limits<double>::infinity();
+    widest = 0;
+    for (int i = 0; i < std::lround(seconds * 60); ++i) {
+      simulation.step(1.0 / 60);
+      most_energy = std::max(most_energy, energy());
+      widest = std::max(widest, gap());
+    }
+  }
+  Vec3d place(std::size_t i, const Vec3d& at) const { return transform(simulation.poses()[bodies[i].index], at); }
+};
+
+/// Twenty links that fall from lying straight, the last one up to a hundred times as heavy.
+TEST(JointSystem, ChainsSwingWithoutGainingEnergy) {
+  for (const double heavy : {1.0, 10.0, 100.0}) {
+    Hanging h;
+    h.add({0.2, 0.2, 0.2}, {}, true);
+    const std::size_t links = 20;
+    for (std::size_t i = 1; i <= links; ++i) {
+      h.add({0.2, 0.2, i == links ? 0.2 * heavy : 0.2}, {{0.2 * static_cast<double>(i), 0, 0}, {}});
+      h.simulation.add(ball_joint(h.bodies[i - 1], At{{0.1, 0, 0}, {}}, h.bodies[i], At{{-0.1, 0, 0}, {}}));
+    }
+    h.run(20, [&] {
+      double gap = 0;
+      for (std::size_t i = 1; i <= links; ++i)
+        gap = std::max(gap, length(h.place(i - 1, {0.1, 0, 0}) - h.place(i, {-0.1, 0, 0})));
+      return gap;
+    });
+    EXPECT_LT(h.most_energy, h.first_energy + 1e-2 * heavy) << heavy;
+    EXPECT_LT(h.widest, 0.02) << heavy;
+  }
+}
+
+/// Five blocks in a row on a wall do not sag.
+TEST(JointSystem, FixedJointsHoldABeam) {
+  Hanging h;
+  h.add({0.2, 0.2, 0.2}, {}, true);
+  for (std::size_t i = 1; i <= 5; ++i) {
+    h.add({0.2, 0.2, 0.2}, {{0.2 * static_cast<double>(i), 0, 0}, {}});
+    h.simulation.add(fixed_joint(h.bodies[i - 1], At{{0.1, 0, 0}, {}}, h.bodies[i], At{{-0.1, 0, 0}, {}}));
+  }
+  h.run(10, [&] { return length(h.place(5, {}) - Vec3d{1, 0, 0}); });
+  EXPECT_LT(h.widest, 1e-4);
+}
+
+/// A ring of links hung by one, another up to a hundred times as heavy: the joint that closes it is a spring.
+TEST(JointSystem, RingsHold) {
+  for (const double heavy : {1.0, 100.0}) {
+    Hanging h;
+    const std::size_t links = 8;
+    const double radius = 0.2 * static_cast<double>(links) / (2 * pi<double>);
+    for (std::size_t i = 0; i < links; ++i) {
+      const double angle = 2 * pi<double> * static_cast<double>(i) / static_cast<double>(links);
+      h.add({0.2, i == links / 2 ? 0.05 * heavy : 0.05, 0.05},
+            {{radius * std::cos(angle), radius * std::sin(angle), 0},
+             Quatd::from_axis_angle({0, 0, 1}, angle + pi<double> / 2)});
+    }
+    for (std::size_t i = 0; i < links; ++i)
+      h.simulation.add(ball_joint(h.bodies[i], At{{0.1, 0, 0}, {}}, h.bodies[(i + 1) % links], At{{-0.1, 0, 0}, {}}));
+    h.add({0.1, 0.1, 0.1}, {}, true);
+    h.simulation.add(ball_joint(h.bodies[links], At{{radius, 0, 0}, {}}, h.bodies[0], At{}));
+    const auto gap = [&] {
+      double most = 0;
+      for (std::size_t i = 0; i < links; ++i)
+        most = std::max(most, length(h.place(i, {0.1, 0, 0}) - h.place((i + 1) % links, {-0.1, 0, 0})));
+      return most;
+    };
+    h.run(1, gap);  // links are put together a little apart
+    h.run(20, gap);
+    EXPECT_LT(h.widest, 0.01) << heavy;
+    EXPECT_LT(h.most_energy, h.first_energy + 1e-3 * std::abs(h.first_energy)) << heavy;
+  }
+}
+
+/// A door on two hinges, which are a loop.
+TEST(JointSystem, ADoorTurnsOnTwoHinges) {
+  Hanging h;
+  h.add({0.2, 2, 0.2}, {}, true);
+  Body<double> door{Box<double>({1, 2, 0.05}), {{0.6, 0, 0}, {}}, {0, 0, -0.5}, {0, 1, 0}};
+  door.filter.mask = 0;
+  h.bodies.push_back(h.simulation.add(door));
+  const double half = std::sqrt(0.5);
+  const Quatd upright{0, 0, half, half};
+  for (const double y : {0.8, -0.8})
+    h.simulation.add(hinge_joint(h.bodies[0], At{{0.1, y, 0}, upright}, h.bodies[1], At{{-0.5, y, 0}, upright}));
+  h.run(10, [&] { return length(h.place(1, {-0.5, 0.8, 0}) - Vec3d{0.1, 0.8, 0}); });
+  EXPECT_LT(h.widest, 1e-4);
+  EXPECT_NEAR(h.simulation.motion(h.bodies[1]).angular.y, 1, 0.02);
+}
+
+}  // namespace
+}  // namespace graze
