@@ -29,6 +29,7 @@
 #include "graze/query.hpp"
 #include "graze/raycast.hpp"
 #include "graze/shape.hpp"
+#include "graze/shape/mesh_findings.hpp"
 #include "graze/simulation.hpp"
 #include "graze/slide.hpp"
 #include "graze/swept.hpp"

@@ -100,6 +100,16 @@ TEST(Messages, AloneItHelps) {
   EXPECT_EQ(alone.output, run("--help").output);
 }
 
+TEST(Messages, InfoSaysWhatAMeshIsLike) {
+  const Folder folder("findings_test");
+  std::ofstream(folder / "seam.obj") << "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 0 0\nv 0 -1 0\nv 2 -1 0\n"
+                                        "f 1 2 3\nf 1 5 4\nf 4 6 2\nf 4 5 6\n";
+  const Result table = run("info " + (folder / "seam.obj")), json = run("info --json " + (folder / "seam.obj"));
+  EXPECT_NE(table.output.find("10 edges: 2 flat, 0 convex, 0 concave, 8 open; 1 T-junction\n"), std::string::npos)
+      << table.output;
+  EXPECT_NE(json.output.find("\"tJunctions\""), std::string::npos) << json.output;
+}
+
 TEST(Messages, OneIsSingular) {
   const Folder folder("singular_test");
   std::ofstream(folder / "one.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
