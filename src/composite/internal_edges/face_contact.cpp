@@ -25,17 +25,20 @@ Vec3<T> face_along(const LeafInContext<T>& self, const Vec3<T>& outward, T lean)
 template <class T>
 bool stands_clear(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& outward,
                   const Vec3<T>& point) {
-  if (!self.piece.template as<HalfSpace<T>>()) {
-    const Vec3<T> face = face_along(self, outward);
-    if (face == Vec3<T>{} || max_abs(face - outward) > same_normal<T>) return false;
-  }
+  if (is_ground(self.piece)) return true;
+  const Vec3<T> face = face_along(self, outward);
+  if (face == Vec3<T>{} || max_abs(face - outward) > same_normal<T>) return false;
   const Vec3<T> middle = bounds(other.piece, other.pose).center();
   if (dot(middle - point, outward) < T(0)) return false;
   const Aabb<T> sight{least(point, middle), greatest(point, middle)};
   const T noise = place_noise(point) + place_noise(middle);
   return std::all_of(self.beside.begin(), self.beside.end(), [&](const PlacedRef<T>& beside) {
-    // Nor does a half-space count as what a surface goes on in.
-    if (beside.shape == &self.whole || beside.shape->template as<HalfSpace<T>>()) return true;
+    if (beside.shape == &self.whole) return true;
+    if (is_ground(*beside.shape)) {
+      const T height = height_above(*beside.shape, *beside.pose, point);
+      const T slack = on_piece<T> * max_abs(bounds(self.piece, self.pose).extent()) + T(4) * noise;
+      return height > slack || leads_along(outward, plane_normal(*beside.pose));
+    }
     if (!beside.shape->convex()) return false;
     if (dot(furthest(*beside.shape, *beside.pose, outward) - point, outward) <= place_noise(point)) return true;
     const Aabb<T> box = bounds(*beside.shape, *beside.pose);

@@ -50,8 +50,11 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
     const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
     if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
   }
+  const bool beside_ground = is_ground(neighbour.shape);
+  if (beside_ground && !riser_around(self, point, plane_normal(neighbour.pose), Among::all))
+    return plane_normal(neighbour.pose);
   Manifold<T> beside;
-  convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside);
+  if (!beside_ground) convex_contacts(neighbour.shape, neighbour.pose, other.piece, other.pose, margin, beside);
   if (!beside.points.empty()) {
     const LeafInContext<T> next{self.whole, self.whole_pose, neighbour.shape, neighbour.pose, self.beside};
     const Vec3<T> place = standing_point<T>(beside.points, &ContactPoint<T>::a);
@@ -147,6 +150,7 @@ template <class T>
 std::optional<Correction<T>> least_way_out(const LeafInContext<T>& self, const LeafInContext<T>& other) {
   const Distance<T> d = convex_distance<T>(self.piece, self.pose, other.piece, other.pose);
   if (face_along(self, d.normal) != Vec3<T>{} || riser_around(self, d.a, d.normal)) return std::nullopt;
+  if (!lies_open(self, d.normal) && surface_over(self, d.a, d.normal, other)) return std::nullopt;
   return Correction<T>{d.normal, d};
 }
 
@@ -274,7 +278,9 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
-    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || !is_solid(other.piece)) continue;
+    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || is_ground(self.piece) ||
+        !is_solid(other.piece))
+      continue;
     const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
     const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
     Manifold<T> found;

@@ -26,11 +26,27 @@ struct LeafInContext {
   const MeshPatch<T>* patch = nullptr;  ///< of the mesh, where the piece is one of its triangles
 };
 
-/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other, and the normal of a
-/// half-space is right wherever it is met.
+/// Whether a shape is a half-space: the normal of one is right wherever it is met.
+template <class T>
+bool is_ground(const Shape<T>& shape) {
+  return shape.template as<HalfSpace<T>>() != nullptr;
+}
+
+/// Whether a shape can lie on a surface. Two surfaces cross rather than lie on each other.
 template <class T>
 bool is_solid(const Shape<T>& shape) {
-  return !shape.template as<Triangle<T>>() && !shape.template as<HalfSpace<T>>();
+  return !shape.template as<Triangle<T>>() && !is_ground(shape);
+}
+
+/// The normal of a half-space's plane in the world.
+template <class T>
+Vec3<T> plane_normal(const Pose<T>& pose) {
+  return rotate(pose.rotation, Vec3<T>{T(0), T(1), T(0)});
+}
+/// How far a place lies above the plane of a half-space; negative below.
+template <class T>
+T height_above(const Shape<T>& ground, const Pose<T>& pose, const Vec3<T>& place) {
+  return dot(plane_normal(pose), place - pose.translation) - ground.rounding();
 }
 
 /// The point of a convex shape where it stands that lies furthest along a direction.
@@ -53,6 +69,11 @@ inline constexpr T same_direction = T(2e-4);
 /// it on a flat surface is laid along the face.
 template <class T>
 inline constexpr T region_slack = same_direction<T> / T(2);
+/// Whether two unit vectors are one direction, up to that.
+template <class T>
+bool leads_along(const Vec3<T>& a, const Vec3<T>& b) {
+  return dot(a, b) > T(0) && length_squared(cross(a, b)) <= region_slack<T> * region_slack<T>;
+}
 /// A point lies on a piece that is nearer than this, relative to the piece: ten times the tolerance of points in float.
 template <class T>
 inline constexpr T on_piece = T(1e-4);

@@ -105,6 +105,18 @@ std::optional<OnSurface<T>> covering_entry(const Shape<T>& solid, const Pose<T>&
   return seen;
 }
 
+/// Where the sight comes up from a half-space that covers its beginning.
+template <class T>
+std::optional<OnSurface<T>> emergence(const Shape<T>& ground, const Pose<T>& pose, const Sight<T>& sight) {
+  const Vec3<T> normal = plane_normal(pose);
+  const T above = height_above(ground, pose, sight.from), end = height_above(ground, pose, sight.to);
+  const T slack = sight.slack + place_noise(pose.translation);
+  if (!(end > slack) || above > slack || leads_along(sight.outward, normal)) return std::nullopt;
+  if (goes_on_above(sight, normal, above, slack)) return std::nullopt;
+  const Vec3<T> at = above < T(0) ? (sight.to - sight.from) * (above / (above - end)) : Vec3<T>{};
+  return OnSurface<T>{sight.from + at, normal};
+}
+
 /// Of what is seen to cover the beginning of a sight: what nothing rises above, then what is nearest to the sight's
 /// end, then what the other shape is least deep below. Beneath the corner of a floor the walls that hold it up hide
 /// each other too.
@@ -142,6 +154,8 @@ void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sigh
       look_along(piece, at, sight, best);
     } else if (const auto* triangle = piece.template as<Triangle<T>>()) {
       if (const auto seen = crossing(*triangle, at, one_sided(whole), sight)) best.offer(*seen, sight);
+    } else if (is_ground(piece)) {
+      if (const auto seen = emergence(piece, at, sight)) best.offer(*seen, sight);
     } else if (&piece != &sight.self.piece && is_solid(piece)) {
       if (const auto seen = covering_entry(piece, at, sight)) best.offer(*seen, sight);
     }

@@ -57,24 +57,34 @@ std::optional<std::uint32_t> rising_triangle(const Surface& surface, const MeshP
   return found;
 }
 
-/// A convex piece of `whole` other than the solid `self` that touches `point` and rises above the plane through it, if
-/// there is one.
+/// Whether the surface of a half-space goes through `point`, on a piece of this extent, and crosses the plane through
+/// it: as it has no end, it rises above every plane but its own.
 template <class T>
-std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const Shape<T>* self,
-                               const MeshPatch<T>* patch, const Vec3<T>& point, const Vec3<T>& outward) {
+bool ground_rises_above(const Shape<T>& ground, const Pose<T>& pose, const Vec3<T>& extent, const Vec3<T>& point,
+                        const Vec3<T>& outward) {
+  const Vec3<T> up = plane_normal(pose);
+  const T slack = on_piece<T> * max_abs(extent) + place_noise(point) + place_noise(pose.translation);
+  return std::abs(height_above(ground, pose, point)) <= slack && !leads_along(outward, up);
+}
+
+/// A convex piece of `whole` that touches `point` and rises above the plane through it, if there is one.
+template <class T>
+std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const LeafInContext<T>& self, Among among,
+                               const Vec3<T>& point, const Vec3<T>& outward) {
   std::optional<Placed<T>> found;
   const Vec3<T> local = inverse_transform(pose, point);
   const T noise = place_noise(point);
   const auto of_surface = [&](const auto& surface) {
-    const auto number = rising_triangle(surface, patch, local, rotate(conjugate(pose.rotation), outward), noise);
+    const auto number = rising_triangle(surface, self.patch, local, rotate(conjugate(pose.rotation), outward), noise);
     if (number) found.emplace(Placed<T>{triangle_shape(surface.triangle(*number)), pose});
   };
   if (with_surface(whole, of_surface)) return found;
   const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
-    if (&piece == self) return true;
+    if (among == Among::others && &piece == &self.piece) return true;
     if (!piece.convex())
-      found = riser(piece, at, self, patch, point, outward);
-    else if (piece_rises_above(piece, at, point, outward))
+      found = riser(piece, at, self, among, point, outward);
+    else if (is_ground(piece) ? ground_rises_above(piece, at, bounds(self.piece, self.pose).extent(), point, outward)
+                              : piece_rises_above(piece, at, point, outward))
       found.emplace(Placed<T>{piece, at});
     return !found;
   };
@@ -113,7 +123,7 @@ std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T
                                       Among among) {
   std::optional<Placed<T>> found;
   any_around(self, point, [&](const Shape<T>& shape, const Pose<T>& at) {
-    found = riser(shape, at, among == Among::others ? &self.piece : nullptr, self.patch, point, outward);
+    found = riser(shape, at, self, among, point, outward);
     return found.has_value();
   });
   return found;
