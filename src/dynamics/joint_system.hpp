@@ -1,11 +1,11 @@
 // The locked axes of all joints of an island, solved at once: a chain of any length holds as one joint does.
 //
 // Rows of one joint after the other agree only after many rounds, and what is left of a stiff chain swings itself up
-// from sub-step to sub-step. Joints that make no loop have a tree of bodies. From its leaves to its root each joint ties
-// all that hangs on it to the next body, whose response to an impulse is from then on that of the whole; from the root
-// back to the leaves impulses are corrected by what was not known yet (Featherstone 1983, "The calculation of robot
-// dynamics using articulated-body inertias"; Baraff 1996, "Linear-time dynamics using Lagrange multipliers"). Responses
-// are inverse masses, so that what cannot move or turn is no case of its own.
+// from sub-step to sub-step. Joints that make no loop have a tree of bodies. From its leaves to its root each joint
+// ties all that hangs on it to the next body, whose response to an impulse is from then on that of the whole; from the
+// root back to the leaves impulses are corrected by what was not known yet (Featherstone 1983, "The calculation of
+// robot dynamics using articulated-body inertias"; Baraff 1996, "Linear-time dynamics using Lagrange multipliers").
+// Responses are inverse masses, so that what cannot move or turn is no case of its own.
 //
 // Guarantee: the impulses make all rates of locked axes of the tree what is wanted, up to rounding, in time linear in
 // the joints; a row that follows from others is left out. Joints that close a loop are not among them.

@@ -1,5 +1,5 @@
-// Many joints at once: the rates of trees against what was wanted, row by row; and what hangs on chains, beams and rings
-// for many seconds, where rows that are solved one after the other swing themselves up.
+// Many joints at once: the rates of trees against what was wanted, row by row; and what hangs on chains, beams and
+// rings for many seconds, where rows that are solved one after the other swing themselves up.
 #include "dynamics/joint_system.hpp"
 
 #include <gtest/gtest.h>
@@ -78,8 +78,8 @@ struct RandomTree {
   }
 };
 
-/// What does not turn about an axis may be asked to by several joints at once, which no impulse can do: there it is only
-/// asked that velocities stay of the order they are.
+/// What does not turn about an axis may be asked to by several joints at once, which no impulse can do: there it is
+/// only asked that velocities stay of the order they are.
 TEST(JointSystem, RatesOfATreeBecomeWhatIsWanted) {
   std::size_t solved = 0;
   for (unsigned seed = 1; seed <= 2000; ++seed) {
