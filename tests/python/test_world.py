@@ -1,7 +1,8 @@
-"""Worlds, simulations and scenes: what a program does with bodies."""
+"""Worlds, simulations and scenes against brute force, closed forms and themselves."""
 
 import json
 import pathlib
+import threading
 
 import numpy as np
 import pytest
@@ -9,6 +10,13 @@ import pytest
 import graze
 
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "scenes"
+
+
+def boxes(count=60, seed=1):
+    rng = np.random.default_rng(seed)
+    rows = np.column_stack([rng.uniform(-2, 2, (count, 3)), rng.normal(size=(count, 4))])
+    rows[:, 3:] /= np.linalg.norm(rows[:, 3:], axis=1)[:, None]
+    return graze.Box((1, 0.7, 0.4)), rows
 
 
 def test_events_begin_stay_and_end():
@@ -23,48 +31,107 @@ def test_events_begin_stay_and_end():
     assert kinds == ["begin", "stay", "end"]
 
 
-def test_contacts_are_those_of_each_pair():
-    rng = np.random.default_rng(1)
+def test_a_world_finds_what_touches_and_where():
+    box, rows = boxes()
     world = graze.World(margin=0.05)
-    box = graze.Box((1, 1, 1))
-    places = rng.uniform(-2, 2, (60, 3))
-    for place in places:
-        world.add(box, place)
+    ids = [world.add(box) for _ in rows]
+    world.move_all(ids, rows)
     world.update()
-    touching = {tuple(sorted(p)) for p in world.touching.tolist()}
-    expected = {
+    expected = [
         (i, j)
-        for i in range(60)
-        for j in range(i + 1, 60)
-        if graze.distance(box, places[i], box, places[j]).distance <= 0.05
-    }
-    assert touching == expected
-    points, manifolds = world.points, world.manifolds
-    for m in manifolds:
-        for p in points[m["first_point"] : m["first_point"] + m["point_count"]]:
-            np.testing.assert_allclose(p["b"] - p["a"], m["normal"] * p["distance"], atol=1e-12)
+        for i in range(len(rows))
+        for j in range(i + 1, len(rows))
+        if graze.distance(box, rows[i], box, rows[j]).distance <= 0.05
+    ]
+    assert len(expected) > 50
+    assert [tuple(p) for p in world.touching.tolist()] == expected
+    pairs, manifolds, points = world.pairs, world.manifolds, world.points
+    for pair in pairs:
+        [alone] = graze.contacts(box, rows[pair["a"]], box, rows[pair["b"]], margin=0.05)
+        assert pair["manifold_count"] == 1
+        m = manifolds[pair["first_manifold"]]
+        np.testing.assert_allclose(m["normal"], alone.normal, atol=1e-12)
+        found = points[m["first_point"] : m["first_point"] + m["point_count"]]
+        assert sorted(found["feature"].tolist()) == sorted(p.feature for p in alone.points)
+        gap = found["b"] - found["a"] - found["distance"][:, None] * m["normal"]
+        np.testing.assert_allclose(gap, 0, atol=1e-12)
+    assert not points["impulse"].any()
 
 
-def test_a_world_answers_questions():
+def test_impulses_are_carried_on():
     world = graze.World()
-    near, far = world.add(graze.Sphere(1), (3, 0, 0)), world.add(graze.Sphere(1), (9, 0, 0))
+    world.add(graze.HalfSpace(), fixed=True)
+    box = world.add(graze.Box((1, 1, 1)), (0, 0.499, 0))
     world.update()
-    body, hit = world.raycast((0, 0, 0), (1, 0, 0))
-    assert body == near and hit.t == pytest.approx(2)
-    assert [b for b, _ in world.nearest(graze.Sphere(0.5), None, count=2)] == [near, far]
-    assert world.overlapping(graze.Box((4, 1, 1)), None) == [near]
-    body, cast = world.cast(graze.Sphere(0.5), None, (4, 0, 0))
-    assert body == near and cast.t == pytest.approx(1.5 / 4, abs=1e-6)
+    given = np.arange(12.0).reshape(4, 3)
+    world.set_impulses(given)
+    world.move(box, (0.001, 0.499, 0))
+    world.update()
+    np.testing.assert_array_equal(np.sort(world.points["impulse"], axis=0), given)
+    with pytest.raises(ValueError, match=r"impulses: expected 4 rows"):
+        world.set_impulses(given[:2])
+
+
+def test_questions_to_a_world_are_those_to_each_body():
+    shape, rows = boxes(40, 2)
+    world = graze.World()
+    ids = [world.add(shape, row) for row in rows]
+    probe, place = graze.Capsule(0.5, 0.3), (0.2, 0.1, -0.3)
+    each = [graze.distance(probe, place, shape, row).distance for row in rows]
+    assert world.overlapping(probe, place) == [i for i, d in zip(ids, each) if d <= 0]
+    nearest = world.nearest(probe, place, count=7)
+    assert [d.distance for _, d in nearest] == pytest.approx(sorted(each)[:7], abs=1e-9)
+    rng = np.random.default_rng(3)
+    for direction in rng.normal(size=(20, 3)):
+        origin = -5 * direction / np.linalg.norm(direction)
+        hits = [(h.t, i) for i, h in zip(ids, (graze.raycast(shape, r, origin, direction) for r in rows)) if h]
+        found = world.raycast(origin, direction)
+        assert (found is None) == (not hits)
+        if hits:
+            assert found[1].t == pytest.approx(min(t for t, _ in hits), abs=1e-9)
+            assert sorted(h.t for _, h in world.raycast_all(origin, direction)) == pytest.approx(
+                sorted(t for t, _ in hits), abs=1e-9
+            )
+    body, hit = world.cast(graze.Sphere(0.1), (-9, 0, 0), (10, 0, 0))
+    first = min(
+        h.t
+        for h in (graze.cast(graze.Sphere(0.1), (-9, 0, 0), (10, 0, 0), shape, r, (0, 0, 0)) for r in rows)
+        if h
+    )
+    assert hit.t == pytest.approx(first, abs=1e-6) and body in world
+
+
+def test_filters_triggers_and_fast_bodies():
+    world = graze.World()
+    wall = world.add(graze.Box((0.1, 5, 5)), fixed=True, filter=graze.Filter(category=2))
+    bullet = world.add(graze.Sphere(0.05), (-3, 0, 0), linear=(100, 0, 0), fast=True)
+    ghost = world.add(graze.Sphere(0.05), (-3, 1, 0), linear=(100, 0, 0), fast=True, filter=graze.Filter(mask=1))
+    zone = world.add(graze.Sphere(1), (-3, 0, 0), trigger=True, fixed=True)
+    world.update(0.1)
+    [(a, b, hit, trigger)] = [i for i in world.impacts if not i[3]]
+    assert {a, b} == {wall, bullet} and hit.t == pytest.approx(0.029, abs=1e-6) and not trigger
+    assert [e[0] for e in world.events if e[3] and {e[1], e[2]} == {zone, bullet}] == ["begin"]
+    assert ghost in world and len(world) == 4
 
 
 def test_a_body_that_is_gone_is_named():
     world = graze.World()
     ball = world.add(graze.Sphere(1))
     world.remove(ball)
-    assert ball not in world
-    for ask in (lambda: world.pose(ball), lambda: world.move(ball, None), lambda: world.remove(ball)):
+    assert ball not in world and len(world) == 0
+    again = world.add(graze.Sphere(1))
+    assert again.index == ball.index and again != ball
+    for ask in (world.pose, world.shape, world.velocity, world.remove, lambda b: world.move(b, None)):
         with pytest.raises(ValueError, match="body"):
-            ask()
+            ask(ball)
+    before = world.pose(again)
+    with pytest.raises(ValueError, match="body"):
+        world.move_all([again, ball], [[1, 0, 0, 0, 0, 0, 1]] * 2)
+    with pytest.raises(ValueError, match=r"poses\[0\]\.rotation"):
+        world.move_all([again], [[1, 0, 0, 0, 0, 0, 0]])
+    assert world.pose(again) == before
+    with pytest.raises(ValueError, match="margin"):
+        graze.World(margin=-1)
 
 
 def test_a_body_falls_as_the_closed_form_says():
@@ -74,47 +141,188 @@ def test_a_body_falls_as_the_closed_form_says():
         simulation.step(1 / 60)
     assert simulation.pose(ball).translation[1] == pytest.approx(95, abs=1e-9)
     assert simulation.velocity(ball)[0][1] == pytest.approx(-10, abs=1e-9)
+    assert simulation.mass(ball) == pytest.approx(1000 * np.pi / 6)
+    with pytest.raises(ValueError, match="mass"):
+        simulation.add(graze.Sphere(1), mass=-1)
+    with pytest.raises(ValueError):
+        simulation.step(0)
+
+
+def test_restitution_and_friction_are_the_materials():
+    simulation = graze.Simulation(gravity=(0, -10, 0))
+    rough = graze.Material(static_friction=0.5, dynamic_friction=0.5, friction_combine="multiply")
+    smooth = graze.Material(static_friction=0, dynamic_friction=0, friction_combine="multiply")
+    simulation.add(graze.HalfSpace(), fixed=True, material=graze.Material(static_friction=1, dynamic_friction=1))
+    slides = simulation.add(graze.Box((1, 1, 1)), (0, 0.5, 0), linear=(1, 0, 0), material=smooth)
+    stops = simulation.add(graze.Box((1, 1, 1)), (0, 0.5, 5), linear=(1, 0, 0), material=rough)
+    for _ in range(60):
+        simulation.step(1 / 60)
+    assert simulation.velocity(slides)[0][0] == pytest.approx(1, abs=1e-6)
+    # Coulomb: v^2 / (2 mu g) = 0.1
+    assert simulation.pose(stops).translation[0] == pytest.approx(0.1, abs=0.02)
+    assert {0, 1} in [set(pair) for pair in simulation.world.touching.tolist()]
+    with pytest.raises(ValueError, match="friction_combine"):
+        graze.Material(friction_combine="sum")
 
 
 def test_a_box_comes_to_rest_and_a_state_comes_back():
     simulation = graze.Simulation()
-    simulation.add(graze.HalfSpace(), fixed=True, material=graze.Material(dynamic_friction=0.6))
+    simulation.add(graze.HalfSpace(), fixed=True)
     box = simulation.add(graze.Box((1, 1, 1)), ((0, 2, 0), (0, 0, 0.1, 1)))
-    saved = simulation.save()
-    runs = []
+    saved, runs = simulation.save(), []
     for _ in range(2):
         simulation.restore(saved)
         for _ in range(240):
             simulation.step(1 / 60)
-        runs.append(simulation.poses.copy())
+        runs.append(simulation.poses)
     np.testing.assert_array_equal(runs[0], runs[1])
     assert simulation.pose(box).translation[1] == pytest.approx(0.5, abs=5e-3)
-    assert simulation.report["deepest"] < 5e-3
+    assert simulation.asleep(box) and simulation.report["deepest"] < 5e-3
+    simulation.add(graze.Sphere(1), (9, 9, 9))
+    with pytest.raises(ValueError):
+        simulation.restore(saved)
 
 
-def test_a_pendulum_keeps_its_length():
+@pytest.mark.parametrize(
+    "join, keeps",
+    [("fix", "all"), ("join_ball", "length"), ("join_hinge", "length"), ("join_distance", "length")],
+)
+def test_joints_hold(join, keeps):
     simulation = graze.Simulation(sleep=False)
     anchor = simulation.add(graze.Sphere(0.1), fixed=True)
     bob = simulation.add(graze.Sphere(0.1), (1, 0, 0), mass=1.0)
-    simulation.join_ball(anchor, None, bob, (-1, 0, 0))
+    if join == "join_distance":
+        joint = simulation.join_distance(anchor, None, bob, None, 1.0, 1.0)
+    else:
+        # A turn about the frames' x axis is free: it lies along z.
+        frame = (0, -np.sqrt(0.5), 0, np.sqrt(0.5))
+        joint = getattr(simulation, join)(anchor, ((0, 0, 0), frame), bob, ((-1, 0, 0), frame))
+    lowest = 0.0
     for _ in range(120):
         simulation.step(1 / 60)
         assert np.linalg.norm(simulation.pose(bob).translation) == pytest.approx(1, abs=1e-2)
+        lowest = min(lowest, simulation.pose(bob).translation[1])
+    assert lowest == pytest.approx(0 if keeps == "all" else -1, abs=2e-2)
+    simulation.remove_joint(joint)
+    with pytest.raises(ValueError):
+        simulation.remove_joint(joint)
+
+
+def test_a_view_keeps_its_simulation():
+    view = graze.Simulation().world
+    assert len(view) == 0 and view.events == []
+    assert not hasattr(view, "add") and not hasattr(view, "update")
+
+
+def test_another_thread_is_refused_while_a_step_runs():
+    simulation = graze.Simulation(sleep=False)
+    simulation.add(graze.HalfSpace(), fixed=True)
+    bodies = [simulation.add(graze.Box((1, 1, 1)), (x, y + 0.5, 0)) for x in range(0, 60, 2) for y in range(20)]
+    refused, answered = [], []
+
+    def ask():
+        while not done.is_set():
+            try:
+                answered.append(simulation.pose(bodies[0]))
+            except RuntimeError as error:
+                refused.append(str(error))
+
+    done = threading.Event()
+    other = threading.Thread(target=ask)
+    other.start()
+    steps = 0
+    while steps < 20 and not refused:
+        simulation.step(1 / 60)
+        steps += 1
+    done.set()
+    other.join()
+    assert set(refused) == {"in use: another call changes it at this moment"}
+    simulation.step(1 / 60)
+
+
+def meddling_shape(meddle):
+    """A cube whose support function, once `armed`, calls `meddle` in the middle of whatever asks the shape."""
+
+    def support(direction):
+        if support.armed:
+            meddle()
+        return np.sign(direction)
+
+    support.armed = False
+    return support, graze.UserConvex(support)
+
+
+@pytest.mark.parametrize("change", ["update", "move", "add", "remove", "set_shape"])
+def test_a_world_is_not_changed_while_it_is_asked(change):
+    world, told = graze.World(), []
+    ball = world.add(graze.Sphere(1), (3, 0, 0))
+    arguments = {"update": (), "move": (ball, None), "add": (ball_shape := graze.Sphere(1),), "remove": (ball,)}
+
+    def meddle():
+        try:
+            getattr(world, change)(*arguments.get(change, (ball, ball_shape)))
+        except RuntimeError as error:
+            told.append((str(error), world.pose(ball).translation[0]))  # which may be read meanwhile
+
+    support, probe = meddling_shape(meddle)
+    support.armed = True
+    [(body, d)] = world.nearest(probe)
+    assert body == ball and d.distance == pytest.approx(1) and len(world) == 1
+    assert told and set(told) == {("in use: another call reads it at this moment", 3.0)}
+
+
+def test_a_world_is_not_used_while_it_is_updated():
+    world, told = graze.World(), []
+    ball = world.add(graze.Sphere(1), (1.5, 0, 0))
+
+    def meddle():
+        for use in (lambda: world.pose(ball), lambda: len(world), lambda: world.remove(ball), world.update):
+            try:
+                use()
+            except RuntimeError as error:
+                told.append(str(error))
+
+    support, shape = meddling_shape(meddle)
+    world.add(shape)
+    support.armed = True
+    world.update()
+    support.armed = False
+    assert world.touching.tolist() == [[0, 1]] and len(told) >= 4
+    assert set(told) == {"in use: another call changes it at this moment"}
+    assert len(world) == 2
 
 
 def test_scenes_are_loaded_and_collided():
     scene = graze.load(SCENES / "demo.gltf")
-    assert len(scene.colliders) > 3
+    assert len(scene.colliders) > 3 and scene.bodies
     pairs = graze.collide(scene)
+    assert pairs
     for a, b, manifolds in pairs:
         first, second = scene.colliders[a], scene.colliders[b]
         assert graze.overlap(first.shape, first.pose, second.shape, second.pose)
-        assert manifolds
+        d = graze.distance(first.shape, first.pose, second.shape, second.pose)
+        assert min(p.distance for m in manifolds for p in m.points) <= d.distance + 1e-6
     with pytest.raises(ValueError, match="nowhere.gltf"):
         graze.load("nowhere.gltf")
+    with pytest.raises(ValueError, match="colliders"):
+        graze.load(SCENES / "demo.gltf", colliders="torus")
+    with pytest.raises(ValueError, match="margin"):
+        graze.collide(scene, margin=-1)
 
 
 def test_the_protocol_answers():
     answer = json.loads(graze.answer('{"query": "closest", "a": {"shape": {"type": "box"}}, "point": [2, 0, 0]}'))
     assert answer["distance"] == 1.5
     assert "error" in json.loads(graze.answer("{}"))
+
+
+def test_a_batch_takes_quaternions_of_single_precision_as_the_plane_does():
+    _, rows = boxes(500, 4)
+    single = rows.astype(np.float32).astype(np.float64)
+    box = graze.Box((1, 1, 1))
+    found = graze.batch.distance(box, single, graze.Sphere(0.5), None)["distance"]
+    exact = [graze.distance(box, row, graze.Sphere(0.5), None).distance for row in rows]
+    np.testing.assert_allclose(found, exact, atol=1e-5)
+    single[3, 3:] *= 1.00001
+    with pytest.raises(ValueError, match=r"poses_a\[3\]\.rotation: expected a quaternion of unit length"):
+        graze.batch.distance(box, single, graze.Sphere(0.5), None)

@@ -1,14 +1,37 @@
 // A simulation: what happens next to bodies that have mass.
+#include <pybind11/stl.h>
+
 #include "answers.hpp"
 #include "shapes.hpp"
-
-#include <pybind11/stl.h>
+#include "world.hpp"
 
 namespace graze::python {
 
 namespace {
 
-using Sim = Simulation<double>;
+using Inner = Simulation<double>;
+
+/// A simulation that raises RuntimeError where another call is in a step of it.
+class Sim {
+ public:
+  explicit Sim(const SimulationSettings<double>& settings) : inner_(settings) {}
+  Sim(const Sim&) = delete;
+  Sim& operator=(const Sim&) = delete;
+
+  Alone::Reading<Inner> read() const { return {inner_, alone_}; }
+  Alone::Changing<Inner> change() { return {inner_, alone_}; }
+  void step(double dt) {
+    const auto changed = change();
+    const py::gil_scoped_release free;
+    changed->step(dt);
+  }
+  WorldView<SpaceWords> view() const { return {inner_.world(), shapes_, alone_}; }
+
+ private:
+  Alone alone_;
+  SpaceWords::Shapes shapes_;
+  Inner inner_;
+};
 using SimClass = py::class_<Sim>;
 
 Combine combine_of(const std::string& name, const char* path) {
@@ -20,13 +43,6 @@ Combine combine_of(const std::string& name, const char* path) {
   for (const auto& [text, combine] : names)
     if (name == text) return combine;
   validate::fail(path, "unset, average, minimum, maximum or multiply", name);
-}
-
-/// A body's place in the arrays of its simulation.
-std::size_t index_of(const Sim& s, BodyId id) {
-  if (!s.world().bodies().contains(id))
-    validate::fail("body", "a body of this simulation", "one that was removed, or another's");
-  return id.index;
 }
 
 py::dict object_of(const StepReport<double>& r) {
@@ -62,7 +78,7 @@ void add_bodies(SimClass& sim) {
            dynamics.gravity_factor = gravity_factor;
            dynamics.linear_damping = linear_damping;
            dynamics.angular_damping = angular_damping;
-           return s.add(std::move(body), dynamics, material);
+           return s.change()->add(std::move(body), dynamics, material);
          },
          py::arg("shape"), py::arg("pose") = py::none(), py::arg("linear") = Vector{}, py::arg("angular") = Vector{},
          py::arg("mass") = py::none(), py::arg("density") = 1000.0, py::arg("fixed") = false,
@@ -71,45 +87,62 @@ void add_bodies(SimClass& sim) {
          py::arg("material") = Material<double>{},
          "Adds a body, with the mass of its volume times `density` unless `mass` is given, and returns its BodyId.")
       .def(
-          "remove", [](Sim& s, BodyId id) { s.remove(id); }, py::arg("body"))
+          "remove", [](Sim& s, BodyId id) { s.change()->remove(id); }, py::arg("body"))
       .def(
-          "remove_joint", [](Sim& s, JointId id) { s.remove(id); }, py::arg("joint"))
+          "remove_joint", [](Sim& s, JointId id) { s.change()->remove(id); }, py::arg("joint"))
       .def(
-          "pose", [](const Sim& s, BodyId id) { return s.poses()[index_of(s, id)]; }, py::arg("body"))
+          "pose",
+          [](const Sim& s, BodyId id) {
+            const auto inner = s.read();
+            return inner->poses()[index_of(inner->world(), id)];
+          },
+          py::arg("body"))
       .def(
           "velocity",
           [](const Sim& s, BodyId id) {
-            const auto motion = s.motion(id);
+            const auto motion = s.read()->motion(id);
             return py::make_tuple(array_of(motion.linear), array_of(motion.angular));
           },
           py::arg("body"), "(linear velocity of the centre of mass, angular velocity).")
-      .def("mass", &Sim::mass, py::arg("body"))
-      .def("asleep", &Sim::asleep, py::arg("body"))
-      .def("wake", &Sim::wake, py::arg("body"))
       .def(
-          "set_pose", [](Sim& s, BodyId id, const Placement& pose) { s.set_pose(id, pose.value); }, py::arg("body"),
-          py::arg("pose"))
+          "mass", [](const Sim& s, BodyId id) { return s.read()->mass(id); }, py::arg("body"),
+          "Infinite for what is fixed or kinematic.")
+      .def(
+          "asleep", [](const Sim& s, BodyId id) { return s.read()->asleep(id); }, py::arg("body"))
+      .def(
+          "wake", [](Sim& s, BodyId id) { s.change()->wake(id); }, py::arg("body"))
+      .def(
+          "set_material",
+          [](Sim& s, BodyId id, const Material<double>& material) { s.change()->set_material(id, material); },
+          py::arg("body"), py::arg("material"))
+      .def(
+          "angular_momentum", [](const Sim& s, BodyId id) { return array_of(s.read()->angular_momentum(id)); },
+          py::arg("body"), "About the centre of mass.")
+      .def(
+          "set_pose", [](Sim& s, BodyId id, const Placement& pose) { s.change()->set_pose(id, pose.value); },
+          py::arg("body"), py::arg("pose"))
       .def(
           "set_velocity",
           [](Sim& s, BodyId id, const Vector& linear, const Vector& angular) {
-            s.set_velocity(id, {linear.value, angular.value});
+            s.change()->set_velocity(id, {linear.value, angular.value});
           },
           py::arg("body"), py::arg("linear"), py::arg("angular") = Vector{})
       .def(
-          "move_to", [](Sim& s, BodyId id, const Placement& pose, double dt) { s.move_to(id, pose.value, dt); },
+          "move_to",
+          [](Sim& s, BodyId id, const Placement& pose, double dt) { s.change()->move_to(id, pose.value, dt); },
           py::arg("body"), py::arg("pose"), py::arg("dt"),
           "Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.")
       .def(
           "apply_impulse",
           [](Sim& s, BodyId id, const Vector& impulse, const Vector& point) {
-            s.apply_impulse(id, impulse.value, point.value);
+            s.change()->apply_impulse(id, impulse.value, point.value);
           },
           py::arg("body"), py::arg("impulse"), py::arg("point"))
       .def(
-          "apply_force", [](Sim& s, BodyId id, const Vector& force) { s.apply_force(id, force.value); },
+          "apply_force", [](Sim& s, BodyId id, const Vector& force) { s.change()->apply_force(id, force.value); },
           py::arg("body"), py::arg("force"), "On the centre of mass, throughout the next step.")
       .def(
-          "apply_torque", [](Sim& s, BodyId id, const Vector& torque) { s.apply_torque(id, torque.value); },
+          "apply_torque", [](Sim& s, BodyId id, const Vector& torque) { s.change()->apply_torque(id, torque.value); },
           py::arg("body"), py::arg("torque"));
 }
 
@@ -120,7 +153,7 @@ void add_joints(SimClass& sim) {
         [make](Sim& s, BodyId a, const Placement& frame_a, BodyId b, const Placement& frame_b, bool enable_collision) {
           Joint<double> joint = make(a, frame_a.value, b, frame_b.value);
           joint.enable_collision = enable_collision;
-          return s.add(joint);
+          return s.change()->add(joint);
         },
         py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("enable_collision") = false, doc);
   };
@@ -138,14 +171,14 @@ void add_joints(SimClass& sim) {
   sim.def(
          "join_slider",
          [](Sim& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max) {
-           return s.add(slider_joint<double>(a, f.value, b, g.value, min, max));
+           return s.change()->add(slider_joint<double>(a, f.value, b, g.value, min, max));
          },
          py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("min") = -infinity,
          py::arg("max") = infinity, "A way along the frames' x axis is free, from `min` to `max`.")
       .def(
           "join_distance",
           [](Sim& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max) {
-            return s.add(distance_joint<double>(a, f.value, b, g.value, min, max));
+            return s.change()->add(distance_joint<double>(a, f.value, b, g.value, min, max));
           },
           py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("min"), py::arg("max"),
           "The origins of the frames stay from `min` to `max` apart.");
@@ -207,27 +240,29 @@ gravity: three numbers. sub_steps: of a step, a power of two. sleep: islands at 
           }),
           py::arg("gravity") = Vector{{0, -9.81, 0}}, py::arg("sub_steps") = 4, py::arg("sleep") = true,
           py::arg("continuous") = true)
-      .def(
-          "step",
-          [](Sim& s, double dt) {
-            const py::gil_scoped_release free;
-            s.step(dt);
-          },
-          py::arg("dt"), "Moves everything by `dt` > 0 seconds. The interpreter's lock is released.")
+      .def("step", &Sim::step, py::arg("dt"),
+           R"(Moves everything by `dt` > 0 seconds.
+
+The interpreter's lock is released meanwhile; a use of this simulation by another thread then raises
+RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longer than a second.)")
       .def_property_readonly(
           "poses",
           [](const Sim& s) {
-            const auto poses = s.poses();
+            const auto inner = s.read();
+            const auto poses = inner->poses();
             return py::array_t<double>({static_cast<py::ssize_t>(poses.size()), py::ssize_t{7}},
                                        reinterpret_cast<const double*>(poses.data()));
           },
           "Of all bodies, by index: rows of translation and quaternion (a copy).")
       .def_property_readonly(
-          "report", [](const Sim& s) { return object_of(s.report()); }, "What the last step did: a dictionary.")
-      .def_property_readonly("world", &Sim::world, py::return_value_policy::reference_internal,
-                             "The world of the last step, for questions and contacts; not to be changed.")
-      .def("save", &Sim::save)
-      .def("restore", &Sim::restore, py::arg("state"), "Goes back, bit for bit.");
+          "report", [](const Sim& s) { return object_of(s.read()->report()); }, "What the last step did: a dictionary.")
+      .def_property_readonly("world", py::cpp_function(&Sim::view, py::keep_alive<0, 1>()),
+                             "The WorldView of the last step, for questions and contacts.")
+      .def(
+          "save", [](const Sim& s) { return s.read()->save(); }, "The State that `restore` goes back to.")
+      .def(
+          "restore", [](Sim& s, const State<double>& state) { s.change()->restore(state); }, py::arg("state"),
+          "Goes back, bit for bit. Raises ValueError where bodies or joints came or went in between.");
   add_bodies(sim);
   add_joints(sim);
 }

@@ -1,0 +1,100 @@
+// Worlds as Python sees them: one to read, which a simulation has too, and one of its own to change. They are written
+// once for space and the plane; `Words` says what differs.
+#pragma once
+
+#include "alone.hpp"
+
+namespace graze::python {
+
+/// A world to read. It belongs to somebody else, who lives longer.
+template <class Words>
+class WorldView {
+ public:
+  using World = graze::World<double, typename Words::Space>;
+  using Shapes = typename Words::Shapes;
+
+  WorldView(const World& world, const Shapes& shapes, const Alone& alone)
+      : world_(&world), shapes_(&shapes), alone_(&alone) {}
+  Alone::Reading<World> read() const { return {*world_, *alone_}; }
+  py::object shape(BodyId id) const;
+
+ private:
+  const World* world_;
+  const Shapes* shapes_;
+  const Alone* alone_;
+};
+
+/// A world that Python made, and may change.
+template <class Words>
+class OwnWorld : public WorldView<Words> {
+ public:
+  using World = typename WorldView<Words>::World;
+  using Shapes = typename Words::Shapes;
+
+  explicit OwnWorld(WorldSettings<double> settings)
+      : WorldView<Words>(world_, shapes_, alone_), world_(std::move(settings)) {}
+  OwnWorld(const OwnWorld&) = delete;
+  OwnWorld& operator=(const OwnWorld&) = delete;
+
+  Alone::Changing<World> change() { return {world_, alone_}; }
+  /// The Python objects of the bodies' shapes, to be changed together with the world.
+  Shapes& shapes() { return shapes_; }
+  void update(double duration) {
+    const auto world = change();
+    const py::gil_scoped_release free;
+    world->update(duration);
+  }
+
+ private:
+  Alone alone_;
+  Shapes shapes_;
+  World world_;
+};
+
+/// A body's place in the arrays of its world. Throws `InvalidValue` for one that is gone.
+template <class World>
+std::size_t index_of(const World& world, BodyId id) {
+  if (!world.bodies().contains(id))
+    validate::fail("body", "a body of this world", "one that was removed, or another's");
+  return id.index;
+}
+
+template <class Words>
+py::object WorldView<Words>::shape(BodyId id) const {
+  const auto world = read();
+  return shapes_->object(*world, index_of(*world, id));
+}
+
+/// Space: vectors of three numbers, also for velocities of turning; rows of seven numbers for poses.
+struct SpaceWords {
+  using Space = graze::Space<double>;
+  using Vector = python::Vector;
+  using Turning = python::Vector;
+  using Placement = python::Placement;
+  using Shape = Shaped;
+  /// Shapes know what they were made of: nothing is kept besides.
+  struct Shapes {
+    static void keep(std::size_t, const Shaped&) {}
+    static py::object object(const World<double>& world, std::size_t index);
+  };
+
+  static constexpr py::ssize_t vector_size = 3, pose_size = 7;
+  static constexpr const char* vector_type = "(3,)f8";
+  static constexpr const char* pose_row = "translation and quaternion, shape (n, 7)";
+  static constexpr const char* turning_unit = "radians per unit of time about each axis";
+
+  static const Shaped& value_of(const Shaped& shape) { return shape; }
+  static const Vec3d& value_of(const python::Vector& v) { return v.value; }
+  static py::object object_of(const Vec3d& v) { return array_of(v); }
+  static Velocity<double> velocity(const Vector& linear, const Turning& angular) {
+    return {validate::point(linear.value, "linear"), validate::point(angular.value, "angular")};
+  }
+  /// Throws `InvalidValue` that names the part.
+  static Posed pose_of_row(const double* p) {
+    return {validate::point(Vec3d{p[0], p[1], p[2]}, "translation"),
+            validate::rotation(Quatd{p[3], p[4], p[5], p[6]}, "rotation")};
+  }
+  static Vec3d vector_of_row(const double* p) { return validate::point(Vec3d{p[0], p[1], p[2]}, "impulse"); }
+};
+
+}  // namespace graze::python

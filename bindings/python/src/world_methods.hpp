@@ -1,0 +1,332 @@
+// The methods of worlds, for space and the plane: written once over the words of `world.hpp`.
+#pragma once
+
+#include <pybind11/stl.h>
+
+#include "answers.hpp"
+#include "world.hpp"
+
+namespace graze::python {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr std::uint64_t all_bits = ~std::uint64_t{0};
+
+inline QueryFilter query_filter(std::uint64_t category, std::uint64_t mask, bool triggers) {
+  return {Filter{category, mask, 0}, triggers, {}};
+}
+inline double checked_reach(double value, const char* name) {
+  if (!(value >= 0)) validate::fail(name, "a number >= 0", value);
+  return value;
+}
+
+py::tuple object_of(const ContactEvent& event);
+py::dtype contact_pair_type();
+
+/// The indices of the bodies of each pair.
+py::array_t<std::uint32_t> indices_of(std::span<const ContactPair<double>> pairs);
+
+/// What a world of space or the plane can be asked and told.
+template <class Words>
+class WorldMethods {
+ public:
+  using Space = typename Words::Space;
+  using Shape = typename Words::Shape;
+  using Vector = typename Words::Vector;
+  using Turning = typename Words::Turning;
+  using Placement = typename Words::Placement;
+  using View = WorldView<Words>;
+  using Own = OwnWorld<Words>;
+
+  /// Defines the classes `WorldView` and `World`.
+  static void add(py::module_& m, const char* view_doc, const char* world_doc) {
+    py::class_<View> view(m, "WorldView", view_doc);
+    add_bodies(view);
+    add_contacts(view);
+    add_shape_questions(view);
+    add_ray_questions(view);
+    py::class_<Own, View> world(m, "World", world_doc);
+    world.def(py::init([](std::optional<double> margin, std::optional<std::size_t> points_per_pair) {
+                WorldSettings<double> settings;
+                settings.margin = margin;
+                settings.points_per_pair = points_per_pair;
+                return std::make_unique<Own>(std::move(settings));
+              }),
+              py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none());
+    add_changes(world);
+    add_updates(world);
+  }
+
+  /// Records of a solver's points. The fields of a contact point stand as in one by itself, and the impulse behind
+  /// them, which ends the record: C++ defines `offsetof` only for structs that have their fields in one class.
+  static py::dtype solver_point_type() {
+    using P = SolverPoint<double, Space>;
+    using Base = typename Space::ContactPoint;
+    static_assert(sizeof(P) == sizeof(Base) + sizeof(typename Space::Vec));
+    return record_type({{"a", Words::vector_type, offsetof(Base, a)},
+                        {"b", Words::vector_type, offsetof(Base, b)},
+                        {"distance", "f8", offsetof(Base, distance)},
+                        {"feature", "u4", offsetof(Base, feature)},
+                        {"weight", "f8", offsetof(Base, weight)},
+                        {"impulse", Words::vector_type, sizeof(Base)}},
+                       sizeof(P));
+  }
+
+ private:
+  using ViewClass = py::class_<View>;
+  using WorldClass = py::class_<Own, View>;
+
+  static py::dtype manifold_type() {
+    using M = ContactManifold<double, Space>;
+    return record_type({{"normal", Words::vector_type, offsetof(M, normal)},
+                        {"piece_a", "u4", offsetof(M, piece_a)},
+                        {"piece_b", "u4", offsetof(M, piece_b)},
+                        {"first_point", "u4", offsetof(M, first_point)},
+                        {"point_count", "u4", offsetof(M, point_count)}},
+                       sizeof(M));
+  }
+
+  template <class Record>
+  static py::array copied(const std::vector<Record>& values, const py::dtype& type) {
+    return records(std::vector<Record>(values), type);
+  }
+  template <class Hit>
+  static py::object pair_or_none(const std::optional<Hit>& found) {
+    return found ? py::object(py::make_tuple(found->body, found->hit)) : py::none();
+  }
+  template <class Hits>
+  static py::list pairs_of(const Hits& hits) {
+    py::list out;
+    for (const auto& hit : hits) out.append(py::make_tuple(hit.body, hit.hit));
+    return out;
+  }
+
+  static void move_all(Own& own, const std::vector<BodyId>& ids, const py::object& poses) {
+    const Rows given = rows(poses, Words::pose_size, "poses");
+    if (static_cast<std::size_t>(given.shape(0)) != ids.size())
+      validate::fail("poses", std::to_string(ids.size()) + " rows, one for each body",
+                     static_cast<double>(given.shape(0)));
+    const auto world = own.change();
+    // All are read and all handles looked at before any body moves: what throws has changed nothing.
+    std::vector<typename Space::Pose> read(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      index_of(*world, ids[i]);
+      try {
+        read[i] = Words::pose_of_row(given.data(static_cast<py::ssize_t>(i), 0));
+      } catch (const InvalidValue& error) {
+        throw error.below("poses[" + std::to_string(i) + "]");
+      }
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i) world->move(ids[i], read[i]);
+  }
+
+  static void set_impulses(Own& own, const py::object& impulses) {
+    const Rows given = rows(impulses, Words::vector_size, "impulses");
+    const auto world = own.change();
+    auto& points = world->contacts().points;
+    if (static_cast<std::size_t>(given.shape(0)) != points.size())
+      validate::fail("impulses", std::to_string(points.size()) + " rows, one for each point",
+                     static_cast<double>(given.shape(0)));
+    std::vector<typename Space::Vec> read(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      try {
+        read[i] = Words::vector_of_row(given.data(static_cast<py::ssize_t>(i), 0));
+      } catch (const InvalidValue& error) {
+        throw error.below("impulses[" + std::to_string(i) + "]");
+      }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].impulse = read[i];
+  }
+
+  static void add_changes(WorldClass& world) {
+    world
+        .def(
+            "add",
+            [](Own& w, const Shape& shape, const Placement& pose, const Vector& linear, const Turning& angular,
+               const Filter& filter, bool fixed, bool trigger, bool fast) {
+              const auto changed = w.change();
+              const BodyId id = changed->add({Words::value_of(shape), pose.value, Words::value_of(linear),
+                                              Words::value_of(angular), filter, fixed, trigger, fast});
+              w.shapes().keep(id.index, shape);
+              return id;
+            },
+            py::arg("shape"), py::arg("pose") = py::none(), py::arg("linear") = Vector{},
+            py::arg("angular") = Turning{}, py::arg("filter") = Filter{}, py::arg("fixed") = false,
+            py::arg("trigger") = false, py::arg("fast") = false,
+            (std::string(R"(Adds a body and returns its BodyId.
+
+linear: velocity of the pose's origin in world axes, length per unit of time. angular:
+)") + Words::turning_unit +
+             R"(. fixed: never moves by itself; two fixed bodies are no pair.
+trigger: tells that something is inside it and has no contact points. fast: asked what it would
+pass through. Raises ValueError for a pose or velocity that is not finite.)")
+                .c_str())
+        .def(
+            "remove", [](Own& w, BodyId id) { w.change()->remove(id); }, py::arg("body"),
+            "Removes a body. Raises ValueError, as all that take one, for a body that was removed before.")
+        .def(
+            "move", [](Own& w, BodyId id, const Placement& pose) { w.change()->move(id, pose.value); }, py::arg("body"),
+            py::arg("pose"), "Puts a body elsewhere; its velocities stay.")
+        .def(
+            "set_velocity",
+            [](Own& w, BodyId id, const Vector& linear, const Turning& angular) {
+              const auto changed = w.change();
+              const typename Space::Pose pose = changed->bodies().poses()[index_of(*changed, id)];
+              changed->move(id, pose, Words::value_of(linear), Words::value_of(angular));
+            },
+            py::arg("body"), py::arg("linear"), py::arg("angular") = Turning{},
+            "Other velocities for a body that stays where it is.")
+        .def("move_all", &move_all, py::arg("bodies"), py::arg("poses"),
+             (std::string("Puts many bodies elsewhere: rows of ") + Words::pose_row +
+              ".\n\nAll of them, or none where it raises ValueError.")
+                 .c_str())
+        .def(
+            "set_shape",
+            [](Own& w, BodyId id, const Shape& shape) {
+              w.change()->set_shape(id, Words::value_of(shape));
+              w.shapes().keep(id.index, shape);
+            },
+            py::arg("body"), py::arg("shape"), "Another shape for a body.")
+        .def(
+            "set_filter", [](Own& w, BodyId id, const Filter& filter) { w.change()->set_filter(id, filter); },
+            py::arg("body"), py::arg("filter"), "Another filter for a body.");
+  }
+
+  static void add_updates(WorldClass& world) {
+    world
+        .def("update", &Own::update, py::arg("duration") = 0.0,
+             R"(Finds what touches now, and what fast bodies would pass through within `duration`.
+
+The interpreter's lock is released meanwhile; a use of this world by another thread then raises
+RuntimeError, as does a change of it by a support function in Python while it is asked. Raises
+ValueError for a duration that is negative or not finite.)")
+        .def("set_impulses", &set_impulses, py::arg("impulses"),
+             (std::string("What a solver has pushed at each of `points`, shape (n, ") +
+              std::to_string(Words::vector_size) +
+              ").\n\nThe next update carries it on to the points that are the same.")
+                 .c_str());
+  }
+
+  static void add_bodies(ViewClass& view) {
+    view.def("shape", &View::shape, py::arg("body"), "The shape of a body.")
+        .def(
+            "pose",
+            [](const View& w, BodyId id) {
+              const auto world = w.read();
+              return world->bodies().poses()[index_of(*world, id)];
+            },
+            py::arg("body"), "Where a body stands.")
+        .def(
+            "velocity",
+            [](const View& w, BodyId id) {
+              const auto world = w.read();
+              const std::size_t i = index_of(*world, id);
+              return py::make_tuple(Words::object_of(world->bodies().linear()[i]),
+                                    Words::object_of(world->bodies().angular()[i]));
+            },
+            py::arg("body"), "(linear velocity of its origin, angular velocity), in world axes.")
+        .def("__contains__", [](const View& w, BodyId id) { return w.read()->bodies().contains(id); })
+        .def("__len__", [](const View& w) { return w.read()->bodies().count(); });
+  }
+
+  static void add_contacts(ViewClass& view) {
+    view.def_property_readonly(
+            "events",
+            [](const View& w) {
+              py::list out;
+              const auto world = w.read();
+              for (const ContactEvent& event : world->events()) out.append(object_of(event));
+              return out;
+            },
+            "Of the last update: (kind, a, b, trigger), kind 'begin', 'stay' or 'end'.")
+        .def_property_readonly(
+            "impacts",
+            [](const View& w) {
+              py::list out;
+              const auto world = w.read();
+              for (const auto& impact : world->impacts())
+                out.append(py::make_tuple(impact.a, impact.b, impact.hit, impact.trigger));
+              return out;
+            },
+            "Of the last update, in the order of time: (a, b, CastHit, trigger).")
+        .def_property_readonly(
+            "touching", [](const View& w) { return indices_of(w.read()->contacts().pairs); },
+            "The indices of the bodies of each pair within its margin: shape (n, 2).")
+        .def_property_readonly(
+            "pairs", [type = contact_pair_type()](const View& w) { return copied(w.read()->contacts().pairs, type); },
+            "Records: a, b (indices of bodies), overlap, first_manifold, manifold_count.")
+        .def_property_readonly(
+            "manifolds",
+            [type = manifold_type()](const View& w) { return copied(w.read()->contacts().manifolds, type); },
+            "Records: normal, piece_a, piece_b, first_point, point_count.")
+        .def_property_readonly(
+            "points", [type = solver_point_type()](const View& w) { return copied(w.read()->contacts().points, type); },
+            "Records: a, b, distance, feature, weight, impulse.");
+  }
+
+  static void add_shape_questions(ViewClass& view) {
+    view.def(
+            "overlapping",
+            [](const View& w, const Shape& shape, const Placement& pose, std::uint64_t category, std::uint64_t mask,
+               bool triggers) {
+              std::vector<BodyId> found;
+              w.read()->overlapping(Words::value_of(shape), pose.value, query_filter(category, mask, triggers), found);
+              return found;
+            },
+            py::arg("shape"), py::arg("pose") = py::none(), py::arg("category") = all_bits, py::arg("mask") = all_bits,
+            py::arg("triggers") = false, "The bodies that touch a shape, by index.")
+        .def(
+            "nearest",
+            [](const View& w, const Shape& shape, const Placement& pose, std::size_t count, double limit,
+               std::uint64_t category, std::uint64_t mask, bool triggers) {
+              std::vector<BodyDistance<double, Space>> found;
+              w.read()->nearest(Words::value_of(shape), pose.value, count, checked_reach(limit, "limit"),
+                                query_filter(category, mask, triggers), found);
+              py::list out;
+              for (const auto& f : found) out.append(py::make_tuple(f.body, f.distance));
+              return out;
+            },
+            py::arg("shape"), py::arg("pose") = py::none(), py::arg("count") = 1, py::arg("limit") = infinity,
+            py::arg("category") = all_bits, py::arg("mask") = all_bits, py::arg("triggers") = false,
+            "The `count` bodies nearest to a shape and within `limit`, the nearest first: (BodyId, Distance).")
+        .def(
+            "cast",
+            [](const View& w, const Shape& shape, const Placement& pose, const Vector& linear, double duration,
+               const Turning& angular, std::uint64_t category, std::uint64_t mask, bool triggers) {
+              if (!(duration >= 0 && duration <= largest_magnitude<double>))
+                validate::fail("duration", "a finite number >= 0", duration);
+              return pair_or_none(w.read()->cast(Words::value_of(shape), pose.value, Words::velocity(linear, angular),
+                                                 duration, query_filter(category, mask, triggers)));
+            },
+            py::arg("shape"), py::arg("pose"), py::arg("linear"), py::arg("duration") = 1.0,
+            py::arg("angular") = Turning{}, py::arg("category") = all_bits, py::arg("mask") = all_bits,
+            py::arg("triggers") = false,
+            "The first body that a moving shape meets: (BodyId, CastHit) or None; the bodies stand still.");
+  }
+
+  static void add_ray_questions(ViewClass& view) {
+    view.def(
+            "raycast",
+            [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
+               std::uint64_t mask, bool triggers) {
+              return pair_or_none(w.read()->raycast({origin.value, direction.value}, checked_reach(length, "length"),
+                                                    query_filter(category, mask, triggers)));
+            },
+            py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
+            py::arg("mask") = all_bits, py::arg("triggers") = false,
+            "The first body that a ray hits: (BodyId, RayHit) or None.")
+        .def(
+            "raycast_all",
+            [](const View& w, const Vector& origin, const Vector& direction, double length, std::uint64_t category,
+               std::uint64_t mask, bool triggers) {
+              std::vector<BodyRayHit<double, Space>> hits;
+              w.read()->raycast_all({origin.value, direction.value}, checked_reach(length, "length"),
+                                    query_filter(category, mask, triggers), hits);
+              return pairs_of(hits);
+            },
+            py::arg("origin"), py::arg("direction"), py::arg("length") = infinity, py::arg("category") = all_bits,
+            py::arg("mask") = all_bits, py::arg("triggers") = false,
+            "All bodies that a ray hits, each where it is first hit, in the order of the ray.");
+  }
+};
+
+}  // namespace graze::python
