@@ -97,9 +97,10 @@ struct Calls {
   GrazeBufferd* buffer = nullptr;
   GrazeTrace* trace = nullptr;
   GrazeWorldd* world = nullptr;
+  GrazePlaneWorldd* plane_world = nullptr;
   GrazeSimulationd* simulation = nullptr;
   GrazeStated* state = nullptr;
-  std::vector<GrazeBodyId> bodies, simulated;
+  std::vector<GrazeBodyId> bodies, plane_bodies, simulated;
   std::vector<GrazeJointId> joints;
   int masses = 0;  ///< how often those of a shape were asked for
 
@@ -107,6 +108,7 @@ struct Calls {
     require(graze_buffer_create_d(&buffer) == GRAZE_OK);
     require(graze_trace_create(&trace) == GRAZE_OK);
     require(graze_world_create_d(nullptr, nullptr, &world) == GRAZE_OK);
+    require(graze_plane_world_create_d(nullptr, nullptr, &plane_world) == GRAZE_OK);
     require(graze_simulation_create_d(nullptr, nullptr, &simulation) == GRAZE_OK);
     require(graze_shape_sphere_f(1, {0, 0, 0}, &small) == GRAZE_OK);
   }
@@ -117,6 +119,7 @@ struct Calls {
     graze_state_destroy_d(state);
     graze_simulation_destroy_d(simulation);
     graze_world_destroy_d(world);
+    graze_plane_world_destroy_d(plane_world);
     graze_buffer_destroy_d(buffer);
     graze_trace_destroy(trace);
   }
@@ -458,8 +461,59 @@ struct Calls {
     told(graze_plane_raycast_d(a, &pose_a, &ray, in.length(), in.maybe(&yes), &hit));
   }
 
+  void change_plane_world() {
+    GrazePlaneBodyd b = graze_plane_body_default_d(plane_shape());
+    b.pose = in.pose2();
+    b.linear = {in.number(), in.number()};
+    b.angular = in.byte() < 4 ? in.number() : in.byte() / 64.0;
+    b.fixed = in.byte() < 64;
+    b.trigger = in.byte() < 32;
+    GrazeBodyId id;
+    const GrazePose2d pose = in.pose2();
+    const GrazePlaneVelocityd velocity{{in.number(), in.number()}, in.number()};
+    switch (in.byte() % 7) {
+    case 0:
+    case 1:
+      if (plane_bodies.size() < 16 && told(graze_plane_world_add_d(in.maybe(plane_world), in.maybe(&b), in.maybe(&id))))
+        plane_bodies.push_back(id);
+      break;
+    case 2: told(graze_plane_world_remove_d(plane_world, body(plane_bodies))); break;
+    case 3:
+      told(graze_plane_world_move_d(plane_world, body(plane_bodies), in.maybe(&pose),
+                                    in.byte() < 128 ? nullptr : &velocity));
+      break;
+    case 4: told(graze_plane_world_set_shape_d(plane_world, body(plane_bodies), plane_shape())); break;
+    case 5: told(graze_plane_world_reduce_d(plane_world, in.byte() % 4)); break;
+    default: told(graze_plane_world_update_d(in.maybe(plane_world), in.byte() < 8 ? -1 : 0));
+    }
+    ask_plane_world(pose);
+  }
+
+  void ask_plane_world(const GrazePose2d& pose) {
+    GrazePlaneWorldContactsd contacts;
+    const GrazeContactEvent* events;
+    const GrazeBodyId* found;
+    const GrazePlaneBodyDistanced* distances;
+    const GrazePlaneBodyRayHitd* hits;
+    std::size_t count = 0;
+    if (told(graze_plane_world_contacts_d(plane_world, in.maybe(&contacts))))
+      for (std::size_t i = 0; i < contacts.manifold_count; ++i)
+        require(contacts.manifolds[i].first_point + contacts.manifolds[i].point_count <= contacts.point_count);
+    told(graze_plane_world_events_d(plane_world, &events, in.maybe(&count)));
+    const GrazePlaneShaped* s = plane_shape();
+    told(graze_plane_world_overlapping_d(plane_world, s, &pose, nullptr, buffer, in.maybe(&found), &count));
+    told(graze_plane_world_nearest_d(plane_world, s, &pose, in.byte(), in.length(), nullptr, buffer, &distances,
+                                     &count));
+    const GrazePlaneRayd ray = {{in.number(), in.number()}, {in.number(), in.number()}};
+    told(graze_plane_world_raycast_all_d(plane_world, in.maybe(&ray), in.length(), nullptr, in.maybe(buffer), &hits,
+                                         &count));
+    GrazePlaneBodyd known;
+    if (told(graze_plane_world_body_d(plane_world, body(plane_bodies), in.maybe(&known))))
+      graze_plane_shape_release_d(known.shape);
+  }
+
   void run() {
-    for (int calls = 0; calls < 40 && !in.empty(); ++calls) switch (in.byte() % 12) {
+    for (int calls = 0; calls < 40 && !in.empty(); ++calls) switch (in.byte() % 13) {
       case 0:
       case 1:
       case 2: make_shape(); break;
@@ -471,6 +525,7 @@ struct Calls {
       case 8: ask_batch(); break;
       case 9: change_world(); break;
       case 10: change_simulation(); break;
+      case 11: change_plane_world(); break;
       default: plane();
       }
   }

@@ -23,3 +23,5 @@
 #include "c/simulations.inc"
 
 #include "c/plane.inc"
+
+#include "c/plane_worlds.inc"

@@ -1207,6 +1207,154 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_d(const GrazePlaneBatchd *bat
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_d(const GrazePlaneBatchd *batch, double margin,
                                                      GrazeBufferd *buffer, GrazePlaneBatchContactsd *contacts);
 
+// Worlds of the plane (graze/plane/world.hpp): settings, executors and filters are those of worlds of space, and the
+// functions are the same but for sliding.
+
+typedef struct GrazePlaneWorldd GrazePlaneWorldd;
+
+typedef struct GrazePlaneBodyd {
+  const GrazePlaneShaped *shape;
+  GrazePose2d pose;
+  GrazeVec2d linear;  // velocity of the pose's origin
+  double angular;     // the turning about it, counter-clockwise
+  GrazeFilter filter;
+  bool fixed;    // never moves by itself: two fixed bodies are no pair
+  bool trigger;  // tells that something is inside it; has no contact points
+  bool fast;     // is asked what it would pass through before the next update
+} GrazePlaneBodyd;
+
+// A body that stands at the origin, may move, and collides with everything.
+GRAZE_C_API GrazePlaneBodyd graze_plane_body_default_d(const GrazePlaneShaped *shape);
+
+// `settings` and `executor` may be null: the defaults, and the calling thread. The executor is copied, what its `user`
+// points to is not.
+GRAZE_C_API GrazeStatus graze_plane_world_create_d(const GrazeWorldSettingsd *settings, const GrazeExecutor *executor,
+                                                   GrazePlaneWorldd **world);
+GRAZE_C_API void graze_plane_world_destroy_d(GrazePlaneWorldd *world);
+
+GRAZE_C_API GrazeStatus graze_plane_world_add_d(GrazePlaneWorldd *world, const GrazePlaneBodyd *body, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_plane_world_remove_d(GrazePlaneWorldd *world, GrazeBodyId id);
+// Puts a body elsewhere; with `velocity` (or null) it has another one from now on.
+GRAZE_C_API GrazeStatus graze_plane_world_move_d(GrazePlaneWorldd *world, GrazeBodyId id, const GrazePose2d *pose,
+                                                 const GrazePlaneVelocityd *velocity);
+// Puts many bodies elsewhere. Where one of the bodies or poses is refused none is moved.
+GRAZE_C_API GrazeStatus graze_plane_world_move_batch_d(GrazePlaneWorldd *world, const GrazeBodyId *ids,
+                                                       size_t id_stride, const GrazePose2d *poses, size_t pose_stride,
+                                                       size_t count);
+GRAZE_C_API GrazeStatus graze_plane_world_set_shape_d(GrazePlaneWorldd *world, GrazeBodyId id,
+                                                      const GrazePlaneShaped *shape);
+GRAZE_C_API GrazeStatus graze_plane_world_set_filter_d(GrazePlaneWorldd *world, GrazeBodyId id, GrazeFilter filter);
+GRAZE_C_API GrazeStatus graze_plane_world_set_fast_d(GrazePlaneWorldd *world, GrazeBodyId id, bool fast);
+// Another last word than that of the settings; null allows all.
+GRAZE_C_API GrazeStatus graze_plane_world_set_allow_d(GrazePlaneWorldd *world,
+                                                      bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b),
+                                                      void *user);
+
+// How many bodies there are, and how many indices: those of bodies are smaller.
+GRAZE_C_API GrazeStatus graze_plane_world_counts_d(const GrazePlaneWorldd *world, size_t *bodies, size_t *indices);
+GRAZE_C_API GrazeStatus graze_plane_world_contains_d(const GrazePlaneWorldd *world, GrazeBodyId id, bool *contains);
+// The handle of the body that has the index now; `found` says whether there is one.
+GRAZE_C_API GrazeStatus graze_plane_world_body_at_d(const GrazePlaneWorldd *world, uint32_t index, bool *found,
+                                                    GrazeBodyId *id);
+// What is known of a body. Its shape is one more share, for the caller to release.
+GRAZE_C_API GrazeStatus graze_plane_world_body_d(const GrazePlaneWorldd *world, GrazeBodyId id, GrazePlaneBodyd *body);
+// All poses by index, valid until a body is added or moved; at an index without a body any pose.
+GRAZE_C_API GrazeStatus graze_plane_world_poses_d(const GrazePlaneWorldd *world, const GrazePose2d **poses,
+                                                  size_t *count);
+
+// Finds what touches now; and, given the time to the next update (or 0), what fast bodies would pass through until
+// then.
+GRAZE_C_API GrazeStatus graze_plane_world_update_d(GrazePlaneWorldd *world, double duration);
+// Only the latter, by the velocities that bodies have now.
+GRAZE_C_API GrazeStatus graze_plane_world_find_impacts_d(GrazePlaneWorldd *world, double duration);
+
+typedef struct GrazePlaneSolverPointd {
+  GrazeVec2d a, b;
+  double distance;
+  uint32_t feature;
+  double weight;
+  GrazeVec2d impulse;  // the solver's own: carried on to the same point of the next update, zero at a new one
+} GrazePlaneSolverPointd;
+
+// What the last update found, which belongs to the world until the next.
+typedef struct GrazePlaneWorldContactsd {
+  const GrazeWorldPair *pairs;  // sorted
+  size_t pair_count;
+  const GrazePlaneManifoldd *manifolds;
+  size_t manifold_count;
+  const GrazePlaneSolverPointd *points;
+  size_t point_count;
+} GrazePlaneWorldContactsd;
+
+GRAZE_C_API GrazeStatus graze_plane_world_contacts_d(const GrazePlaneWorldd *world, GrazePlaneWorldContactsd *contacts);
+// The same points for a solver, which writes their impulses and nothing else.
+GRAZE_C_API GrazeStatus graze_plane_world_solver_points_d(GrazePlaneWorldd *world, GrazePlaneSolverPointd **points,
+                                                          size_t *count);
+// Leaves at most `most` >= 1 points of every pair.
+GRAZE_C_API GrazeStatus graze_plane_world_reduce_d(GrazePlaneWorldd *world, size_t most);
+GRAZE_C_API GrazeStatus graze_plane_world_events_d(const GrazePlaneWorldd *world, const GrazeContactEvent **events,
+                                                   size_t *count);
+
+// Two bodies and when they first meet: a.index < b.index, the normal of the hit from a to b.
+typedef struct GrazePlaneImpactd {
+  GrazeBodyId a, b;
+  bool trigger;
+  GrazePlaneCastHitd hit;
+} GrazePlaneImpactd;
+
+// What fast bodies would meet, in the order of time.
+GRAZE_C_API GrazeStatus graze_plane_world_impacts_d(const GrazePlaneWorldd *world, const GrazePlaneImpactd **impacts,
+                                                    size_t *count);
+
+// A body and how far it is from the shape that was asked about, which is A.
+typedef struct GrazePlaneBodyDistanced {
+  GrazeBodyId body;
+  GrazePlaneDistanced distance;
+} GrazePlaneBodyDistanced;
+
+typedef struct GrazePlaneBodyRayHitd {
+  GrazeBodyId body;
+  GrazePlaneRayHitd hit;
+} GrazePlaneBodyRayHitd;
+
+typedef struct GrazePlaneBodyCastHitd {
+  GrazeBodyId body;
+  GrazePlaneCastHitd hit;
+} GrazePlaneBodyCastHitd;
+
+// Questions about bodies where they were last put. `filter` may be null: that of graze_query_filter_default.
+GRAZE_C_API GrazeStatus graze_plane_world_overlapping_d(const GrazePlaneWorldd *world, const GrazePlaneShaped *shape,
+                                                        const GrazePose2d *pose, const GrazeQueryFilter *filter,
+                                                        GrazeBufferd *buffer, const GrazeBodyId **bodies,
+                                                        size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_overlaps_any_d(const GrazePlaneWorldd *world, const GrazePlaneShaped *shape,
+                                                         const GrazePose2d *pose, const GrazeQueryFilter *filter,
+                                                         bool *any);
+// The `most` bodies nearest to the shape, of those no further than `limit` (INFINITY for all), the nearest first.
+GRAZE_C_API GrazeStatus graze_plane_world_nearest_d(const GrazePlaneWorldd *world, const GrazePlaneShaped *shape,
+                                                    const GrazePose2d *pose, size_t most, double limit,
+                                                    const GrazeQueryFilter *filter, GrazeBufferd *buffer,
+                                                    const GrazePlaneBodyDistanced **bodies, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_raycast_d(const GrazePlaneWorldd *world, const GrazePlaneRayd *ray,
+                                                    double length, const GrazeQueryFilter *filter, bool *found,
+                                                    GrazePlaneBodyRayHitd *hit);
+GRAZE_C_API GrazeStatus graze_plane_world_raycast_any_d(const GrazePlaneWorldd *world, const GrazePlaneRayd *ray,
+                                                        double length, const GrazeQueryFilter *filter, bool *found);
+GRAZE_C_API GrazeStatus graze_plane_world_raycast_all_d(const GrazePlaneWorldd *world, const GrazePlaneRayd *ray,
+                                                        double length, const GrazeQueryFilter *filter,
+                                                        GrazeBufferd *buffer, const GrazePlaneBodyRayHitd **hits,
+                                                        size_t *count);
+// What a shape meets that moves for `duration` while the bodies stand still.
+GRAZE_C_API GrazeStatus graze_plane_world_cast_d(const GrazePlaneWorldd *world, const GrazePlaneMovingd *moving,
+                                                 double duration, const GrazeQueryFilter *filter,
+                                                 GrazeSeparating separating, bool *found, GrazePlaneBodyCastHitd *hit);
+GRAZE_C_API GrazeStatus graze_plane_world_cast_all_d(const GrazePlaneWorldd *world, const GrazePlaneMovingd *moving,
+                                                     double duration, const GrazeQueryFilter *filter,
+                                                     GrazeSeparating separating, GrazeBufferd *buffer,
+                                                     const GrazePlaneBodyCastHitd **hits, size_t *count);
+// Bytes that are held, shapes' own data apart.
+GRAZE_C_API GrazeStatus graze_plane_world_memory_d(const GrazePlaneWorldd *world, size_t *bytes);
+
 // </double>
 // ---------------------------------------------------------------------------------------------------------------------
 // Float: the same, written by bindings/c/write_float.sh from the part for double.
@@ -1966,6 +2114,128 @@ GRAZE_C_API GrazeStatus graze_plane_distance_batch_f(const GrazePlaneBatchf *bat
                                                      size_t stride);
 GRAZE_C_API GrazeStatus graze_plane_contacts_batch_f(const GrazePlaneBatchf *batch, float margin,
                                                      GrazeBufferf *buffer, GrazePlaneBatchContactsf *contacts);
+
+typedef struct GrazePlaneWorldf GrazePlaneWorldf;
+
+typedef struct GrazePlaneBodyf {
+  const GrazePlaneShapef *shape;
+  GrazePose2f pose;
+  GrazeVec2f linear;
+  float angular;
+  GrazeFilter filter;
+  bool fixed;
+  bool trigger;
+  bool fast;
+} GrazePlaneBodyf;
+
+GRAZE_C_API GrazePlaneBodyf graze_plane_body_default_f(const GrazePlaneShapef *shape);
+
+GRAZE_C_API GrazeStatus graze_plane_world_create_f(const GrazeWorldSettingsf *settings, const GrazeExecutor *executor,
+                                                   GrazePlaneWorldf **world);
+GRAZE_C_API void graze_plane_world_destroy_f(GrazePlaneWorldf *world);
+
+GRAZE_C_API GrazeStatus graze_plane_world_add_f(GrazePlaneWorldf *world, const GrazePlaneBodyf *body, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_plane_world_remove_f(GrazePlaneWorldf *world, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_plane_world_move_f(GrazePlaneWorldf *world, GrazeBodyId id, const GrazePose2f *pose,
+                                                 const GrazePlaneVelocityf *velocity);
+GRAZE_C_API GrazeStatus graze_plane_world_move_batch_f(GrazePlaneWorldf *world, const GrazeBodyId *ids,
+                                                       size_t id_stride, const GrazePose2f *poses, size_t pose_stride,
+                                                       size_t count);
+GRAZE_C_API GrazeStatus graze_plane_world_set_shape_f(GrazePlaneWorldf *world, GrazeBodyId id,
+                                                      const GrazePlaneShapef *shape);
+GRAZE_C_API GrazeStatus graze_plane_world_set_filter_f(GrazePlaneWorldf *world, GrazeBodyId id, GrazeFilter filter);
+GRAZE_C_API GrazeStatus graze_plane_world_set_fast_f(GrazePlaneWorldf *world, GrazeBodyId id, bool fast);
+GRAZE_C_API GrazeStatus graze_plane_world_set_allow_f(GrazePlaneWorldf *world,
+                                                      bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b),
+                                                      void *user);
+
+GRAZE_C_API GrazeStatus graze_plane_world_counts_f(const GrazePlaneWorldf *world, size_t *bodies, size_t *indices);
+GRAZE_C_API GrazeStatus graze_plane_world_contains_f(const GrazePlaneWorldf *world, GrazeBodyId id, bool *contains);
+GRAZE_C_API GrazeStatus graze_plane_world_body_at_f(const GrazePlaneWorldf *world, uint32_t index, bool *found,
+                                                    GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_plane_world_body_f(const GrazePlaneWorldf *world, GrazeBodyId id, GrazePlaneBodyf *body);
+GRAZE_C_API GrazeStatus graze_plane_world_poses_f(const GrazePlaneWorldf *world, const GrazePose2f **poses,
+                                                  size_t *count);
+
+GRAZE_C_API GrazeStatus graze_plane_world_update_f(GrazePlaneWorldf *world, float duration);
+GRAZE_C_API GrazeStatus graze_plane_world_find_impacts_f(GrazePlaneWorldf *world, float duration);
+
+typedef struct GrazePlaneSolverPointf {
+  GrazeVec2f a, b;
+  float distance;
+  uint32_t feature;
+  float weight;
+  GrazeVec2f impulse;
+} GrazePlaneSolverPointf;
+
+typedef struct GrazePlaneWorldContactsf {
+  const GrazeWorldPair *pairs;
+  size_t pair_count;
+  const GrazePlaneManifoldf *manifolds;
+  size_t manifold_count;
+  const GrazePlaneSolverPointf *points;
+  size_t point_count;
+} GrazePlaneWorldContactsf;
+
+GRAZE_C_API GrazeStatus graze_plane_world_contacts_f(const GrazePlaneWorldf *world, GrazePlaneWorldContactsf *contacts);
+GRAZE_C_API GrazeStatus graze_plane_world_solver_points_f(GrazePlaneWorldf *world, GrazePlaneSolverPointf **points,
+                                                          size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_reduce_f(GrazePlaneWorldf *world, size_t most);
+GRAZE_C_API GrazeStatus graze_plane_world_events_f(const GrazePlaneWorldf *world, const GrazeContactEvent **events,
+                                                   size_t *count);
+
+typedef struct GrazePlaneImpactf {
+  GrazeBodyId a, b;
+  bool trigger;
+  GrazePlaneCastHitf hit;
+} GrazePlaneImpactf;
+
+GRAZE_C_API GrazeStatus graze_plane_world_impacts_f(const GrazePlaneWorldf *world, const GrazePlaneImpactf **impacts,
+                                                    size_t *count);
+
+typedef struct GrazePlaneBodyDistancef {
+  GrazeBodyId body;
+  GrazePlaneDistancef distance;
+} GrazePlaneBodyDistancef;
+
+typedef struct GrazePlaneBodyRayHitf {
+  GrazeBodyId body;
+  GrazePlaneRayHitf hit;
+} GrazePlaneBodyRayHitf;
+
+typedef struct GrazePlaneBodyCastHitf {
+  GrazeBodyId body;
+  GrazePlaneCastHitf hit;
+} GrazePlaneBodyCastHitf;
+
+GRAZE_C_API GrazeStatus graze_plane_world_overlapping_f(const GrazePlaneWorldf *world, const GrazePlaneShapef *shape,
+                                                        const GrazePose2f *pose, const GrazeQueryFilter *filter,
+                                                        GrazeBufferf *buffer, const GrazeBodyId **bodies,
+                                                        size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_overlaps_any_f(const GrazePlaneWorldf *world, const GrazePlaneShapef *shape,
+                                                         const GrazePose2f *pose, const GrazeQueryFilter *filter,
+                                                         bool *any);
+GRAZE_C_API GrazeStatus graze_plane_world_nearest_f(const GrazePlaneWorldf *world, const GrazePlaneShapef *shape,
+                                                    const GrazePose2f *pose, size_t most, float limit,
+                                                    const GrazeQueryFilter *filter, GrazeBufferf *buffer,
+                                                    const GrazePlaneBodyDistancef **bodies, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_raycast_f(const GrazePlaneWorldf *world, const GrazePlaneRayf *ray,
+                                                    float length, const GrazeQueryFilter *filter, bool *found,
+                                                    GrazePlaneBodyRayHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_world_raycast_any_f(const GrazePlaneWorldf *world, const GrazePlaneRayf *ray,
+                                                        float length, const GrazeQueryFilter *filter, bool *found);
+GRAZE_C_API GrazeStatus graze_plane_world_raycast_all_f(const GrazePlaneWorldf *world, const GrazePlaneRayf *ray,
+                                                        float length, const GrazeQueryFilter *filter,
+                                                        GrazeBufferf *buffer, const GrazePlaneBodyRayHitf **hits,
+                                                        size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_cast_f(const GrazePlaneWorldf *world, const GrazePlaneMovingf *moving,
+                                                 float duration, const GrazeQueryFilter *filter,
+                                                 GrazeSeparating separating, bool *found, GrazePlaneBodyCastHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_world_cast_all_f(const GrazePlaneWorldf *world, const GrazePlaneMovingf *moving,
+                                                     float duration, const GrazeQueryFilter *filter,
+                                                     GrazeSeparating separating, GrazeBufferf *buffer,
+                                                     const GrazePlaneBodyCastHitf **hits, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_world_memory_f(const GrazePlaneWorldf *world, size_t *bytes);
 
 // </float>
 

@@ -393,6 +393,99 @@ static void test_plane(void) {
   graze_buffer_destroy_d(buffer);
 }
 
+static void test_plane_world(void) {
+  size_t tasks = 0;
+  const GrazeExecutor executor = {two_threads, run_in_turn, &tasks};
+  GrazePlaneWorldd* world;
+  GrazeBufferd* buffer;
+  GrazePlaneShaped *box, *ground;
+  OK(graze_plane_world_create_d(NULL, &executor, &world));
+  OK(graze_buffer_create_d(&buffer));
+  const GrazeVec2d size = {1, 1};
+  OK(graze_plane_shape_box_d(size, &box));
+  OK(graze_plane_shape_half_plane_d(&ground));
+  GrazePlaneBodyd body = graze_plane_body_default_d(ground);
+  GrazeBodyId floor_id, ids[10];
+  body.fixed = true;
+  OK(graze_plane_world_add_d(world, &body, &floor_id));
+  graze_plane_shape_release_d(ground);  // the world keeps a share of its own
+  for (int i = 0; i < 10; ++i) {
+    body = graze_plane_body_default_d(box);
+    body.pose = graze_plane_pose_d(2.0 * i, 0.49, 0);
+    OK(graze_plane_world_add_d(world, &body, &ids[i]));
+  }
+  OK(graze_plane_world_update_d(world, 0));
+  EXPECT(tasks > 0);
+  GrazePlaneWorldContactsd contacts;
+  OK(graze_plane_world_contacts_d(world, &contacts));
+  EXPECT(contacts.pair_count == 10 && contacts.manifold_count == 10 && contacts.point_count == 20);
+  EXPECT(contacts.pairs[0].a == 0 && contacts.pairs[0].b == 1 && contacts.pairs[0].overlap);
+  EXPECT(is_near(contacts.points[0].distance, -0.01) && is_near(contacts.manifolds[0].normal.y, 1));
+  GrazePlaneSolverPointd* points;
+  size_t count, indices;
+  OK(graze_plane_world_solver_points_d(world, &points, &count));
+  EXPECT(count == 20 && points == contacts.points);
+  points[0].impulse.y = 4;
+  OK(graze_plane_world_update_d(world, 0));
+  OK(graze_plane_world_contacts_d(world, &contacts));
+  EXPECT(contacts.points[0].impulse.y == 4);
+  const GrazeContactEvent* events;
+  OK(graze_plane_world_events_d(world, &events, &count));
+  EXPECT(count == 10 && events[0].kind == GRAZE_EVENT_STAY && events[9].pair == 9);
+  OK(graze_plane_world_reduce_d(world, 1));
+  OK(graze_plane_world_contacts_d(world, &contacts));
+  EXPECT(contacts.point_count == 10);
+
+  const GrazePlaneRayd ray = {{4, 9}, {0, -2}};
+  bool found;
+  GrazePlaneBodyRayHitd hit;
+  OK(graze_plane_world_raycast_d(world, &ray, INFINITY, NULL, &found, &hit));
+  EXPECT(found && hit.body.index == ids[2].index && is_near(hit.hit.t, 8.01));
+  const GrazeBodyId* bodies;
+  const GrazePose2d here = graze_plane_pose_d(1, 3, 0);
+  OK(graze_plane_world_overlapping_d(world, box, &here, NULL, buffer, &bodies, &count));
+  EXPECT(count == 0);
+  const GrazePlaneBodyDistanced* distances;
+  OK(graze_plane_world_nearest_d(world, box, &here, 3, 2, NULL, buffer, &distances, &count));
+  EXPECT(count == 2 && is_near(distances[0].distance.distance, hypot(0, 3 - 1.49)));
+  const GrazePlaneMovingd falling = {box, here, {{0.5, -4}, 0}};
+  GrazePlaneBodyCastHitd cast;
+  OK(graze_plane_world_cast_d(world, &falling, 2, NULL, GRAZE_SEPARATING_HIT, &found, &cast));
+  EXPECT(found && fabs(cast.hit.t - 1.51 / 4) < 1e-6 && is_near(cast.hit.normal.y, -1));
+
+  // What is refused names the value and changes nothing.
+  const GrazePose2d poses[2] = {graze_plane_pose_d(0, 5, 0), {{0, 7}, {0, 0}}};
+  REFUSED(graze_plane_world_move_batch_d(world, ids, 0, poses, 0, 2),
+          "poses[1].rotation: expected a unit vector of cosine and sine, got [0, 0]");
+  OK(graze_plane_world_body_d(world, ids[0], &body));
+  EXPECT(is_near(body.pose.translation.y, 0.49) && body.filter.category == 1 && !body.fixed);
+  graze_plane_shape_release_d(body.shape);
+  const GrazePlaneVelocityd spin = {{0, 0}, NAN};
+  REFUSED(graze_plane_world_move_d(world, ids[0], &here, &spin), "velocity.angular: expected a finite number, got nan");
+  const void* any = buffer;
+  REFUSED(graze_plane_world_update_d((GrazePlaneWorldd*)any, 0),
+          "world: expected a plane's world of the function's scalar, got a handle of another kind");
+  REFUSED(graze_plane_world_reduce_d(world, 0), "most: expected a number >= 1, got 0");
+
+  const GrazePlaneVelocityd velocity = {{0, 3}, 0.5};
+  OK(graze_plane_world_move_d(world, ids[0], &here, &velocity));
+  OK(graze_plane_world_set_fast_d(world, ids[0], true));
+  const GrazePose2d above = graze_plane_pose_d(1, 6, 0);
+  OK(graze_plane_world_move_d(world, ids[1], &above, NULL));
+  OK(graze_plane_world_update_d(world, 1));
+  const GrazePlaneImpactd* impacts;
+  OK(graze_plane_world_impacts_d(world, &impacts, &count));
+  EXPECT(count == 1 && impacts[0].a.index == ids[0].index && impacts[0].hit.t > 0.5 && impacts[0].hit.t < 2.0 / 3);
+  OK(graze_plane_world_set_allow_d(world, never, NULL));
+  OK(graze_plane_world_remove_d(world, ids[2]));
+  OK(graze_plane_world_contains_d(world, ids[2], &found));
+  EXPECT(!found);
+  OK(graze_plane_world_counts_d(world, &count, &indices));
+  EXPECT(count == 10 && indices == 11);
+  graze_plane_shape_release_d(box);
+  graze_plane_world_destroy_d(world), graze_plane_world_destroy_d(NULL), graze_buffer_destroy_d(buffer);
+}
+
 int main(void) {
   test_version();
   test_errors();
@@ -401,6 +494,7 @@ int main(void) {
   test_world();
   test_simulation();
   test_plane();
+  test_plane_world();
   if (failures > 0) fprintf(stderr, "%d expectations failed\n", failures);
   return failures > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }

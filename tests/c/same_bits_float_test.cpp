@@ -13,3 +13,5 @@
 #define NAME(name) graze_##name##_f
 
 #include "c/same_bits.inc"
+
+#include "c/same_bits_plane_worlds.inc"
