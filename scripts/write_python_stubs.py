@@ -1,4 +1,5 @@
-"""Writes the type stubs of the package's part for space, graze/__init__.pyi and graze/batch.pyi, from the module itself.
+"""Writes the package's type stubs from the module itself: graze/__init__.pyi and graze/batch.pyi, and of
+graze/plane/__init__.pyi, whose beginning is written by hand, the classes behind MARK.
 
 pybind11 puts each function's signature into its docstring; this reads them back, so that stubs cannot differ from
 what they describe. `make python` has a test compare them: run
@@ -26,9 +27,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 '''
 POSE_LIKE = 'PoseLike = Union["Pose", tuple[ArrayLike, ArrayLike], ArrayLike, None]\n'
+MARK = "# Written by scripts/write_python_stubs.py from the module: do not edit what follows.\n"
+PLANE_CLASSES = ["WorldView", "World"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
-    (r"graze\._graze\.", ""),
+    (r"\bgraze\.(_graze|plane)\.", ""),
     (r"\bnumpy\.ndarray\[numpy\.(\w+)\]", r"NDArray[np.\1]"),
     (r"\bnumpy\.ndarray\b", "NDArray[Any]"),
     (r"\bnumpy\.dtype\b", "np.dtype[Any]"),
@@ -137,7 +140,10 @@ def stubs():
     space += "\n__version__: str\n\n" + module_lines(_graze)
     names = sorted(c.__name__ for c in vars(_graze).values() if inspect.isclass(c))
     batch = HEAD + f"\nfrom . import {', '.join(names)}, PoseLike\n\n" + module_lines(_graze.batch)
-    return [(PACKAGE / "__init__.pyi", space), (PACKAGE / "batch.pyi", batch)]
+    file = PACKAGE / "plane" / "__init__.pyi"
+    plane = file.read_text(encoding="utf-8").split(MARK)[0] + MARK
+    plane += "".join("\n" + "\n".join(class_lines(getattr(_graze._plane, name))) + "\n" for name in PLANE_CLASSES)
+    return [(PACKAGE / "__init__.pyi", space), (PACKAGE / "batch.pyi", batch), (file, plane)]
 
 
 if __name__ == "__main__":

@@ -33,12 +33,15 @@ bool read_vector(py::handle from, plane::Vec2d& to);
 bool read_pose(py::handle from, plane::Pose2d& to);
 /// A point whose coordinates queries take.
 plane::Vec2d checked(const plane::Vec2d& point, const char* name);
+/// The rotation of a cosine and a sine, brought to unit length. Throws `InvalidValue` where they are none.
+plane::Rot2d unit_rotation(double cosine, double sine, const char* path);
 
 void add_plane_pose(py::module_& m);
 void add_plane_shapes(py::module_& m);
 void add_plane_answers(py::module_& m);
 void add_plane_queries(py::module_& m);
 void add_plane_batches(py::module_& m);
+void add_plane_world(py::module_& m);
 
 }  // namespace graze::python
 

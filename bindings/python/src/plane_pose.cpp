@@ -10,14 +10,6 @@ using plane::Pose2d, plane::Rot2d, plane::Vec2d;
 /// By how much the columns of a matrix may miss unit length and a right angle: what single precision leaves of them.
 constexpr double matrix_slack = 1e-6;
 
-Rot2d rotation_of(double cosine, double sine, const char* path) {
-  const double parts[2] = {cosine, sine};
-  for (const double part : parts)
-    if (!std::isfinite(part)) validate::fail(path, "finite numbers", part);
-  if (cosine == 0 && sine == 0) validate::fail(path, "a cosine and a sine that are not both zero", "[0, 0]");
-  return normalized(Rot2d{cosine, sine});
-}
-
 Rot2d rotation_of(double angle) {
   if (!std::isfinite(angle)) validate::fail("angle", "a finite number", angle);
   return Rot2d::from_angle(angle);
@@ -27,7 +19,7 @@ Pose2d pose_of(const double (&m)[9]) {
   const double last[3] = {0, 0, 1};
   for (std::size_t i = 0; i < 3; ++i)
     if (m[6 + i] != last[i]) validate::fail("pose[2][" + std::to_string(i) + "]", i == 2 ? "1" : "0", m[6 + i]);
-  const Rot2d r = rotation_of(m[0], m[3], "pose");
+  const Rot2d r = unit_rotation(m[0], m[3], "pose");
   const double off[4] = {m[0] - r.cosine, m[1] + r.sine, m[3] - r.sine, m[4] - r.cosine};
   for (const double by : off)
     if (!(std::abs(by) <= matrix_slack))
@@ -52,7 +44,7 @@ bool read_row(py::handle from, Pose2d& to) {
   else if (read_numbers(from, n, 3))
     to = {{n[0], n[1]}, rotation_of(n[2])};
   else if (read_numbers(from, n, 4))
-    to = {{n[0], n[1]}, rotation_of(n[2], n[3], "rotation")};
+    to = {{n[0], n[1]}, unit_rotation(n[2], n[3], "rotation")};
   else if (py::isinstance<py::array>(from) && read_numbers(from, n, 9))
     to = pose_of(n);
   else
@@ -77,6 +69,14 @@ std::vector<Vec2d> points_of_plane(py::handle from, const char* name) {
   std::vector<Vec2d> points(static_cast<std::size_t>(array.shape(0)));
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = {array.data()[2 * i], array.data()[2 * i + 1]};
   return points;
+}
+
+Rot2d unit_rotation(double cosine, double sine, const char* path) {
+  const double parts[2] = {cosine, sine};
+  for (const double part : parts)
+    if (!std::isfinite(part)) validate::fail(path, "finite numbers", part);
+  if (cosine == 0 && sine == 0) validate::fail(path, "a cosine and a sine that are not both zero", "[0, 0]");
+  return normalized(Rot2d{cosine, sine});
 }
 
 Vec2d checked(const Vec2d& point, const char* name) { return plane::detail::checked_point(point, name); }
@@ -174,7 +174,7 @@ array([1., 3.])
           [](const py::tuple& state) {
             double n[4];
             if (!read_numbers(state, n, 4)) throw py::type_error("state of a Pose: expected four numbers");
-            static_cast<void>(rotation_of(n[2], n[3], "rotation"));
+            static_cast<void>(unit_rotation(n[2], n[3], "rotation"));
             return Pose2d{checked({n[0], n[1]}, "translation"), {n[2], n[3]}};
           }));
 }

@@ -147,6 +147,7 @@ void add_plane(py::module_& m) {
   add_plane_answers(plane);
   add_plane_queries(plane);
   add_plane_batches(plane);
+  add_plane_world(plane);
 }
 
 }  // namespace graze::python

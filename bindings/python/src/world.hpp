@@ -75,6 +75,7 @@ struct SpaceWords {
   /// Shapes know what they were made of: nothing is kept besides.
   struct Shapes {
     static void keep(std::size_t, const Shaped&) {}
+    static void drop(std::size_t) {}
     static py::object object(const World<double>& world, std::size_t index);
   };
 

@@ -161,7 +161,12 @@ trigger: tells that something is inside it and has no contact points. fast: aske
 pass through. Raises ValueError for a pose or velocity that is not finite.)")
                 .c_str())
         .def(
-            "remove", [](Own& w, BodyId id) { w.change()->remove(id); }, py::arg("body"),
+            "remove",
+            [](Own& w, BodyId id) {
+              w.change()->remove(id);
+              w.shapes().drop(id.index);
+            },
+            py::arg("body"),
             "Removes a body. Raises ValueError, as all that take one, for a body that was removed before.")
         .def(
             "move", [](Own& w, BodyId id, const Placement& pose) { w.change()->move(id, pose.value); }, py::arg("body"),
