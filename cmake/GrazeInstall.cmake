@@ -1,6 +1,7 @@
 # The install tree: libraries, headers, the package for find_package(graze) and those for pkg-config. Every path in it is
 # relative, so that the tree can be moved after the installation. Its components are those of cmake/GrazePackage.cmake:
-# `library` (libgraze.so as programs need it), `development` and `program`.
+# `library` (libgraze.so as programs need it), `development` and `program`, and `python` (bindings/python); and
+# `program_mpi`, which is in no package.
 include(CMakePackageConfigHelpers)
 
 set(graze_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
@@ -36,6 +37,16 @@ if(TARGET graze_tbb)
           COMPONENT development)
   install(EXPORT grazeTbbTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}" COMPONENT development)
 endif()
+if(TARGET graze_mpi)
+  graze_install(graze_mpi grazeMpiTargets)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/graze/mpi" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze"
+          COMPONENT development)
+  install(EXPORT grazeMpiTargets NAMESPACE graze:: DESTINATION "${graze_cmake_dir}" COMPONENT development)
+endif()
+if(TARGET graze_mpi_cli) # not a part of the program's package, which needs no MPI
+  set_target_properties(graze_mpi_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS graze_mpi_cli COMPONENT program_mpi)
+endif()
 if(TARGET graze_cli)
   set_target_properties(graze_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}") # for shared builds
   install(TARGETS graze_cli COMPONENT program)
@@ -43,7 +54,7 @@ endif()
 
 # What an installation needs, and nothing else that the build tree may hold.
 add_custom_target(graze_installed)
-foreach(target IN ITEMS graze graze_shared graze_io graze_tbb graze_cli)
+foreach(target IN ITEMS graze graze_shared graze_io graze_tbb graze_mpi graze_cli graze_mpi_cli)
   if(TARGET ${target})
     add_dependencies(graze_installed ${target})
   endif()
