@@ -191,7 +191,7 @@ abi: ## compare the binary interface of graze.h with the one recorded in binding
 
 # Taken apart below build/package/root and run from there, as on a machine that has nothing of this tree.
 .PHONY: package
-package: ## write Debian packages (library, -dev, program) below build/package, and try them
+package: ## write Debian packages (library, -dev, program, Python) below build/package, and try them
 	@scripts/setup.sh package
 	$(call configure,package)
 	$(call build,package)

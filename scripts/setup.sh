@@ -38,8 +38,8 @@ npm=(emscripten nlohmann-json3-dev nodejs chromium)
 # What compares the C interface with the recorded one.
 abi=(gcc abigail-tools)
 
-# What takes packages apart and computes what they depend on.
-package=(dpkg-dev fakeroot file)
+# What takes packages apart and computes what they depend on, and what the Python module is built with.
+package=(dpkg-dev fakeroot file python3-dev pybind11-dev python3-numpy)
 
 # The Python package: the interpreter's headers, what writes the module, and what its tests and example use.
 python=(python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-pytest python3-matplotlib)

@@ -18,7 +18,7 @@ fail() { echo "tests/package: $*" >&2; exit 1; }
 
 grep -q "^## $version" "$source_dir/CHANGELOG.md" || fail "CHANGELOG.md has no section for $version"
 architecture=$(dpkg --print-architecture)
-for package in "libgraze$soversion" libgraze-dev graze; do
+for package in "libgraze$soversion" libgraze-dev graze python3-graze; do
   file=$tree/${package}_${version}_$architecture.deb
   [[ -f $file ]] || fail "there is no $file"
   [[ $(dpkg-deb --field "$file" Version) == "$version" ]] || fail "$file has another version"
@@ -42,6 +42,24 @@ done
 "$root/usr/bin/graze" --version | grep -q "$version" || fail "the program has another version"
 "$root/usr/bin/graze" collide "$source_dir/examples/scenes/demo.gltf" >"$out/collide.txt"
 [[ -s $out/collide.txt ]] || fail "the program says nothing of the demo scene"
+
+# The page of the Python package, example by example, with no graze on the path but the one of the packages.
+dpkg-deb --field "$tree/python3-graze_${version}_$architecture.deb" Depends | grep -q python3-numpy ||
+  fail "python3-graze does not ask for NumPy"
+export PYTHONDONTWRITEBYTECODE=1
+env -u LD_LIBRARY_PATH -C "$out" PYTHONPATH="$root/usr/lib/python3/dist-packages" /usr/bin/python3 - "$root" "$version" \
+  "$source_dir/docs/python.md" <<'PYTHON' || fail "python3-graze does not work"
+import doctest, importlib.metadata, sys
+
+import graze
+from graze import plane
+
+root, version, page = sys.argv[1:]
+assert graze.__file__.startswith(root) and plane.__file__.startswith(root), graze.__file__
+assert graze.__version__ == importlib.metadata.version("graze") == version
+result = doctest.testfile(page, module_relative=False)
+assert result.attempted > 15 and result.failed == 0
+PYTHON
 
 consumer=$source_dir/tests/consumer
 export PKG_CONFIG_PATH=$lib/pkgconfig
