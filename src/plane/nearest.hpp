@@ -29,6 +29,11 @@ template <class T>
 Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps = nullptr,
                 const Pose2d& pose_a = {});
 
+/// How near the bounds of a curved pair's distance come to each other: the goal, or what rounding of the support points
+/// leaves (a user's are in T), which lie as far from the origin as the cores do from each other.
+template <class T>
+double accuracy(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
+
 /// Of two polygons.
 template <class T>
 Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);

@@ -164,17 +164,20 @@ Nearest on_edge(const GrowingPolygon& polygon, const Foot& foot, double distance
 }  // namespace
 
 template <class T>
+double accuracy(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size) {
+  const bool users = a.kind == CoreKind::user || b.kind == CoreKind::user;
+  const double epsilon = users ? double(std::numeric_limits<T>::epsilon()) : std::numeric_limits<double>::epsilon();
+  const double rounding = 8 * epsilon * size + 8 * std::numeric_limits<double>::epsilon() * length(b_in_a.translation);
+  return greatest(goal * size, rounding);
+}
+
+template <class T>
 Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Trace* steps,
                        const Pose2d& pose_a) {
   const Difference<T> difference{a, b, b_in_a};
   GrowingPolygon polygon;
   for (const Vec2d& d : {Vec2d{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) polygon.push(difference(d));
-  // Rounding of the support points, which lie as far from the origin as the cores do from each other; a user's are in
-  // T.
-  const bool users = a.kind == CoreKind::user || b.kind == CoreKind::user;
-  const double epsilon = users ? double(std::numeric_limits<T>::epsilon()) : std::numeric_limits<double>::epsilon();
-  const double rounding = 8 * epsilon * size + 8 * std::numeric_limits<double>::epsilon() * length(b_in_a.translation);
-  const double near = greatest(goal * size, rounding);
+  const double near = accuracy(a, b, b_in_a, size);
   for (;;) {
     const Foot foot = polygon.foot();
     const Vertex found = difference(foot.normal);
@@ -198,6 +201,8 @@ Nearest nearest_curved(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
   }
 }
 
+template double accuracy(const Core<float>&, const Core<float>&, const Pose2d&, double);
+template double accuracy(const Core<double>&, const Core<double>&, const Pose2d&, double);
 template Nearest nearest_curved(const Core<float>&, const Core<float>&, const Pose2d&, double, Trace*, const Pose2d&);
 template Nearest nearest_curved(const Core<double>&, const Core<double>&, const Pose2d&, double, Trace*, const Pose2d&);
 

@@ -24,6 +24,22 @@ std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature, const Vec2d&
   return best;
 }
 
+/// How far the normal of nearest points may be from the true one.
+template <class T>
+double normal_error(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
+  const double apart = std::abs(found.distance);
+  if (!(apart > 0)) return 1;
+  // Of polygons the points are right within the rounding of the sizes and of what lies between the bodies.
+  const double rounding = unit_rounding * (size + length(b_in_a.translation));
+  const double of_points = greatest(unit_rounding, rounding / apart);
+  if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) return of_points;
+  // Of a curved core the distance is right within `error`. The point v that was found and the nearest one w of a convex
+  // set make no acute angle at w, so |v - w|^2 <= v^2 - w^2 <= 2 |v| error, and seen from the origin they are no
+  // further apart than the square root of 2 error / |v|, up to the square of that.
+  const double error = accuracy(a, b, b_in_a, size) + found.error;
+  return greatest(of_points, least(std::sqrt(2 * error / apart), 1.0));
+}
+
 /// Whether the unit vector `n`, known to within `off`, is a normal of the outline at vertex i.
 bool has_normal(const OutlineVertex& v, const Vec2d& n, double off) {
   const bool before = dot(n, v.arriving) >= -off, after = dot(n, v.leaving) <= off;
@@ -45,6 +61,19 @@ bool feature_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d&
   if (!is_edge(feature)) return has_normal(core.outline[i], n, off);
   if (core.count > 2) return core.outline[i].outer;
   return core.outline[dot(right(core.edge(0)), n) > 0 ? 0 : 1].outer;
+}
+
+/// Whether `n`, known to within `off`, is the normal of one of the outline's edges that end at vertex i. The search for
+/// the nearest points of curved cores names an edge by its nearer end, which may be a reflex vertex.
+template <class T>
+bool beside_has_normal(const Core<T>& core, std::uint32_t feature, const Vec2d& n, double off) {
+  if (!core.outline || is_edge(feature)) return false;
+  const std::uint32_t i = vertex_of(core, feature, n);
+  for (const std::uint32_t k : {i, core.previous(i)}) {
+    const OutlineVertex& v = core.outline[k];
+    if (v.outer && std::abs(dot(v.leaving, n)) <= off && dot(right(v.leaving), n) > 0) return true;
+  }
+  return false;
 }
 
 /// Calls `f(n, i, edge)` with the outward normals of a core's outline at its edges and beside them: a vertex on the
@@ -76,11 +105,13 @@ struct Axis {
 template <class T>
 bool on_outlines(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Nearest& found, double size) {
   if (!a.outline && !b.outline) return true;
-  // The points are right within the rounding of the sizes and of what lies between the bodies.
-  const double rounding = unit_rounding * (size + length(b_in_a.translation));
-  const double apart = std::abs(found.distance), off = apart > 0 ? greatest(unit_rounding, rounding / apart) : 1;
-  return feature_has_normal(a, found.a.feature, found.normal, off) &&
-         feature_has_normal(b, found.b.feature, inverse_rotate(b_in_a.rotation, -found.normal), off);
+  const double off = normal_error(a, b, b_in_a, found, size);
+  const bool searched = a.kind != CoreKind::polygon || b.kind != CoreKind::polygon;
+  const auto has_normal_at = [&](const Core<T>& core, std::uint32_t feature, const Vec2d& n) {
+    return feature_has_normal(core, feature, n, off) || (searched && beside_has_normal(core, feature, n, off));
+  };
+  return has_normal_at(a, found.a.feature, found.normal) &&
+         has_normal_at(b, found.b.feature, inverse_rotate(b_in_a.rotation, -found.normal));
 }
 
 template <class T>

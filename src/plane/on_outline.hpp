@@ -3,7 +3,7 @@
 // Guarantee: which normals a piece of a polygon or a chain may have follows from the edges on both sides of its
 // vertices: an edge of the outline has its own normal, a convex vertex those between the normals of its edges (its
 // Voronoi region), a reflex one none, a cut none. No measure of closeness takes part but the rounding of the numbers
-// at hand.
+// at hand and, where a core is curved, how far the normal that was searched for may be from the true one.
 #pragma once
 
 #include <optional>

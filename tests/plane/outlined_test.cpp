@@ -239,6 +239,41 @@ TYPED_TEST(PlaneChains, HillsAndValleysGiveNormalsOfTheirOwn) {
     }
 }
 
+// The normal of a curved shape is searched for and not exact, and the search names an edge by its nearer end, which may
+// be a reflex vertex: no contact is lost for that, and the deepest is as far as the shapes are.
+TYPED_TEST(PlaneChains, CurvedShapesKeepTheirContacts) {
+  using T = TypeParam;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(-1.6, 1.6);
+  const std::vector<Shape<T>> curved = {Capsule<T>(T(0.5), T(0.2), T(0.3)), Capsule<T>(T(0.4), T(0.3), T(0)),
+                                        Ellipse<T>({T(0.5), T(0.3)}), Shape<T>(Ellipse<T>({T(0.1), T(0.4)}), T(0.1))};
+  int near = 0;
+  for (int round = 0; round < rounds(60); ++round) {
+    std::vector<Vec2<T>> points;
+    for (const Vec2d& p : random_star(9, random)) points.push_back(plane::converted<T>(p));
+    for (const Shape<T>& outlined : {Shape<T>(Polygon<T>(points)), Shape<T>(Chain<T>(points, true))})
+      for (int k = 0; k < 40; ++k) {
+        const Shape<T>& body = curved[static_cast<std::size_t>(k) % curved.size()];
+        const Pose2<T> pose{{static_cast<T>(u(random)), static_cast<T>(u(random))},
+                            Rot2<T>::from_angle(static_cast<T>(2 * u(random)))};
+        const T apart = distance<T>(outlined, {}, body, pose).distance, margin = T(0.1);
+        if (!(apart > 0 && apart < T(0.99) * margin)) continue;
+        ++near;
+        Manifolds<T> there, back;
+        EXPECT_FALSE(contacts<T>(outlined, {}, body, pose, margin, there));
+        EXPECT_FALSE(contacts<T>(body, pose, outlined, {}, margin, back));
+        for (const Manifolds<T>& found : {there, back}) {
+          ASSERT_FALSE(found.empty()) << outlined.name() << " " << body.name() << " round " << round << " " << k;
+          T least = margin;
+          for (const auto& manifold : found)
+            for (const auto& point : manifold.points) least = std::min(least, point.distance);
+          EXPECT_NEAR(double(least), double(apart), 100 * double(tolerance<T>)) << body.name();
+        }
+      }
+  }
+  EXPECT_GT(near, 200);
+}
+
 TEST(PlaneChain, SidesAreKept) {
   const Points square{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   const Shaped outward = Chain<double>(square, true, ChainSides::one), both = Chain<double>(square, true);
