@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "dynamics/joint_measures.hpp"
@@ -51,9 +52,11 @@ class FactoredRows {
   Rows inverse_pivots_{};  ///< of D; zero where a row follows from those before
 };
 
-/// A row follows from those before where elimination leaves no more than this part of its scale: some roundings.
+/// A row follows from those before where elimination leaves no more than this part of its scale. In single precision
+/// some roundings, since long arms leave little too: what holds a body by an arm of two hundred of its sizes leaves one
+/// in 200,000. Double precision can be surer that what is left is more than roundings.
 template <class T>
-inline constexpr T redundant = T(64) * std::numeric_limits<T>::epsilon();
+inline constexpr T redundant = std::is_same_v<T, float> ? T(64) * std::numeric_limits<T>::epsilon() : T(1e-10);
 
 template <class T, std::size_t N>
 template <class Element, class Scale>
