@@ -130,7 +130,8 @@ int run_simulate(const SimulateArguments& options) {
     const std::size_t frames = io::frame_count(how);
     check_ending("--svg", options.svg, ".svg");
     io::Scene scene = options.scene.load(true, true);
-    if (io::moving_bodies(scene).empty()) scene.notices.push_back("no body of the scene has a motion: nothing moves");
+    if (io::moving_bodies(scene).empty())
+      scene.notices.emplace_back("no body of the scene has a motion: nothing moves");
     std::unique_ptr<io::Recording> recording;
     if (!options.out.empty()) recording = io::record(options.out, scene, options.scene.only_file(), how.precision);
     const auto begin = std::chrono::steady_clock::now();

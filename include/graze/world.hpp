@@ -70,7 +70,10 @@ class GRAZE_API World {
   /// Whether the body is asked what it would pass through.
   void set_fast(BodyId id, bool fast) { bodies_.set_fast(id, fast); }
   /// Another last word than that of the settings, from the next update on; none allows all.
-  void set_allow(std::function<bool(BodyId, BodyId)> allow) { settings_.allow = std::move(allow); }
+  void
+  set_allow(std::function<bool(BodyId, BodyId)> allow) {  // NOLINT(performance-unnecessary-value-param): moved from
+    settings_.allow = std::move(allow);
+  }
 
   const BodyArrays<T, Space>& bodies() const { return bodies_; }
 

@@ -20,7 +20,7 @@ void DynamicTree<T>::insert(std::uint32_t id, const Aabb<T>& box) {
   check(box);
   Storage& s = *kept_;
   if (s.ids.find(id) != IdTable::none) throw InvalidValue("id", "an id that is not in use", std::to_string(id));
-  std::uint32_t leaf = static_cast<std::uint32_t>(box_.size());
+  auto leaf = static_cast<std::uint32_t>(box_.size());
   if (s.free_leaves.empty()) {
     box_.push_back(box);
     id_.push_back(id);

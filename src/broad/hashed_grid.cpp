@@ -123,8 +123,8 @@ class Grid {
     lengths_.clear();
     double farthest = 0;
     for (const auto& e : boxes) {
-      const double length = static_cast<double>(max_abs(e.box.extent()));
-      const double reach = static_cast<double>(max_abs(e.box.lower));
+      const auto length = static_cast<double>(max_abs(e.box.extent()));
+      const auto reach = static_cast<double>(max_abs(e.box.lower));
       if (length > 0 && length <= std::numeric_limits<double>::max()) lengths_.push_back(length);
       if (reach > farthest && reach <= std::numeric_limits<double>::max()) farthest = reach;
     }

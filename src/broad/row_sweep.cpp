@@ -47,7 +47,7 @@ bool RowSweep<T>::all_alike(std::span<const Aabb<T>> boxes, Spans<T>& spans) {
     spans.longest = greatest(spans.longest, e);
     sum += static_cast<double>(greatest(e.x, greatest(e.y, e.z)));
   }
-  const double longest = static_cast<double>(greatest(spans.longest.x, greatest(spans.longest.y, spans.longest.z)));
+  const auto longest = static_cast<double>(greatest(spans.longest.x, greatest(spans.longest.y, spans.longest.z)));
   if (!is_bounded(Aabb<T>{spans.lowest, furthest}) || !is_bounded(Aabb<T>{spans.highest, furthest}) ||
       longest > longest_per_mean * (sum / static_cast<double>(boxes.size())))
     return false;

@@ -70,7 +70,7 @@ std::uint32_t IslandSolver<T, Space>::add_once(std::uint32_t index, const Island
   const auto at = std::lower_bound(immovable_.begin(), immovable_.end(), index,
                                    [](const auto& known, std::uint32_t i) { return known.first < i; });
   if (at != immovable_.end() && at->first == index) return at->second;
-  const std::uint32_t place = static_cast<std::uint32_t>(bodies_.size());
+  const auto place = static_cast<std::uint32_t>(bodies_.size());
   immovable_.insert(at, {index, place});
   return add(body);
 }

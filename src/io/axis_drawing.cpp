@@ -17,7 +17,8 @@ std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::st
 }
 
 std::string dot_at(const View& view, const Vec3d& p, const std::string& look) {
-  const std::string fill = look.starts_with('#') ? "fill=\"" + look + "\" class=\"rim\"" : "class=\"rim " + look + '"';
+  const std::string fill =
+      look.starts_with('#') ? R"(fill=")" + look + R"(" class="rim")" : "class=\"rim " + look + '"';
   return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {} stroke-width=\".8\"/>\n", view.x(p), view.y(p),
                      fill);
 }

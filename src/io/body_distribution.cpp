@@ -44,7 +44,7 @@ Colliders colliders_of(const Scene& scene, std::uint32_t body) {
   for (const Collider& c : scene.colliders) {
     if (c.body != body || c.trigger) continue;
     const Posed at = relative(frame, c.pose);
-    parts.push_back({mass_properties(c.shape), at});
+    parts.emplace_back(mass_properties(c.shape), at);
     all.box = all.any ? merged(all.box, bounds(c.shape, at)) : bounds(c.shape, at);
     all.any = true;
     all.properties.volume += parts.back().first.volume;

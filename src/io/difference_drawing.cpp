@@ -21,6 +21,7 @@ Vec3d of(const TraceSupport& p) { return p.b - p.a; }
 
 std::vector<Vec3d> of(const std::vector<TraceSupport>& points) {
   std::vector<Vec3d> out;
+  out.reserve(points.size());
   for (const TraceSupport& p : points) out.push_back(of(p));
   return out;
 }
@@ -42,13 +43,13 @@ std::string origin(const View& view) {
 std::string frame(const Panel& p, bool chosen) {
   return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"6\" class=\"{}\"{}/>\n",
                      p.x, p.y, p.width, p.height, chosen ? "chosen" : "rule",
-                     chosen ? "" : " fill=\"none\" stroke-width=\".8\"");
+                     chosen ? "" : R"( fill="none" stroke-width=".8")");
 }
 
 /// The panel without what its caption takes.
 Panel inner(const Panel& p) { return {p.x + 10, p.y + 24, p.width - 20, p.height - 34}; }
 
-constexpr const char* difference_look = "fill=\"#81b29a\" fill-opacity=\".28\" stroke=\"#5f8f78\" stroke-width=\"1.2\"";
+constexpr const char* difference_look = R"(fill="#81b29a" fill-opacity=".28" stroke="#5f8f78" stroke-width="1.2")";
 
 /// One step of a search: the polygon or simplex before it, which way it looked and what it found there.
 struct Step {
@@ -94,13 +95,12 @@ std::string draw_step(const Step& step, const std::vector<Vec3d>& difference, co
                          "stroke-width=\".8\"",
                          true);
   if (step.polygon.size() > 1)
-    out +=
-        path(view, step.polygon, "fill=\"#5482b0\" fill-opacity=\".18\" stroke=\"#5482b0\" stroke-width=\"1\"", true);
+    out += path(view, step.polygon, R"(fill="#5482b0" fill-opacity=".18" stroke="#5482b0" stroke-width="1")", true);
   const bool filled = step.simplex.size() > 2;
   if (step.simplex.size() > 1)
     out += path(view, step.simplex,
-                filled ? "fill=\"#e08e45\" fill-opacity=\".3\" stroke=\"#e08e45\" stroke-width=\"2.4\""
-                       : "stroke=\"#e08e45\" stroke-width=\"2.4\"",
+                filled ? R"(fill="#e08e45" fill-opacity=".3" stroke="#e08e45" stroke-width="2.4")"
+                       : R"(stroke="#e08e45" stroke-width="2.4")",
                 filled);
   for (const Vec3d& p : step.simplex) out += dot_at(view, p, "#e08e45");
   if (step.searched) {
@@ -159,7 +159,8 @@ std::string draw_projections(const Explanation& e, const Polygons& a, const Poly
   const Vec3d toward{0, 0, 1};
   std::string out;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Panel panel{list_x - 8 + double(i % 2) * (width + gap), top + double(i / 2) * (height + gap), width, height};
+    const std::size_t row = i / 2, column = i % 2;
+    const Panel panel{list_x - 8 + double(column) * (width + gap), top + double(row) * (height + gap), width, height};
     const AxisDrawing drawing(*axes[i], toward, a.points, b.points);
     std::vector<Vec3d> points = a.points;
     points.insert(points.end(), b.points.begin(), b.points.end());
@@ -195,9 +196,10 @@ std::string draw_difference(const Explanation& e, double top) {
   const std::size_t shown = std::min(steps.size(), most_steps), first = shown < steps.size() ? shown / 2 : shown;
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = k < first ? k : steps.size() - (shown - k);
+    const std::size_t row = k / step_columns, column = k % step_columns;
     out += draw_step(steps[i], difference,
-                     {steps_x + double(k % step_columns) * (step_size + step_gap),
-                      top + 42 + double(k / step_columns) * (step_size + step_gap), step_size, step_size});
+                     {steps_x + double(column) * (step_size + step_gap),
+                      top + 42 + double(row) * (step_size + step_gap), step_size, step_size});
   }
   if (shown < steps.size())
     out += text(picture_width - page_margin, top + band_height - 12, 11,

@@ -133,7 +133,7 @@ std::string draw_spans(const Explanation& e) {
 std::string draw_steps(const Explanation& e, double bottom) {
   const auto& steps = e.trace.steps;
   const double row = 18;
-  const std::size_t room = static_cast<std::size_t>((bottom - head_height - 44) / row);
+  const auto room = static_cast<std::size_t>((bottom - head_height - 44) / row);
   // The first and the last of many: between them each is a fraction of the one before.
   const std::size_t shown = std::min(steps.size(), room), first = shown < steps.size() ? shown / 2 : shown;
   double least = 1e300, most = 0;

@@ -204,7 +204,7 @@ class SceneReader {
   }
 
   int add_body(std::size_t node, MotionType type, std::optional<BodyMotion> motion, const Posed& pose) {
-    scene_.bodies.push_back({name_of(node), static_cast<int>(node), type, std::move(motion), pose});
+    scene_.bodies.push_back({name_of(node), static_cast<int>(node), type, motion, pose});
     return static_cast<int>(scene_.bodies.size()) - 1;
   }
 

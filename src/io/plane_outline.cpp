@@ -54,6 +54,7 @@ std::vector<Vec2d> around(const Core<double>& core) {
       }
   std::stable_sort(points.begin(), points.end(), [](const At& p, const At& q) { return p.angle < q.angle; });
   std::vector<Vec2d> out;
+  out.reserve(points.size());
   for (const At& p : points) out.push_back(p.point);
   return out;
 }
@@ -72,6 +73,7 @@ void add_outline(const plane::Pieces<double>& pieces, const Pose2d& pose, Polygo
     for (std::size_t k = 0; k < pieces.vertices(i).size(); ++k)
       vertices.emplace(pieces.outline(i)[k].number, pieces.vertices(i)[k]);
   std::vector<Vec2d> loop;
+  loop.reserve(vertices.size());
   for (const auto& [number, v] : vertices) loop.push_back(v);
   add_loop(loop, pose, out);
 }

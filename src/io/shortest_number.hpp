@@ -16,7 +16,7 @@ namespace graze::io {
 template <class T>
 char* write_shortest(T value, char* text) {
   constexpr std::size_t room = 40;
-  const double wide = static_cast<double>(value);
+  const auto wide = static_cast<double>(value);
   // Digits are tried one after the other, each time rounded correctly.
   int digits = 1;
   for (; digits < std::numeric_limits<T>::max_digits10; ++digits) {

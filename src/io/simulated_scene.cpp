@@ -130,6 +130,7 @@ void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint
   } else if (!colliders.empty()) {
     Collider all = scene_.colliders[colliders[0]];
     std::vector<Placed<double>> children;
+    children.reserve(colliders.size());
     for (const std::uint32_t c : colliders)
       children.push_back({scene_.colliders[c].shape, relative(of.pose, scene_.colliders[c].pose)});
     all.shape = Compound<double>(std::move(children));

@@ -56,6 +56,7 @@ inline std::vector<plane::Vec2f> outline_of(const plane::Pieces<double>& pieces)
     for (std::size_t k = 0; k < pieces.vertices(i).size(); ++k)
       vertices.emplace(pieces.outline(i)[k].number, pieces.vertices(i)[k]);
   std::vector<plane::Vec2f> out;
+  out.reserve(vertices.size());
   for (const auto& [number, v] : vertices) out.push_back(plane::converted<float>(v));
   return out;
 }

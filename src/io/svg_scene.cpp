@@ -247,7 +247,6 @@ class SvgReader {
     if (rx != ry) {
       if (!(std::abs(rx - ry) <= 1e-9 * std::max(rx, ry)))
         throw InvalidValue("ry", "corners as round along both sides", validate::number(ry));
-      ry = rx;
     }
     const plane::Rot2d turn{stretches.turn.x, stretches.turn.y};
     put(element, context, {plane::Box<double>({(width - 2 * rx) * s, (height - 2 * rx) * s}), rx * s + margin},

@@ -152,7 +152,7 @@ void bounded_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
   const Posed frame = in_double(pose_a);
   const Side<T> side_a(a, Posed{}), side_b(b, relative_in_double(pose_a, pose_b));
   const Vec3d closest_normal = unit(rotate(conjugate(frame.rotation), converted<double>(d.normal)));
-  const double distance = static_cast<double>(d.distance);
+  const auto distance = static_cast<double>(d.distance);
   const PlacedFace closest_a = side_a.face(closest_normal, true), closest_b = side_b.face(-closest_normal, true);
   if (closest_a.vertices.size() > 1 && closest_b.vertices.size() > 1) {
     const Vec3d normal = preferred_normal(side_a, closest_a, side_b, closest_b, closest_normal, distance);
@@ -196,7 +196,7 @@ void rest_on_half_space(const Shape<T>& plane, const Pose<T>& plane_pose, const 
   const Posed frame = in_double(plane_pose);
   const Side<T> side(body, relative_in_double(plane_pose, pose));
   const Vec3d up{0, 1, 0};
-  const double lift = static_cast<double>(plane.rounding());
+  const auto lift = static_cast<double>(plane.rounding());
   const PlacedFace face = side.face(-up);
   const RoundedFace rounded(face, -up, side.radius());
   for (std::size_t i = 0; i < face.vertices.size(); ++i) {

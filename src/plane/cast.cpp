@@ -193,7 +193,7 @@ std::optional<CastHit<T>> cast(const Shape<T>& a, const Pose2<T>& pose_a, const 
                                const CastOptions& options, Trace* trace) {
   const MovingPair<T> moving(a, pose_a, velocity_a, b, pose_b, velocity_b);
   std::optional<CastHit<T>> best;
-  double until = double(duration);
+  auto until = double(duration);
   std::size_t number = 0, first = 0;
   moving.for_each([&](const LeafPair<T>& pair) {
     const std::size_t own = number++;
@@ -229,7 +229,7 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, co
   const WorldRay<T> world(ray, length_of_ray);
   if (!world.valid) return {};
   std::optional<RayHit<T>> best;
-  double until = double(length_of_ray);
+  auto until = double(length_of_ray);
   struct Met {
     Core<T> core;
     Pose2d pose;
@@ -266,7 +266,7 @@ bool raycast_any(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
   const WorldRay<T> world(ray, length_of_ray);
   if (!world.valid) return false;
   bool found = false;
-  const double until = double(length_of_ray);
+  const auto until = double(length_of_ray);
   const auto near = world.near(until);
   const auto wanted = [&](const Pose2d& at, const Aabb2<double>& box, double rounding) {
     return !found && near(at, box, rounding);
@@ -285,7 +285,7 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T
   const WorldRay<T> world(ray, length_of_ray);
   if (!world.valid) return 0;
   const std::size_t before = hits.size();
-  const double until = double(length_of_ray);
+  const auto until = double(length_of_ray);
   for_each_leaf(shape, widened(pose), 0, true, world.near(until),
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;

@@ -59,7 +59,7 @@ Core<T> core_of(const Circle<T>& c) {
 template <class T>
 Core<T> core_of(const Capsule<T>& c) {
   const T h = c.half_height();
-  const double bottom = double(c.radius_bottom()), top = double(c.radius_top());
+  const auto bottom = double(c.radius_bottom()), top = double(c.radius_top());
   if (!c.tapered()) return polygon_core<T>({{T(0), -h}, {T(0), h}}, top);
   // One disc in the other: the capsule is that disc.
   if (2 * double(h) <= std::abs(bottom - top))

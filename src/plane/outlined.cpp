@@ -103,6 +103,7 @@ template <class T>
 Polygon<T>::Polygon(std::span<const Vec2<T>> points) {
   const std::vector<Vec2<T>> given = checked_points(points, 3, true);
   std::vector<Vec2d> all;
+  all.reserve(given.size());
   for (const Vec2<T>& p : given) all.push_back(converted<double>(p));
   if (const std::int64_t at = first_crossing(all); at >= 0)
     refuse(static_cast<std::size_t>(at), "the start of an edge that meets no other", all[static_cast<std::size_t>(at)]);

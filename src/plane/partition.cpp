@@ -115,7 +115,7 @@ std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Vec2d> out
       const std::uint32_t a = rings[r][k], b = rings[r][(k + 1) % 3];
       by_ends[{a, b}] = edges.size();
       if (const auto other = by_ends.find({b, a}); other != by_ends.end())
-        cuts.push_back({edges.size(), other->second});
+        cuts.emplace_back(edges.size(), other->second);
       edges.push_back({a, b, start + (k + 2) % 3, start + (k + 1) % 3, r});
     }
   }

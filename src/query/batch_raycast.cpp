@@ -21,7 +21,7 @@ template <class T>
 BlockShape block_shape(const Shape<T>& shape, BackFaces back) {
   BlockShape out;
   out.both_sides = back == BackFaces::hit;
-  const double margin = static_cast<double>(shape.rounding());
+  const auto margin = static_cast<double>(shape.rounding());
   const auto put = [&](std::size_t i, const Vec3<T>& p) {
     for (std::size_t k = 0; k < 3; ++k) out.points[i][k] = static_cast<double>(p[k]);
   };

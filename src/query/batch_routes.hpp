@@ -144,8 +144,8 @@ void visit_batch(const Batch<T>& batch, T margin, const LanePairSet& wanted, con
     queue.places[queue.count++] = i;
     if (queue.count == batch_chunk) flush(number);
   }
-  for (std::uint8_t number = 0; number < queues.size(); ++number)
-    if (queues[number].count > 0) flush(number);
+  for (std::size_t number = 0; number < queues.size(); ++number)
+    if (queues[number].count > 0) flush(static_cast<std::uint8_t>(number));
 }
 
 }  // namespace graze

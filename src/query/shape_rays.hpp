@@ -76,7 +76,7 @@ template <class T, class Found>
   if (data.tree.empty()) return;
   // Some ten operations on coordinates up to these.
   const Aabb<T>& all = data.tree.bounds();
-  const double extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
+  const auto extent = static_cast<double>(greatest(max_abs(all.lower), max_abs(all.upper)));
   const double slack = ray.blur + 16 * rays::epsilon * (extent + max_abs(ray.origin));
   visit_ray(
       data.tree, ray.origin, rays::inverse_of(ray.direction), [&] { return outer.end; }, cast_at_child, ray.begin,

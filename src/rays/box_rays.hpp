@@ -33,7 +33,7 @@ struct TurnedBox {
 /// to rays it is a segment else. Null of any other shape.
 template <class T>
 const Vec3<T>* plain_box(const Shape<T>& shape) {
-  const Box<T>* box = shape.template as<Box<T>>();
+  const auto* box = shape.template as<Box<T>>();
   if (const auto* rectangle = shape.template as<Rectangle<T>>()) box = &rectangle->as_box();
   if (!box || shape.rounding() > T(0)) return nullptr;
   const Vec3<T>& half = box->half_extents();

@@ -114,7 +114,7 @@ struct KeysOf {
     for (int k = 1; k < parts; ++k) all = lesser(all, part[k]);
     Quad q;
 #if defined(__AVX2__)
-    const __m256 eight = cast_bits<__m256>(all.v);
+    const auto eight = cast_bits<__m256>(all.v);
     q.v = cast_bits<Quad::Vector>(_mm_min_ps(_mm256_castps256_ps128(eight), _mm256_extractf128_ps(eight, 1)));
 #else
     q = all;
@@ -185,7 +185,7 @@ struct BvhRay {
     return static_cast<float>(number < 0x1p100 ? number : 0x1p100) * (1 + 4 * static_cast<float>(single));
   }
 
-  [[gnu::always_inline]] BvhRay() {}
+  [[gnu::always_inline]] BvhRay() {}  // NOLINT(modernize-use-equals-default): leaves the lanes as they are
   template <class Question>
   [[gnu::always_inline]] explicit BvhRay(const Question& q) {
     // Any multiple of the radius of which the inverse, times 2^33, is a number in T.

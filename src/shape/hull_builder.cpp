@@ -140,7 +140,7 @@ class Quickhull {
       for (std::size_t k = 0; k < 3; ++k)
         if (beyond.vertex[k] == e.to && beyond.vertex[(k + 1) % 3] == e.from) beyond.neighbor[k] = t;
       fan_.push_back(t);
-      by_start.push_back({e.from, t});
+      by_start.emplace_back(e.from, t);
     }
     std::sort(by_start.begin(), by_start.end());
     for (const std::uint32_t t : fan_) {

@@ -201,8 +201,8 @@ template <class T>
 #if defined(__AVX2__) && !defined(__AVX512F__)
 /// For eight bits the places of those that are set, a byte each.
 struct ChosenPlaces {
-  std::uint64_t bytes[256];
-  constexpr ChosenPlaces() : bytes{} {
+  std::uint64_t bytes[256]{};
+  constexpr ChosenPlaces() {
     for (unsigned bits = 0; bits < 256; ++bits)
       for (unsigned lane = 0, to = 0; lane < 8; ++lane)
         if (bits >> lane & 1) bytes[bits] |= std::uint64_t{lane} << (8 * to++);

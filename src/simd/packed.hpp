@@ -36,7 +36,7 @@ template <class S, class V>
 #if defined(__SSE2__)
       if constexpr (sizeof(S) == 4)
     return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Floats16>(lanes)));
-  else
+  else  // NOLINT(readability-misleading-indentation): the same
     return static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<Doubles16>(lanes)));
 #else
   unsigned bits = 0;

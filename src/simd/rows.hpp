@@ -218,7 +218,7 @@ template <std::size_t size>
                                                                 const Lanes<float>::BitVector& places) {
 #if defined(__AVX512F__)
   static_assert(size == 16 || size == 64);
-  const __m512i at = reinterpret_cast<__m512i>(places);
+  const auto at = reinterpret_cast<__m512i>(places);
   if constexpr (size == 16) {
     return reinterpret_cast<Lanes<float>::BitVector>(
         _mm512_maskz_permutexvar_epi32(static_cast<__mmask16>(0xffff), at, _mm512_loadu_si512(table)));

@@ -16,8 +16,8 @@ namespace graze {
 /// Of a solid of revolution about Y, whose profile is a trapezoid: the least distance to its three lines.
 template <class T>
 double inside_core(const Cylinder<T>& c, const Vec3d& point) {
-  const double half = static_cast<double>(c.half_height()), bottom = static_cast<double>(c.radius_bottom()),
-               top = static_cast<double>(c.radius_top());
+  const auto half = static_cast<double>(c.half_height()), bottom = static_cast<double>(c.radius_bottom()),
+             top = static_cast<double>(c.radius_top());
   const double across = std::sqrt(point.x * point.x + point.z * point.z), taper = bottom - top, height = 2 * half;
   const double slant = std::sqrt(height * height + taper * taper);
   if (!(slant > 0)) return -across;
@@ -28,7 +28,7 @@ double inside_core(const Cylinder<T>& c, const Vec3d& point) {
 /// Of a tapered capsule, which is a ball and a point, and the cone between them (as of two balls).
 template <class T>
 double inside_core(const Capsule<T>& c, const Vec3d& point) {
-  const double half = static_cast<double>(c.half_height()), core = static_cast<double>(c.core_radius());
+  const auto half = static_cast<double>(c.half_height()), core = static_cast<double>(c.core_radius());
   const double bottom = static_cast<double>(c.radius_bottom()) - core, top = static_cast<double>(c.radius_top()) - core;
   const double across = std::sqrt(point.x * point.x + point.z * point.z), taper = bottom - top, height = 2 * half;
   const auto inside_ball = [&](double radius, double y) {

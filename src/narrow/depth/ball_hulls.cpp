@@ -159,7 +159,7 @@ class DifferenceOfHulls {
 template <class T>
 std::optional<BallHull> ball_hull_of(const Shape<T>& shape) {
   if (const auto* capsule = shape.template as<Capsule<T>>()) {
-    const double half = static_cast<double>(capsule->half_height()), core = static_cast<double>(capsule->core_radius());
+    const auto half = static_cast<double>(capsule->half_height()), core = static_cast<double>(capsule->core_radius());
     return BallHull{{{{0, -half, 0}, static_cast<double>(capsule->radius_bottom()) - core},
                      {{0, half, 0}, static_cast<double>(capsule->radius_top()) - core}}};
   }

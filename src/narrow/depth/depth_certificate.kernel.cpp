@@ -112,7 +112,7 @@ struct Sector {
 
 /// The same of the doubled angles, in which forms are linear.
 [[gnu::always_inline]] inline Sector twice(const Sector& s) {
-  return Sector(s.u0 * s.u0 - s.v0 * s.v0, S(2) * s.u0 * s.v0, s.u1 * s.u1 - s.v1 * s.v1, S(2) * s.u1 * s.v1);
+  return {s.u0 * s.u0 - s.v0 * s.v0, S(2) * s.u0 * s.v0, s.u1 * s.u1 - s.v1 * s.v1, S(2) * s.u1 * s.v1};
 }
 
 /// Where j s - depth s^2 + sum of e is nowhere negative, by what it has divided by s.

@@ -109,7 +109,6 @@ void gjk_onward(GjkResult& r, const Difference& difference, const GjkGoal& goal,
     r.upper = upper;
   }
   r.end = GjkEnd::stalled;
-  return;
 }
 
 /// How exactly the gap along the normal equals the distance of the points, relative to it, where shapes are so close

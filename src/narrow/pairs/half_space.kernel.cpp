@@ -9,7 +9,7 @@ template <class A, class T>
 [[gnu::flatten]] void half_space_slots(const PairRef<T>* pairs, std::size_t count, HalfSpaceBlock<T>& block) {
   using S = Lanes<T>;
   using Pairs = PairBundle<A, HalfSpace<T>, T>;
-  static_assert(sizeof block.slots / sizeof block.slots[0] == most_half_space_points);
+  static_assert(std::extent_v<decltype(HalfSpaceBlock<T>::slots)> == most_half_space_points);
   for (std::size_t first = 0; first < count; first += Pairs::lanes) {
     const Pairs p(pairs + first, count - first);
     const Rest<S> found = rest(p.a, p.pose_a, S(0), p.pose_b, p.margin);

@@ -93,7 +93,7 @@ struct EdgeList {
   const double best = axes.best_face().separation;
   if (best > enough) return true;
 
-  const float level = static_cast<float>(best);
+  const auto level = static_cast<float>(best);
   const bool by_a = &axes.best_face() == &axes.face_a;
   EdgeList edges_a, edges_b;
   edges_a.count = of_a.promising_edges(level, by_a ? seen_a.nearest : seen_b.vertex, edges_a.edges);

@@ -32,7 +32,7 @@ double size_numbers(const Circle<T>& c, double*) {
 }
 template <class T>
 double size_numbers(const Capsule<T>& c, double* size) {
-  const double h = double(c.half_height());
+  const auto h = double(c.half_height());
   size[0] = size[2] = 0;
   size[1] = -h;
   size[3] = h;

@@ -34,9 +34,10 @@ struct PairEntry {
 template <class... P>
 constexpr std::optional<PairEntry> entry_of(LaneCore a, LaneCore b, Pairs<P...>) {
   constexpr LaneCore first[] = {P::a...}, second[] = {P::b...};
-  for (std::uint8_t i = 0; i < sizeof...(P); ++i) {
-    if (first[i] == a && second[i] == b) return PairEntry{i, false};
-    if (first[i] == b && second[i] == a) return PairEntry{i, true};
+  for (std::size_t i = 0; i < sizeof...(P); ++i) {
+    const auto number = static_cast<std::uint8_t>(i);
+    if (first[i] == a && second[i] == b) return PairEntry{number, false};
+    if (first[i] == b && second[i] == a) return PairEntry{number, true};
   }
   return {};
 }

@@ -179,7 +179,7 @@ bool regular_boxes(const Packed<S, 3>& half_a, const Packed<S, 3>& half_b) {
 /// The shape as such a box, without rounding; null if it is not.
 template <class T>
 const Box<T>* plain_box(const Shape<T>& shape) {
-  const Box<T>* box = shape.template as<Box<T>>();
+  const auto* box = shape.template as<Box<T>>();
   return box && shape.rounding() == T(0) && regular_box(box->half_extents()) ? box : nullptr;
 }
 
