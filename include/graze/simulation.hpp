@@ -126,6 +126,7 @@ class GRAZE_API Simulation {
   Turning angular_momentum(BodyId id) const;  ///< about the centre of mass
   T mass(BodyId id) const;                    ///< infinite for what is fixed or kinematic
   bool asleep(BodyId id) const;
+  std::vector<JointId> joints() const;        ///< all of them, by index
   const Joint<T, Space>& joint(JointId id) const;
   std::span<const T> joint_impulses(JointId id) const;  ///< of the last step, a number for each row of the joint
 

@@ -352,6 +352,14 @@ bool Simulation<T, Space>::asleep(BodyId id) const {
   return parts_->bodies[parts_->checked(id)].asleep;
 }
 template <class T, class Space>
+std::vector<JointId> Simulation<T, Space>::joints() const {
+  std::vector<JointId> out;
+  for (std::uint32_t i = 0; i < parts_->joints.size(); ++i)
+    if (const JointPlace<T, Space>& place = parts_->joints[i]; place.alive) out.push_back({i, place.generation});
+  return out;
+}
+
+template <class T, class Space>
 const Joint<T, Space>& Simulation<T, Space>::joint(JointId id) const {
   return parts_->joints[parts_->checked(id)].in_place.joint;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/error.hpp"
-#include "graze/io/tessellate.hpp"
+#include "graze/tessellate.hpp"
 #include "graze/validate.hpp"
 
 namespace graze::io {

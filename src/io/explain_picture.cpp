@@ -7,7 +7,7 @@
 #include "graze/plane/cast.hpp"
 #include "io/explain_parts.hpp"
 #include "io/labels.hpp"
-#include "io/plane_outline.hpp"
+#include "io/plane_shapes.hpp"
 
 namespace graze::io {
 
@@ -52,7 +52,7 @@ class Drawn {
                              : bounds(of_space(b)->shape, in_space(b, t));
   }
   Polygons polygons(bool b, double t, const Vec3d& center, double size) const {
-    return e_.dimension == 2 ? plane_polygons(of_plane(b)->shape, in_plane(b, t), center, size)
+    return e_.dimension == 2 ? tessellate(of_plane(b)->shape, in_plane(b, t), center, size)
                              : tessellate(of_space(b)->shape, in_space(b, t), center, size);
   }
   bool straight(bool b) const { return e_.dimension == 2 && has_straight_sides(of_plane(b)->shape); }

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "graze/io/scene.hpp"
-#include "graze/io/tessellate.hpp"
+#include "graze/tessellate.hpp"
 #include "io/gltf_model.hpp"
 
 namespace graze::io {

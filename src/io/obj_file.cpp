@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "graze/error.hpp"
-#include "io/polygon.hpp"
+#include "draw/cut_polygon.hpp"
 #include "io/text_lines.hpp"
 
 namespace graze::io {

@@ -8,7 +8,7 @@
 #include "graze/io/file.hpp"
 #include "graze/io/plane_scene.hpp"
 #include "io/drawing.hpp"
-#include "io/plane_outline.hpp"
+#include "io/plane_shapes.hpp"
 
 namespace graze::io {
 
@@ -139,7 +139,7 @@ std::string draw_picture(const PlaneScene& scene, const std::vector<TouchingPair
     const PlaneCollider& c = scene.colliders[i];
     const std::size_t look = look_of(scene, c, touching.count(i) != 0);
     used.insert(look);
-    draw_shape(view, plane_polygons(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, 1e300, faces);
+    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, 1e300, faces);
   }
   return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs, used) + "</svg>\n";
 }

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "graze/validate.hpp"
-#include "io/polygon.hpp"
+#include "draw/cut_polygon.hpp"
 #include "io/text_lines.hpp"
 
 namespace graze::io {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "io/mesh_file.hpp"
-#include "io/polygon.hpp"
+#include "draw/cut_polygon.hpp"
 
 namespace graze::io {
 namespace {

@@ -1,12 +1,11 @@
-#include "io/plane_outline.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "graze/tessellate.hpp"
 #include "plane/leaves.hpp"
 
-namespace graze::io {
+namespace graze {
 
 namespace {
 
@@ -28,7 +27,8 @@ void add_loop(const std::vector<Vec2d>& loop, const Pose2d& pose, Polygons& out)
 }
 
 /// Around a rounded core by directions: those of an arc, and both ends of an edge along its own.
-std::vector<Vec2d> around(const Core<double>& core) {
+template <class T>
+std::vector<Vec2d> around(const Core<T>& core) {
   if (core.kind == CoreKind::polygon && core.radius == 0) {
     std::vector<Vec2d> out;
     for (std::uint32_t i = 0; i < core.count; ++i) out.push_back(core.vertex(i));
@@ -59,59 +59,53 @@ std::vector<Vec2d> around(const Core<double>& core) {
   return out;
 }
 
-void add_half_plane(const Core<double>& core, const Pose2d& pose, const Vec3d& center, double size, Polygons& out) {
+void add_half_plane(double top, const Pose2d& pose, const Vec3d& center, double size, Polygons& out) {
   const Vec2d own = inverse_transform(pose, Vec2d{center.x, center.y});
-  const double top = core.radius;
   add_loop({{own.x - size, top - size / 2}, {own.x + size, top - size / 2}, {own.x + size, top}, {own.x - size, top}},
            pose, out);
 }
 
 /// A solid polygon without rounding as it was given, without its cuts.
-void add_outline(const plane::Pieces<double>& pieces, const Pose2d& pose, Polygons& out) {
+template <class T>
+void add_outline(const plane::Pieces<T>& pieces, const Pose2d& pose, Polygons& out) {
   std::map<std::uint32_t, Vec2d> vertices;
   for (std::uint32_t i = 0; i < pieces.size(); ++i)
     for (std::size_t k = 0; k < pieces.vertices(i).size(); ++k)
-      vertices.emplace(pieces.outline(i)[k].number, pieces.vertices(i)[k]);
+      vertices.emplace(pieces.outline(i)[k].number, plane::converted<double>(pieces.vertices(i)[k]));
   std::vector<Vec2d> loop;
   loop.reserve(vertices.size());
   for (const auto& [number, v] : vertices) loop.push_back(v);
   add_loop(loop, pose, out);
 }
 
-void add(const plane::Shaped& shape, const Pose2d& pose, const Vec3d& center, double size, Polygons& out) {
-  if (const auto* compound = shape.as<plane::Compound<double>>()) {
-    for (const plane::Placed<double>& child : compound->children())
-      add(child.shape, compose(pose, child.pose), center, size, out);
+template <class T>
+void add(const plane::Shape<T>& shape, const Pose2d& pose, const Vec3d& center, double size, Polygons& out) {
+  if (const auto* compound = shape.template as<plane::Compound<T>>()) {
+    for (const plane::Placed<T>& child : compound->children())
+      add(child.shape, compose(pose, plane::widened(child.pose)), center, size, out);
     return;
   }
-  if (const auto* polygon = shape.as<plane::Polygon<double>>(); polygon && shape.rounding() == 0)
+  if (const auto* polygon = shape.template as<plane::Polygon<T>>(); polygon && shape.rounding() == T(0))
     return add_outline(polygon->pieces(), pose, out);
-  plane::for_each_leaf(shape, pose, [&](const Core<double>& core, const Pose2d& at, double, std::uint32_t) {
-    core.kind == CoreKind::half_plane ? add_half_plane(core, at, center, size, out) : add_loop(around(core), at, out);
-  });
+  const auto add_leaf = [&](const Core<T>& core, const Pose2d& at, double, std::uint32_t) {
+    core.kind == CoreKind::half_plane ? add_half_plane(core.radius, at, center, size, out)
+                                      : add_loop(around(core), at, out);
+  };
+  plane::for_each_leaf(shape, pose, 0, true, plane::Everywhere{}, add_leaf);
 }
 
 }  // namespace
 
-Polygons plane_polygons(const plane::Shaped& shape, const plane::Pose2d& pose, const Vec3d& center,
-                        double half_plane_size) {
+template <class T>
+Polygons tessellate(const plane::Shape<T>& shape, const plane::Pose2<T>& pose, const Vec3d& center,
+                    double half_plane_size) {
   Polygons out;
   out.closed = false;
-  add(shape, pose, center, half_plane_size, out);
+  add(shape, plane::widened(pose), center, half_plane_size, out);
   return out;
 }
 
-Aabbd plane_bounds(const plane::Shaped& shape, const plane::Pose2d& pose) {
-  const plane::Aabb2<double> box = plane::bounds(shape, pose);
-  return {in_space(box.lower), in_space(box.upper)};
-}
+template Polygons tessellate(const plane::Shape<float>&, const plane::Pose2<float>&, const Vec3d&, double);
+template Polygons tessellate(const plane::Shape<double>&, const plane::Pose2<double>&, const Vec3d&, double);
 
-bool has_straight_sides(const plane::Shaped& shape) {
-  bool straight = true;
-  plane::for_each_leaf(shape, Pose2d{}, [&](const Core<double>& core, const Pose2d&, double, std::uint32_t) {
-    straight = straight && (core.kind == CoreKind::half_plane || (core.kind == CoreKind::polygon && core.radius == 0));
-  });
-  return straight;
-}
-
-}  // namespace graze::io
+}  // namespace graze

@@ -1,8 +1,8 @@
-#include "graze/io/tessellate.hpp"
+#include "graze/tessellate.hpp"
 
 #include <cmath>
 
-namespace graze::io {
+namespace graze {
 
 namespace {
 
@@ -20,10 +20,16 @@ std::vector<Vec3d> globe() {
   return out;
 }
 
-Polygons of_hull(const ConvexHull<double>& hull, const Posed& pose) {
+template <class T>
+Vec3d in_world(const Posed& pose, const Vec3<T>& p) {
+  return transform(pose, converted<double>(p));
+}
+
+template <class T>
+Polygons of_hull(const ConvexHull<T>& hull, const Posed& pose) {
   Polygons out;
   const auto& data = hull.data();
-  for (const Vec3d& v : data.vertices) out.points.push_back(transform(pose, v));
+  for (const Vec3<T>& v : data.vertices) out.points.push_back(in_world(pose, v));
   for (std::size_t f = 0; f < data.planes.size(); ++f) {
     const auto loop = data.loop(f);
     out.loops.emplace_back(loop.begin(), loop.end());
@@ -31,22 +37,24 @@ Polygons of_hull(const ConvexHull<double>& hull, const Posed& pose) {
   return out;
 }
 
-Polygons of_mesh(const Mesh<double>& mesh, const Posed& pose) {
+template <class T>
+Polygons of_mesh(const Mesh<T>& mesh, const Posed& pose) {
   Polygons out;
   out.closed = false;
-  for (const Vec3d& p : mesh.points()) out.points.push_back(transform(pose, p));
+  for (const Vec3<T>& p : mesh.points()) out.points.push_back(in_world(pose, p));
   for (const auto& t : mesh.triangles()) out.loops.emplace_back(t.begin(), t.end());
   return out;
 }
 
 /// Two triangles for each cell that is no hole.
-Polygons of_height_field(const HeightField<double>& field, const Posed& pose) {
+template <class T>
+Polygons of_height_field(const HeightField<T>& field, const Posed& pose) {
   Polygons out;
   out.closed = false;
   for (std::uint32_t i = 0; i < field.triangle_numbers(); ++i) {
     if (!field.has_triangle(i)) continue;
     const auto first = static_cast<std::uint32_t>(out.points.size());
-    for (const Vec3d& p : field.triangle(i)) out.points.push_back(transform(pose, p));
+    for (const Vec3<T>& p : field.triangle(i)) out.points.push_back(in_world(pose, p));
     out.loops.push_back({first, first + 1, first + 2});
   }
   return out;
@@ -75,31 +83,42 @@ void append(Polygons& to, const Polygons& more) {
 }
 
 /// The hull of the shape's support points: exact where it has corners, sampled where it is curved.
-Polygons sampled(const Shaped& shape, const Posed& pose) {
+template <class T>
+Polygons sampled(const Shape<T>& shape, const Posed& pose) {
   static const std::vector<Vec3d> directions = globe();
   std::vector<Vec3d> points;
   points.reserve(directions.size());
-  for (const Vec3d& d : directions) points.push_back(support(shape, d));
+  for (const Vec3d& d : directions) points.push_back(converted<double>(support(shape, converted<T>(d))));
   Polygons out = of_hull(ConvexHull<double>(points), pose);
-  const bool flat = shape.as<Box<double>>() || shape.as<Rectangle<double>>() || shape.as<Triangle<double>>();
-  out.smooth = !flat || shape.rounding() > 0;
+  const bool flat =
+      shape.template as<Box<T>>() || shape.template as<Rectangle<T>>() || shape.template as<Triangle<T>>();
+  out.smooth = !flat || shape.rounding() > T(0);
   return out;
+}
+
+template <class T>
+Polygons of_shape(const Shape<T>& shape, const Posed& pose, const Vec3d& center, double half_space_size) {
+  if (shape.template as<HalfSpace<T>>()) return of_half_space(pose, double(shape.rounding()), center, half_space_size);
+  if (const auto* mesh = shape.template as<Mesh<T>>()) return of_mesh(*mesh, pose);
+  if (const auto* field = shape.template as<HeightField<T>>()) return of_height_field(*field, pose);
+  if (const auto* compound = shape.template as<Compound<T>>()) {
+    Polygons out;
+    for (const Placed<T>& child : compound->children())
+      append(out, of_shape(child.shape, compose(pose, converted<double>(child.pose)), center, half_space_size));
+    return out;
+  }
+  const auto* hull = shape.template as<ConvexHull<T>>();
+  return hull && shape.rounding() == T(0) ? of_hull(*hull, pose) : sampled(shape, pose);
 }
 
 }  // namespace
 
-Polygons tessellate(const Shaped& shape, const Posed& pose, const Vec3d& center, double half_space_size) {
-  if (shape.as<HalfSpace<double>>()) return of_half_space(pose, shape.rounding(), center, half_space_size);
-  if (const auto* mesh = shape.as<Mesh<double>>()) return of_mesh(*mesh, pose);
-  if (const auto* field = shape.as<HeightField<double>>()) return of_height_field(*field, pose);
-  if (const auto* compound = shape.as<Compound<double>>()) {
-    Polygons out;
-    for (const Placed<double>& child : compound->children())
-      append(out, tessellate(child.shape, compose(pose, child.pose), center, half_space_size));
-    return out;
-  }
-  const auto* hull = shape.as<ConvexHull<double>>();
-  return hull && shape.rounding() == 0 ? of_hull(*hull, pose) : sampled(shape, pose);
+template <class T>
+Polygons tessellate(const Shape<T>& shape, const Pose<T>& pose, const Vec3d& center, double half_space_size) {
+  return of_shape(shape, converted<double>(pose), center, half_space_size);
 }
 
-}  // namespace graze::io
+template Polygons tessellate(const Shape<float>&, const Pose<float>&, const Vec3d&, double);
+template Polygons tessellate(const Shape<double>&, const Pose<double>&, const Vec3d&, double);
+
+}  // namespace graze

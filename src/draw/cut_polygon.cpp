@@ -1,8 +1,8 @@
-#include "io/polygon.hpp"
+#include "draw/cut_polygon.hpp"
 
 #include <cmath>
 
-namespace graze::io {
+namespace graze {
 
 namespace {
 
@@ -80,4 +80,4 @@ void cut_polygon(std::span<const Vec3d> points, std::span<const std::uint32_t> l
     EarCutter(points, loop).cut(triangles);
 }
 
-}  // namespace graze::io
+}  // namespace graze

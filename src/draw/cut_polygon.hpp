@@ -10,10 +10,10 @@
 
 #include "graze/shape/mesh.hpp"
 
-namespace graze::io {
+namespace graze {
 
 /// Appends the triangles of the polygon over `loop`, indices into `points`. Time n^2.
 void cut_polygon(std::span<const Vec3d> points, std::span<const std::uint32_t> loop,
                  std::vector<Mesh<double>::Index>& triangles);
 
-}  // namespace graze::io
+}  // namespace graze

@@ -1,0 +1,34 @@
+// Shapes as polygons, for pictures and for files that are looked at.
+//
+// Guarantee: any shape, of space or of the plane; points lie on its surface, those of the plane at z = 0. What is flat
+// is exact; what is curved is sampled finely enough for the eye and no finer. Costs memory and time for each point, and
+// allocates: nothing to be done pair by pair.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "graze/plane/shape.hpp"
+#include "graze/shape.hpp"
+
+namespace graze {
+
+/// Faces as loops of points.
+struct Polygons {
+  std::vector<Vec3d> points;                      ///< in world space
+  std::vector<std::vector<std::uint32_t>> loops;  ///< counter-clockwise seen from outside, or from z > 0
+  bool smooth = false;                            ///< its edges are of the sampling, not of the shape
+  bool closed = true;                             ///< has an inside, so that faces seen from behind are hidden
+};
+
+/// The faces of a shape; a half-space is a square whose sides are twice `half_space_size`, about the foot of `center`.
+template <class T>
+GRAZE_API Polygons tessellate(const Shape<T>& shape, const Pose<T>& pose, const Vec3d& center, double half_space_size);
+
+/// The outline of a shape of the plane; of a solid polygon without its cuts, so that a loop need not be convex. A
+/// half-plane reaches `half_plane_size` to both sides of the foot of `center`, and is half as deep.
+template <class T>
+GRAZE_API Polygons tessellate(const plane::Shape<T>& shape, const plane::Pose2<T>& pose, const Vec3d& center,
+                              double half_plane_size);
+
+}  // namespace graze

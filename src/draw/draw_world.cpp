@@ -1,0 +1,135 @@
+// Worlds, simulations and what they are made of: bodies, bounds, contacts, joints, trees.
+#include "draw/points.hpp"
+#include "graze/draw.hpp"
+
+namespace graze {
+
+namespace {
+
+using draw_detail::draw_points;
+using draw_detail::in_space;
+
+/// One byte a body: whether a contact of the last update is its own.
+template <class T, class Space>
+std::vector<std::uint8_t> touching_bodies(const World<T, Space>& world) {
+  std::vector<std::uint8_t> touching(world.bodies().size(), 0);
+  for (const ContactPair<T>& pair : world.contacts().pairs)
+    if (pair.overlap && pair.manifold_count > 0) touching[pair.a] = touching[pair.b] = 1;
+  return touching;
+}
+
+template <class T, class Space>
+Meaning meaning_of(const World<T, Space>& world, std::uint32_t i, bool touching) {
+  if (world.bodies().triggers()[i]) return Meaning::trigger;
+  if (world.bodies().fixed()[i]) return touching ? Meaning::touched : Meaning::fixed;
+  return touching ? Meaning::touching : Meaning::moving;
+}
+
+template <class T, class Space>
+void draw_contacts(DebugDraw& on, const World<T, Space>& world) {
+  const ContactArrays<T, Space>& contacts = world.contacts();
+  if (!on.wants(DrawLayer::contacts)) return;
+  for (const ContactPair<T>& pair : contacts.pairs)
+    for (const auto& manifold : contacts.manifolds_of(pair))
+      draw_points(on, manifold.normal, contacts.points_of(manifold));
+}
+
+/// `asleep(i)` tells whether a body that touches something rests on it.
+template <class T, class Space, class Poses, class Asleep>
+void draw_bodies(DebugDraw& on, const World<T, Space>& world, const Poses& poses, const Asleep& asleep) {
+  const auto& bodies = world.bodies();
+  const std::vector<std::uint8_t> touching = touching_bodies(world);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.alive()[i]) continue;
+    if (on.wants(DrawLayer::shapes))
+      draw(on, bodies.shapes()[i], poses[i], asleep(i) ? Meaning::asleep : meaning_of(world, i, touching[i] != 0));
+    if (on.wants(DrawLayer::bounds)) draw(on, Space::bounds(bodies.shapes()[i], poses[i]));
+  }
+}
+
+template <class AnyJoint, class AnyPose>
+void draw_joint(DebugDraw& on, const AnyJoint& joint, const AnyPose& pose_a, const AnyPose& pose_b) {
+  if (!on.wants(DrawLayer::joints)) return;
+  const Vec3d a = in_space(transform(pose_a, joint.frame_a.translation));
+  const Vec3d b = in_space(transform(pose_b, joint.frame_b.translation));
+  on.line(in_space(pose_a.translation), a, DrawLayer::joints, Meaning::joint);
+  on.line(in_space(pose_b.translation), b, DrawLayer::joints, Meaning::joint);
+  on.line(a, b, DrawLayer::joints, Meaning::gap);
+  on.point(a, DrawLayer::joints, Meaning::a);
+  on.point(b, DrawLayer::joints, Meaning::b);
+}
+
+}  // namespace
+
+template <class T, class Space>
+DrawArea draw_area(const World<T, Space>& world) {
+  Aabb<T> all = Aabb<T>::empty();
+  const auto& bodies = world.bodies();
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.alive()[i]) continue;
+    const Aabb<T> box = Space::bounds(bodies.shapes()[i], bodies.poses()[i]);
+    if (max_abs(box.extent()) < std::numeric_limits<T>::infinity()) all = merged(all, box);
+  }
+  DrawArea area;
+  if (all.lower.x <= all.upper.x) area.center = (in_space(all.lower) + in_space(all.upper)) * 0.5;
+  if (const double size = max_abs(in_space(all.extent())); size > 0 && all.lower.x <= all.upper.x) area.size = size;
+  return area;
+}
+
+template <class T>
+void draw(DebugDraw& on, const DynamicTree<T>& tree) {
+  if (!on.wants(DrawLayer::tree)) return;
+  const auto draw_box = [&](const Aabb<T>& box) {
+    draw(on, box, DrawLayer::tree, Meaning::bounds);
+    return true;
+  };
+  tree.visit(draw_box, [](std::uint32_t, const Aabb<T>&) {});
+}
+
+template <class T>
+void draw(DebugDraw& on, const Joint<T>& joint, const Pose<T>& pose_a, const Pose<T>& pose_b) {
+  draw_joint(on, joint, pose_a, pose_b);
+}
+template <class T>
+void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const plane::Pose2<T>& pose_a,
+          const plane::Pose2<T>& pose_b) {
+  draw_joint(on, joint, pose_a, pose_b);
+}
+
+template <class T, class Space>
+void draw(DebugDraw& on, const World<T, Space>& world) {
+  draw_bodies(on, world, world.bodies().poses(), [](std::uint32_t) { return false; });
+  draw_contacts(on, world);
+}
+
+template <class T, class Space>
+void draw(DebugDraw& on, const Simulation<T, Space>& simulation) {
+  const World<T, Space>& world = simulation.world();
+  const auto& poses = simulation.poses();
+  draw_bodies(on, world, poses, [&](std::uint32_t i) { return simulation.asleep(world.bodies().id(i)); });
+  draw_contacts(on, world);
+  if (!on.wants(DrawLayer::joints)) return;
+  for (const JointId id : simulation.joints()) {
+    const Joint<T, Space>& joint = simulation.joint(id);
+    draw(on, joint, poses[joint.a.index], poses[joint.b.index]);
+  }
+}
+
+#define GRAZE_DRAW_WORLDS(T, Space)                                                                                    \
+  template DrawArea draw_area(const World<T, Space<T>>&);                                                              \
+  template void draw(DebugDraw&, const World<T, Space<T>>&);                                                           \
+  template void draw(DebugDraw&, const Simulation<T, Space<T>>&)
+#define GRAZE_DRAW_PARTS(T)                                                                                            \
+  template void draw(DebugDraw&, const DynamicTree<T>&);                                                               \
+  template void draw(DebugDraw&, const Joint<T>&, const Pose<T>&, const Pose<T>&);                                     \
+  template void draw(DebugDraw&, const Joint<T, plane::Space<T>>&, const plane::Pose2<T>&, const plane::Pose2<T>&)
+GRAZE_DRAW_PARTS(float);
+GRAZE_DRAW_PARTS(double);
+GRAZE_DRAW_WORLDS(float, Space);
+GRAZE_DRAW_WORLDS(double, Space);
+GRAZE_DRAW_WORLDS(float, plane::Space);
+GRAZE_DRAW_WORLDS(double, plane::Space);
+#undef GRAZE_DRAW_WORLDS
+#undef GRAZE_DRAW_PARTS
+
+}  // namespace graze

@@ -1,0 +1,323 @@
+// What is drawn is what the library says: every call of a renderer is recorded and held against the scene.
+#include "graze/draw.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace graze::testing {
+namespace {
+
+struct DrawnPart {
+  DrawLayer layer;
+  Meaning meaning;
+  std::vector<Vec3d> at;
+  std::string words{};
+};
+
+/// A renderer that writes down what it is told, with the defaults for all that has one.
+class DrawRecorder : public DebugDraw {
+ public:
+  using DebugDraw::DebugDraw;
+
+  bool wants(DrawLayer layer) const override { return off != layer; }
+  void point(const Vec3d& at, DrawLayer layer, Meaning meaning) override { points.push_back({layer, meaning, {at}}); }
+  void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, Meaning meaning) override {
+    lines.push_back({layer, meaning, {from, to}});
+  }
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, Meaning meaning) override {
+    triangles.push_back({layer, meaning, {a, b, c}});
+  }
+  void text(const Vec3d& at, std::string_view words, DrawLayer layer, Meaning meaning) override {
+    texts.push_back({layer, meaning, {at}, std::string(words)});
+  }
+
+  std::optional<DrawLayer> off;
+  std::vector<DrawnPart> points, lines, triangles, texts;
+};
+
+std::size_t count_of(const std::vector<DrawnPart>& parts, DrawLayer layer, Meaning meaning) {
+  return static_cast<std::size_t>(std::count_if(
+      parts.begin(), parts.end(), [&](const DrawnPart& p) { return p.layer == layer && p.meaning == meaning; }));
+}
+
+/// Twice the area that triangles cover, signed as seen along -Z.
+double doubled_area(const std::vector<DrawnPart>& triangles) {
+  double sum = 0;
+  for (const DrawnPart& t : triangles) sum += cross(t.at[1] - t.at[0], t.at[2] - t.at[0]).z;
+  return sum;
+}
+
+/// Six times the volume within triangles that turn counter-clockwise seen from outside.
+double sixfold_volume(const std::vector<DrawnPart>& triangles) {
+  double sum = 0;
+  for (const DrawnPart& t : triangles) sum += dot(t.at[0], cross(t.at[1], t.at[2]));
+  return sum;
+}
+
+TEST(DebugDraw, FacesOfABoxEncloseItAndItsEdgesAreLines) {
+  DrawRecorder drawn;
+  draw(drawn, Shaped(Box<double>({2, 4, 6})), Posed{{10, 20, 30}, {}}, Meaning::a);
+  EXPECT_EQ(drawn.triangles.size(), 12u);
+  EXPECT_NEAR(sixfold_volume(drawn.triangles), 6 * 48.0, 1e-9);
+  EXPECT_EQ(drawn.lines.size(), 24u) << "each edge from both its faces";
+  EXPECT_EQ(count_of(drawn.triangles, DrawLayer::shapes, Meaning::a), 12u);
+  for (const DrawnPart& line : drawn.lines)
+    EXPECT_TRUE(std::fmod(length(line.at[1] - line.at[0]), 2.0) == 0) << "no diagonal of a face is an edge";
+}
+
+TEST(DebugDraw, EveryShapeHasFacesOnItsSurfaceInBothPrecisions) {
+  const auto check = [](const auto& shape) {
+    using T = std::decay_t<decltype(shape.rounding())>;
+    const Pose<T> pose{{T(1), T(-2), T(0.5)}, normalized(Quat<T>{T(0.2), T(-0.4), T(0.1), T(0.8)})};
+    const Polygons polygons = tessellate(shape, pose, {}, 1.0);
+    ASSERT_FALSE(polygons.points.empty());
+    for (const Vec3d& p : polygons.points) {
+      const auto nearest = closest(shape, pose, converted<T>(p));
+      EXPECT_NEAR(double(nearest.distance), 0, 2e-6);
+    }
+  };
+  const auto each = [&]<class T>(T) {
+    check(Shape<T>(Sphere<T>(T(1.5))));
+    check(Shape<T>(Capsule<T>(T(2), T(0.5), T(0.75))));
+    check(Shape<T>(Box<T>({T(1), T(2), T(3)}), T(0.25)));
+    check(Shape<T>(Cylinder<T>(T(2), T(1), T(0.25))));
+    check(Shape<T>(Ellipsoid<T>({T(1), T(2), T(0.5)})));
+    check(Shape<T>(HalfSpace<T>()));
+    check(Shape<T>(Triangle<T>({T(0), T(0), T(0)}, {T(1), T(0), T(0)}, {T(0), T(1), T(0)})));
+    check(Shape<T>(Compound<T>(
+        {{Shape<T>(Sphere<T>(T(1))), {{T(3), T(0), T(0)}, {}}}, {Shape<T>(Box<T>({T(1), T(1), T(1)})), {}}})));
+  };
+  each(float{});
+  each(double{});
+}
+
+TEST(DebugDraw, APolygonThatIsNotConvexIsCoveredOnce) {
+  const std::vector<plane::Vec2d> notch{{0, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}};
+  DrawRecorder drawn;
+  draw(drawn, plane::Shaped(plane::Polygon<double>(notch)), plane::Pose2d{}, Meaning::fixed);
+  EXPECT_NEAR(doubled_area(drawn.triangles), 2 * 8.0, 1e-12);
+  EXPECT_EQ(drawn.lines.size(), notch.size());
+}
+
+TEST(DebugDraw, AChainIsItsLines) {
+  const std::vector<plane::Vec2f> points{{0, 0}, {1, 0}, {2, 1}};
+  DrawRecorder drawn;
+  draw(drawn, plane::Shape<float>(plane::Chain<float>(points)), plane::Pose2<float>{});
+  EXPECT_TRUE(drawn.triangles.empty());
+  ASSERT_EQ(drawn.lines.size(), 2u);
+  EXPECT_EQ(drawn.lines[0].at[1], (Vec3d{1, 0, 0}));
+}
+
+TEST(DebugDraw, ABoxHasTwelveEdgesAFlatOneFourAndOneWithoutAnEndNone) {
+  const auto edges = [](const Aabbd& box) {
+    DrawRecorder drawn;
+    draw(drawn, box);
+    EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, Meaning::bounds), drawn.lines.size());
+    double sum = 0;
+    for (const DrawnPart& line : drawn.lines) sum += length(line.at[1] - line.at[0]);
+    return std::pair{drawn.lines.size(), sum};
+  };
+  EXPECT_EQ(edges({{0, 0, 0}, {1, 2, 3}}), (std::pair{std::size_t{12}, 24.0}));
+  EXPECT_EQ(edges({{0, 0, 0}, {1, 2, 0}}), (std::pair{std::size_t{4}, 6.0}));
+  EXPECT_EQ(edges({{0, 0, 0}, {0, 2, 3}}), (std::pair{std::size_t{4}, 10.0}));
+  EXPECT_EQ(edges({{1, 0, 0}, {1, 0, 3}}), (std::pair{std::size_t{1}, 3.0}));
+  EXPECT_EQ(edges(Aabbd::everything()).first, 0u);
+  EXPECT_EQ(edges(Aabbd::empty()).first, 0u);
+}
+
+TEST(DebugDraw, AManifoldIsItsPointsAndOneArrow) {
+  const Shaped box = Box<double>({2, 2, 2});
+  Manifolds<double> manifolds;
+  ASSERT_TRUE(contacts(box, Posed{}, box, Posed{{0, 1.9, 0}, {}}, 0.0, manifolds));
+  ASSERT_EQ(manifolds.size(), 1u);
+  DrawRecorder drawn(DrawArea{{}, 12});
+  draw(drawn, manifolds[0]);
+  ASSERT_EQ(drawn.points.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(drawn.points[i].at[0], manifolds[0].points[i].position());
+  ASSERT_EQ(drawn.lines.size(), 3u);
+  EXPECT_NEAR(length(drawn.lines[0].at[0] - Vec3d{0, 0.95, 0}), 0, 1e-12);
+  EXPECT_NEAR(length(drawn.lines[0].at[1] - drawn.lines[0].at[0] - Vec3d{0, 1, 0}), 0, 1e-12)
+      << "a twelfth of the area, from A to B";
+}
+
+TEST(DebugDraw, ADistanceIsTheWayBetweenItsPoints) {
+  const Shapef ball = Sphere<float>(1.0f);
+  const auto d = distance(ball, Posef{}, ball, Posef{{3, 0, 0}, {}});
+  DrawRecorder drawn;
+  draw(drawn, d);
+  ASSERT_EQ(drawn.lines.size(), 1u);
+  EXPECT_EQ(drawn.lines[0].at, (std::vector<Vec3d>{{1, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::distances, Meaning::a), 1u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::distances, Meaning::b), 1u);
+}
+
+TEST(DebugDraw, ARayEndsAtItsHitOrOutsideTheArea) {
+  const Shaped ball = Sphere<double>(1.0);
+  const Ray<double> ray{{-5, 0, 0}, {2, 0, 0}};
+  DrawRecorder drawn(DrawArea{{}, 2});
+  draw(drawn, ray, std::numeric_limits<double>::infinity(), raycast(ball, Posed{}, ray));
+  ASSERT_EQ(count_of(drawn.lines, DrawLayer::rays, Meaning::path), 1u);
+  EXPECT_EQ(drawn.lines[0].at[1], (Vec3d{-1, 0, 0}));
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::rays, Meaning::contact), 1u);
+
+  DrawRecorder missed(DrawArea{{}, 2});
+  draw(missed, ray, std::numeric_limits<double>::infinity(), std::optional<RayHit<double>>{});
+  ASSERT_FALSE(missed.lines.empty());
+  EXPECT_EQ(missed.lines[0].at[1], (Vec3d{2, 0, 0}));
+  EXPECT_TRUE(missed.points.empty());
+}
+
+TEST(DebugDraw, ACastShowsWhereItCameFromAndWhereItMet) {
+  const Shaped ball = Sphere<double>(1.0), wall = HalfSpace<double>();
+  const Posed from{{0, 5, 0}, {}};
+  const Velocity<double> down{{0, -1, 0}, {}};
+  const auto hit = cast(ball, from, down, wall, Posed{}, Velocity<double>{}, 10.0);
+  ASSERT_TRUE(hit);
+  DrawRecorder drawn;
+  draw(drawn, ball, from, down, 10.0, hit);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::casts, Meaning::contact), 1u);
+  ASSERT_GE(count_of(drawn.lines, DrawLayer::casts, Meaning::path), 1u);
+  double lowest = 5;
+  for (const DrawnPart& t : drawn.triangles)
+    for (const Vec3d& p : t.at) lowest = std::min(lowest, p.y);
+  EXPECT_NEAR(lowest, 0, 1e-6) << "nothing is drawn beyond the hit";
+  EXPECT_GT(count_of(drawn.triangles, DrawLayer::casts, Meaning::ghost), 0u);
+}
+
+TEST(DebugDraw, ATraceOfSeparatingAxesShowsTheOneThatDecidedByName) {
+  const Shaped box = Box<double>({2, 2, 2});
+  Trace trace;
+  const Posed away{{3, 0.2, 0}, normalized(Quatd{0.1, 0.2, 0.3, 0.9})};
+  ASSERT_FALSE(overlap(box, Posed{}, box, away, &trace));
+  DrawRecorder drawn(DrawArea{{1.5, 0, 0}, 6});
+  draw(drawn, trace);
+  ASSERT_EQ(drawn.texts.size(), 1u);
+  EXPECT_EQ(drawn.texts[0].words, trace.winner);
+  ASSERT_EQ(count_of(drawn.lines, DrawLayer::trace, Meaning::gap), 1u);
+  const auto winner =
+      std::find_if(trace.axes.begin(), trace.axes.end(), [&](const TraceAxis& a) { return a.name == trace.winner; });
+  ASSERT_NE(winner, trace.axes.end());
+  for (const DrawnPart& line : drawn.lines)
+    if (line.meaning == Meaning::gap) {
+      EXPECT_NEAR(length(line.at[1] - line.at[0]), -winner->overlap(), 1e-12) << "the gap in true length";
+    }
+}
+
+TEST(DebugDraw, ATraceOfASearchShowsTheMinkowskiDifference) {
+  const Shaped hull = ConvexHull<double>(std::vector<Vec3d>{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}});
+  const Shaped cylinder = Cylinder<double>(2, 1, 1);
+  Trace trace;
+  distance(hull, Posed{}, cylinder, Posed{{0.2, 0.1, 0.3}, {}}, &trace);
+  ASSERT_FALSE(trace.gjk.empty() && trace.polytope.empty());
+  DrawRecorder drawn;
+  draw(drawn, trace);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::trace, Meaning::normal) > 0, !trace.gjk.empty() || !trace.epa.empty());
+  EXPECT_EQ(drawn.triangles.size(), trace.triangles.size());
+}
+
+TEST(DebugDraw, AWorldShowsEveryBodyByWhatItDoes) {
+  Worldd world;
+  Body<double> floor{HalfSpace<double>()};
+  floor.fixed = true;
+  world.add(floor);
+  world.add({Box<double>({1, 1, 1}), {{0, 0.49, 0}, {}}});
+  world.add({Sphere<double>(0.5), {{5, 5, 0}, {}}});
+  Body<double> zone{Sphere<double>(2), {{0, 0, 0}, {}}};
+  zone.trigger = zone.fixed = true;
+  world.add(zone);
+  const BodyId gone = world.add({Sphere<double>(1), {{0, 0, 9}, {}}});
+  world.remove(gone);
+  world.update();
+
+  DrawRecorder drawn(draw_area(world));
+  draw(drawn, world);
+  const std::map<Meaning, bool> expected{{Meaning::touched, true}, {Meaning::touching, true}, {Meaning::moving, true},
+                                         {Meaning::trigger, true}, {Meaning::fixed, false},   {Meaning::asleep, false}};
+  for (const auto& [meaning, there] : expected)
+    EXPECT_EQ(count_of(drawn.triangles, DrawLayer::shapes, meaning) > 0, there) << int(meaning);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, Meaning::contact), world.contacts().points.size());
+  EXPECT_EQ(world.contacts().points.size(), 4u);
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, Meaning::bounds), 3u * 12) << "the floor has no bounds";
+
+  DrawRecorder without(draw_area(world));
+  without.off = DrawLayer::shapes;
+  draw(without, world);
+  EXPECT_TRUE(without.triangles.empty());
+  EXPECT_EQ(without.points.size(), drawn.points.size());
+}
+
+TEST(DebugDraw, ASimulationShowsJointsAndWhatSleeps) {
+  Simulationd simulation;
+  Dynamics<double> heavy;
+  heavy.mass = 1;
+  Body<double> floor{HalfSpace<double>()};
+  floor.fixed = true;
+  const BodyId ground = simulation.add(floor);
+  simulation.add({Box<double>({1, 1, 1}), {{5, 0.5, 0}, {}}}, heavy);
+  const BodyId bob = simulation.add({Sphere<double>(0.25), {{0, 4, 0}, {}}}, heavy);
+  const JointId joint = simulation.add(ball_joint(ground, Posed{{0, 5, 0}, {}}, bob, Posed{{0, 1, 0}, {}}));
+  EXPECT_EQ(simulation.joints(), std::vector<JointId>{joint});
+  for (int i = 0; i < 180; ++i) simulation.step(1.0 / 60);
+  DrawRecorder drawn(draw_area(simulation.world()));
+  draw(drawn, simulation);
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::joints, Meaning::joint), 2u);
+  ASSERT_EQ(count_of(drawn.points, DrawLayer::joints, Meaning::b), 1u);
+  for (const DrawnPart& p : drawn.points)
+    if (p.layer == DrawLayer::joints) {
+      EXPECT_NEAR(length(p.at[0] - Vec3d{0, 5, 0}), 0, 1e-3);
+    }
+  EXPECT_GT(count_of(drawn.triangles, DrawLayer::shapes, Meaning::asleep), 0u);
+  simulation.remove(joint);
+  EXPECT_TRUE(simulation.joints().empty());
+}
+
+TEST(DebugDraw, AWorldOfThePlaneIsDrawnAtZero) {
+  plane::Worldf world;
+  plane::Body<float> floor{plane::HalfPlane<float>()};
+  floor.fixed = true;
+  world.add(floor);
+  world.add({plane::Box<float>({1, 1}), {{0, 0.49f}, {}}});
+  world.update();
+  DrawRecorder drawn(draw_area(world));
+  draw(drawn, world);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, Meaning::contact), 2u);
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, Meaning::bounds), 4u);
+  for (const auto* parts : {&drawn.points, &drawn.triangles})
+    for (const DrawnPart& part : *parts)
+      for (const Vec3d& p : part.at) EXPECT_EQ(p.z, 0);
+}
+
+TEST(DebugDraw, ATreeShowsTheBoxesInItAndThoseAroundThem) {
+  DynamicTree<double> tree;
+  Aabbd all = Aabbd::empty();
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    const Vec3d at{double(i % 10), double(i / 10), 0.0};
+    const Aabbd box{at, at + Vec3d{0.5, 0.5, 0.5}};
+    tree.insert(i, box);
+    all = merged(all, box);
+  }
+  DrawRecorder drawn;
+  draw(drawn, tree);
+  EXPECT_GT(drawn.lines.size(), 100u * 12) << "a hundred boxes, and nodes";
+  Aabbd seen = Aabbd::empty();
+  for (const DrawnPart& line : drawn.lines)
+    for (const Vec3d& p : line.at) seen = merged(seen, p);
+  EXPECT_TRUE(contains(seen, all));
+}
+
+TEST(DebugDraw, MeaningsThatStandBesideEachOtherHaveColoursOfTheirOwn) {
+  const auto apart = [](Meaning p, Meaning q) {
+    const DrawColor a = suggested_color(p), b = suggested_color(q);
+    return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
+  };
+  EXPECT_GT(apart(Meaning::a, Meaning::b), 150);
+  EXPECT_GT(apart(Meaning::moving, Meaning::touching), 100);
+  EXPECT_GT(apart(Meaning::contact, Meaning::normal), 150);
+}
+
+}  // namespace
+}  // namespace graze::testing
