@@ -25,7 +25,7 @@ namespace graze {
 enum class DrawLayer : std::uint8_t { shapes, bounds, tree, contacts, distances, rays, casts, trace, joints };
 
 /// What a colour says.
-enum class Meaning : std::uint8_t {
+enum class DrawMeaning : std::uint8_t {
   a,          ///< the first of two, and what is its own: its interval on an axis, its support point
   b,          ///< the second
   fixed,      ///< a body that never moves
@@ -49,7 +49,7 @@ struct DrawColor {
   std::uint8_t red, green, blue;
 };
 /// The colour that the project's own pictures give a meaning, to be told apart on light paper and on dark.
-GRAZE_API DrawColor suggested_color(Meaning meaning);
+GRAZE_API DrawColor suggested_color(DrawMeaning meaning);
 
 /// The part of the world that is looked at. What has no end is drawn about its centre as far as its size, and arrows
 /// are a twelfth of it.
@@ -69,16 +69,16 @@ class GRAZE_API DebugDraw {
 
   /// Whether the layer is seen; what is in one that is not is not even computed.
   virtual bool wants(DrawLayer layer) const = 0;
-  virtual void point(const Vec3d& at, DrawLayer layer, Meaning meaning) = 0;
-  virtual void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, Meaning meaning) = 0;
+  virtual void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) = 0;
+  virtual void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) = 0;
   /// Counter-clockwise seen from outside.
-  virtual void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, Meaning meaning) = 0;
-  virtual void text(const Vec3d& at, std::string_view words, DrawLayer layer, Meaning meaning) = 0;
+  virtual void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) = 0;
+  virtual void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) = 0;
 
   /// All faces of a shape: by itself triangles, and lines along the edges that are the shape's own.
-  virtual void polygons(const Polygons& shape, DrawLayer layer, Meaning meaning);
+  virtual void polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning);
   /// A direction, a unit vector, at a place: by itself a line of a length for the area, with two for its head.
-  virtual void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, Meaning meaning);
+  virtual void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning);
 
   const DrawArea& area() const { return area_; }
 
@@ -92,15 +92,16 @@ class GRAZE_API DebugDraw {
 
 /// A shape in place.
 template <class T>
-GRAZE_API void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose, Meaning meaning = Meaning::moving);
+GRAZE_API void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose,
+                    DrawMeaning meaning = DrawMeaning::moving);
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose,
-                    Meaning meaning = Meaning::moving);
+                    DrawMeaning meaning = DrawMeaning::moving);
 
 /// A box by its twelve edges, those that fall together once; nothing for one that is empty or has no end.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Aabb<T>& box, DrawLayer layer = DrawLayer::bounds,
-                    Meaning meaning = Meaning::bounds);
+                    DrawMeaning meaning = DrawMeaning::bounds);
 
 /// A contact manifold: its points, and its normal as an arrow from their middle.
 template <class T>

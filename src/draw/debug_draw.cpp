@@ -6,7 +6,7 @@ namespace graze {
 
 DebugDraw::~DebugDraw() = default;
 
-void DebugDraw::polygons(const Polygons& shape, DrawLayer layer, Meaning meaning) {
+void DebugDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) {
   std::vector<Mesh<double>::Index> triangles;
   for (const auto& loop : shape.loops)
     if (loop.size() > 2) cut_polygon(shape.points, loop, triangles);
@@ -20,7 +20,7 @@ void DebugDraw::polygons(const Polygons& shape, DrawLayer layer, Meaning meaning
   }
 }
 
-void DebugDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, Meaning meaning) {
+void DebugDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) {
   const double length = area_.size / 12;
   const Vec3d to = from + direction * length, aside = any_perpendicular(direction) * (length / 8);
   const Vec3d back = to - direction * (length / 4);
@@ -29,24 +29,24 @@ void DebugDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer
   line(to, back - aside, layer, meaning);
 }
 
-DrawColor suggested_color(Meaning meaning) {
+DrawColor suggested_color(DrawMeaning meaning) {
   switch (meaning) {
-  case Meaning::a: return {84, 130, 176};
-  case Meaning::b: return {224, 142, 69};
-  case Meaning::fixed: return {206, 211, 218};
-  case Meaning::touched: return {211, 189, 187};
-  case Meaning::moving: return {141, 169, 196};
-  case Meaning::touching: return {203, 134, 120};
-  case Meaning::asleep: return {160, 166, 173};
-  case Meaning::trigger: return {129, 178, 154};
-  case Meaning::contact:
-  case Meaning::gap: return {193, 18, 31};
-  case Meaning::normal:
-  case Meaning::path: return {29, 53, 87};
-  case Meaning::ruled_out:
-  case Meaning::bounds: return {173, 181, 189};
-  case Meaning::ghost: return {242, 153, 26};
-  case Meaning::joint: return {106, 76, 147};
+  case DrawMeaning::a: return {84, 130, 176};
+  case DrawMeaning::b: return {224, 142, 69};
+  case DrawMeaning::fixed: return {206, 211, 218};
+  case DrawMeaning::touched: return {211, 189, 187};
+  case DrawMeaning::moving: return {141, 169, 196};
+  case DrawMeaning::touching: return {203, 134, 120};
+  case DrawMeaning::asleep: return {160, 166, 173};
+  case DrawMeaning::trigger: return {129, 178, 154};
+  case DrawMeaning::contact:
+  case DrawMeaning::gap: return {193, 18, 31};
+  case DrawMeaning::normal:
+  case DrawMeaning::path: return {29, 53, 87};
+  case DrawMeaning::ruled_out:
+  case DrawMeaning::bounds: return {173, 181, 189};
+  case DrawMeaning::ghost: return {242, 153, 26};
+  case DrawMeaning::joint: return {106, 76, 147};
   }
   return {};
 }

@@ -13,7 +13,7 @@ using draw_detail::draw_points;
 using draw_detail::in_space;
 
 template <class AnyShape, class AnyPose>
-void draw_shape(DebugDraw& on, const AnyShape& shape, const AnyPose& pose, DrawLayer layer, Meaning meaning) {
+void draw_shape(DebugDraw& on, const AnyShape& shape, const AnyPose& pose, DrawLayer layer, DrawMeaning meaning) {
   if (on.wants(layer)) on.polygons(tessellate(shape, pose, on.area().center, on.area().size), layer, meaning);
 }
 
@@ -21,16 +21,16 @@ template <class AnyDistance>
 void draw_distance(DebugDraw& on, const AnyDistance& d) {
   if (!on.wants(DrawLayer::distances)) return;
   const Vec3d a = in_space(d.a), b = in_space(d.b);
-  on.line(a, b, DrawLayer::distances, Meaning::gap);
-  on.point(a, DrawLayer::distances, Meaning::a);
-  on.point(b, DrawLayer::distances, Meaning::b);
+  on.line(a, b, DrawLayer::distances, DrawMeaning::gap);
+  on.point(a, DrawLayer::distances, DrawMeaning::a);
+  on.point(b, DrawLayer::distances, DrawMeaning::b);
 }
 
 /// A hit of a ray or of what moves.
 template <class AnyHit>
 void draw_hit(DebugDraw& on, const AnyHit& hit, DrawLayer layer) {
-  on.point(in_space(hit.point), layer, Meaning::contact);
-  on.arrow(in_space(hit.point), in_space(hit.normal), layer, Meaning::normal);
+  on.point(in_space(hit.point), layer, DrawMeaning::contact);
+  on.arrow(in_space(hit.point), in_space(hit.normal), layer, DrawMeaning::normal);
 }
 
 template <class AnyRay, class T, class AnyHit>
@@ -38,14 +38,14 @@ void draw_ray(DebugDraw& on, const AnyRay& ray, T length, const std::optional<An
   if (!on.wants(DrawLayer::rays)) return;
   const Vec3d origin = in_space(ray.origin), way = normalized(in_space(ray.direction), Vec3d{});
   if (hit) {
-    on.line(origin, in_space(hit->point), DrawLayer::rays, Meaning::path);
+    on.line(origin, in_space(hit->point), DrawLayer::rays, DrawMeaning::path);
     return draw_hit(on, *hit, DrawLayer::rays);
   }
   // A ray without an end leaves the area.
   const double out = graze::length(origin - on.area().center) + on.area().size;
   const Vec3d end = origin + way * std::min(double(length), out);
-  on.line(origin, end, DrawLayer::rays, Meaning::path);
-  on.arrow(end, way, DrawLayer::rays, Meaning::path);
+  on.line(origin, end, DrawLayer::rays, DrawMeaning::path);
+  on.arrow(end, way, DrawLayer::rays, DrawMeaning::path);
 }
 
 /// A turn is drawn by so many copies, a translation by a few; more would hide each other.
@@ -66,26 +66,26 @@ void draw_cast(DebugDraw& on, const AnyShape& shape, const AnyPose& pose, const 
   const double turns = rate(velocity.angular) * double(until) / turn;
   const int copies = static_cast<int>(std::clamp(turns * copies_a_turn, fewest_copies, most_copies));
   for (int i = 1; i < copies && until > T(0); ++i)
-    draw_shape(on, shape, pose_at(pose, velocity, until * T(i) / T(copies)), DrawLayer::casts, Meaning::ghost);
+    draw_shape(on, shape, pose_at(pose, velocity, until * T(i) / T(copies)), DrawLayer::casts, DrawMeaning::ghost);
   const AnyPose last = pose_at(pose, velocity, until);
-  draw_shape(on, shape, last, DrawLayer::casts, hit ? Meaning::touching : Meaning::moving);
-  on.line(in_space(pose.translation), in_space(last.translation), DrawLayer::casts, Meaning::path);
+  draw_shape(on, shape, last, DrawLayer::casts, hit ? DrawMeaning::touching : DrawMeaning::moving);
+  on.line(in_space(pose.translation), in_space(last.translation), DrawLayer::casts, DrawMeaning::path);
   if (hit) draw_hit(on, *hit, DrawLayer::casts);
 }
 
 }  // namespace
 
 template <class T>
-void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose, Meaning meaning) {
+void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose, DrawMeaning meaning) {
   draw_shape(on, shape, pose, DrawLayer::shapes, meaning);
 }
 template <class T>
-void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose, Meaning meaning) {
+void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose, DrawMeaning meaning) {
   draw_shape(on, shape, pose, DrawLayer::shapes, meaning);
 }
 
 template <class T>
-void draw(DebugDraw& on, const Aabb<T>& box, DrawLayer layer, Meaning meaning) {
+void draw(DebugDraw& on, const Aabb<T>& box, DrawLayer layer, DrawMeaning meaning) {
   const bool bounded = max_abs(box.extent()) < std::numeric_limits<T>::infinity();
   if (!on.wants(layer) || !bounded || !(box.lower.x <= box.upper.x)) return;
   const Vec3d corners[2] = {in_space(box.lower), in_space(box.upper)};
@@ -143,9 +143,9 @@ void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& po
 }
 
 #define GRAZE_DRAW_ANSWERS(T)                                                                                          \
-  template void draw(DebugDraw&, const Shape<T>&, const Pose<T>&, Meaning);                                            \
-  template void draw(DebugDraw&, const plane::Shape<T>&, const plane::Pose2<T>&, Meaning);                             \
-  template void draw(DebugDraw&, const Aabb<T>&, DrawLayer, Meaning);                                                  \
+  template void draw(DebugDraw&, const Shape<T>&, const Pose<T>&, DrawMeaning);                                        \
+  template void draw(DebugDraw&, const plane::Shape<T>&, const plane::Pose2<T>&, DrawMeaning);                         \
+  template void draw(DebugDraw&, const Aabb<T>&, DrawLayer, DrawMeaning);                                              \
   template void draw(DebugDraw&, const Manifold<T>&);                                                                  \
   template void draw(DebugDraw&, const plane::Manifold<T>&);                                                           \
   template void draw(DebugDraw&, const Distance<T>&);                                                                  \

@@ -19,10 +19,10 @@ std::vector<std::uint8_t> touching_bodies(const World<T, Space>& world) {
 }
 
 template <class T, class Space>
-Meaning meaning_of(const World<T, Space>& world, std::uint32_t i, bool touching) {
-  if (world.bodies().triggers()[i]) return Meaning::trigger;
-  if (world.bodies().fixed()[i]) return touching ? Meaning::touched : Meaning::fixed;
-  return touching ? Meaning::touching : Meaning::moving;
+DrawMeaning meaning_of(const World<T, Space>& world, std::uint32_t i, bool touching) {
+  if (world.bodies().triggers()[i]) return DrawMeaning::trigger;
+  if (world.bodies().fixed()[i]) return touching ? DrawMeaning::touched : DrawMeaning::fixed;
+  return touching ? DrawMeaning::touching : DrawMeaning::moving;
 }
 
 template <class T, class Space>
@@ -42,7 +42,7 @@ void draw_bodies(DebugDraw& on, const World<T, Space>& world, const Poses& poses
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.alive()[i]) continue;
     if (on.wants(DrawLayer::shapes))
-      draw(on, bodies.shapes()[i], poses[i], asleep(i) ? Meaning::asleep : meaning_of(world, i, touching[i] != 0));
+      draw(on, bodies.shapes()[i], poses[i], asleep(i) ? DrawMeaning::asleep : meaning_of(world, i, touching[i] != 0));
     if (on.wants(DrawLayer::bounds)) draw(on, Space::bounds(bodies.shapes()[i], poses[i]));
   }
 }
@@ -52,11 +52,11 @@ void draw_joint(DebugDraw& on, const AnyJoint& joint, const AnyPose& pose_a, con
   if (!on.wants(DrawLayer::joints)) return;
   const Vec3d a = in_space(transform(pose_a, joint.frame_a.translation));
   const Vec3d b = in_space(transform(pose_b, joint.frame_b.translation));
-  on.line(in_space(pose_a.translation), a, DrawLayer::joints, Meaning::joint);
-  on.line(in_space(pose_b.translation), b, DrawLayer::joints, Meaning::joint);
-  on.line(a, b, DrawLayer::joints, Meaning::gap);
-  on.point(a, DrawLayer::joints, Meaning::a);
-  on.point(b, DrawLayer::joints, Meaning::b);
+  on.line(in_space(pose_a.translation), a, DrawLayer::joints, DrawMeaning::joint);
+  on.line(in_space(pose_b.translation), b, DrawLayer::joints, DrawMeaning::joint);
+  on.line(a, b, DrawLayer::joints, DrawMeaning::gap);
+  on.point(a, DrawLayer::joints, DrawMeaning::a);
+  on.point(b, DrawLayer::joints, DrawMeaning::b);
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ template <class T>
 void draw(DebugDraw& on, const DynamicTree<T>& tree) {
   if (!on.wants(DrawLayer::tree)) return;
   const auto draw_box = [&](const Aabb<T>& box) {
-    draw(on, box, DrawLayer::tree, Meaning::bounds);
+    draw(on, box, DrawLayer::tree, DrawMeaning::bounds);
     return true;
   };
   tree.visit(draw_box, [](std::uint32_t, const Aabb<T>&) {});

@@ -16,10 +16,10 @@ void draw_points(DebugDraw& on, const Vec& normal, std::span<const Point> points
   Vec3d middle;
   for (const Point& p : points) {
     const Vec3d at = in_space(p.position());
-    on.point(at, DrawLayer::contacts, Meaning::contact);
+    on.point(at, DrawLayer::contacts, DrawMeaning::contact);
     middle += at / static_cast<double>(points.size());
   }
-  on.arrow(middle, in_space(normal), DrawLayer::contacts, Meaning::normal);
+  on.arrow(middle, in_space(normal), DrawLayer::contacts, DrawMeaning::normal);
 }
 
 }  // namespace graze::draw_detail

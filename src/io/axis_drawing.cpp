@@ -9,20 +9,6 @@
 
 namespace graze::io {
 
-std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::string& look, double thickness,
-                 const char* more) {
-  const std::string stroke = look.starts_with('#') ? "stroke=\"" + look + '"' : "class=\"" + look + '"';
-  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {} stroke-width=\"{}\"{}/>\n", view.x(p), view.y(p),
-                     view.x(q), view.y(q), stroke, thickness, more);
-}
-
-std::string dot_at(const View& view, const Vec3d& p, const std::string& look) {
-  const std::string fill =
-      look.starts_with('#') ? R"(fill=")" + look + R"(" class="rim")" : "class=\"rim " + look + '"';
-  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {} stroke-width=\".8\"/>\n", view.x(p), view.y(p),
-                     fill);
-}
-
 AxisDrawing::AxisDrawing(const TraceAxis& axis, const Vec3d& toward, const std::vector<Vec3d>& a,
                          const std::vector<Vec3d>& b)
     : axis_(axis), beside_(normalized(cross(toward, axis.direction))), of_a_(a), of_b_(b) {

@@ -166,11 +166,11 @@ std::string draw_projections(const Explanation& e, const Polygons& a, const Poly
     points.insert(points.end(), b.points.begin(), b.points.end());
     for (const Vec3d& p : drawing.corners()) points.push_back(p);
     const View view(toward, points, inner(panel));
-    std::vector<DrawnFace> faces;
-    draw_shape(view, a, color_a, true, 1e300, faces);
-    draw_shape(view, b, color_b, true, 1e300, faces);
+    SvgDraw canvas(view, {}, std::numeric_limits<double>::infinity());
+    canvas.polygons(a, DrawLayer::shapes, DrawMeaning::a);
+    canvas.polygons(b, DrawLayer::shapes, DrawMeaning::b);
     const bool won = axes[i]->name == e.trace.winner;
-    out += frame(panel, won) + painted(std::move(faces)) + drawing.draw(view) +
+    out += frame(panel, won) + canvas.faces() + drawing.draw(view) +
            text(panel.x + 10, panel.y + 16, 12, drawing.caption(), won ? "ink" : "soft");
   }
   return out;

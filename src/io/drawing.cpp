@@ -12,6 +12,11 @@ std::string hex(const Color& c, double light) {
   return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
 }
 
+Color color_of(DrawMeaning meaning) {
+  const DrawColor c = suggested_color(meaning);
+  return {double(c.red), double(c.green), double(c.blue)};
+}
+
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -49,6 +54,26 @@ double View::light(const Vec3d& normal) const {
 
 namespace {
 
+constexpr Color pale{160, 166, 173};
+
+/// The class or colour of what is drawn over the shapes.
+std::string look_of(DrawMeaning meaning) {
+  switch (meaning) {
+  case DrawMeaning::contact: return "red";
+  case DrawMeaning::gap: return "shared";
+  case DrawMeaning::normal:
+  case DrawMeaning::path: return "arrow";
+  case DrawMeaning::ruled_out:
+  case DrawMeaning::bounds: return "rule";
+  default: return hex(color_of(meaning));
+  }
+}
+
+bool is_glass(DrawMeaning meaning) {
+  return meaning == DrawMeaning::a || meaning == DrawMeaning::b || meaning == DrawMeaning::trigger ||
+         meaning == DrawMeaning::ghost;
+}
+
 Vec3d face_normal(const Polygons& shape, const std::vector<std::uint32_t>& loop) {
   Vec3d sum;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
@@ -57,41 +82,6 @@ Vec3d face_normal(const Polygons& shape, const std::vector<std::uint32_t>& loop)
 }
 
 }  // namespace
-
-void draw_shape(const View& view, const Polygons& shape, const Color& color, bool glass, double scene_size,
-                std::vector<DrawnFace>& faces) {
-  for (const auto& loop : shape.loops) {
-    Vec3d normal = face_normal(shape, loop);
-    const double facing = dot(normal, view.toward());
-    if (shape.closed && facing <= 0) continue;
-    if (facing < 0) normal = -normal;
-    Vec3d middle;
-    Aabbd box = Aabbd::empty();
-    std::string points;
-    for (const std::uint32_t i : loop) {
-      const Vec3d& p = shape.points[i];
-      middle += p / static_cast<double>(loop.size());
-      box = merged(box, p);
-      points += fmt::format("{:.1f},{:.1f} ", view.x(p), view.y(p));
-    }
-    points.pop_back();
-    const std::string fill = hex(color, view.light(normal));
-    // A smooth shape's facets are sealed in their own colour, a polyhedron's edges drawn.
-    const std::string stroke = shape.smooth ? fill : hex(color, 0.55);
-    faces.push_back({view.depth(middle), max_abs(box.extent()) > 0.45 * scene_size,
-                     fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"{}/>\n", points, fill, stroke,
-                                 glass ? R"( fill-opacity=".3" stroke-opacity=".5")" : "")});
-  }
-}
-
-std::string painted(std::vector<DrawnFace> faces) {
-  std::stable_sort(faces.begin(), faces.end(), [](const DrawnFace& a, const DrawnFace& b) {
-    return a.background != b.background ? a.background : a.depth < b.depth;
-  });
-  std::string out = "<g stroke-width=\".8\" stroke-linejoin=\"round\">\n";
-  for (const DrawnFace& face : faces) out += face.text;
-  return out + "</g>\n";
-}
 
 std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
   const Vec3d to = from + along * (34 / view.scale());
@@ -103,6 +93,81 @@ std::string arrow(const View& view, const Vec3d& from, const Vec3d& along) {
                      "class=\"tip\"/>\n",
                      view.x(from), view.y(from), x - 4 * ux, y - 4 * uy, x + 2 * ux, y + 2 * uy, x - 7 * ux - 3.5 * uy,
                      y - 7 * uy + 3.5 * ux, x - 7 * ux + 3.5 * uy, y - 7 * uy - 3.5 * ux);
+}
+
+std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::string& look, double thickness,
+                 const char* more) {
+  const std::string stroke = look.starts_with('#') ? "stroke=\"" + look + '"' : "class=\"" + look + '"';
+  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {} stroke-width=\"{}\"{}/>\n", view.x(p), view.y(p),
+                     view.x(q), view.y(q), stroke, thickness, more);
+}
+
+std::string dot_at(const View& view, const Vec3d& p, const std::string& look) {
+  const std::string fill =
+      look.starts_with('#') ? R"(fill=")" + look + R"(" class="rim")" : "class=\"rim " + look + '"';
+  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {} stroke-width=\".8\"/>\n", view.x(p), view.y(p),
+                     fill);
+}
+
+void SvgDraw::point(const Vec3d& at, DrawLayer, DrawMeaning meaning) { dots_ += dot_at(view_, at, look_of(meaning)); }
+
+void SvgDraw::line(const Vec3d& from, const Vec3d& to, DrawLayer, DrawMeaning meaning) {
+  lines_ += io::line(view_, from, to, look_of(meaning), meaning == DrawMeaning::gap ? 2 : 1.8);
+}
+
+void SvgDraw::triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) {
+  polygons({{a, b, c}, {{0, 1, 2}}, false, false}, layer, meaning);
+}
+
+void SvgDraw::text(const Vec3d& at, std::string_view words, DrawLayer, DrawMeaning) {
+  words_ += io::text(view_.x(at) + 6, view_.y(at) - 6, 12, std::string(words));
+}
+
+void SvgDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) {
+  const Color own = color_of(meaning), color = layer == DrawLayer::casts ? mixed(own, pale, 0.7) : own;
+  const char* glass = is_glass(meaning) ? R"( fill-opacity=".3" stroke-opacity=".5")" : "";
+  for (const auto& loop : shape.loops) {
+    Vec3d normal = face_normal(shape, loop);
+    const double facing = dot(normal, view_.toward());
+    if (shape.closed && facing <= 0) continue;
+    if (facing < 0) normal = -normal;
+    Vec3d middle;
+    Aabbd box = Aabbd::empty();
+    std::string points;
+    for (const std::uint32_t i : loop) {
+      const Vec3d& p = shape.points[i];
+      middle += p / static_cast<double>(loop.size());
+      box = merged(box, p);
+      points += fmt::format("{:.1f},{:.1f} ", view_.x(p), view_.y(p));
+    }
+    points.pop_back();
+    const std::string fill = hex(color, view_.light(normal));
+    // A smooth shape's facets are sealed in their own colour, a polyhedron's edges drawn.
+    const std::string stroke = shape.smooth ? fill : hex(color, 0.55);
+    faces_.push_back(
+        {view_.depth(middle), max_abs(box.extent()) > background_,
+         fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"{}/>\n", points, fill, stroke, glass)});
+  }
+}
+
+void SvgDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer, DrawMeaning) {
+  arrows_ += io::arrow(view_, from, direction);
+}
+
+std::string SvgDraw::faces() const {
+  std::vector<const Face*> sorted;
+  sorted.reserve(faces_.size());
+  for (const Face& face : faces_) sorted.push_back(&face);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Face* a, const Face* b) {
+    return a->background != b->background ? a->background : a->depth < b->depth;
+  });
+  std::string out = "<g stroke-width=\".8\" stroke-linejoin=\"round\">\n";
+  for (const Face* face : sorted) out += face->text;
+  return out + "</g>\n";
+}
+
+std::string SvgDraw::over() const {
+  return "<g class=\"arrow\" fill=\"none\">\n" + arrows_ + "</g>\n" + lines_ + dots_ + words_;
 }
 
 std::string text(double x, double y, double size, const std::string& words, const std::string& look,

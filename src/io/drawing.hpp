@@ -1,4 +1,6 @@
-// Drawing in SVG what all pictures share: a view of the world, shaded shapes, arrows.
+// Drawing in SVG what all pictures share: a view of the world, and on it shaded shapes, arrows, dots and lines.
+//
+// Guarantee: any scene gives a picture, however small or far away.
 #pragma once
 
 #include <array>
@@ -6,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "graze/draw.hpp"
 #include "graze/error.hpp"
-#include "graze/tessellate.hpp"
 #include "graze/validate.hpp"
 
 namespace graze::io {
@@ -20,6 +22,8 @@ constexpr Color mixed(const Color& a, const Color& b, double part) {
   return c;
 }
 std::string hex(const Color& color, double light = 1);
+/// The colour of what is drawn of a shape.
+Color color_of(DrawMeaning meaning);
 /// Text between tags.
 std::string escaped(const std::string& text);
 
@@ -46,20 +50,47 @@ class View {
   double scale_ = 1, x_ = 0, y_ = 0;
 };
 
-struct DrawnFace {
-  double depth;
-  bool background;  ///< so large that the middle says nothing about what it hides
-  std::string text;
-};
-
-/// Appends the faces that are seen; `glass` lets shine through what lies behind.
-void draw_shape(const View& view, const Polygons& shape, const Color& color, bool glass, double scene_size,
-                std::vector<DrawnFace>& faces);
-/// The faces in the order in which they hide each other.
-std::string painted(std::vector<DrawnFace> faces);
-
 /// An arrow of fixed length on the picture, along a unit vector.
 std::string arrow(const View& view, const Vec3d& from, const Vec3d& along);
+/// A straight line between two places of the world; `look` is a class or a colour, `more` further attributes.
+std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::string& look, double thickness,
+                 const char* more = "");
+/// A dot upon everything.
+std::string dot_at(const View& view, const Vec3d& p, const std::string& look);
+
+/// Debug draw on a view: faces in the order in which they hide each other, and over all of them arrows, lines and dots,
+/// so that none is hidden. What touches nothing but light (triggers, the two of an explanation) shows what is behind
+/// it, and places along a way are pale.
+class SvgDraw final : public DebugDraw {
+ public:
+  /// Faces of at least `background` lie behind all others: where so large a face is hidden by its middle says nothing.
+  SvgDraw(const View& view, const DrawArea& area, double background)
+      : DebugDraw(area), view_(view), background_(background) {}
+
+  bool wants(DrawLayer) const override { return true; }
+  void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) override;
+  void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) override;
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) override;
+  void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) override;
+  void polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) override;
+  void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) override;
+
+  /// The picture's parts: what hides each other, and what lies over it.
+  std::string faces() const;
+  std::string over() const;
+
+ private:
+  struct Face {
+    double depth;
+    bool background;
+    std::string text;
+  };
+
+  const View& view_;
+  double background_;
+  std::vector<Face> faces_;
+  std::string arrows_, lines_, dots_, words_;
+};
 
 /// Words in a look: a class of the picture's style ("ink", "soft", "red"), or a colour ("#5482b0").
 std::string text(double x, double y, double size, const std::string& words, const std::string& look = "ink",

@@ -13,7 +13,7 @@ inline constexpr Panel shapes_panel{page_margin, head_height + 8, 520, picture_h
 inline constexpr double list_x = 590, name_width = 138, bars_x = list_x + name_width, bars_width = 138, number_x = 936;
 inline constexpr std::size_t most_rows = 20;
 
-inline constexpr Color color_a{84, 130, 176}, color_b{224, 142, 69};
+inline const Color color_a = color_of(DrawMeaning::a), color_b = color_of(DrawMeaning::b);
 
 /// The axis, span or whatever of that name in a list, or null.
 template <class Item>
@@ -45,15 +45,10 @@ class AxisDrawing {
   double low_, high_, bar_a_, bar_b_;  ///< of the shapes along the axis; where along `beside_` the bars are
 };
 
-/// A straight line between two places of the world; `look` is a class or a colour, `more` further attributes.
-std::string line(const View& view, const Vec3d& p, const Vec3d& q, const std::string& look, double thickness,
-                 const char* more = "");
 /// A bar of a list.
 std::string bar(double x0, double x1, double y, const Color& color);
 /// The background of the row of a list that won.
 std::string chosen_row(double y, double height);
-/// A dot upon everything.
-std::string dot_at(const View& view, const Vec3d& p, const std::string& look);
 
 /// Whether the overlap or the gap along an axis is too small to see.
 bool needs_inset(const View& view, const TraceAxis& axis);

@@ -111,27 +111,21 @@ std::string draw_ways(const Explanation& e, const Drawn& drawn, const View& view
          dot_at(view, e.cast->hit->point, "red");
 }
 
-/// Points of contact with their numbers, none upon another, and an arrow a manifold.
+/// Points of contact with their numbers, none upon another, an arrow a manifold, and the distance.
 std::string draw_points(const Explanation& e, const View& view) {
-  std::string arrows, dots, numbers;
+  SvgDraw canvas(view, {}, std::numeric_limits<double>::infinity());
+  std::string numbers;
   Labels labels;
   for (const Manifold<double>& m : e.manifolds)
     for (const auto& p : m.points) labels.keep_clear(view.x(p.position()), view.y(p.position()), 4);
   int number = 0;
   for (const Manifold<double>& m : e.manifolds) {
-    Vec3d middle;
-    for (const auto& p : m.points) middle += p.position() / static_cast<double>(m.points.size());
-    arrows += arrow(view, middle, m.normal);
-    for (const auto& p : m.points) {
-      dots += dot_at(view, p.position(), "red");
+    draw(canvas, m);
+    for (const auto& p : m.points)
       numbers += labels.at(view.x(p.position()), view.y(p.position()), std::to_string(++number));
-    }
   }
-  std::string out = "<g class=\"arrow\">" + arrows + "</g>\n" + dots + numbers;
-  if (e.distance)
-    out += line(view, e.distance->a, e.distance->b, "shared", 2) + dot_at(view, e.distance->a, hex(color_a)) +
-           dot_at(view, e.distance->b, hex(color_b));
-  return out;
+  if (e.distance) draw(canvas, *e.distance);
+  return canvas.over() + numbers;
 }
 
 /// The ids of the points by their numbers in the picture, from the bottom up. Returns where the list begins.
@@ -232,14 +226,12 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
   points.insert(points.end(), b.points.begin(), b.points.end());
   if (ray) points.insert(points.end(), {ray->from, ray->to, ray->beyond});
 
-  std::vector<std::pair<Polygons, Color>> ghosts;
-  constexpr Color pale{160, 166, 173};
+  std::vector<std::pair<Polygons, DrawMeaning>> ghosts;
   if (e.cast)
-    for (const auto& [of_b, velocity, color] :
-         {std::tuple{false, &e.cast->a, color_a}, std::tuple{true, &e.cast->b, color_b}})
+    for (const auto& [of_b, velocity] : {std::pair{false, &e.cast->a}, std::pair{true, &e.cast->b}})
       if (velocity->linear != Vec3d{} || velocity->angular != Vec3d{})
-        ghosts.emplace_back(polygons(of_b, 0), mixed(color, pale, 0.7));
-  for (const auto& [ghost, color] : ghosts) points.insert(points.end(), ghost.points.begin(), ghost.points.end());
+        ghosts.emplace_back(polygons(of_b, 0), of_b ? DrawMeaning::b : DrawMeaning::a);
+  for (const auto& [ghost, meaning] : ghosts) points.insert(points.end(), ghost.points.begin(), ghost.points.end());
 
   std::optional<AxisDrawing> beside;
   if (axis) {
@@ -254,11 +246,11 @@ std::string draw_explanation(const Explanation& e, const Vec3d& toward_viewer) {
     below.y += inset_height, below.height -= inset_height;
     view = View(toward, points, below);
   }
-  std::vector<DrawnFace> faces;
-  for (const auto& [ghost, color] : ghosts) draw_shape(view, ghost, color, true, size, faces);
-  draw_shape(view, a, color_a, true, size, faces);
-  if (second) draw_shape(view, b, color_b, true, size, faces);
-  std::string out = svg_head(picture_height + difference_height(e.trace)) + painted(std::move(faces)) +
+  SvgDraw canvas(view, {}, 0.45 * size);
+  for (const auto& [ghost, meaning] : ghosts) canvas.polygons(ghost, DrawLayer::casts, meaning);
+  canvas.polygons(a, DrawLayer::shapes, DrawMeaning::a);
+  if (second) canvas.polygons(b, DrawLayer::shapes, DrawMeaning::b);
+  std::string out = svg_head(picture_height + difference_height(e.trace)) + canvas.faces() +
                     "<g font-family=\"system-ui, sans-serif\" fill=\"none\">\n";
   if (beside)
     out += beside->draw(view) +

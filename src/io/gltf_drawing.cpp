@@ -16,6 +16,66 @@ constexpr ColliderLooks alone{
 constexpr ColliderLooks over{
     {"collider", 0.75, 0.78, 0.82, 0.3}, {"collider", 0.75, 0.78, 0.82, 0.3}, {"touching", 0.85, 0.35, 0.25, 0.45}};
 
+constexpr Look contact_look{"contact", 0.75, 0.05, 0.1, 1}, normal_look{"normal", 0.1, 0.2, 0.35, 1},
+    path_look{"path", 0.95, 0.6, 0.1, 1}, ghost_look{"ghost", 0.95, 0.6, 0.1, 0.15},
+    impact_look{"impact", 0.95, 0.6, 0.1, 0.6}, gap_look{"gap", 0.75, 0.05, 0.1, 1}, a_look{"A", 0.33, 0.51, 0.69, 0.6},
+    b_look{"B", 0.88, 0.56, 0.27, 0.6}, asleep_look{"asleep", 0.63, 0.65, 0.68, 1},
+    other_look{"bounds", 0.68, 0.71, 0.74, 1}, joint_look{"joint", 0.42, 0.3, 0.58, 1};
+
+const Look& look_of(DrawMeaning meaning, DrawLayer layer, bool kept) {
+  const ColliderLooks& looks = kept ? over : alone;
+  switch (meaning) {
+  case DrawMeaning::a: return a_look;
+  case DrawMeaning::b: return b_look;
+  case DrawMeaning::fixed: return looks.still;
+  case DrawMeaning::moving: return looks.moving;
+  case DrawMeaning::touched:
+  case DrawMeaning::touching: return layer == DrawLayer::casts ? impact_look : looks.touching;
+  case DrawMeaning::asleep: return asleep_look;
+  case DrawMeaning::trigger: return trigger_look;
+  case DrawMeaning::contact: return contact_look;
+  case DrawMeaning::normal: return normal_look;
+  case DrawMeaning::gap: return gap_look;
+  case DrawMeaning::path: return path_look;
+  case DrawMeaning::ghost: return ghost_look;
+  case DrawMeaning::joint: return joint_look;
+  case DrawMeaning::ruled_out:
+  case DrawMeaning::bounds: break;
+  }
+  return other_look;
+}
+
+/// What a point is drawn as.
+Polygons octahedron(double r) {
+  const Shaped shape =
+      ConvexHull<double>(std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});
+  return tessellate(shape, Posed{}, {}, 0);
+}
+
+/// An arrow from the origin along +Y.
+Polygons arrow_up(double length) {
+  Polygons whole;
+  const auto add = [&](double height, double bottom, double top, double middle) {
+    const auto first = static_cast<std::uint32_t>(whole.points.size());
+    const Shaped solid = Cylinder<double>(height, bottom, top);
+    const Polygons part = tessellate(solid, Posed{{0, middle, 0}, {}}, {}, 0);
+    whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
+    for (const auto& loop : part.loops) {
+      whole.loops.push_back(loop);
+      for (std::uint32_t& v : whole.loops.back()) v += first;
+    }
+  };
+  add(length * 0.75, length * 0.03, length * 0.03, length * 0.375);
+  add(length * 0.25, length * 0.09, 0, length * 0.875);
+  return whole;
+}
+
+/// The turn that takes +Y to a unit vector: half of it, added and normalised.
+Quatd turn_to(const Vec3d& direction) {
+  if (direction.y < -0.999999) return {1, 0, 0, 0};
+  return normalized(Quatd{direction.z, 0, -direction.x, 1 + direction.y});
+}
+
 /// Moves a surface outwards, so that it does not flicker against another at the same place.
 void lift(Polygons& shape, double distance) {
   std::vector<Vec3d> outward(shape.points.size());
@@ -40,6 +100,10 @@ void ModelWriter::place(const std::string& name, std::size_t mesh, const Posed& 
   const auto& q = pose.rotation;
   model_.add_root(
       {{"name", name}, {"mesh", mesh}, {"translation", {t.x, t.y, t.z}}, {"rotation", {q.x, q.y, q.z, q.w}}});
+}
+
+void ModelWriter::mark(const std::string& name, const Vec3d& at) {
+  model_.add_root({{"name", name}, {"translation", {at.x, at.y, at.z}}});
 }
 
 std::optional<std::size_t> ModelWriter::mesh(const std::string& name, const Polygons& shape, const Look& look) {
@@ -88,32 +152,41 @@ const Look& collider_look(bool kept, bool fixed) {
   return fixed ? looks.still : looks.moving;
 }
 
-Polygons octahedron(double r) {
-  const Shaped shape =
-      ConvexHull<double>(std::vector<Vec3d>{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}});
-  return tessellate(shape, {}, {}, 0);
+/// One mesh for all that look alike; none in a scene without extent, where nothing would be seen.
+void GltfDraw::place(const Polygons& shape, const Look& look, const Posed& pose) {
+  const auto [at, made] = meshes_.try_emplace(look.name);
+  if (made) at->second = writer_.mesh(look.name, shape, look);
+  if (at->second) writer_.place(look.name, *at->second, pose);
 }
 
-Polygons arrow_up(double length) {
-  Polygons whole;
-  const auto add = [&](double height, double bottom, double top, double middle) {
-    const auto first = static_cast<std::uint32_t>(whole.points.size());
-    Polygons part = tessellate(Cylinder<double>(height, bottom, top), {{0, middle, 0}, {}}, {}, 0);
-    whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
-    for (auto& loop : part.loops) {
-      for (std::uint32_t& v : loop) v += first;
-      whole.loops.push_back(std::move(loop));
-    }
-  };
-  add(length * 0.75, length * 0.03, length * 0.03, length * 0.375);
-  add(length * 0.25, length * 0.09, 0, length * 0.875);
-  return whole;
+void GltfDraw::point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) {
+  place(octahedron(area().size / 150), look_of(meaning, layer, kept_), {at, {}});
 }
 
-/// Half of the turn, added and normalised.
-Quatd turn_to(const Vec3d& direction) {
-  if (direction.y < -0.999999) return {1, 0, 0, 0};
-  return normalized(Quatd{direction.z, 0, -direction.x, 1 + direction.y});
+void GltfDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) {
+  place(arrow_up(area().size / 12), look_of(meaning, layer, kept_), {from, turn_to(direction)});
+}
+
+/// A thin rod.
+void GltfDraw::line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) {
+  const double way = length(to - from), thickness = area().size / 400;
+  if (!(way > 0)) return;
+  const Posed middle{(from + to) * 0.5, turn_to(normalized(to - from))};
+  const Look& look = look_of(meaning, layer, kept_);
+  writer_.add(look.name, tessellate(Shaped(Cylinder<double>(way, thickness, thickness)), middle, {}, 0), look);
+}
+
+void GltfDraw::triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) {
+  polygons({{a, b, c}, {{0, 1, 2}}, false, false}, layer, meaning);
+}
+
+void GltfDraw::text(const Vec3d& at, std::string_view words, DrawLayer, DrawMeaning) {
+  writer_.mark(std::string(words), at);
+}
+
+void GltfDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) {
+  const Look& look = look_of(meaning, layer, kept_);
+  writer_.add(layer == DrawLayer::casts ? look.name : name_, shape, look);
 }
 
 Aabbd extent(const Scene& scene) {
@@ -130,18 +203,21 @@ bool is_gltf(const std::filesystem::path& file) {
 }
 
 /// What shows a mesh of its own is drawn over only where there is something to say.
-void draw_colliders(ModelWriter& writer, const GltfModel& model, const Scene& scene,
+void draw_colliders(GltfDraw& canvas, const GltfModel& model, const Scene& scene,
                     const std::set<std::uint32_t>& touching, bool kept) {
-  const Aabbd all = extent(scene);
-  const ColliderLooks& looks = kept ? over : alone;
-  const double lifted = kept ? max_abs(all.extent()) / 1000 : 0;
+  const double lifted = kept ? canvas.area().size / 1000 : 0;
   for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
     const Collider& c = scene.colliders[i];
     const bool fixed = scene.bodies[c.body].type == MotionType::fixed, tinted = !c.trigger && touching.count(i) != 0;
     if (!tinted && model.has_mesh(c.node)) continue;
-    Polygons shape = tessellate(c.shape, c.pose, all.center(), max_abs(all.extent()));
+    Polygons shape = tessellate(c.shape, c.pose, canvas.area().center, canvas.area().size);
     if (lifted > 0) lift(shape, lifted);
-    writer.add(c.name, shape, c.trigger ? trigger_look : tinted ? looks.touching : fixed ? looks.still : looks.moving);
+    canvas.name(c.name);
+    canvas.polygons(shape, DrawLayer::shapes,
+                    c.trigger ? DrawMeaning::trigger
+                    : tinted  ? DrawMeaning::touching
+                    : fixed   ? DrawMeaning::fixed
+                              : DrawMeaning::moving);
   }
 }
 

@@ -1,4 +1,4 @@
-// Drawing into a glTF model: polygons as meshes, dots, arrows, and the looks that they have.
+// Drawing into a glTF model: polygons as meshes with looks, and debug draw by these.
 //
 // Guarantee: what is added is valid glTF 2.0; nothing that was in the model changes.
 #pragma once
@@ -7,8 +7,8 @@
 #include <optional>
 #include <set>
 
+#include "graze/draw.hpp"
 #include "graze/io/scene.hpp"
-#include "graze/tessellate.hpp"
 #include "io/gltf_model.hpp"
 
 namespace graze::io {
@@ -18,10 +18,9 @@ struct Look {
   double r, g, b, alpha;
 };
 
-inline constexpr Look contact_look{"contact", 0.75, 0.05, 0.1, 1}, normal_look{"normal", 0.1, 0.2, 0.35, 1},
-    trigger_look{"trigger", 0.4, 0.7, 0.5, 0.3};
+inline constexpr Look trigger_look{"trigger", 0.4, 0.7, 0.5, 0.3};
 
-/// Draws polygons into a model.
+/// Writes polygons into a model.
 class ModelWriter {
  public:
   explicit ModelWriter(GltfModel& model) : model_(model) {}
@@ -30,6 +29,8 @@ class ModelWriter {
   void add(const std::string& name, const Polygons& shape, const Look& look);
   /// One more node with a mesh that is there.
   void place(const std::string& name, std::size_t mesh, const Posed& pose);
+  /// A node with nothing but a name and a place.
+  void mark(const std::string& name, const Vec3d& at);
   /// Polygons as triangles with corners of their own, so that faces look flat; no mesh when there are none.
   std::optional<std::size_t> mesh(const std::string& name, const Polygons& shape, const Look& look);
 
@@ -44,12 +45,32 @@ class ModelWriter {
 /// How a collider looks that touches nothing: alone in its file, or (`kept`) beside what the file shows by itself.
 const Look& collider_look(bool kept, bool fixed);
 
-/// What a contact point is drawn as.
-Polygons octahedron(double radius);
-/// An arrow from the origin along +Y.
-Polygons arrow_up(double length);
-/// The turn that takes +Y to a unit vector.
-Quatd turn_to(const Vec3d& direction);
+/// Debug draw into a model: shapes as meshes, points as small octahedra, arrows and lines as thin solids, each a node of
+/// its own. A text is a node without a mesh that bears the words as its name.
+class GltfDraw final : public DebugDraw {
+ public:
+  /// Looks are those of a model that was a file (`kept`), or of one that has nothing but what is drawn.
+  GltfDraw(ModelWriter& writer, const DrawArea& area, bool kept) : DebugDraw(area), writer_(writer), kept_(kept) {}
+
+  /// What the nodes of shapes are called from now on.
+  void name(const std::string& name) { name_ = name; }
+
+  bool wants(DrawLayer) const override { return true; }
+  void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) override;
+  void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) override;
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) override;
+  void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) override;
+  void polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) override;
+  void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) override;
+
+ private:
+  void place(const Polygons& shape, const Look& look, const Posed& pose);
+
+  ModelWriter& writer_;
+  bool kept_;
+  std::string name_;
+  std::map<std::string, std::optional<std::size_t>> meshes_;  ///< of dots and arrows, by their looks
+};
 
 /// The bounds of all that is bounded; a box of size 2 when nothing is.
 Aabbd extent(const Scene& scene);
@@ -58,7 +79,7 @@ bool is_gltf(const std::filesystem::path& file);
 
 /// Draws the colliders of a scene, those of `touching` tinted. In a model that was a file (`kept`) only what shows no
 /// mesh of its own, and over what is tinted.
-void draw_colliders(ModelWriter& writer, const GltfModel& model, const Scene& scene,
+void draw_colliders(GltfDraw& canvas, const GltfModel& model, const Scene& scene,
                     const std::set<std::uint32_t>& touching, bool kept);
 
 }  // namespace graze::io

@@ -16,28 +16,6 @@ namespace {
 
 constexpr double edge = 40;
 
-constexpr Color fixed_color{206, 211, 218}, moving_color{141, 169, 196}, trigger_color{129, 178, 154},
-    touching_color{224, 122, 95};
-
-/// Contacts of what overlaps: an arrow a manifold, from the middle of its points, and a dot a point.
-std::string draw_contacts(const View& view, const std::vector<TouchingPair>& pairs) {
-  std::string arrows, dots;
-  for (const TouchingPair& pair : pairs) {
-    if (pair.trigger || !pair.overlap) continue;
-    for (const auto& m : pair.manifolds) {
-      Vec3d middle;
-      for (const auto& p : m.points) {
-        middle += p.position() / static_cast<double>(m.points.size());
-        dots +=
-            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"/>\n", view.x(p.position()), view.y(p.position()));
-      }
-      arrows += arrow(view, middle, m.normal);
-    }
-  }
-  return "<g class=\"arrow\" fill=\"none\">\n" + arrows + "</g>\n<g class=\"red rim\" stroke-width=\".8\">\n" + dots +
-         "</g>\n";
-}
-
 /// The bounds of all that is bounded; a unit box when nothing is.
 Aabbd scene_bounds(const Scene& scene) {
   Aabbd all = Aabbd::empty();
@@ -46,22 +24,20 @@ Aabbd scene_bounds(const Scene& scene) {
   return all.lower.x <= all.upper.x ? all : Aabbd{{-1, -1, -1}, {1, 1, 1}};
 }
 
-/// What a collider is drawn as. A body that does not move is tinted a little where it is touched.
-struct Tint {
-  const char* name;
-  Color color;
-};
-constexpr Tint looks[] = {{"static", fixed_color},
-                          {"static, touched", mixed(fixed_color, touching_color, 0.25)},
-                          {"moving", moving_color},
-                          {"touching", mixed(moving_color, touching_color, 0.75)},
-                          {"trigger", trigger_color}};
+/// What bodies of a picture may be, as its legend calls them. A body that does not move is tinted a little where it is
+/// touched.
+constexpr std::pair<DrawMeaning, const char*> names[] = {{DrawMeaning::fixed, "static"},
+                                                         {DrawMeaning::touched, "static, touched"},
+                                                         {DrawMeaning::moving, "moving"},
+                                                         {DrawMeaning::touching, "touching"},
+                                                         {DrawMeaning::trigger, "trigger"}};
 
 template <class AnyScene, class AnyCollider>
-std::size_t look_of(const AnyScene& scene, const AnyCollider& collider, bool touching) {
-  if (collider.trigger) return 4;
-  const bool fixed = scene.bodies[collider.body].type == MotionType::fixed;
-  return (fixed ? 0u : 2u) + (touching ? 1u : 0u);
+DrawMeaning meaning_of(const AnyScene& scene, const AnyCollider& collider, bool touching) {
+  if (collider.trigger) return DrawMeaning::trigger;
+  if (scene.bodies[collider.body].type == MotionType::fixed)
+    return touching ? DrawMeaning::touched : DrawMeaning::fixed;
+  return touching ? DrawMeaning::touching : DrawMeaning::moving;
 }
 
 /// "1 pair", "2 pairs".
@@ -71,16 +47,17 @@ std::string counted(std::size_t count, const char* noun) {
 
 /// The title, and below the looks that are in the picture.
 template <class AnyScene>
-std::string legend(const AnyScene& scene, const std::vector<TouchingPair>& pairs, const std::set<std::size_t>& used) {
+std::string legend(const AnyScene& scene, const std::vector<TouchingPair>& pairs, const std::set<DrawMeaning>& used) {
   std::string out = "<g font-family=\"system-ui, sans-serif\">\n" +
                     text(24, 32, 17,
                          fmt::format("{}: {}, {} in contact", scene.source, counted(scene.colliders.size(), "collider"),
                                      counted(pairs.size(), "pair")));
   double x = 24;
-  for (const std::size_t i : used) {
-    const std::string name = looks[i].name;
+  for (const auto& [meaning, called] : names) {
+    if (used.count(meaning) == 0) continue;
+    const std::string name = called;
     out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/>\n", x,
-                       picture_height - 30, hex(looks[i].color));
+                       picture_height - 30, hex(color_of(meaning)));
     out += text(x + 19, picture_height - 18.5, 14, name, "soft");
     x += 46 + 7.5 * static_cast<double>(name.size());
   }
@@ -102,27 +79,35 @@ std::set<std::uint32_t> touching_colliders(const std::vector<TouchingPair>& pair
 
 constexpr Panel scene_panel{edge, edge + 25, picture_width - 2 * edge, picture_height - 2 * edge - 30};
 
+/// The colliders of a scene, of space or of the plane, and the contacts of what overlaps.
+template <class AnyScene>
+std::string draw_on(const View& view, const AnyScene& scene, const Aabbd& box, const std::vector<TouchingPair>& pairs) {
+  const double size = std::max(max_abs(box.extent()), least_size);
+  SvgDraw canvas(view, {box.center(), size}, 0.45 * size);
+  const std::set<std::uint32_t> touching = touching_colliders(pairs);
+  std::set<DrawMeaning> used;
+  for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
+    const auto& collider = scene.colliders[i];
+    const DrawMeaning meaning = meaning_of(scene, collider, touching.count(i) != 0);
+    used.insert(meaning);
+    draw(canvas, collider.shape, collider.pose, meaning);
+  }
+  for (const TouchingPair& pair : pairs)
+    if (!pair.trigger && pair.overlap)
+      for (const auto& manifold : pair.manifolds) draw(canvas, manifold);
+  return svg_head() + canvas.faces() + canvas.over() + legend(scene, pairs, used) + "</svg>\n";
+}
+
 }  // namespace
 
 std::string draw_picture(const Scene& scene, const std::vector<TouchingPair>& pairs, const Vec3d& direction) {
   const Aabbd box = scene_bounds(scene);
-  const double size = std::max(max_abs(box.extent()), least_size);
   std::vector<Vec3d> corners;
   corners.reserve(8);
   for (int i = 0; i < 8; ++i)
     corners.push_back(
         {i & 1 ? box.upper.x : box.lower.x, i & 2 ? box.upper.y : box.lower.y, i & 4 ? box.upper.z : box.lower.z});
-  const View view(direction, corners, scene_panel);
-  const std::set<std::uint32_t> touching = touching_colliders(pairs);
-  std::vector<DrawnFace> faces;
-  std::set<std::size_t> used;
-  for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
-    const Collider& c = scene.colliders[i];
-    const std::size_t look = look_of(scene, c, touching.count(i) != 0);
-    used.insert(look);
-    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, size, faces);
-  }
-  return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs, used) + "</svg>\n";
+  return draw_on(View(direction, corners, scene_panel), scene, box, pairs);
 }
 
 std::string draw_picture(const PlaneScene& scene, const std::vector<TouchingPair>& pairs) {
@@ -130,18 +115,7 @@ std::string draw_picture(const PlaneScene& scene, const std::vector<TouchingPair
   for (const PlaneCollider& c : scene.colliders)
     if (const Aabbd of = plane_bounds(c.shape, c.pose); max_abs(of.extent()) < 1e300) box = merged(box, of);
   if (!(box.lower.x <= box.upper.x)) box = {{-1, -1, 0}, {1, 1, 0}};
-  const double size = std::max(max_abs(box.extent()), least_size);
-  const View view({0, 0, 1}, {box.lower, box.upper}, scene_panel);
-  const std::set<std::uint32_t> touching = touching_colliders(pairs);
-  std::vector<DrawnFace> faces;
-  std::set<std::size_t> used;
-  for (std::uint32_t i = 0; i < scene.colliders.size(); ++i) {
-    const PlaneCollider& c = scene.colliders[i];
-    const std::size_t look = look_of(scene, c, touching.count(i) != 0);
-    used.insert(look);
-    draw_shape(view, tessellate(c.shape, c.pose, box.center(), size), looks[look].color, c.trigger, 1e300, faces);
-  }
-  return svg_head() + painted(std::move(faces)) + draw_contacts(view, pairs) + legend(scene, pairs, used) + "</svg>\n";
+  return draw_on(View({0, 0, 1}, {box.lower, box.upper}, scene_panel), scene, box, pairs);
 }
 
 void write_picture(const std::filesystem::path& file, const Scene& scene, const std::vector<TouchingPair>& pairs,

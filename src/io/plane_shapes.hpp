@@ -3,6 +3,7 @@
 // Guarantee: any shape.
 #pragma once
 
+#include "graze/aabb.hpp"
 #include "graze/plane/shape.hpp"
 
 namespace graze::io {

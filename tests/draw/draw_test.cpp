@@ -13,7 +13,7 @@ namespace {
 
 struct DrawnPart {
   DrawLayer layer;
-  Meaning meaning;
+  DrawMeaning meaning;
   std::vector<Vec3d> at;
   std::string words{};
 };
@@ -24,14 +24,16 @@ class DrawRecorder : public DebugDraw {
   using DebugDraw::DebugDraw;
 
   bool wants(DrawLayer layer) const override { return off != layer; }
-  void point(const Vec3d& at, DrawLayer layer, Meaning meaning) override { points.push_back({layer, meaning, {at}}); }
-  void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, Meaning meaning) override {
+  void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) override {
+    points.push_back({layer, meaning, {at}});
+  }
+  void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) override {
     lines.push_back({layer, meaning, {from, to}});
   }
-  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, Meaning meaning) override {
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) override {
     triangles.push_back({layer, meaning, {a, b, c}});
   }
-  void text(const Vec3d& at, std::string_view words, DrawLayer layer, Meaning meaning) override {
+  void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) override {
     texts.push_back({layer, meaning, {at}, std::string(words)});
   }
 
@@ -39,7 +41,7 @@ class DrawRecorder : public DebugDraw {
   std::vector<DrawnPart> points, lines, triangles, texts;
 };
 
-std::size_t count_of(const std::vector<DrawnPart>& parts, DrawLayer layer, Meaning meaning) {
+std::size_t count_of(const std::vector<DrawnPart>& parts, DrawLayer layer, DrawMeaning meaning) {
   return static_cast<std::size_t>(std::count_if(
       parts.begin(), parts.end(), [&](const DrawnPart& p) { return p.layer == layer && p.meaning == meaning; }));
 }
@@ -60,11 +62,11 @@ double sixfold_volume(const std::vector<DrawnPart>& triangles) {
 
 TEST(DebugDraw, FacesOfABoxEncloseItAndItsEdgesAreLines) {
   DrawRecorder drawn;
-  draw(drawn, Shaped(Box<double>({2, 4, 6})), Posed{{10, 20, 30}, {}}, Meaning::a);
+  draw(drawn, Shaped(Box<double>({2, 4, 6})), Posed{{10, 20, 30}, {}}, DrawMeaning::a);
   EXPECT_EQ(drawn.triangles.size(), 12u);
   EXPECT_NEAR(sixfold_volume(drawn.triangles), 6 * 48.0, 1e-9);
   EXPECT_EQ(drawn.lines.size(), 24u) << "each edge from both its faces";
-  EXPECT_EQ(count_of(drawn.triangles, DrawLayer::shapes, Meaning::a), 12u);
+  EXPECT_EQ(count_of(drawn.triangles, DrawLayer::shapes, DrawMeaning::a), 12u);
   for (const DrawnPart& line : drawn.lines)
     EXPECT_TRUE(std::fmod(length(line.at[1] - line.at[0]), 2.0) == 0) << "no diagonal of a face is an edge";
 }
@@ -98,7 +100,7 @@ TEST(DebugDraw, EveryShapeHasFacesOnItsSurfaceInBothPrecisions) {
 TEST(DebugDraw, APolygonThatIsNotConvexIsCoveredOnce) {
   const std::vector<plane::Vec2d> notch{{0, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}};
   DrawRecorder drawn;
-  draw(drawn, plane::Shaped(plane::Polygon<double>(notch)), plane::Pose2d{}, Meaning::fixed);
+  draw(drawn, plane::Shaped(plane::Polygon<double>(notch)), plane::Pose2d{}, DrawMeaning::fixed);
   EXPECT_NEAR(doubled_area(drawn.triangles), 2 * 8.0, 1e-12);
   EXPECT_EQ(drawn.lines.size(), notch.size());
 }
@@ -116,7 +118,7 @@ TEST(DebugDraw, ABoxHasTwelveEdgesAFlatOneFourAndOneWithoutAnEndNone) {
   const auto edges = [](const Aabbd& box) {
     DrawRecorder drawn;
     draw(drawn, box);
-    EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, Meaning::bounds), drawn.lines.size());
+    EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, DrawMeaning::bounds), drawn.lines.size());
     double sum = 0;
     for (const DrawnPart& line : drawn.lines) sum += length(line.at[1] - line.at[0]);
     return std::pair{drawn.lines.size(), sum};
@@ -151,8 +153,8 @@ TEST(DebugDraw, ADistanceIsTheWayBetweenItsPoints) {
   draw(drawn, d);
   ASSERT_EQ(drawn.lines.size(), 1u);
   EXPECT_EQ(drawn.lines[0].at, (std::vector<Vec3d>{{1, 0, 0}, {2, 0, 0}}));
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::distances, Meaning::a), 1u);
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::distances, Meaning::b), 1u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::distances, DrawMeaning::a), 1u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::distances, DrawMeaning::b), 1u);
 }
 
 TEST(DebugDraw, ARayEndsAtItsHitOrOutsideTheArea) {
@@ -160,9 +162,9 @@ TEST(DebugDraw, ARayEndsAtItsHitOrOutsideTheArea) {
   const Ray<double> ray{{-5, 0, 0}, {2, 0, 0}};
   DrawRecorder drawn(DrawArea{{}, 2});
   draw(drawn, ray, std::numeric_limits<double>::infinity(), raycast(ball, Posed{}, ray));
-  ASSERT_EQ(count_of(drawn.lines, DrawLayer::rays, Meaning::path), 1u);
+  ASSERT_EQ(count_of(drawn.lines, DrawLayer::rays, DrawMeaning::path), 1u);
   EXPECT_EQ(drawn.lines[0].at[1], (Vec3d{-1, 0, 0}));
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::rays, Meaning::contact), 1u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::rays, DrawMeaning::contact), 1u);
 
   DrawRecorder missed(DrawArea{{}, 2});
   draw(missed, ray, std::numeric_limits<double>::infinity(), std::optional<RayHit<double>>{});
@@ -179,13 +181,13 @@ TEST(DebugDraw, ACastShowsWhereItCameFromAndWhereItMet) {
   ASSERT_TRUE(hit);
   DrawRecorder drawn;
   draw(drawn, ball, from, down, 10.0, hit);
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::casts, Meaning::contact), 1u);
-  ASSERT_GE(count_of(drawn.lines, DrawLayer::casts, Meaning::path), 1u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::casts, DrawMeaning::contact), 1u);
+  ASSERT_GE(count_of(drawn.lines, DrawLayer::casts, DrawMeaning::path), 1u);
   double lowest = 5;
   for (const DrawnPart& t : drawn.triangles)
     for (const Vec3d& p : t.at) lowest = std::min(lowest, p.y);
   EXPECT_NEAR(lowest, 0, 1e-6) << "nothing is drawn beyond the hit";
-  EXPECT_GT(count_of(drawn.triangles, DrawLayer::casts, Meaning::ghost), 0u);
+  EXPECT_GT(count_of(drawn.triangles, DrawLayer::casts, DrawMeaning::ghost), 0u);
 }
 
 TEST(DebugDraw, ATraceOfSeparatingAxesShowsTheOneThatDecidedByName) {
@@ -197,12 +199,12 @@ TEST(DebugDraw, ATraceOfSeparatingAxesShowsTheOneThatDecidedByName) {
   draw(drawn, trace);
   ASSERT_EQ(drawn.texts.size(), 1u);
   EXPECT_EQ(drawn.texts[0].words, trace.winner);
-  ASSERT_EQ(count_of(drawn.lines, DrawLayer::trace, Meaning::gap), 1u);
+  ASSERT_EQ(count_of(drawn.lines, DrawLayer::trace, DrawMeaning::gap), 1u);
   const auto winner =
       std::find_if(trace.axes.begin(), trace.axes.end(), [&](const TraceAxis& a) { return a.name == trace.winner; });
   ASSERT_NE(winner, trace.axes.end());
   for (const DrawnPart& line : drawn.lines)
-    if (line.meaning == Meaning::gap) {
+    if (line.meaning == DrawMeaning::gap) {
       EXPECT_NEAR(length(line.at[1] - line.at[0]), -winner->overlap(), 1e-12) << "the gap in true length";
     }
 }
@@ -215,7 +217,8 @@ TEST(DebugDraw, ATraceOfASearchShowsTheMinkowskiDifference) {
   ASSERT_FALSE(trace.gjk.empty() && trace.polytope.empty());
   DrawRecorder drawn;
   draw(drawn, trace);
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::trace, Meaning::normal) > 0, !trace.gjk.empty() || !trace.epa.empty());
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::trace, DrawMeaning::normal) > 0,
+            !trace.gjk.empty() || !trace.epa.empty());
   EXPECT_EQ(drawn.triangles.size(), trace.triangles.size());
 }
 
@@ -235,13 +238,14 @@ TEST(DebugDraw, AWorldShowsEveryBodyByWhatItDoes) {
 
   DrawRecorder drawn(draw_area(world));
   draw(drawn, world);
-  const std::map<Meaning, bool> expected{{Meaning::touched, true}, {Meaning::touching, true}, {Meaning::moving, true},
-                                         {Meaning::trigger, true}, {Meaning::fixed, false},   {Meaning::asleep, false}};
+  const std::map<DrawMeaning, bool> expected{{DrawMeaning::touched, true}, {DrawMeaning::touching, true},
+                                             {DrawMeaning::moving, true},  {DrawMeaning::trigger, true},
+                                             {DrawMeaning::fixed, false},  {DrawMeaning::asleep, false}};
   for (const auto& [meaning, there] : expected)
     EXPECT_EQ(count_of(drawn.triangles, DrawLayer::shapes, meaning) > 0, there) << int(meaning);
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, Meaning::contact), world.contacts().points.size());
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, DrawMeaning::contact), world.contacts().points.size());
   EXPECT_EQ(world.contacts().points.size(), 4u);
-  EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, Meaning::bounds), 3u * 12) << "the floor has no bounds";
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, DrawMeaning::bounds), 3u * 12) << "the floor has no bounds";
 
   DrawRecorder without(draw_area(world));
   without.off = DrawLayer::shapes;
@@ -264,13 +268,13 @@ TEST(DebugDraw, ASimulationShowsJointsAndWhatSleeps) {
   for (int i = 0; i < 180; ++i) simulation.step(1.0 / 60);
   DrawRecorder drawn(draw_area(simulation.world()));
   draw(drawn, simulation);
-  EXPECT_EQ(count_of(drawn.lines, DrawLayer::joints, Meaning::joint), 2u);
-  ASSERT_EQ(count_of(drawn.points, DrawLayer::joints, Meaning::b), 1u);
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::joints, DrawMeaning::joint), 2u);
+  ASSERT_EQ(count_of(drawn.points, DrawLayer::joints, DrawMeaning::b), 1u);
   for (const DrawnPart& p : drawn.points)
     if (p.layer == DrawLayer::joints) {
       EXPECT_NEAR(length(p.at[0] - Vec3d{0, 5, 0}), 0, 1e-3);
     }
-  EXPECT_GT(count_of(drawn.triangles, DrawLayer::shapes, Meaning::asleep), 0u);
+  EXPECT_GT(count_of(drawn.triangles, DrawLayer::shapes, DrawMeaning::asleep), 0u);
   simulation.remove(joint);
   EXPECT_TRUE(simulation.joints().empty());
 }
@@ -284,8 +288,8 @@ TEST(DebugDraw, AWorldOfThePlaneIsDrawnAtZero) {
   world.update();
   DrawRecorder drawn(draw_area(world));
   draw(drawn, world);
-  EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, Meaning::contact), 2u);
-  EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, Meaning::bounds), 4u);
+  EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, DrawMeaning::contact), 2u);
+  EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, DrawMeaning::bounds), 4u);
   for (const auto* parts : {&drawn.points, &drawn.triangles})
     for (const DrawnPart& part : *parts)
       for (const Vec3d& p : part.at) EXPECT_EQ(p.z, 0);
@@ -310,13 +314,13 @@ TEST(DebugDraw, ATreeShowsTheBoxesInItAndThoseAroundThem) {
 }
 
 TEST(DebugDraw, MeaningsThatStandBesideEachOtherHaveColoursOfTheirOwn) {
-  const auto apart = [](Meaning p, Meaning q) {
+  const auto apart = [](DrawMeaning p, DrawMeaning q) {
     const DrawColor a = suggested_color(p), b = suggested_color(q);
     return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
   };
-  EXPECT_GT(apart(Meaning::a, Meaning::b), 150);
-  EXPECT_GT(apart(Meaning::moving, Meaning::touching), 100);
-  EXPECT_GT(apart(Meaning::contact, Meaning::normal), 150);
+  EXPECT_GT(apart(DrawMeaning::a, DrawMeaning::b), 150);
+  EXPECT_GT(apart(DrawMeaning::moving, DrawMeaning::touching), 100);
+  EXPECT_GT(apart(DrawMeaning::contact, DrawMeaning::normal), 150);
 }
 
 }  // namespace
