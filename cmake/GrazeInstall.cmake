@@ -50,6 +50,9 @@ endif()
 if(TARGET graze_cli)
   set_target_properties(graze_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}") # for shared builds
   install(TARGETS graze_cli COMPONENT program)
+  # Where `make lab` built it: `graze view` finds it there.
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/apps/lab/dist/" DESTINATION "${CMAKE_INSTALL_DATADIR}/graze/lab"
+          COMPONENT program OPTIONAL)
 endif()
 
 # What an installation needs, and nothing else that the build tree may hold.

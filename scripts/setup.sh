@@ -11,8 +11,9 @@ set -euo pipefail
 # The tools that build the library itself; every group starts from these.
 base=(g++ make cmake ninja-build pkg-config)
 
-# What the command-line program adds: scenes (tinygltf, and tinyxml2 for drawings), JSON, arguments, formatting.
-demo=(libtinygltf-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev libfmt-dev)
+# What the command-line program adds: scenes (tinygltf, and tinyxml2 for drawings), JSON, arguments, formatting, and the
+# server of `graze view`.
+demo=(libtinygltf-dev libtinyxml2-dev nlohmann-json3-dev libcli11-dev libfmt-dev libcpp-httplib-dev)
 
 # GoogleTest and the property tests of RapidCheck.
 test=(libgtest-dev librapidcheck-dev)

@@ -16,5 +16,6 @@ Run add_explain(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_query(CLI::App& app);
 Run add_simulate(CLI::App& app);
+Run add_view(CLI::App& app);
 
 }  // namespace graze::cli

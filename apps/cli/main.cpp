@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   const std::pair<const char*, Run> commands[] = {
       {"cast", add_cast(app)}, {"collide", add_collide(app)}, {"explain", add_explain(app)},
       {"info", add_info(app)}, {"query", add_query(app)},     {"simulate", add_simulate(app)},
+      {"view", add_view(app)},
   };
   for (CLI::App* command : app.get_subcommands({}))
     command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");

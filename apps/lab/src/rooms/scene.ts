@@ -41,6 +41,8 @@ export class SceneRoom implements Room {
   private pull: { body: number; grip: Vec; to: Vec } | null = null;
   private ray: { from: Vec; to: Vec; body: string } | null = null;
   private shooting = false;
+  /** Of the file that is looked after, the timer; null when none is. */
+  private watching: number | null = 0;
   private running = 0;
   private subSteps = 8;
   private gravity = true;
@@ -70,7 +72,7 @@ export class SceneRoom implements Room {
     this.element.addEventListener("drop", (event) => {
       event.preventDefault();
       const [file] = event.dataTransfer?.files ?? [];
-      if (file) void this.file(file);
+      if (file) void this.chosenFile(file);
     });
     const key = values.scene && scenes[values.scene] ? values.scene : "shapes";
     this.list.value = key;
@@ -83,22 +85,40 @@ export class SceneRoom implements Room {
       }
     }
     this.open(scenes[key]());
-    if (values.file) void this.fetched(values.file);
+    if (values.file) void this.watch(values.file);
   }
-  /** A file beside the page, which `graze view` serves; nothing is fetched from elsewhere. */
-  private async fetched(path: string): Promise<void> {
+  /** A file beside the page, which `graze view` serves, read again when it changes; nothing is fetched from elsewhere. */
+  private async watch(path: string): Promise<void> {
+    const where = new URL(path, location.href);
+    if (where.origin !== location.origin) return this.say(`${path}: lies elsewhere`);
+    await this.read(where, "");
+  }
+  /** Reads a file unless it is still of the version that is known; one that has versions is asked for again. */
+  private async read(where: URL, known: string): Promise<void> {
+    const name = decodeURIComponent(where.pathname.split("/").pop() ?? "");
+    let version = known;
     try {
-      const where = new URL(path, location.href);
-      if (where.origin !== location.origin) throw new Error(`${path}: lies elsewhere`);
-      const response = await fetch(where);
-      if (!response.ok) throw new Error(`${path}: ${response.status} ${response.statusText}`);
-      await this.file(new File([await response.blob()], decodeURIComponent(where.pathname.split("/").pop() ?? "")));
+      const response = await fetch(where, { cache: "no-store", headers: known ? { "If-None-Match": known } : {} });
+      if (this.watching === null) return;
+      if (response.ok) {
+        version = response.headers.get("ETag") ?? "";
+        await this.file(new File([await response.blob()], name));
+      } else if (response.status !== 304) {
+        throw new Error(`${name}: ${response.status === 404 ? "the file is gone" : `${response.status} ${response.statusText}`}`);
+      }
     } catch (error) {
-      this.say((error as Error).message);
+      this.say(error instanceof TypeError ? `${name}: graze view does not answer any more` : (error as Error).message);
     }
+    if (version && this.watching !== null) this.watching = window.setTimeout(() => void this.read(where, version), document.hidden ? 5000 : 1000);
+  }
+  /** Another scene was chosen: the file is not looked after any more. */
+  private unwatch(): void {
+    if (this.watching) clearTimeout(this.watching);
+    this.watching = null;
   }
 
   dispose(): void {
+    this.unwatch();
     this.close();
     this.stage.dispose();
   }
@@ -127,6 +147,7 @@ export class SceneRoom implements Room {
     this.depth = [];
   }
   private choose(key: string): void {
+    this.unwatch();
     history.replaceState(null, "", address("/scene", { scene: key }));
     this.open(scenes[key]());
   }
@@ -164,6 +185,10 @@ export class SceneRoom implements Room {
     }
     if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
     return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
+  }
+  private chosenFile(file: File): Promise<void> {
+    this.unwatch();
+    return this.file(file);
   }
   private async file(file: File): Promise<void> {
     try {
@@ -382,7 +407,7 @@ export class SceneRoom implements Room {
 
   private page(): HTMLElement {
     const chooser = h("input", { type: "file", class: "hidden", accept: ".gltf,.glb,.obj,.stl,.ply,.json,.jsonl", "aria-label": "Open a file",
-      onchange: (event: Event) => { const [file] = (event.target as HTMLInputElement).files ?? []; if (file) void this.file(file); } }) as HTMLInputElement;
+      onchange: (event: Event) => { const [file] = (event.target as HTMLInputElement).files ?? []; if (file) void this.chosenFile(file); } }) as HTMLInputElement;
     const again = (): void => { const { scene } = this; this.open(scenes[this.list.value]?.().name === scene.name ? scenes[this.list.value]() : scene); };
     return h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),

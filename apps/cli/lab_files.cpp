@@ -1,0 +1,119 @@
+#include "lab_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include "graze/error.hpp"
+#include "graze/io/file.hpp"
+
+namespace graze::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_lab_file = std::size_t{64} << 20;
+
+std::string content_of(const fs::path& file) {
+  std::ifstream in = io::open_file(file);
+  std::string content{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw InvalidValue(file.string(), "", "cannot be read to its end");
+  return content;
+}
+
+std::string type_of(const fs::path& file) {
+  constexpr std::array<std::pair<const char*, const char*>, 8> types{{{".html", "text/html; charset=utf-8"},
+                                                                      {".js", "text/javascript; charset=utf-8"},
+                                                                      {".css", "text/css; charset=utf-8"},
+                                                                      {".wasm", "application/wasm"},
+                                                                      {".svg", "image/svg+xml"},
+                                                                      {".png", "image/png"},
+                                                                      {".json", "application/json"},
+                                                                      {".txt", "text/plain; charset=utf-8"}}};
+  const std::string ending = file.extension().string();
+  const auto found = std::find_if(types.begin(), types.end(), [&](const auto& type) { return ending == type.first; });
+  return found == types.end() ? "application/octet-stream" : found->second;
+}
+
+/// Bytes that may stand in a path of an address as they are; all others by their numbers.
+std::string in_address(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                       c == '-' || c == '.' || c == '_' || c == '~';
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return out;
+}
+
+/// Another time of writing or another size is another version: a large file is not read to see that nothing changed.
+std::string version_of(const fs::path& file) {
+  return fmt::format("\"{:x}-{:x}\"", fs::last_write_time(file).time_since_epoch().count(), fs::file_size(file));
+}
+
+LabAnswer refusal(int status, const std::string& why) { return {status, "text/plain; charset=utf-8", "", why + "\n"}; }
+
+}  // namespace
+
+LabFiles::LabFiles(const fs::path& lab, fs::path shown) : shown_(std::move(shown)) {
+  io::open_file(shown_);
+  if (!fs::is_regular_file(shown_)) throw InvalidValue(shown_.string(), "a regular file", "something else");
+  shown_path_ = "/file/" + shown_.filename().string();
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(lab, problem)) {
+    // A link could lead out of the folder.
+    if (!fs::is_regular_file(entry.symlink_status())) continue;
+    if (entry.file_size() > largest_lab_file)
+      throw InvalidValue(entry.path().string(), "a file of the lab", fmt::format("{} bytes", entry.file_size()));
+    files_.emplace("/" + fs::relative(entry.path(), lab).generic_string(),
+                   File{type_of(entry.path()), content_of(entry.path())});
+  }
+  const auto index = files_.find("/index.html");
+  if (index == files_.end())
+    throw InvalidValue(lab.string(), "a folder with the built lab (make lab)", "no index.html");
+  files_.emplace("/", index->second);
+}
+
+LabAnswer LabFiles::answer(const LabRequest& request, int port) const {
+  // A name that another site made to lead here, and the pages of other sites, are told by what the browser says.
+  const std::string here = fmt::format("127.0.0.1:{}", port), named = fmt::format("localhost:{}", port);
+  if (request.host != here && request.host != named) return refusal(403, "Not the address of this server");
+  if (!request.origin.empty() && request.origin != "http://" + request.host)
+    return refusal(403, "Other sites have no access");
+  if (!request.fetch_site.empty() && request.fetch_site != "same-origin" && request.fetch_site != "none")
+    return refusal(403, "Other sites have no access");
+  if (request.method != "GET" && request.method != "HEAD") return refusal(405, "Only GET and HEAD");
+  if (request.path == shown_path_) return shown_file(request);
+  const auto file = files_.find(request.path);
+  if (file == files_.end()) return refusal(404, "There is nothing here");
+  return {200, file->second.type, "", file->second.content};
+}
+
+LabAnswer LabFiles::shown_file(const LabRequest& request) const try {
+  if (!fs::is_regular_file(shown_)) return refusal(404, "The file is gone");
+  const std::string version = version_of(shown_);
+  if (request.if_none_match == version) return {304, type_of(shown_), version, ""};
+  return {200, type_of(shown_), version, content_of(shown_)};
+} catch (const std::exception&) {
+  return refusal(404, "The file is gone");
+}
+
+std::string LabFiles::page() const {
+  return "/#/scene?file=" + in_address("file/" + in_address(shown_.filename().string()));
+}
+
+fs::path find_lab(const std::string& given) {
+  if (!given.empty()) return given;
+  std::error_code problem;
+  const fs::path program = fs::read_symlink("/proc/self/exe", problem);
+  for (const fs::path& lab : {program.parent_path().parent_path() / "share/graze/lab", fs::path(GRAZE_LAB_BUILT)})
+    if (fs::is_regular_file(lab / "index.html", problem)) return lab;
+  throw InvalidValue("the lab", "built by make lab, or named by --lab", "not found");
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,57 @@
+// What `graze view` gives away: the files of the built lab, and one file to look at.
+//
+// Guarantee: nothing else of the disk, whatever a request says: a request names an entry of a table that was made at the
+// start, or nothing. Answers only requests that the lab's own page makes, or the person who types its address. Safe from
+// any thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace graze::cli {
+
+/// What of a request counts. Fields that it did not have are empty.
+struct LabRequest {
+  std::string method, path;
+  std::string host, origin;
+  std::string fetch_site;     ///< the browser's word on where the request comes from (`Sec-Fetch-Site`)
+  std::string if_none_match;  ///< the version that the browser has
+};
+
+struct LabAnswer {
+  int status = 200;
+  std::string type = "text/plain; charset=utf-8";
+  std::string version;  ///< of the file that is looked at, else empty
+  std::string body;
+};
+
+class LabFiles {
+ public:
+  /// The lab's files are read now, `shown` whenever it is asked for. Throws `InvalidValue` when `lab` holds no lab or
+  /// `shown` is no file that can be read.
+  LabFiles(const std::filesystem::path& lab, std::filesystem::path shown);
+
+  /// Answers a request to the server at `port` of this machine.
+  LabAnswer answer(const LabRequest& request, int port) const;
+
+  /// The path of the page that shows the file, from the server's root.
+  std::string page() const;
+
+ private:
+  struct File {
+    std::string type, content;
+  };
+
+  LabAnswer shown_file(const LabRequest& request) const;
+
+  std::map<std::string, File, std::less<>> files_;  ///< by the paths that a request has
+  std::filesystem::path shown_;
+  std::string shown_path_;
+};
+
+/// Where the built lab is: `given` if it says so, else beside the installed program, else where this tree builds it.
+/// Throws `InvalidValue` where none is, with what builds it.
+std::filesystem::path find_lab(const std::string& given);
+
+}  // namespace graze::cli
