@@ -104,6 +104,9 @@ while read -r package status; do
   [[ $status == installed ]] && present[$package]=1
 done < <(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
 
+# Other builds of Node.js bring npm themselves and refuse Debian's beside them.
+command -v npm >/dev/null && present[npm]=1
+
 missing=()
 for package in "${wanted[@]}"; do
   [[ -n ${present[$package]:-} ]] || { missing+=("$package"); present[$package]=1; } # marked, so named only once
