@@ -59,7 +59,7 @@ class Finder {
     });
     for (auto at = sides_.begin(); at != sides_.end();) {
       const auto end = std::find_if(at, sides_.end(), [&](const Side& side) { return !same_edge(side, *at); });
-      judge_edge(std::span<const Side>(at, end));
+      judge_edge(std::span<const Side>(&*at, static_cast<std::size_t>(end - at)));
       at = end;
     }
     return out_;
