@@ -371,7 +371,7 @@ export class SceneRoom implements Room {
     this.pairs.show({
       caption: found.length > 30 ? `The first 30 of ${found.length} pairs` : "Pairs in contact", columns: ["pair", "points", "deepest"],
       rows: found.slice(0, 30).map((p) => ({
-        cells: [`${name(p.a)} × ${name(p.b)}`, p.manifolds.reduce((n, m) => n + m.points.length, 0), deepest(p)],
+        cells: [`${name(p.a)} × ${name(p.b)}`, p.manifolds.reduce((n, m) => n + m.points.length, 0), p.manifolds.length > 0 ? deepest(p) : "inside"],
         key: `${p.a} ${p.b}`, mark: this.selected.includes(p.a) && this.selected.includes(p.b) ? "winner" as const : undefined })),
     });
     this.plot.replaceChildren();
