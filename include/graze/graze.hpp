@@ -6,6 +6,7 @@
 #include "graze/batch_raycast.hpp"
 #include "graze/blows.hpp"
 #include "graze/broad_phase.hpp"
+#include "graze/capture.hpp"
 #include "graze/cast.hpp"
 #include "graze/contact.hpp"
 #include "graze/contact_motion.hpp"

@@ -1,0 +1,122 @@
+// Captures: everything that a world or a simulation was told, in a file that runs again to the same bits.
+//
+// A bug that shows once in ten minutes is found by stepping through the frame in which it shows, as often as one likes.
+// `CapturedSimulation` and `CapturedWorld` stand where a `Simulation` or a `World` would; each call that changes
+// something is carried out and then written, and every step or update ends a frame with hashes of what came out.
+// `replay` makes the calls again and says where it first comes to something else.
+//
+// Guarantee: what was refused by an exception is not written. A frame is in the stream when the call that ends it
+// returns: whatever ends the program then loses at most the frame that it was in. A replay on the same build gives the
+// same bits, in another build or on another processor those that Graze gives there. Whatever bytes `replay` gets, it
+// takes no more memory than in proportion to them, and ends with a report or with an `InvalidValue` that names the file
+// and the frame. Writing costs the size of what was said and two hashes over what moved.
+//
+// Shapes are built from what the file holds of them, so that a captured run and its replay have the same: a convex
+// hull from its vertices alone, whose faces and vertices may therefore be numbered in another order than the caller's.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "graze/simulation.hpp"
+
+namespace graze {
+
+template <class T>
+class CaptureWriter;
+
+/// A simulation whose calls are written to a stream, which must outlive it; with no stream it is only a simulation.
+/// What is said of the calls there holds here.
+template <class T>
+class GRAZE_API CapturedSimulation {
+ public:
+  /// Throws `InvalidValue` when the stream takes no more bytes, as all calls here do.
+  explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T>& settings = {},
+                              Executor* executor = nullptr);
+  ~CapturedSimulation();
+  CapturedSimulation(const CapturedSimulation&) = delete;
+  CapturedSimulation& operator=(const CapturedSimulation&) = delete;
+
+  /// Throws `InvalidValue` for a shape of the user's own, too: a file cannot hold its support function.
+  BodyId add(Body<T> body, const Dynamics<T>& dynamics = {}, const Material<T>& material = {});
+  JointId add(const Joint<T>& joint);
+  void remove(BodyId id);
+  void remove(JointId id);
+  void step(T dt);
+  void apply_impulse(BodyId id, const Vec3<T>& impulse, const Vec3<T>& point);
+  void apply_angular_impulse(BodyId id, const Vec3<T>& impulse);
+  void apply_force(BodyId id, const Vec3<T>& force);
+  void apply_torque(BodyId id, const Vec3<T>& torque);
+  void set_velocity(BodyId id, const Velocity<T>& velocity);
+  void set_pose(BodyId id, const Pose<T>& pose);
+  void move_to(BodyId id, const Pose<T>& pose, T dt);
+  void set_material(BodyId id, const Material<T>& material);
+  void wake(BodyId id);
+  void set_gravity(const Vec3<T>& gravity);
+
+  /// For everything that is asked. A state cannot be restored: a capture has no way back.
+  const Simulation<T>& simulation() const { return simulation_; }
+  const World<T>& world() const { return simulation_.world(); }
+
+ private:
+  Simulation<T> simulation_;
+  std::unique_ptr<CaptureWriter<T>> writer_;
+};
+
+/// A world whose calls are written to a stream; as `CapturedSimulation`.
+template <class T>
+class GRAZE_API CapturedWorld {
+ public:
+  /// Throws `InvalidValue` for settings with a last word on pairs (`allow`), which a file cannot hold.
+  explicit CapturedWorld(std::ostream* out, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
+  ~CapturedWorld();
+  CapturedWorld(const CapturedWorld&) = delete;
+  CapturedWorld& operator=(const CapturedWorld&) = delete;
+
+  BodyId add(Body<T> body);
+  void remove(BodyId id);
+  void move(BodyId id, const Pose<T>& pose);
+  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular);
+  void set_shape(BodyId id, Shape<T> shape);
+  void set_filter(BodyId id, const Filter& filter);
+  void set_fast(BodyId id, bool fast);
+  void update(T duration = T(0));
+  void find_impacts(T duration);
+
+  const World<T>& world() const { return world_; }
+
+ private:
+  World<T> world_;
+  std::unique_ptr<CaptureWriter<T>> writer_;
+};
+
+/// What is captured, while it is played: after a frame, or after the calls behind the last one.
+using Replayed = std::variant<const Worldf*, const Worldd*, const Simulationf*, const Simulationd*>;
+
+/// Where a replay first comes to something else than the run that was captured.
+struct ReplayDifference {
+  std::size_t frame;  ///< counted from 1
+  std::size_t call;   ///< of the frame, counted from 1; the last one ends the frame
+  std::string what;   ///< "step: other poses", "add: another handle", "remove: body: expected ..."
+};
+
+struct ReplayReport {
+  bool simulation = false;  ///< otherwise a world
+  bool single = false;      ///< float
+  std::size_t frames = 0, calls = 0;
+  bool cut = false;  ///< the stream ends within a frame, which was left out
+  std::optional<ReplayDifference> difference;
+};
+
+/// Runs a capture again, to its end or to the first difference, and calls `each` with what is played after every frame.
+/// `name` is for messages. Throws `InvalidValue` for bytes that are no capture, of a version that this library does not
+/// know, or damaged: with the frame, and where in the file it begins.
+GRAZE_API ReplayReport replay(std::istream& in, const std::string& name,
+                              const std::function<void(std::size_t frame, const Replayed&)>& each = {},
+                              Executor* executor = nullptr);
+
+}  // namespace graze

@@ -1,0 +1,223 @@
+#include "graze/capture.hpp"
+
+#include <unordered_map>
+
+#include "capture/frames.hpp"
+#include "capture/shape_bytes.hpp"
+#include "graze/error.hpp"
+
+namespace graze {
+
+using capture::Call;
+
+/// Gathers the calls of a frame and writes it when it ends.
+template <class T>
+class CaptureWriter {
+ public:
+  template <class Settings>
+  CaptureWriter(std::ostream& out, capture::Kind kind, const Settings& settings) : out_(out) {
+    capture::write_head(out, kind, std::is_same_v<T, float>);
+    frame_(settings);
+    write();
+  }
+  CaptureWriter(const CaptureWriter&) = delete;
+  CaptureWriter& operator=(const CaptureWriter&) = delete;
+  /// What came behind the last frame is written without its end. A stream that takes no more has said so before.
+  ~CaptureWriter() {
+    try {
+      if (!frame_.bytes.empty()) write();
+    } catch (const InvalidValue&) {
+    }
+  }
+
+  /// The shape that the file holds for this one, and its number.
+  std::pair<Shape<T>, std::uint32_t> shape(const Shape<T>& shape) {
+    capture::Writing bytes;
+    capture::write_shape(bytes, shape);
+    const auto [place, added] = numbers_.try_emplace(bytes.bytes, static_cast<std::uint32_t>(shapes_.size()));
+    if (added) {
+      capture::Reading again(place->first);
+      shapes_.push_back(capture::read_shape<T>(again));
+      frame_(Call::shape);
+      frame_.bytes += place->first;
+    }
+    return {shapes_[place->second], place->second};
+  }
+  template <class... Values>
+  void call(Call call, const Values&... values) {
+    frame_(call, values...);
+  }
+  template <class... Values>
+  void end(Call call, const World<T>& world, const Values&... values) {
+    frame_(call, values..., capture::outcome_of(world));
+    write();
+  }
+
+ private:
+  void write() {
+    capture::write_frame(out_, frame_.bytes);
+    frame_.bytes.clear();
+  }
+
+  std::ostream& out_;
+  capture::Writing frame_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::vector<Shape<T>> shapes_;
+};
+
+template <class T>
+CapturedSimulation<T>::CapturedSimulation(std::ostream* out, const SimulationSettings<T>& settings, Executor* executor)
+    : simulation_(settings, executor) {
+  if (out) writer_ = std::make_unique<CaptureWriter<T>>(*out, capture::Kind::simulation, settings);
+}
+template <class T>
+CapturedSimulation<T>::~CapturedSimulation() = default;
+
+template <class T>
+BodyId CapturedSimulation<T>::add(Body<T> body, const Dynamics<T>& dynamics, const Material<T>& material) {
+  if (!writer_) return simulation_.add(std::move(body), dynamics, material);
+  auto [shape, number] = writer_->shape(body.shape);
+  body.shape = std::move(shape);
+  const BodyId id = simulation_.add(body, dynamics, material);
+  writer_->call(Call::add_body, number, body, dynamics, material, id);
+  return id;
+}
+template <class T>
+JointId CapturedSimulation<T>::add(const Joint<T>& joint) {
+  const JointId id = simulation_.add(joint);
+  if (writer_) writer_->call(Call::add_joint, joint, id);
+  return id;
+}
+template <class T>
+void CapturedSimulation<T>::remove(BodyId id) {
+  simulation_.remove(id);
+  if (writer_) writer_->call(Call::remove_body, id);
+}
+template <class T>
+void CapturedSimulation<T>::remove(JointId id) {
+  simulation_.remove(id);
+  if (writer_) writer_->call(Call::remove_joint, id);
+}
+template <class T>
+void CapturedSimulation<T>::apply_impulse(BodyId id, const Vec3<T>& impulse, const Vec3<T>& point) {
+  simulation_.apply_impulse(id, impulse, point);
+  if (writer_) writer_->call(Call::apply_impulse, id, impulse, point);
+}
+template <class T>
+void CapturedSimulation<T>::apply_angular_impulse(BodyId id, const Vec3<T>& impulse) {
+  simulation_.apply_angular_impulse(id, impulse);
+  if (writer_) writer_->call(Call::apply_angular_impulse, id, impulse);
+}
+template <class T>
+void CapturedSimulation<T>::apply_force(BodyId id, const Vec3<T>& force) {
+  simulation_.apply_force(id, force);
+  if (writer_) writer_->call(Call::apply_force, id, force);
+}
+template <class T>
+void CapturedSimulation<T>::apply_torque(BodyId id, const Vec3<T>& torque) {
+  simulation_.apply_torque(id, torque);
+  if (writer_) writer_->call(Call::apply_torque, id, torque);
+}
+template <class T>
+void CapturedSimulation<T>::set_velocity(BodyId id, const Velocity<T>& velocity) {
+  simulation_.set_velocity(id, velocity);
+  if (writer_) writer_->call(Call::set_velocity, id, velocity);
+}
+template <class T>
+void CapturedSimulation<T>::set_pose(BodyId id, const Pose<T>& pose) {
+  simulation_.set_pose(id, pose);
+  if (writer_) writer_->call(Call::set_pose, id, pose);
+}
+template <class T>
+void CapturedSimulation<T>::move_to(BodyId id, const Pose<T>& pose, T dt) {
+  simulation_.move_to(id, pose, dt);
+  if (writer_) writer_->call(Call::move_to, id, pose, dt);
+}
+template <class T>
+void CapturedSimulation<T>::set_material(BodyId id, const Material<T>& material) {
+  simulation_.set_material(id, material);
+  if (writer_) writer_->call(Call::set_material, id, material);
+}
+template <class T>
+void CapturedSimulation<T>::wake(BodyId id) {
+  simulation_.wake(id);
+  if (writer_) writer_->call(Call::wake, id);
+}
+template <class T>
+void CapturedSimulation<T>::set_gravity(const Vec3<T>& gravity) {
+  simulation_.set_gravity(gravity);
+  if (writer_) writer_->call(Call::set_gravity, gravity);
+}
+template <class T>
+void CapturedSimulation<T>::step(T dt) {
+  simulation_.step(dt);
+  if (writer_) writer_->end(Call::step, simulation_.world(), dt);
+}
+
+template <class T>
+CapturedWorld<T>::CapturedWorld(std::ostream* out, const WorldSettings<T>& settings, Executor* executor)
+    : world_(settings, executor) {
+  if (settings.allow) throw InvalidValue("settings.allow", "none: a file cannot hold a function", "a function");
+  if (out) writer_ = std::make_unique<CaptureWriter<T>>(*out, capture::Kind::world, settings);
+}
+template <class T>
+CapturedWorld<T>::~CapturedWorld() = default;
+
+template <class T>
+BodyId CapturedWorld<T>::add(Body<T> body) {
+  if (!writer_) return world_.add(std::move(body));
+  auto [shape, number] = writer_->shape(body.shape);
+  body.shape = std::move(shape);
+  const BodyId id = world_.add(body);
+  writer_->call(Call::add_body, number, body, id);
+  return id;
+}
+template <class T>
+void CapturedWorld<T>::set_shape(BodyId id, Shape<T> shape) {
+  if (!writer_) return world_.set_shape(id, std::move(shape));
+  auto [held, number] = writer_->shape(shape);
+  world_.set_shape(id, std::move(held));
+  writer_->call(Call::set_shape, id, number);
+}
+template <class T>
+void CapturedWorld<T>::remove(BodyId id) {
+  world_.remove(id);
+  if (writer_) writer_->call(Call::remove_body, id);
+}
+template <class T>
+void CapturedWorld<T>::move(BodyId id, const Pose<T>& pose) {
+  world_.move(id, pose);
+  if (writer_) writer_->call(Call::move, id, pose);
+}
+template <class T>
+void CapturedWorld<T>::move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
+  world_.move(id, pose, linear, angular);
+  if (writer_) writer_->call(Call::move_with_velocity, id, pose, linear, angular);
+}
+template <class T>
+void CapturedWorld<T>::set_filter(BodyId id, const Filter& filter) {
+  world_.set_filter(id, filter);
+  if (writer_) writer_->call(Call::set_filter, id, filter);
+}
+template <class T>
+void CapturedWorld<T>::set_fast(BodyId id, bool fast) {
+  world_.set_fast(id, fast);
+  if (writer_) writer_->call(Call::set_fast, id, fast);
+}
+template <class T>
+void CapturedWorld<T>::update(T duration) {
+  world_.update(duration);
+  if (writer_) writer_->end(Call::update, world_, duration);
+}
+template <class T>
+void CapturedWorld<T>::find_impacts(T duration) {
+  world_.find_impacts(duration);
+  if (writer_) writer_->end(Call::find_impacts, world_, duration);
+}
+
+template class CapturedSimulation<float>;
+template class CapturedSimulation<double>;
+template class CapturedWorld<float>;
+template class CapturedWorld<double>;
+
+}  // namespace graze

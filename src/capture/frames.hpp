@@ -1,0 +1,113 @@
+// The frames of a capture: blocks of bytes with their length and a checksum, and what is compared at the end of each.
+//
+// Guarantee: a block that was read is the one that was written, or is reported as damaged or cut.
+#pragma once
+
+#include <iosfwd>
+
+#include "capture/bytes.hpp"
+
+namespace graze::capture {
+
+/// Changes with every change of the format; a reader knows its own alone.
+inline constexpr std::uint16_t version = 1;
+
+enum class Kind : std::uint8_t { world, simulation };
+
+/// What stands in a frame, in the order of numbers in the file.
+enum class Call : std::uint8_t {
+  shape,  ///< the next number for a shape
+  add_body,
+  remove_body,
+  // Of a simulation.
+  add_joint,
+  remove_joint,
+  apply_impulse,
+  apply_angular_impulse,
+  apply_force,
+  apply_torque,
+  set_velocity,
+  set_pose,
+  move_to,
+  set_material,
+  wake,
+  set_gravity,
+  step,  ///< ends a frame
+  // Of a world.
+  move,
+  move_with_velocity,
+  set_shape,
+  set_filter,
+  set_fast,
+  update,       ///< ends a frame
+  find_impacts  ///< ends a frame
+};
+inline constexpr std::size_t call_count = 23;
+/// "add", "step": as the method is called.
+const char* name_of(Call call);
+
+/// The bits of a sequence of numbers as one, the order told apart.
+class BitHash {
+ public:
+  template <class T>
+  void add(T value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(T));
+    value_ = (value_ ^ bits) * 0x100000001b3u;
+    value_ ^= value_ >> 29;
+  }
+  template <class T>
+  void add(const Vec3<T>& v) {
+    add(v.x), add(v.y), add(v.z);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+/// What came out of a frame, part by part, so that a difference has a name.
+struct Outcome {
+  std::uint64_t poses = 0, velocities = 0, contacts = 0, impulses = 0, events = 0, impacts = 0;
+};
+template <class Io>
+void fields(Io& io, Outcome& o) {
+  io(o.poses, o.velocities, o.contacts, o.impulses, o.events, o.impacts);
+}
+template <class T>
+Outcome outcome_of(const World<T>& world);
+/// "other poses", the first part that differs; null for equal ones.
+const char* difference(const Outcome& then, const Outcome& now);
+
+/// Writes what comes before all frames, and frames. Throws `InvalidValue` when the stream takes no more.
+void write_head(std::ostream& out, Kind kind, bool single);
+void write_frame(std::ostream& out, std::string_view bytes);
+
+struct Head {
+  Kind kind;
+  bool single;
+};
+
+/// Reads a stream frame by frame.
+class FrameReader {
+ public:
+  FrameReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
+
+  /// Throws `InvalidValue` for what is no capture, or of another version.
+  Head head();
+  /// The next frame; none at the end. Throws `InvalidValue` for one that is damaged.
+  std::optional<std::string> next();
+  /// Whether the end came within a frame.
+  bool cut() const { return cut_; }
+  /// Throws `InvalidValue` about the frame that was read last.
+  [[noreturn]] void fail(const std::string& why) const;
+
+ private:
+  std::istream& in_;
+  std::string name_;
+  std::uint64_t at_ = 0, begin_ = 0;
+  std::size_t frame_ = 0, read_ = 0;  ///< the settings are number 0
+  bool cut_ = false;
+};
+
+}  // namespace graze::capture

@@ -1,0 +1,223 @@
+// A capture played again.
+#include <istream>
+
+#include "capture/frames.hpp"
+#include "capture/shape_bytes.hpp"
+#include "graze/capture.hpp"
+#include "graze/error.hpp"
+
+namespace graze {
+
+using capture::Call;
+using capture::Damaged;
+using capture::Outcome;
+using capture::Reading;
+
+namespace {
+
+/// Something else than in the run that was captured.
+struct Other {
+  std::string what;
+};
+
+/// The shapes of a capture, and the frame that is read.
+template <class T>
+class Player {
+ public:
+  template <class V>
+  V read() {
+    V value{};
+    (*io_)(value);
+    return value;
+  }
+  /// Reads the calls of a frame, `one(call)` each.
+  template <class One>
+  void frame(std::string_view bytes, std::size_t& calls, const One& one) {
+    Reading io(bytes);
+    io_ = &io;
+    while (io.left() > 0) {
+      const auto number = read<std::uint8_t>();
+      if (number >= capture::call_count) throw Damaged{"a call that there is not"};
+      const Call call = static_cast<Call>(number);
+      ++calls;
+      try {
+        if (call == Call::shape)
+          shapes_.push_back(capture::read_shape<T>(io));
+        else
+          one(call);
+      } catch (const InvalidValue& e) {
+        throw Other{std::string(name_of(call)) + " is refused: " + e.what()};
+      } catch (const Other& other) {
+        throw Other{std::string(name_of(call)) + ": " + other.what};
+      }
+    }
+  }
+  const Shape<T>& shape() {
+    const auto number = read<std::uint32_t>();
+    if (number >= shapes_.size()) throw Damaged{"a shape that was not said before"};
+    return shapes_[number];
+  }
+  Body<T> body() {
+    Body<T> body{shape()};
+    (*io_)(body);
+    return body;
+  }
+  template <class Id>
+  void check(Id id) {
+    if (!(read<Id>() == id)) throw Other{"another handle"};
+  }
+  void check(const World<T>& world) {
+    if (const char* what = capture::difference(read<Outcome>(), capture::outcome_of(world))) throw Other{what};
+  }
+
+ private:
+  Reading* io_ = nullptr;
+  std::vector<Shape<T>> shapes_;
+};
+
+template <class T>
+void make(Call call, Player<T>& from, Simulation<T>& s) {
+  using Vec = Vec3<T>;
+  const auto id = [&] { return from.template read<BodyId>(); };
+  const auto vec = [&] { return from.template read<Vec>(); };
+  switch (call) {
+  case Call::add_body: {
+    const Body<T> body = from.body();
+    const auto dynamics = from.template read<Dynamics<T>>();
+    const auto material = from.template read<Material<T>>();
+    return from.check(s.add(body, dynamics, material));
+  }
+  case Call::add_joint: return from.check(s.add(from.template read<Joint<T>>()));
+  case Call::remove_body: return s.remove(id());
+  case Call::remove_joint: return s.remove(from.template read<JointId>());
+  case Call::apply_impulse: {
+    const BodyId body = id();
+    const Vec impulse = vec();
+    return s.apply_impulse(body, impulse, vec());
+  }
+  case Call::apply_angular_impulse: {
+    const BodyId body = id();
+    return s.apply_angular_impulse(body, vec());
+  }
+  case Call::apply_force: {
+    const BodyId body = id();
+    return s.apply_force(body, vec());
+  }
+  case Call::apply_torque: {
+    const BodyId body = id();
+    return s.apply_torque(body, vec());
+  }
+  case Call::set_velocity: {
+    const BodyId body = id();
+    return s.set_velocity(body, from.template read<Velocity<T>>());
+  }
+  case Call::set_pose: {
+    const BodyId body = id();
+    return s.set_pose(body, from.template read<Pose<T>>());
+  }
+  case Call::move_to: {
+    const BodyId body = id();
+    const auto pose = from.template read<Pose<T>>();
+    return s.move_to(body, pose, from.template read<T>());
+  }
+  case Call::set_material: {
+    const BodyId body = id();
+    return s.set_material(body, from.template read<Material<T>>());
+  }
+  case Call::wake: return s.wake(id());
+  case Call::set_gravity: return s.set_gravity(vec());
+  case Call::step: s.step(from.template read<T>()); return from.check(s.world());
+  default: throw Damaged{"a call that a simulation has not"};
+  }
+}
+
+template <class T>
+void make(Call call, Player<T>& from, World<T>& w) {
+  const auto id = [&] { return from.template read<BodyId>(); };
+  switch (call) {
+  case Call::add_body: return from.check(w.add(from.body()));
+  case Call::remove_body: return w.remove(id());
+  case Call::move: {
+    const BodyId body = id();
+    return w.move(body, from.template read<Pose<T>>());
+  }
+  case Call::move_with_velocity: {
+    const BodyId body = id();
+    const auto pose = from.template read<Pose<T>>();
+    const auto linear = from.template read<Vec3<T>>();
+    return w.move(body, pose, linear, from.template read<Vec3<T>>());
+  }
+  case Call::set_shape: {
+    const BodyId body = id();
+    return w.set_shape(body, from.shape());
+  }
+  case Call::set_filter: {
+    const BodyId body = id();
+    return w.set_filter(body, from.template read<Filter>());
+  }
+  case Call::set_fast: {
+    const BodyId body = id();
+    return w.set_fast(body, from.template read<bool>());
+  }
+  case Call::update: w.update(from.template read<T>()); return from.check(w);
+  case Call::find_impacts: w.find_impacts(from.template read<T>()); return from.check(w);
+  default: throw Damaged{"a call that a world has not"};
+  }
+}
+
+/// Settings that a constructor refuses were not those of a run.
+template <class T, class Played, class Settings>
+void play(capture::FrameReader& frames, ReplayReport& report, Executor* executor,
+          const std::function<void(std::size_t, const Replayed&)>& each) {
+  const std::optional<std::string> first = frames.next();
+  if (!first) return;
+  std::unique_ptr<Played> played;
+  Player<T> player;
+  try {
+    Settings settings;
+    Reading io(*first);
+    io(settings);
+    if (io.left() > 0) throw Damaged{"more than its settings"};
+    played = std::make_unique<Played>(settings, executor);
+  } catch (const Damaged& damage) {
+    frames.fail(damage.why);
+  } catch (const InvalidValue& e) {
+    frames.fail(e.what());
+  }
+  while (const std::optional<std::string> bytes = frames.next()) {
+    std::size_t calls = 0;
+    try {
+      player.frame(*bytes, calls, [&](Call call) { make(call, player, *played); });
+    } catch (const Damaged& damage) {
+      frames.fail(damage.why);
+    } catch (const Other& other) {
+      report.difference = ReplayDifference{report.frames + 1, calls, other.what};
+      return;
+    }
+    report.calls += calls;
+    ++report.frames;
+    if (each) each(report.frames, static_cast<const Played*>(played.get()));
+  }
+}
+
+}  // namespace
+
+ReplayReport replay(std::istream& in, const std::string& name,
+                    const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
+  capture::FrameReader frames(in, name);
+  const capture::Head head = frames.head();
+  ReplayReport report;
+  report.simulation = head.kind == capture::Kind::simulation;
+  report.single = head.single;
+  const auto as = [&]<class T>(T) {
+    if (report.simulation)
+      play<T, Simulation<T>, SimulationSettings<T>>(frames, report, executor, each);
+    else
+      play<T, World<T>, WorldSettings<T>>(frames, report, executor, each);
+  };
+  report.single ? as(float{}) : as(double{});
+  report.cut = frames.cut();
+  return report;
+}
+
+}  // namespace graze
