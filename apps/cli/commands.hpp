@@ -10,11 +10,13 @@ namespace graze::cli {
 /// What a command does when it was chosen; returns the exit code.
 using Run = std::function<int()>;
 
+Run add_capture(CLI::App& app);
 Run add_cast(CLI::App& app);
 Run add_collide(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_info(CLI::App& app);
 Run add_query(CLI::App& app);
+Run add_replay(CLI::App& app);
 Run add_simulate(CLI::App& app);
 Run add_view(CLI::App& app);
 

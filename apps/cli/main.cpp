@@ -39,9 +39,9 @@ int run(int argc, char** argv) {
   app.footer("graze COMMAND --help explains a command, with an example.");
 
   const std::pair<const char*, Run> commands[] = {
-      {"cast", add_cast(app)}, {"collide", add_collide(app)}, {"explain", add_explain(app)},
-      {"info", add_info(app)}, {"query", add_query(app)},     {"simulate", add_simulate(app)},
-      {"view", add_view(app)},
+      {"capture", add_capture(app)}, {"cast", add_cast(app)},         {"collide", add_collide(app)},
+      {"explain", add_explain(app)}, {"info", add_info(app)},         {"query", add_query(app)},
+      {"replay", add_replay(app)},   {"simulate", add_simulate(app)}, {"view", add_view(app)},
   };
   for (CLI::App* command : app.get_subcommands({}))
     command->add_flag("-q,--quiet", quiet(), "Neither notes nor progress, only the answer and errors");

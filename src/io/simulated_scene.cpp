@@ -78,7 +78,7 @@ graze::Joint<T> in_precision(const Joint& joint) {
 template <class T>
 SimulatedScene<T>::SimulatedScene(const Scene& scene, const SimulateOptions& options)
     : scene_(scene),
-      simulation_(settings_of<T>(options), options.executor),
+      simulation_(options.capture, settings_of<T>(options), options.executor),
       moving_(moving_bodies(scene)),
       parts_(scene.bodies.size()),
       animated_(scene.bodies.size(), 0) {
@@ -272,14 +272,14 @@ void SimulatedScene<T>::step(double time, double dt) {
 
 template <class T>
 Posed SimulatedScene<T>::pose_of(const Part& part) const {
-  const Posed pose = compose(converted<double>(simulation_.poses()[part.id.index]), part.to_body);
+  const Posed pose = compose(converted<double>(simulation_.simulation().poses()[part.id.index]), part.to_body);
   return {pose.translation, normalized(pose.rotation)};
 }
 
 template <class T>
 std::size_t SimulatedScene<T>::awake() const {
   return static_cast<std::size_t>(std::count_if(moving_.begin(), moving_.end(), [&](std::uint32_t b) {
-    return !parts_[b].empty() && !simulation_.asleep(parts_[b].front().id);
+    return !parts_[b].empty() && !simulation_.simulation().asleep(parts_[b].front().id);
   }));
 }
 
@@ -319,14 +319,14 @@ SimulationFrame SimulatedScene<T>::frame(double time) const {
     BodyState state{scene_.bodies[b].pose};
     if (!parts_[b].empty()) {
       const Part& part = parts_[b].front();
-      const graze::Motion<T> motion = simulation_.motion(part.id);
+      const graze::Motion<T> motion = simulation_.simulation().motion(part.id);
       state = {pose_of(part), converted<double>(motion.linear), converted<double>(motion.angular),
-               simulation_.asleep(part.id)};
+               simulation_.simulation().asleep(part.id)};
     }
     frame.bodies.push_back(state);
   }
   add_contacts(frame);
-  const StepReport<T> report = simulation_.report();
+  const StepReport<T> report = simulation_.simulation().report();
   frame.kinetic_energy = static_cast<double>(report.kinetic_energy);
   frame.potential_energy = static_cast<double>(report.potential_energy);
   return frame;

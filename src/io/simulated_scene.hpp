@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "graze/io/simulate.hpp"
-#include "graze/simulation.hpp"
+#include "graze/capture.hpp"
 #include "io/collider_motion.hpp"
 
 namespace graze::io {
@@ -19,7 +19,7 @@ class SimulatedScene {
   /// Steps to `time`, which is `dt` after the last.
   void step(double time, double dt);
   SimulationFrame frame(double time) const;
-  StepReport<T> report() const { return simulation_.report(); }
+  StepReport<T> report() const { return simulation_.simulation().report(); }
   std::size_t awake() const;
   std::size_t joints() const { return joints_; }
   const std::vector<std::string>& notices() const { return notices_; }
@@ -46,7 +46,7 @@ class SimulatedScene {
   void add_contacts(SimulationFrame& frame) const;
 
   const Scene& scene_;
-  Simulation<T> simulation_;
+  CapturedSimulation<T> simulation_;
   std::vector<std::uint32_t> moving_;
   std::vector<std::vector<Part>> parts_;     ///< by the scene's bodies
   std::vector<std::uint32_t> body_of_part_;  ///< by the simulation's indices

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 
 #include "graze/executor.hpp"
 #include "graze/io/recording.hpp"
@@ -22,6 +23,8 @@ struct SimulateOptions {
   int sub_steps = 4;  ///< of a step, at least; a power of two
   Precision precision = Precision::double_precision;
   Executor* executor = nullptr;
+  /// Gets a capture of what the scene's simulation is told (`graze/capture.hpp`), unless null.
+  std::ostream* capture = nullptr;
 };
 
 /// What playing took, and how it went.

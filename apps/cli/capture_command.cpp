@@ -1,0 +1,71 @@
+// graze capture: a scene played, and every call of its simulation written down.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "checked.hpp"
+#include "commands.hpp"
+#include "graze/error.hpp"
+#include "graze/io/file.hpp"
+#include "graze/io/simulate.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "scene_options.hpp"
+
+namespace graze::cli {
+
+namespace {
+
+struct CaptureArguments {
+  SceneOptions scene;
+  double seconds = 10, rate = 60;
+  int sub_steps = 4;
+  std::string precision = "double", out;
+};
+
+int run_capture(const CaptureArguments& options) {
+  io::SimulateOptions how;
+  how.seconds = options.seconds;
+  how.rate = options.rate;
+  how.sub_steps = options.sub_steps;
+  how.precision = precision_of(options.precision);
+  const std::size_t frames = io::frame_count(how);
+  const io::Scene scene = options.scene.load(true, true);
+  io::check_writable(options.out);
+  std::ofstream file(options.out, std::ios::binary);
+  how.capture = &file;
+  Progress progress("capturing");
+  std::size_t done = 0;
+  const io::SimulateSummary summary =
+      io::simulate(scene, how, [&](const io::SimulationFrame&) { progress(++done, frames); });
+  file.close();
+  if (!file) throw InvalidValue(options.out, "", "cannot be written to its end");
+  print_notes(scene.notices);
+  print_notes(summary.notices);
+  fmt::print("{}: {} of {} and {}, {} bytes\n", options.out, counted(summary.steps, "frame"),
+             counted(summary.bodies, "moving body"), counted(summary.joints, "joint"),
+             std::filesystem::file_size(options.out));
+  return 0;
+}
+
+}  // namespace
+
+Run add_capture(CLI::App& app) {
+  auto options = std::make_shared<CaptureArguments>();
+  CLI::App* command = app.add_subcommand("capture", "Play a scene and write down all that its simulation is told");
+  options->scene.add_to(*command);
+  command->add_option("--out", options->out, "The capture to write")->required();
+  command->add_option("--seconds", options->seconds, "How long to play")->capture_default_str();
+  command->add_option("--rate", options->rate, "Steps, and frames, a second")->capture_default_str();
+  command->add_option("--substeps", options->sub_steps, "Sub-steps of a step, a power of two")->capture_default_str();
+  command->add_option("--precision", options->precision, "Compute in double or float")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->capture_default_str();
+  command->footer(
+      "A program of your own captures with graze/capture.hpp. Exit code: 0, or 2 when a file or an option\n"
+      "cannot be used.\n\n"
+      "Example:\n  graze capture scene.gltf --seconds 20 --out scene.capture && graze replay scene.capture");
+  return [options] { return run_capture(*options); };
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,74 @@
+// graze replay: a capture run again.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "commands.hpp"
+#include "graze/capture.hpp"
+#include "graze/error.hpp"
+#include "graze/io/file.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "thread_executor.hpp"
+
+namespace graze::cli {
+
+namespace {
+
+struct ReplayArguments {
+  std::string file;
+  int threads = 1;
+  bool json = false;
+};
+
+void print_as_json(const ReplayReport& report) {
+  Json whole{{"of", report.simulation ? "simulation" : "world"},
+             {"precision", report.single ? "float" : "double"},
+             {"frames", report.frames},
+             {"calls", report.calls},
+             {"cut", report.cut},
+             {"same", !report.difference}};
+  if (report.difference)
+    whole["difference"] = {
+        {"frame", report.difference->frame}, {"call", report.difference->call}, {"what", report.difference->what}};
+  print(whole);
+}
+
+void print_as_text(const std::string& file, const ReplayReport& report) {
+  fmt::print("{}: {} of a {} in {}, {}\n", file, counted(report.frames, "frame"),
+             report.simulation ? "simulation" : "world", report.single ? "float" : "double",
+             report.difference ? "then something else" : "the same bits");
+  if (report.difference)
+    fmt::print("frame {}, call {}: {}\n", report.difference->frame, report.difference->call, report.difference->what);
+  if (report.cut) print_notes({fmt::format("{}: ends within a frame, which was left out", file)});
+}
+
+int run_replay(const ReplayArguments& options) {
+  if (options.threads < 1 || options.threads > 1024)
+    throw InvalidValue("--threads", "a number from 1 to 1024", std::to_string(options.threads));
+  ThreadExecutor executor(static_cast<std::size_t>(options.threads));
+  std::ifstream file = io::open_file(options.file);
+  std::optional<Progress> progress("replaying");
+  const ReplayReport report = replay(
+      file, options.file, [&](std::size_t, const Replayed&) {}, &executor);
+  progress.reset();
+  options.json ? print_as_json(report) : print_as_text(options.file, report);
+  return report.difference ? 1 : 0;
+}
+
+}  // namespace
+
+Run add_replay(CLI::App& app) {
+  auto options = std::make_shared<ReplayArguments>();
+  CLI::App* command = app.add_subcommand("replay", "Run a capture again and compare every frame, bit by bit");
+  command->add_option("FILE", options->file, "What graze capture or a program wrote")->required();
+  command->add_option("--threads", options->threads, "Threads; the result is the same")->capture_default_str();
+  command->add_flag("--json", options->json, "Print the report as JSON");
+  command->footer(
+      "Exit code: 0 when all frames came out the same, 1 when one did not, 2 when the file is no capture or\n"
+      "damaged.\n\n"
+      "Example:\n  graze replay scene.capture");
+  return [options] { return run_replay(*options); };
+}
+
+}  // namespace graze::cli
