@@ -43,6 +43,7 @@ if [[ $quick == yes ]]; then
   rays=(--rays 20000)
   single_rays=(--rays 20000 --rounds 5)
   casts=(--pairs 500 --largest 10000)
+  typed=(--pairs 2000 --rounds 9)
   compare=(--quick)
 else
   page=bench/RESULTS.md
@@ -55,11 +56,12 @@ else
   rays=()
   single_rays=()
   casts=()
+  typed=()
   compare=()
 fi
 [[ -z $poses ]] || pile+=(--poses "$poses")
 
-steps=10
+steps=11
 step=0
 # run NAME PROGRAM OPTIONS...: its output to $work/NAME.md
 run() {
@@ -81,6 +83,7 @@ run uneven broad "${uneven[@]}" --scene uneven
 run rays rays "${rays[@]}"
 run ray_shapes ray_shapes "${single_rays[@]}"
 run casts casts "${casts[@]}"
+run typed_query typed_query "${typed[@]}"
 run compare compare "${compare[@]}" --brief
 run example example --pairs 1000 --repetitions 3 --only 'box-box overlap' --libraries 'bounds|graze'
 
@@ -159,6 +162,15 @@ boxes, one thread.
 
 TEXT
   cat "$work/casts.md"
+  cat <<'TEXT'
+
+## Pairs whose kinds the caller knows
+
+One pair at a time, in turns: as two `Shape`s (`graze/query.hpp`), and by callers who know their kinds
+(`graze/typed_query.hpp`), who get the same bits. Contacts up to 0.02 apart.
+
+TEXT
+  cat "$work/typed_query.md"
   printf '\n## Every pair of shapes\n\nAll 44 pairs of nine shapes by `bench_compare`, which prints each of them.\n\n'
   cat "$work/compare.md"
 } >"$work/page.md"

@@ -39,6 +39,7 @@
 #include "graze/swept.hpp"
 #include "graze/tessellate.hpp"
 #include "graze/trace.hpp"
+#include "graze/typed_query.hpp"
 #include "graze/wide.hpp"
 #include "graze/world.hpp"
 #include "graze/world/reduce.hpp"

@@ -24,10 +24,13 @@ double pair_size(const Shape<T>& a, const Shape<T>& b) {
   return greatest(extent(a), extent(b));
 }
 
-/// What rounding may do to the distance of a pair: relative to its largest coordinate, in the frame of A.
+/// What rounding may do to the distance of a pair of that size: relative to its largest coordinate, in the frame of A.
+inline double noise_of(double pair_size, const Vec3d& translation) {
+  return rounding_error * (pair_size + max_abs(translation));
+}
 template <class T>
 double noise_of(const Shape<T>& a, const Shape<T>& b, const Vec3d& translation) {
-  return rounding_error * (pair_size(a, b) + max_abs(translation));
+  return noise_of(pair_size(a, b), translation);
 }
 
 /// A signed distance of cores with its honesty.

@@ -16,6 +16,11 @@ using InPlaceA = InPlace<typename P::template A<T>, T>;
 template <class P, class T>
 using InPlaceB = InPlace<typename P::template B<T>, T>;
 
+template <class C, class T>
+InPlace<C, T> in_place(const Shape<T>& shape, const Pose<T>& pose) {
+  return {*shape.template as<C>(), shape.rounding(), pose};
+}
+
 template <class P, class T>
 concept HasContacts = requires(const InPlaceA<P, T>& a, const InPlaceB<P, T>& b, T margin, Manifold<T>& manifold) {
   P::contacts(a, b, margin, manifold);
@@ -35,9 +40,8 @@ template <class P, class T>
                                                      const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
   if constexpr (HasMoreContacts<P, T>)
     if (!manifold.points.empty())
-      if (const auto distance = P::more_contacts(InPlaceA<P, T>{*a.template as<typename P::template A<T>>(), a, pose_a},
-                                                 InPlaceB<P, T>{*b.template as<typename P::template B<T>>(), b, pose_b},
-                                                 margin, manifold))
+      if (const auto distance = P::more_contacts(in_place<typename P::template A<T>>(a, pose_a),
+                                                 in_place<typename P::template B<T>>(b, pose_b), margin, manifold))
         return *distance;
   return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
 }
@@ -46,9 +50,8 @@ template <class P, class T>
 template <class P, class T>
 GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                               T margin, Manifold<T>& manifold) {
-  const auto own =
-      P::contacts(InPlaceA<P, T>{*a.template as<typename P::template A<T>>(), a, pose_a},
-                  InPlaceB<P, T>{*b.template as<typename P::template B<T>>(), b, pose_b}, margin, manifold);
+  const auto own = P::contacts(in_place<typename P::template A<T>>(a, pose_a),
+                               in_place<typename P::template B<T>>(b, pose_b), margin, manifold);
   return own ? *own : remaining_contacts<P>(a, pose_a, b, pose_b, margin, manifold);
 }
 

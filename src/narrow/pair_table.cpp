@@ -19,7 +19,7 @@ struct Body {
 
 template <class C, class T>
 InPlace<C, T> in_place(const Body<T>& body) {
-  return {*body.shape.template as<C>(), body.shape, body.pose};
+  return {*body.shape.template as<C>(), body.shape.rounding(), body.pose};
 }
 
 template <class T>

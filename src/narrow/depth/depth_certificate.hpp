@@ -15,7 +15,7 @@
 // 20 to 60 operations a term and cell.
 #pragma once
 
-#include "narrow/core/fixed_vector.hpp"
+#include "graze/fixed_vector.hpp"
 #include "narrow/depth/core_sum.hpp"
 #include "simd/dispatch.hpp"
 

@@ -39,8 +39,8 @@ std::uint16_t Polytope::add_facet(std::uint16_t i, std::uint16_t j, std::uint16_
   const bool fresh = free_.empty();
   const std::size_t slot = fresh ? facets_.size() : free_.back();
   if (fresh) {
-    facets_.grow();
-    open_.grow();
+    facets_.emplace_back();
+    open_.emplace_back();
   } else {
     free_.pop_back();
   }

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <new>
 
-#include "narrow/core/fixed_vector.hpp"
+#include "graze/fixed_vector.hpp"
 #include "narrow/core/minkowski.hpp"
 
 namespace graze {
@@ -25,7 +25,7 @@ struct Simplex {
   /// One more point, made by `query` in its place and not copied there.
   template <class Query>
   const SupportPoint& add(const Query& query) {
-    return *::new (&points.grow()) SupportPoint(query());
+    return *::new (&points.emplace_back()) SupportPoint(query());
   }
   /// Whether the last point was there before.
   bool repeats() const {

@@ -149,14 +149,14 @@ struct CapsuleBox : BoxLikePair<Capsule, Box> {
     if (const auto found = BoxLikePair::distance(a, b)) return found;
     return closed_form_distance(a, b);
   }
-  template <class T>
+  template <class T, class M>
   static std::optional<T> contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Box<T>, T>& b, T margin,
-                                   Manifold<T>& manifold) {
+                                   M& manifold) {
     return regular_contact(a, b, margin, manifold);
   }
-  template <class T>
+  template <class T, class M>
   static std::optional<T> more_contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Box<T>, T>& b, T margin,
-                                        Manifold<T>& manifold) {
+                                        M& manifold) {
     const auto found = side_contact<T>(converted<double>(placed_box(rounded_core(a.shape, a.rounding()), a.pose)),
                                        converted<double>(placed_box(rounded_core(b.shape, b.rounding()), b.pose)),
                                        converted<double>(take_closest(manifold)), static_cast<double>(margin));

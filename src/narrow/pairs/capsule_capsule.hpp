@@ -6,9 +6,9 @@
 namespace graze {
 
 struct CapsuleCapsule : OneContactPair<Capsule, Capsule> {
-  template <class T>
+  template <class T, class M>
   static std::optional<T> more_contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Capsule<T>, T>& b, T margin,
-                                        Manifold<T>& manifold) {
+                                        M& manifold) {
     const CoreDistance<T> closest = take_closest(manifold);
     return put_sides(side_contact(rounded_core(a.shape, a.rounding()), a.pose, rounded_core(b.shape, b.rounding()),
                                   b.pose, closest, margin),

@@ -21,16 +21,16 @@ struct CapsuleTriangle {
     if (!has_untapered_side(a.shape)) return std::nullopt;
     return distance_of<T>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose));
   }
-  template <class T>
+  template <class T, class M>
   static std::optional<T> contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
-                                   Manifold<T>& manifold) {
+                                   M& manifold) {
     if (!has_untapered_side(a.shape)) return std::nullopt;
     return contact_of<Triangle<T>>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin,
                                    manifold);
   }
-  template <class T>
+  template <class T, class M>
   static std::optional<T> more_contacts(const InPlace<Capsule<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
-                                        Manifold<T>& manifold) {
+                                        M& manifold) {
     const auto of = rounded_core(a.shape, a.rounding());
     const auto found = side_contact(
         Rounded<AxisCore<double>, double>{{static_cast<double>(of.core.half_height)}, static_cast<double>(of.radius)},

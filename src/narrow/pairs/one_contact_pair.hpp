@@ -9,9 +9,9 @@ namespace graze {
 
 template <template <class> class KindA, template <class> class KindB>
 struct OneContactPair : ClosedFormPair<KindA, KindB> {
-  template <class T>
+  template <class T, class M>
   static std::optional<T> contacts(const InPlace<KindA<T>, T>& a, const InPlace<KindB<T>, T>& b, T margin,
-                                   Manifold<T>& manifold) {
+                                   M& manifold) {
     return regular_contact(a, b, margin, manifold);
   }
 

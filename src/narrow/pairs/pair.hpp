@@ -12,6 +12,8 @@
 //     contacts(a, b, margin, manifold) -> std::optional<T>   the distance; fills the manifold
 //     more_contacts(a, b, margin, manifold)            where `contacts` knew the closest points only, and left these
 //
+// The pairs of `graze/typed_query.hpp` fill any manifold that has a normal and points: `Manifold`, or one of fixed size.
+//
 // and across lanes, for shapes that `taken_by_lanes` (`narrow/batch/lane_pairs.hpp`) names, without rounding:
 //
 //     overlap_rows<T>(), distance_rows<T>(), contact_rows<T>()   kernels for pairs in rows (`pair_kernels.hpp`)
@@ -30,13 +32,13 @@ namespace graze {
 template <class C, class T>
 struct InPlace {
   const C& shape;
-  const Shape<T>& whole;
+  T margin;  ///< `rounding()`
   const Pose<T>& pose;
 
   /// The radius of the ball that is added to the concrete shape.
-  T rounding() const { return whole.rounding(); }
+  T rounding() const { return margin; }
   /// That and the shape's own.
-  T radius() const { return rounding_radius(shape, whole.rounding()); }
+  T radius() const { return rounding_radius(shape, margin); }
 };
 
 }  // namespace graze

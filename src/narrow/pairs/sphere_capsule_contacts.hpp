@@ -246,8 +246,8 @@ struct PartNames {
 };
 static constexpr PartNames<16> round_part_names(round_features), triangle_part_names(triangle_features);
 
-template <class T>
-std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds& features, Manifold<T>& manifold) {
+template <class T, class M>
+std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds& features, M& manifold) {
   if (found.filled == T(0)) return std::nullopt;
   const SegmentPoints<T> points{found, features.of, false};
   manifold.normal = points.normal();
@@ -256,38 +256,40 @@ std::optional<T> put_sides(const SegmentContact<T>& found, const RoundFeatureIds
 }
 
 /// The closest points of two shapes from the one point of a manifold, which then has none.
-template <class T>
-CoreDistance<T> take_closest(Manifold<T>& manifold) {
-  const ContactPoint<T> point = manifold.points[0];
+template <class M>
+auto take_closest(M& manifold) {
+  const auto point = manifold.points[0];
   manifold.points.clear();
-  return {point.distance, manifold.normal, point.a, point.b};
+  return CoreDistance<std::remove_cvref_t<decltype(point.distance)>>{point.distance, manifold.normal, point.a, point.b};
 }
 
 /// The one point of contact of shapes in place, without regard to whether these are such as `round_contact` takes.
 /// Nothing where more is to be asked; where there may be two points, the manifold holds the closest points then.
-template <class A, class B, class T>
-std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, Manifold<T>& manifold) {
+template <class A, class B, class T, class M>
+std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, M& manifold) {
   const auto of_a = rounded_core(a.shape, a.rounding());
   const auto of_b = rounded_core(b.shape, b.rounding());
   RoundContact<T> found = round_contact(of_a, a.pose, of_b, b.pose, margin);
   if (found.known < T(0)) return std::nullopt;
-  manifold.normal = found.at.normal;
-  if (!(found.at.distance <= margin)) return found.at.distance;
+  const CoreDistance<T>& at = found.at;
+  // Number by number from registers: what g++ copies whole it writes aside first, and reading that back waits.
+  manifold.normal = {at.normal.x, at.normal.y, at.normal.z};
+  if (!(at.distance <= margin)) return at.distance;
   ContactPoint<T>& point = manifold.points.emplace_back();
-  point.a = found.at.a;
-  point.b = found.at.b;
-  point.distance = found.at.distance;
+  point.a = {at.a.x, at.a.y, at.a.z};
+  point.b = {at.b.x, at.b.y, at.b.z};
+  point.distance = at.distance;
   point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
   point.weight = T(0.5);
   if constexpr (std::is_same_v<A, Sphere<T>> && std::is_same_v<B, Sphere<T>>)
     point.weight = ball_weight(of_a.radius, of_b.radius);
   if (found.known == T(0)) return std::nullopt;
-  return found.at.distance;
+  return at.distance;
 }
 
 /// `one_contact` of shapes that have one.
-template <class A, class B, class T>
-std::optional<T> regular_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, Manifold<T>& manifold) {
+template <class A, class B, class T, class M>
+std::optional<T> regular_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T margin, M& manifold) {
   if (!round::regular(a.shape) || !round::regular(b.shape)) return std::nullopt;
   return one_contact(a, b, margin, manifold);
 }

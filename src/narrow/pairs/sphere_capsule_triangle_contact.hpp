@@ -24,8 +24,8 @@ RoundContact<S> round_triangle_contact(const Pair& pair, const S& limit) {
 }
 
 /// Nothing where more is to be asked; where there may be two points, the manifold holds the closest points then.
-template <class B, class T, class Pair>
-std::optional<T> contact_of(const Pair& pair, T margin, Manifold<T>& manifold) {
+template <class B, class T, class Pair, class M>
+std::optional<T> contact_of(const Pair& pair, T margin, M& manifold) {
   if (!pair.known()) return std::nullopt;
   const auto found = round_triangle_contact(pair, before_rounding<T>(static_cast<double>(margin)));
   const CoreDistance<double>& at = found.at;

@@ -19,9 +19,9 @@ struct SphereTriangle {
                                                            const InPlace<Triangle<T>, T>& b) {
     return distance_of<T>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose));
   }
-  template <class T>
+  template <class T, class M>
   static std::optional<T> contacts(const InPlace<Sphere<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
-                                   Manifold<T>& manifold) {
+                                   M& manifold) {
     return contact_of<Triangle<T>>(with_triangle(a.shape, a.rounding(), a.pose, b.shape, b.rounding(), b.pose), margin,
                                    manifold);
   }

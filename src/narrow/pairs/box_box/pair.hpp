@@ -22,7 +22,10 @@ template <class A, class B, class T>
                                   Row(converted<double>(core_of(b.shape).half)), PoseRows<double>(in_double(b.pose)));
   const Row& between = boxes.rows.translation;
   const double reach = static_cast<double>(a.rounding()) + static_cast<double>(b.rounding());
-  const double noise = noise_of(a.whole, b.whole, Vec3d{between[0], between[1], between[2]} / boxes.scale);
+  const auto size = [](const auto& box) {
+    return static_cast<double>(box.shape.core_extent()) + static_cast<double>(box.radius());
+  };
+  const double noise = noise_of(greatest(size(a), size(b)), Vec3d{between[0], between[1], between[2]} / boxes.scale);
   if (boxes_apart(boxes, (reach + noise) * boxes.scale, faces_only)) return false;
   if (faces_only || reach == 0 || !boxes_apart(boxes, noise * boxes.scale)) return true;
   return std::nullopt;
@@ -52,9 +55,8 @@ struct BoxBox : BoxLikePair<Box, Box> {
   /// The points of two boxes, as the kernels find them for many pairs; nothing where one is rounded or not regular, or
   /// their faces do not tell. As the separating axes of polyhedra give them, in T, but also where hardly more than the
   /// distance is between the faces.
-  template <class T>
-  static std::optional<T> contacts(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b, T margin,
-                                   Manifold<T>& manifold) {
+  template <class T, class M>
+  static std::optional<T> contacts(const InPlace<Box<T>, T>& a, const InPlace<Box<T>, T>& b, T margin, M& manifold) {
     if (a.rounding() != T(0) || b.rounding() != T(0)) return std::nullopt;
     BoxReferenceAxis<T> choice;
     ContactSlots<T> found;

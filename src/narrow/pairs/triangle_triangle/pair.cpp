@@ -86,7 +86,8 @@ std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const 
                            std::abs(apart) <= axes.noise ? 0 : apart,
                            separation > axes.noise,
                            axes.noise};
-  contacts_of_faces(a.whole, a.pose, b.whole, b.pose, margin, faces, d, manifold);
+  contacts_of_faces(Shape<T>(a.shape, a.rounding()), a.pose, Shape<T>(b.shape, b.rounding()), b.pose, margin, faces, d,
+                    manifold);
   return d.distance;
 }
 

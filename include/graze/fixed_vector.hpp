@@ -40,7 +40,7 @@ class FixedVector {
   const T& back() const { return items_[size_ - 1]; }
   void push_back(const T& value) { items_[size_++] = value; }
   /// One more element, whose value is whatever the memory holds.
-  T& grow() { return items_[size_++]; }
+  T& emplace_back() { return items_[size_++]; }
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   /// Drops all elements from position `count` on.

@@ -1,0 +1,149 @@
+#include "graze/typed_query.hpp"
+
+#include <type_traits>
+
+#include "narrow/general_contacts.hpp"
+#include "narrow/pair_list.hpp"
+#include "narrow/pair_table.hpp"
+#include "simd/flatten.hpp"
+
+namespace graze {
+
+namespace {
+
+/// The special pair of two kinds that stand in order.
+template <class A, class B, class T, class First, class... Rest>
+constexpr auto find_pair(Pairs<First, Rest...>) {
+  if constexpr (std::is_same_v<typename First::template A<T>, A> && std::is_same_v<typename First::template B<T>, B>)
+    return std::type_identity<First>();
+  else
+    return find_pair<A, B, T>(Pairs<Rest...>());
+}
+template <class A, class B, class T>
+using PairOf = typename decltype(find_pair<A, B, T>(PairList()))::type;
+
+template <class A, class B, class T>
+constexpr bool in_order() {
+  return detail::kind_of<A, T>() <= detail::kind_of<B, T>();
+}
+
+template <class C, class T>
+InPlace<C, T> in_place(const C& shape, const Pose<T>& pose) {
+  return {shape, T(0), pose};
+}
+
+/// Where the pair's own routine has no answer. By themselves, so that those who need none of it do not pay for it.
+template <class A, class B, class T>
+[[gnu::noinline]] bool overlap_as_shapes(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {
+  return convex_overlap<T>(a, pose_a, b, pose_b);
+}
+template <class A, class B, class T>
+[[gnu::noinline]] Distance<T> distance_as_shapes(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b) {
+  return convex_distance<T>(a, pose_a, b, pose_b);
+}
+template <class A, class B, class T, std::size_t N>
+[[gnu::noinline]] T contacts_as_shapes(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b, T margin,
+                                       FixedManifold<T, N>& manifold) {
+  Manifold<T> found;
+  const T distance = convex_contacts<T>(a, pose_a, b, pose_b, margin, found);
+  manifold.normal = found.normal;
+  manifold.status = found.status;
+  manifold.error = found.error;
+  manifold.points.clear();
+  for (std::size_t i = 0; i < found.points.size() && i < N; ++i) manifold.points.push_back(found.points[i]);
+  return distance;
+}
+
+/// Where the pair's own routine knows the closest points of two shapes that may touch in more.
+template <class P, class A, class B, class T, std::size_t N>
+[[gnu::noinline]] GRAZE_FLATTEN T more_contacts(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b,
+                                                T margin, FixedManifold<T, N>& manifold) {
+  if constexpr (requires { P::more_contacts(in_place(a, pose_a), in_place(b, pose_b), margin, manifold); })
+    if (!manifold.points.empty())
+      if (const auto distance = P::more_contacts(in_place(a, pose_a), in_place(b, pose_b), margin, manifold))
+        return *distance;
+  return contacts_as_shapes(a, pose_a, b, pose_b, margin, manifold);
+}
+
+/// Of two shapes in order.
+template <class A, class B, class T, std::size_t N>
+void fill_contacts(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>& pose_b, T margin,
+                   FixedManifold<T, N>& manifold) {
+  using P = PairOf<A, B, T>;
+  const auto own = P::contacts(in_place(a, pose_a), in_place(b, pose_b), margin, manifold);
+  manifold.overlap = (own ? *own : more_contacts<P>(a, pose_a, b, pose_b, margin, manifold)) <= T(0);
+}
+
+template <class T, std::size_t N>
+void mirror(FixedManifold<T, N>& manifold) {
+  manifold.normal = -manifold.normal;
+  for (ContactPoint<T>& p : manifold.points) p = mirrored(p);
+}
+
+}  // namespace
+
+template <template <class> class A, template <class> class B, class T>
+requires TypedPair<A, B> GRAZE_FLATTEN bool overlap(const A<T>& a, const Pose<T>& pose_a, const B<T>& b,
+                                                    const Pose<T>& pose_b) {
+  if constexpr (!in_order<A<T>, B<T>, T>()) {
+    return overlap(b, pose_b, a, pose_a);
+  } else {
+    using P = PairOf<A<T>, B<T>, T>;
+    if constexpr (requires { P::overlap(in_place(a, pose_a), in_place(b, pose_b)); }) {
+      if (const auto touch = P::overlap(in_place(a, pose_a), in_place(b, pose_b))) return *touch;
+    } else {
+      if (const auto found = P::distance(in_place(a, pose_a), in_place(b, pose_b))) return found->distance <= T(0);
+    }
+    return overlap_as_shapes(a, pose_a, b, pose_b);
+  }
+}
+
+template <template <class> class A, template <class> class B, class T>
+requires TypedPair<A, B> GRAZE_FLATTEN Distance<T> distance(const A<T>& a, const Pose<T>& pose_a, const B<T>& b,
+                                                            const Pose<T>& pose_b) {
+  if constexpr (!in_order<A<T>, B<T>, T>()) {
+    return mirrored(distance(b, pose_b, a, pose_a));
+  } else {
+    const auto found = PairOf<A<T>, B<T>, T>::distance(in_place(a, pose_a), in_place(b, pose_b));
+    return found ? *found : distance_as_shapes(a, pose_a, b, pose_b);
+  }
+}
+
+template <template <class> class A, template <class> class B, class T>
+requires TypedPair<A, B> GRAZE_FLATTEN typename detail::FixedManifoldOf<A, B, T>::type
+contacts(const A<T>& a, const Pose<T>& pose_a, const B<T>& b, const Pose<T>& pose_b, T margin) {
+  // In the outermost block: of one within, g++ 12 returns a copy.
+  typename detail::FixedManifoldOf<A, B, T>::type manifold;
+  if constexpr (in_order<A<T>, B<T>, T>()) {
+    fill_contacts(a, pose_a, b, pose_b, margin, manifold);
+  } else {
+    fill_contacts(b, pose_b, a, pose_a, margin, manifold);
+    mirror(manifold);
+  }
+  return manifold;
+}
+
+#define GRAZE_INSTANTIATE_FOR(A, B, T)                                                                                 \
+  template bool overlap(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&);                                     \
+  template Distance<T> distance(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&);                             \
+  template detail::FixedManifoldOf<A, B, T>::type contacts(const A<T>&, const Pose<T>&, const B<T>&, const Pose<T>&, T);
+#define GRAZE_INSTANTIATE(A, B)                                                                                        \
+  GRAZE_INSTANTIATE_FOR(A, B, float)                                                                                   \
+  GRAZE_INSTANTIATE_FOR(A, B, double)
+GRAZE_INSTANTIATE(Sphere, Sphere)
+GRAZE_INSTANTIATE(Sphere, Capsule)
+GRAZE_INSTANTIATE(Sphere, Box)
+GRAZE_INSTANTIATE(Sphere, Triangle)
+GRAZE_INSTANTIATE(Capsule, Sphere)
+GRAZE_INSTANTIATE(Capsule, Capsule)
+GRAZE_INSTANTIATE(Capsule, Box)
+GRAZE_INSTANTIATE(Capsule, Triangle)
+GRAZE_INSTANTIATE(Box, Sphere)
+GRAZE_INSTANTIATE(Box, Capsule)
+GRAZE_INSTANTIATE(Box, Box)
+GRAZE_INSTANTIATE(Triangle, Sphere)
+GRAZE_INSTANTIATE(Triangle, Capsule)
+#undef GRAZE_INSTANTIATE
+#undef GRAZE_INSTANTIATE_FOR
+
+}  // namespace graze
