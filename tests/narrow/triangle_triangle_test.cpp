@@ -130,8 +130,7 @@ reference::Placed in_reference(const Triangle<double>& t, const Posed& pose) {
 
 /// Without rounding.
 PlacedTriangle<double> placed(const Triangle<double>& triangle, const Posed& pose) {
-  const Shaped whole(triangle);
-  return placed_triangle<double>({triangle, whole, pose});
+  return placed_triangle<double>({triangle, 0, pose});
 }
 
 /// How many of those that are no slivers are not known. Of what is known everything is right up to rounding.
