@@ -8,7 +8,7 @@
 #include "graze/query.hpp"
 #include "graze/typed_query.hpp"
 
-namespace graze::testing {
+namespace graze::testing::typed_query {
 namespace {
 
 template <class T>
@@ -171,4 +171,4 @@ static_assert(TypedPair<Box, Sphere> && TypedPair<Triangle, Capsule>);
 static_assert(!TypedPair<Triangle, Triangle> && !TypedPair<Cylinder, Sphere> && !TypedPair<Shape, Shape>);
 
 }  // namespace
-}  // namespace graze::testing
+}  // namespace graze::testing::typed_query
