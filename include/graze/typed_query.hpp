@@ -62,7 +62,7 @@ concept TypedPair = most_contacts<A, B> >
 /// `Manifold` with room for `N` points, all of it in place.
 template <class T, std::size_t N>
 struct FixedManifold {
-  Vec3<T> normal{};  ///< unit, from A to B, in the world; of no meaning where there are no points
+  Vec3<T> normal{};  ///< unit, from A to B, in the world; without meaning where there are no points
   FixedVector<ContactPoint<T>, N> points;
   bool overlap = false;               ///< distance <= 0, whatever the margin
   Status status = Status::converged;  ///< `bounded` where the distance is not proven

@@ -74,8 +74,16 @@ constexpr bool overlaps_by_distance() {
 }
 
 template <class P, class T>
-GRAZE_FLATTEN std::optional<Distance<T>> distance_of_pair(const Body<T>& a, const Body<T>& b) {
+std::optional<Distance<T>> distance_of_pair(const Body<T>& a, const Body<T>& b) {
   return P::distance(in_place<typename P::template A<T>>(a), in_place<typename P::template B<T>>(b));
+}
+
+/// The same, written to where it is wanted; returns whether it is known.
+template <class P, class T>
+GRAZE_FLATTEN bool put_distance_of_pair(const Body<T>& a, const Body<T>& b, Distance<T>& d) {
+  const auto found = distance_of_pair<P>(a, b);
+  if (found) put(*found, d);
+  return found.has_value();
 }
 
 template <class P, class T>
@@ -104,7 +112,7 @@ GRAZE_FLATTEN bool overlap_by_distance(const Body<T>& a, const Body<T>& b) {
 /// The special routines of two kinds of shape; none where the general path has all their values.
 template <class T>
 struct Routines {
-  std::optional<Distance<T>> (*distance)(const Body<T>&, const Body<T>&) = nullptr;
+  bool (*distance)(const Body<T>&, const Body<T>&, Distance<T>&) = nullptr;
   std::optional<bool> (*overlap)(const Body<T>&, const Body<T>&) = nullptr;
   bool (*overlap_by_distance)(const Body<T>&, const Body<T>&) = nullptr;
   bool (*may_overlap)(const Body<T>&, const Body<T>&) = nullptr;
@@ -113,7 +121,7 @@ struct Routines {
 template <class P, class T>
 constexpr Routines<T> routines_of_pair() {
   Routines<T> routines;
-  if constexpr (HasDistance<P, T>) routines.distance = &distance_of_pair<P, T>;
+  if constexpr (HasDistance<P, T>) routines.distance = &put_distance_of_pair<P, T>;
   if constexpr (overlaps_by_distance<P>())
     routines.overlap_by_distance = &overlap_by_distance<P, T>;
   else
@@ -167,7 +175,8 @@ template <class T>
 std::optional<Distance<T>> special_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
                                             const Pose<T>& pose_b) {
   const auto routine = routines(a, b).distance;
-  return routine ? routine({a, pose_a}, {b, pose_b}) : std::nullopt;
+  Distance<T> d;
+  return routine && routine({a, pose_a}, {b, pose_b}, d) ? std::optional(d) : std::nullopt;
 }
 
 template <class T>
@@ -181,9 +190,10 @@ template <class T>
 Distance<T> ordered_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
                              T limit) {
   const Body<T> body_a{a, pose_a}, body_b{b, pose_b};
-  if (const auto routine = routines(a, b).distance)
-    if (const auto special = routine(body_a, body_b)) return *special;
-  return general(body_a, body_b, limit);
+  const auto routine = routines(a, b).distance;
+  Distance<T> d;
+  if (!routine || !routine(body_a, body_b, d)) d = general(body_a, body_b, limit);
+  return d;
 }
 
 template <class T>

@@ -76,8 +76,14 @@ void fill_contacts(const A& a, const Pose<T>& pose_a, const B& b, const Pose<T>&
 
 template <class T, std::size_t N>
 void mirror(FixedManifold<T, N>& manifold) {
-  manifold.normal = -manifold.normal;
-  for (ContactPoint<T>& p : manifold.points) p = mirrored(p);
+  put(-manifold.normal, manifold.normal);
+  for (ContactPoint<T>& p : manifold.points) {
+    const ContactPoint<T> turned = mirrored(p);
+    put(turned.a, p.a);
+    put(turned.b, p.b);
+    p.feature = turned.feature;
+    p.weight = turned.weight;
+  }
 }
 
 }  // namespace
@@ -101,12 +107,19 @@ requires TypedPair<A, B> GRAZE_FLATTEN bool overlap(const A<T>& a, const Pose<T>
 template <template <class> class A, template <class> class B, class T>
 requires TypedPair<A, B> GRAZE_FLATTEN Distance<T> distance(const A<T>& a, const Pose<T>& pose_a, const B<T>& b,
                                                             const Pose<T>& pose_b) {
-  if constexpr (!in_order<A<T>, B<T>, T>()) {
-    return mirrored(distance(b, pose_b, a, pose_a));
+  Distance<T> d;
+  if constexpr (in_order<A<T>, B<T>, T>()) {
+    if (const auto found = PairOf<A<T>, B<T>, T>::distance(in_place(a, pose_a), in_place(b, pose_b)))
+      put(*found, d);
+    else
+      d = distance_as_shapes(a, pose_a, b, pose_b);
   } else {
-    const auto found = PairOf<A<T>, B<T>, T>::distance(in_place(a, pose_a), in_place(b, pose_b));
-    return found ? *found : distance_as_shapes(a, pose_a, b, pose_b);
+    if (const auto found = PairOf<B<T>, A<T>, T>::distance(in_place(b, pose_b), in_place(a, pose_a)))
+      put(mirrored(*found), d);
+    else
+      d = distance_as_shapes(a, pose_a, b, pose_b);
   }
+  return d;
 }
 
 template <template <class> class A, template <class> class B, class T>

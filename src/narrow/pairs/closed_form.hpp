@@ -162,11 +162,25 @@ Distance<T> finished(const CoreDistance<T>& core, T radius_a, T radius_b, const 
   return d;
 }
 
+/// Number by number from registers: what g++ copies whole it writes aside first, and reading that back by more bytes at
+/// a time than it was written by waits.
 template <class T>
-Distance<T> mirrored(Distance<T> d) {
-  d.normal = -d.normal;
-  std::swap(d.a, d.b);
-  return d;
+void put(const Vec3<T>& from, Vec3<T>& to) {
+  to = {from.x, from.y, from.z};
+}
+template <class T>
+void put(const Distance<T>& from, Distance<T>& to) {
+  to.distance = from.distance;
+  put(from.normal, to.normal);
+  put(from.a, to.a);
+  put(from.b, to.b);
+  to.status = from.status;
+  to.error = from.error;
+}
+
+template <class T>
+Distance<T> mirrored(const Distance<T>& d) {
+  return {d.distance, -d.normal, {d.b.x, d.b.y, d.b.z}, {d.a.x, d.a.y, d.a.z}, d.status, d.error};
 }
 
 /// How far apart two may be and yet be within the margin once the distance is rounded to T.

@@ -272,12 +272,13 @@ std::optional<T> one_contact(const InPlace<A, T>& a, const InPlace<B, T>& b, T m
   RoundContact<T> found = round_contact(of_a, a.pose, of_b, b.pose, margin);
   if (found.known < T(0)) return std::nullopt;
   const CoreDistance<T>& at = found.at;
-  // Number by number from registers: what g++ copies whole it writes aside first, and reading that back waits.
-  manifold.normal = {at.normal.x, at.normal.y, at.normal.z};
-  if (!(at.distance <= margin)) return at.distance;
+  // Of shapes that are apart only those who take composites apart ask for a direction.
+  const bool apart = !(at.distance <= margin);
+  if (std::is_same_v<M, Manifold<T>> || !apart) put(at.normal, manifold.normal);
+  if (apart) return at.distance;
   ContactPoint<T>& point = manifold.points.emplace_back();
-  point.a = {at.a.x, at.a.y, at.a.z};
-  point.b = {at.b.x, at.b.y, at.b.z};
+  put(at.a, point.a);
+  put(at.b, point.b);
   point.distance = at.distance;
   point.feature = round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
   point.weight = T(0.5);

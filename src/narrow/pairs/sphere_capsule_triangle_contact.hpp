@@ -30,11 +30,16 @@ std::optional<T> contact_of(const Pair& pair, T margin, M& manifold) {
   const auto found = round_triangle_contact(pair, before_rounding<T>(static_cast<double>(margin)));
   const CoreDistance<double>& at = found.at;
   const T distance = static_cast<T>(at.distance);
-  manifold.normal = converted<T>(at.normal);
+  if (std::is_same_v<M, Manifold<T>> || distance <= margin) put(converted<T>(at.normal), manifold.normal);
   if (distance <= margin) {
     const std::uint32_t feature =
         round_feature_ids<B, T>().of[static_cast<std::size_t>(feature_place(found.part_a, found.part_b))];
-    manifold.points.push_back({converted<T>(at.a), converted<T>(at.b), distance, feature, T(0.5)});
+    ContactPoint<T>& point = manifold.points.emplace_back();
+    put(converted<T>(at.a), point.a);
+    put(converted<T>(at.b), point.b);
+    point.distance = distance;
+    point.feature = feature;
+    point.weight = T(0.5);
     if (found.known == 0) return std::nullopt;
   }
   return distance;
