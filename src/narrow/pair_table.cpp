@@ -86,14 +86,19 @@ GRAZE_FLATTEN bool put_distance_of_pair(const Body<T>& a, const Body<T>& b, Dist
   return found.has_value();
 }
 
+/// In one function with the distance, of which it needs no points.
+template <class P, class T>
+GRAZE_FLATTEN std::optional<bool> distance_tells_overlap(const Body<T>& a, const Body<T>& b) {
+  const auto found = distance_of_pair<P>(a, b);
+  return found ? std::optional(found->distance <= T(0)) : std::nullopt;
+}
+
 template <class P, class T>
 std::optional<bool> overlap_of_pair(const Body<T>& a, const Body<T>& b) {
-  if constexpr (HasOverlap<P, T>) {
+  if constexpr (HasOverlap<P, T>)
     return P::overlap(in_place<typename P::template A<T>>(a), in_place<typename P::template B<T>>(b));
-  } else {
-    const auto found = distance_of_pair<P>(a, b);
-    return found ? std::optional(found->distance <= T(0)) : std::nullopt;
-  }
+  else
+    return distance_tells_overlap<P>(a, b);
 }
 
 template <class P, class T>
