@@ -12,7 +12,7 @@
 //     contacts(a, b, margin, manifold) -> std::optional<T>   the distance; fills the manifold
 //     more_contacts(a, b, margin, manifold)            where `contacts` knew the closest points only, and left these
 //
-// The pairs of `graze/typed_query.hpp` fill any manifold that has a normal and points: `Manifold`, or one of fixed size.
+// Pairs of `graze/typed_query.hpp` fill whatever has a normal and points: a `Manifold`, or one of fixed size.
 //
 // and across lanes, for shapes that `taken_by_lanes` (`narrow/batch/lane_pairs.hpp`) names, without rounding:
 //
