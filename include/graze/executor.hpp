@@ -37,7 +37,7 @@ class SerialExecutor final : public Executor {
 template <class F>
 void for_each_chunk(Executor& executor, std::size_t count, std::size_t size, const F& f) {
   const std::size_t chunks = (count + size - 1) / size;
-  executor.run(chunks, [&](std::size_t chunk) { f(chunk * size, std::min(count, (chunk + 1) * size), chunk); });
+  executor.run(chunks, [&](std::size_t chunk) { f(chunk * size, (std::min)(count, (chunk + 1) * size), chunk); });
 }
 
 }  // namespace graze

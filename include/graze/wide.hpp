@@ -1,9 +1,9 @@
 // The lane type: N scalars that are computed on at once.
 //
 // Guarantee: every operation is lane by lane the IEEE operation of the scalar, so that a kernel written once over its
-// scalar gives the same bits in every lane as it gives for that lane alone. Over the compilers' vector extensions (g++
-// 12, clang 14 and later, WebAssembly), without intrinsics. All of it is inlined even without optimisation: kernels are
-// compiled for several instruction sets, and no copy for one of them may be left where another's is called.
+// scalar gives the same bits in every lane as it gives for that lane alone. Over the vectors of lane_vector.hpp, without
+// intrinsics. All of it is inlined even without optimisation (g++ and clang): kernels are compiled for several
+// instruction sets, and no copy for one of them may be left where another's is called.
 #pragma once
 
 #include <cmath>
@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "graze/lane_vector.hpp"
 #include "graze/standard.hpp"
 
 namespace graze {
@@ -22,8 +23,8 @@ template <class T, int N>
 struct Wide {
   using Lane = T;
   using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  typedef T Vector __attribute__((vector_size(N * sizeof(T))));
-  typedef Bits BitVector __attribute__((vector_size(N * sizeof(T))));
+  using Vector = detail::LaneVector<T, N>;
+  using BitVector = detail::LaneVector<Bits, N>;
 
   static constexpr int lanes = N;
 
@@ -69,32 +70,32 @@ struct Wide {
   [[gnu::always_inline]] Wide& operator*=(const Wide& b) { return *this = *this * b; }
 
   [[gnu::always_inline]] friend Mask operator<(const Wide& a, const Wide& b) {
-    return {reinterpret_cast<BitVector>(a.v < b.v)};
+    return {detail::bits_as<BitVector>(a.v < b.v)};
   }
   [[gnu::always_inline]] friend Mask operator<=(const Wide& a, const Wide& b) {
-    return {reinterpret_cast<BitVector>(a.v <= b.v)};
+    return {detail::bits_as<BitVector>(a.v <= b.v)};
   }
   [[gnu::always_inline]] friend Mask operator>(const Wide& a, const Wide& b) {
-    return {reinterpret_cast<BitVector>(a.v > b.v)};
+    return {detail::bits_as<BitVector>(a.v > b.v)};
   }
   [[gnu::always_inline]] friend Mask operator>=(const Wide& a, const Wide& b) {
-    return {reinterpret_cast<BitVector>(a.v >= b.v)};
+    return {detail::bits_as<BitVector>(a.v >= b.v)};
   }
   [[gnu::always_inline]] friend Mask operator==(const Wide& a, const Wide& b) {
-    return {reinterpret_cast<BitVector>(a.v == b.v)};
+    return {detail::bits_as<BitVector>(a.v == b.v)};
   }
   [[gnu::always_inline]] friend Mask operator!=(const Wide& a, const Wide& b) {
-    return {reinterpret_cast<BitVector>(a.v != b.v)};
+    return {detail::bits_as<BitVector>(a.v != b.v)};
   }
 
   [[gnu::always_inline]] friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
-    return of(condition.bits ? yes.v : no.v);
+    return of(detail::either_of(condition.bits, yes.v, no.v));
   }
   [[gnu::always_inline]] friend Wide least(const Wide& a, const Wide& b) { return select(b < a, b, a); }
   [[gnu::always_inline]] friend Wide greatest(const Wide& a, const Wide& b) { return select(a < b, b, a); }
   [[gnu::always_inline]] friend Wide abs(const Wide& a) {
     constexpr Bits sign = sizeof(T) == 4 ? Bits(0x80000000u) : Bits(0x8000000000000000u);
-    return of(reinterpret_cast<Vector>(reinterpret_cast<BitVector>(a.v) & ~(BitVector{} + sign)));
+    return of(detail::bits_as<Vector>(detail::bits_as<BitVector>(a.v) & ~(BitVector{} + sign)));
   }
   /// Lane by lane: both compilers make one vector instruction of the loop.
   [[gnu::always_inline]] friend Wide sqrt(const Wide& a) {
@@ -119,7 +120,7 @@ template <bool either, class V, std::size_t... I>
   constexpr std::size_t half = sizeof...(I);
   if constexpr (sizeof(V) > 16) {
     return joined_lanes<either>(
-        joined<either>(__builtin_shufflevector(v, v, I...), __builtin_shufflevector(v, v, (half + I)...)),
+        joined<either>(lanes_from<0>(v, std::index_sequence<I...>()), lanes_from<half>(v, std::index_sequence<I...>())),
         std::make_index_sequence<half / 2>());
   } else {
     static_assert(sizeof(V) == 16);

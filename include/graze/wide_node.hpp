@@ -30,7 +30,7 @@ struct NodeRay {
 
   /// Boxes are met that grow by `slack` on all sides.
   NodeRay(const Vec3<T>& from, const Vec3<double>& direction, double slack) : origin(from) {
-    constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
+    constexpr auto most = static_cast<double>((std::numeric_limits<T>::max)());
     constexpr double rounding = 1 + 8 * static_cast<double>(std::numeric_limits<T>::epsilon());
     for (std::size_t i = 0; i < 3; ++i) {
       // Finite, so that a side that the ray lies in is not passed at 0 * infinity; nor at 0, hence a margin of 1e-18.
@@ -98,7 +98,7 @@ struct alignas(64) WideNode {
       }
       const Lanes largest = greatest(gap[0], greatest(gap[1], gap[2]));
       // Of equal gaps without end there is no share.
-      const auto plain = (largest > zero) & (largest <= Lanes(std::numeric_limits<T>::max()));
+      const auto plain = (largest > zero) & (largest <= Lanes((std::numeric_limits<T>::max)()));
       const Lanes scale = one / select(plain, largest, one);
       Lanes sum = zero;
       for (const Lanes& g : gap) sum += g * scale * (g * scale);
@@ -146,8 +146,7 @@ struct alignas(64) WideNode {
       for (int i = 0; i < lanes; ++i) weights[i] = typename Lanes::Bits{1} << (first + i);
       bits |= mask.bits & weights;
     }
-    typedef std::uint64_t Halves __attribute__((vector_size(16)));
-    const auto halves = reinterpret_cast<Halves>(bits);
+    const auto halves = detail::bits_as<detail::LaneVector<std::uint64_t, 2>>(bits);
     const std::uint64_t both = halves[0] | halves[1];
     return static_cast<std::uint32_t>(both | (sizeof(T) == 4 ? both >> 32 : 0));
   }

@@ -74,7 +74,7 @@ class GRAZE_API ManifoldFinder {
   using PlacedRef = typename Space::PlacedRef;
 
  public:
-  static constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t all_points = (std::numeric_limits<std::size_t>::max)();
 
   /// A finder that leaves at most so many points of a pair, chosen as by `reduce` of its manifolds.
   explicit ManifoldFinder(std::size_t points_per_pair = all_points) : points_per_pair_(points_per_pair) {}

@@ -1,0 +1,126 @@
+// N numbers side by side, of which the lane type is made.
+//
+// Guarantee: g++ and clang compute on them with their vector extensions; for other compilers they are a struct of the
+// same operations, one after the other, which gives the same bits. This is the one public header that knows of vector
+// extensions. GRAZE_PLAIN_LANES takes the struct with every compiler: in all files of a program, or in none.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace graze::detail {
+
+#if defined(__GNUC__) && !defined(GRAZE_PLAIN_LANES)
+
+template <class T, int N>
+struct LaneVectorOf {
+  typedef T type __attribute__((vector_size(N * sizeof(T))));
+};
+template <class T, int N>
+using LaneVector = typename LaneVectorOf<T, N>::type;
+
+/// The bits of a vector as one of another type.
+template <class To, class From>
+[[gnu::always_inline]] inline To bits_as(const From& v) {
+  return reinterpret_cast<To>(v);
+}
+/// Lane by lane one of the two.
+template <class Whole, class V>
+[[gnu::always_inline]] inline V either_of(const Whole& condition, const V& yes, const V& no) {
+  return condition ? yes : no;
+}
+/// As many lanes as there are `I`, from `first` on.
+template <std::size_t first, class V, std::size_t... I>
+[[gnu::always_inline]] inline auto lanes_from(const V& v, std::index_sequence<I...>) {
+  return __builtin_shufflevector(v, v, (first + I)...);
+}
+
+#else
+
+template <class T, int N>
+struct alignas(N * sizeof(T)) LaneVector {
+  using Lane = T;
+  /// What comparisons give: all bits of a lane, or none.
+  using Truth = LaneVector<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, N>;
+
+  T lane[N];
+
+  T operator[](int i) const { return lane[i]; }
+  T& operator[](int i) { return lane[i]; }
+
+  friend LaneVector operator+(const LaneVector& a, const LaneVector& b) {
+    return of([&](int i) { return a[i] + b[i]; });
+  }
+  friend LaneVector operator+(const LaneVector& a, T b) {
+    return of([&](int i) { return a[i] + b; });
+  }
+  friend LaneVector operator-(const LaneVector& a, const LaneVector& b) {
+    return of([&](int i) { return a[i] - b[i]; });
+  }
+  friend LaneVector operator-(T a, const LaneVector& b) {
+    return of([&](int i) { return a - b[i]; });
+  }
+  friend LaneVector operator*(const LaneVector& a, const LaneVector& b) {
+    return of([&](int i) { return a[i] * b[i]; });
+  }
+  friend LaneVector operator/(const LaneVector& a, const LaneVector& b) {
+    return of([&](int i) { return a[i] / b[i]; });
+  }
+  friend LaneVector operator-(const LaneVector& a) {
+    return of([&](int i) { return -a[i]; });
+  }
+  friend LaneVector operator&(const LaneVector& a, const LaneVector& b) {
+    return of([&](int i) { return a[i] & b[i]; });
+  }
+  friend LaneVector operator|(const LaneVector& a, const LaneVector& b) {
+    return of([&](int i) { return a[i] | b[i]; });
+  }
+  friend LaneVector operator~(const LaneVector& a) {
+    return of([&](int i) { return ~a[i]; });
+  }
+  LaneVector& operator|=(const LaneVector& b) { return *this = *this | b; }
+
+  friend Truth operator<(const LaneVector& a, const LaneVector& b) {
+    return Truth::of([&](int i) { return a[i] < b[i] ? -1 : 0; });
+  }
+  friend Truth operator<=(const LaneVector& a, const LaneVector& b) {
+    return Truth::of([&](int i) { return a[i] <= b[i] ? -1 : 0; });
+  }
+  friend Truth operator>(const LaneVector& a, const LaneVector& b) { return b < a; }
+  friend Truth operator>=(const LaneVector& a, const LaneVector& b) { return b <= a; }
+  friend Truth operator==(const LaneVector& a, const LaneVector& b) {
+    return Truth::of([&](int i) { return a[i] == b[i] ? -1 : 0; });
+  }
+  friend Truth operator!=(const LaneVector& a, const LaneVector& b) { return ~(a == b); }
+
+  /// The vector whose lane i is `f(i)`.
+  template <class F>
+  static LaneVector of(const F& f) {
+    LaneVector r;
+    for (int i = 0; i < N; ++i) r.lane[i] = static_cast<T>(f(i));
+    return r;
+  }
+};
+
+template <class To, class From>
+inline To bits_as(const From& v) {
+  static_assert(sizeof(To) == sizeof(From));
+  To r;
+  std::memcpy(&r, &v, sizeof r);
+  return r;
+}
+template <class Whole, class V>
+inline V either_of(const Whole& condition, const V& yes, const V& no) {
+  return V::of([&](int i) { return condition[i] != 0 ? yes[i] : no[i]; });
+}
+template <std::size_t first, class V, std::size_t... I>
+inline auto lanes_from(const V& v, std::index_sequence<I...>) {
+  return LaneVector<typename V::Lane, static_cast<int>(sizeof...(I))>{{v.lane[first + I]...}};
+}
+
+#endif
+
+}  // namespace graze::detail

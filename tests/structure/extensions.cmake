@@ -1,0 +1,27 @@
+# Public headers keep to the standard: what g++ and clang alone know stands in the headers that say so and that have a way
+# for other compilers.
+cmake_minimum_required(VERSION 3.22)
+
+set(know_compilers "^graze/(lane_vector|visibility)\\.hpp$|^graze/graze\\.h$")
+set(extensions "__attribute__|__declspec|__builtin_|vector_size|__asm|__int128|__typeof|__restrict|__extension__|#pragma (GCC|clang)")
+
+file(GLOB_RECURSE headers RELATIVE "${ROOT}/include" "${ROOT}/include/graze/*.hpp" "${ROOT}/include/graze/*.h")
+if(NOT headers)
+  message(FATAL_ERROR "no headers in ${ROOT}/include")
+endif()
+set(found "")
+foreach(header IN LISTS headers)
+  file(STRINGS "${ROOT}/include/${header}" lines REGEX "${extensions}")
+  if(lines AND NOT header MATCHES "${know_compilers}")
+    string(APPEND found "\n  ${header}: ${lines}")
+  endif()
+  if(header MATCHES "${know_compilers}")
+    file(STRINGS "${ROOT}/include/${header}" asks REGEX "^#if defined\\(__GNUC__\\)")
+    if(NOT asks)
+      string(APPEND found "\n  ${header} does not ask which compiler reads it")
+    endif()
+  endif()
+endforeach()
+if(found)
+  message(FATAL_ERROR "Extensions of compilers in public headers:${found}")
+endif()
