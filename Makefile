@@ -86,6 +86,14 @@ wasm: ## build for WebAssembly and compare its answers, in Node
 	$(call build,wasm)
 	$(call check,wasm)
 
+# A Windows of its own below build/windows/wine; no display is needed.
+.PHONY: windows
+windows: ## build for Windows with mingw-w64 and run the tests, under Wine
+	@scripts/setup.sh windows
+	$(call configure,windows)
+	$(call build,windows)
+	$(call check,windows)
+
 # Debian's interpreter and NumPy, whatever stands first on the path. In the tree of `make test`: the library is built once.
 .PHONY: python
 python: ## build the Python package and run its tests

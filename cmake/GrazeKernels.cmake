@@ -45,6 +45,19 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND graze_flags_avx512 -fno-tree-slp-vectorize)
 endif()
 
+if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # On Windows a stack is aligned by 16 bytes, and g++ moves wider registers to it as if it were aligned by their width (GCC
+  # bug 54412), which ends the program. The assembler writes such moves as those that ask for no alignment and take the same
+  # time where there is one. Debian's mingw-w64 is mended that way by itself, others are not.
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-Wa,-muse-unaligned-vector-move GRAZE_HAS_UNALIGNED_MOVES)
+  if(NOT GRAZE_HAS_UNALIGNED_MOVES)
+    message(FATAL_ERROR "Graze needs an assembler that knows -muse-unaligned-vector-move (binutils 2.38)")
+  endif()
+  list(APPEND graze_flags_avx2 -Wa,-muse-unaligned-vector-move)
+  list(APPEND graze_flags_avx512 -Wa,-muse-unaligned-vector-move)
+endif()
+
 function(graze_kernels target)
   set(kernel_objects "")
   if(graze_only_level)

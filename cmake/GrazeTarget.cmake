@@ -73,6 +73,9 @@ endfunction()
 set(graze_sections -ffunction-sections -fdata-sections)
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set(graze_keep_reached -Wl,--gc-sections)
+elseif(MINGW)
+  # The format of objects on Windows counts sections in 16 bits unless told.
+  list(APPEND graze_sections -Wa,-mbig-obj)
 endif()
 
 # graze_c_target(<target>): the same of a program in C.

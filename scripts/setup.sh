@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab|mpi|npm [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|windows|abi|package|python|lab|mpi|npm [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -33,6 +33,9 @@ lint=(clang clang-format clang-tidy)
 arm=(g++-aarch64-linux-gnu qemu-user)
 wasm=(emscripten)
 
+# Windows: a compiler with threads of POSIX, GoogleTest's sources, since its library is Linux's, and what runs programs.
+windows=(g++-mingw-w64-x86-64-posix googletest wine wine64)
+
 # The npm package: JSON for the query protocol, and where it is tested. What npm packs is a tarball, made without npm.
 npm=(emscripten nlohmann-json3-dev nodejs chromium)
 
@@ -52,7 +55,7 @@ lab=(nodejs npm chromium)
 mpi=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev python3-mpi4py)
 
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|abi|package|python|lab|mpi|npm ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|windows|abi|package|python|lab|mpi|npm ..." >&2
   exit 2
 }
 
@@ -71,6 +74,7 @@ for arg in "$@"; do
     arm) wanted+=("${base[@]}" "${arm[@]}") ;;
     npm) wanted+=("${base[@]}" "${npm[@]}") ;;
     wasm) wanted+=("${base[@]}" "${wasm[@]}") ;;
+    windows) wanted+=("${base[@]}" "${windows[@]}") ;;
     abi) wanted+=("${base[@]}" "${abi[@]}") ;;
     package) wanted+=("${base[@]}" "${demo[@]}" "${threads[@]}" "${package[@]}") ;;
     mpi) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${mpi[@]}") ;;
