@@ -1,6 +1,8 @@
 // Traces, which are the same for both scalars: how C sees them.
 #include "c/trace.hpp"
 
+#include "c/draw.hpp"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -95,6 +97,25 @@ GrazeStatus graze_trace_view(GrazeTrace* trace, GrazeTraceView* view) {
     out.triangles = same_array<GrazeTraceTriangle>(told.triangles), out.triangle_count = told.triangles.size();
     out.nodes = told.nodes, out.pieces = told.pieces;
     *view = out;
+  });
+}
+
+GrazeDebugDraw graze_debug_draw_default(void) {
+  return {~std::uint32_t{0}, {0, 0, 0}, 1, nullptr, nullptr, nullptr, nullptr, nullptr};
+}
+
+GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3]) {
+  return guarded([&] {
+    given(rgb, "rgb");
+    const graze::DrawColor color = graze::suggested_color(graze::c::meaning_of(meaning));
+    rgb[0] = color.red, rgb[1] = color.green, rgb[2] = color.blue;
+  });
+}
+
+GrazeStatus graze_trace_draw(const GrazeTrace* trace, const GrazeDebugDraw* on) {
+  return guarded([&] {
+    graze::c::CallersDraw canvas(on);
+    draw(canvas, opened(trace, "trace").told);
   });
 }
 

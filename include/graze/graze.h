@@ -307,6 +307,66 @@ GRAZE_C_API GrazeStatus graze_trace_create(GrazeTrace **trace);
 GRAZE_C_API void graze_trace_destroy(GrazeTrace *trace);
 GRAZE_C_API GrazeStatus graze_trace_view(GrazeTrace *trace, GrazeTraceView *view);
 
+// Debug draw (graze/draw.hpp): what the library knows, drawn by a renderer of the caller's. Places are doubles for either
+// scalar, in the world; what lies in the plane has 0 as its third number.
+
+// What a reader switches on and off together.
+typedef enum GrazeDrawLayer GRAZE_AS_INT {
+  GRAZE_DRAW_SHAPES = 0,
+  GRAZE_DRAW_BOUNDS = 1,
+  GRAZE_DRAW_TREE = 2,
+  GRAZE_DRAW_CONTACTS = 3,
+  GRAZE_DRAW_DISTANCES = 4,
+  GRAZE_DRAW_RAYS = 5,
+  GRAZE_DRAW_CASTS = 6,
+  GRAZE_DRAW_TRACE = 7,
+  GRAZE_DRAW_JOINTS = 8
+} GrazeDrawLayer;
+
+// What a colour says.
+typedef enum GrazeDrawMeaning GRAZE_AS_INT {
+  GRAZE_MEANS_A = 0,  // the first of two, and what is its own
+  GRAZE_MEANS_B = 1,
+  GRAZE_MEANS_FIXED = 2,     // a body that never moves
+  GRAZE_MEANS_TOUCHED = 3,   // one that something touches
+  GRAZE_MEANS_MOVING = 4,    // a body that moves
+  GRAZE_MEANS_TOUCHING = 5,  // one that touches something
+  GRAZE_MEANS_ASLEEP = 6,
+  GRAZE_MEANS_TRIGGER = 7,
+  GRAZE_MEANS_CONTACT = 8,
+  GRAZE_MEANS_NORMAL = 9,
+  GRAZE_MEANS_GAP = 10,
+  GRAZE_MEANS_RULED_OUT = 11,  // what was tried and decided nothing
+  GRAZE_MEANS_BOUNDS = 12,
+  GRAZE_MEANS_PATH = 13,
+  GRAZE_MEANS_GHOST = 14,  // a place along a way
+  GRAZE_MEANS_JOINT = 15
+} GrazeDrawMeaning;
+
+typedef struct GrazeDebugDraw {
+  uint32_t layers;   // 1 << GrazeDrawLayer for each that is wanted
+  double center[3];  // of what is looked at; what has no end is drawn about it,
+  double size;       // > 0, as far as this; arrows are a twelfth of it
+  // Any of these may be null: then that is not drawn.
+  void (*point)(void *user, const double at[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning);
+  void (*line)(void *user, const double from[3], const double to[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning);
+  // Counter-clockwise seen from outside.
+  void (*triangle)(void *user, const double a[3], const double b[3], const double c[3], GrazeDrawLayer layer,
+                   GrazeDrawMeaning meaning);
+  // `words` until the function returns.
+  void (*text)(void *user, const double at[3], const char *words, GrazeDrawLayer layer, GrazeDrawMeaning meaning);
+  void *user;
+} GrazeDebugDraw;
+
+// All layers about the origin, size 1, and no functions.
+GRAZE_C_API GrazeDebugDraw graze_debug_draw_default(void);
+
+// The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255.
+GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3]);
+
+// What a query did: separating axes through the centre, the Minkowski difference B - A about the origin.
+GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Double
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1355,6 +1415,22 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_d(const GrazePlaneWorldd *wor
 // Bytes that are held, shapes' own data apart.
 GRAZE_C_API GrazeStatus graze_plane_world_memory_d(const GrazePlaneWorldd *world, size_t *bytes);
 
+// Debug draw (graze/draw.hpp) -----------------------------------------------------------------------------------------
+
+GRAZE_C_API GrazeStatus graze_shape_draw_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeDrawMeaning meaning,
+                                           const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_shape_draw_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                 GrazeDrawMeaning meaning, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_distance_draw_d(const GrazeDistanced *distance, const GrazeDebugDraw *on);
+// All bodies of a world, their bounds, and the contacts of its last update; of a simulation with joints, and what
+// sleeps told apart.
+GRAZE_C_API GrazeStatus graze_world_draw_d(const GrazeWorldd *world, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_simulation_draw_d(const GrazeSimulationd *simulation, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_world_draw_d(const GrazePlaneWorldd *world, const GrazeDebugDraw *on);
+// Writes the centre and the size of all that is bounded to `on`.
+GRAZE_C_API GrazeStatus graze_world_draw_area_d(const GrazeWorldd *world, GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *world, GrazeDebugDraw *on);
+
 // </double>
 // ---------------------------------------------------------------------------------------------------------------------
 // Float: the same, written by bindings/c/write_float.sh from the part for double.
@@ -2236,6 +2312,17 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_f(const GrazePlaneWorldf *wor
                                                      GrazeSeparating separating, GrazeBufferf *buffer,
                                                      const GrazePlaneBodyCastHitf **hits, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_world_memory_f(const GrazePlaneWorldf *world, size_t *bytes);
+
+GRAZE_C_API GrazeStatus graze_shape_draw_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeDrawMeaning meaning,
+                                           const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_shape_draw_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                 GrazeDrawMeaning meaning, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_distance_draw_f(const GrazeDistancef *distance, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_world_draw_f(const GrazeWorldf *world, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_simulation_draw_f(const GrazeSimulationf *simulation, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_world_draw_f(const GrazePlaneWorldf *world, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_world_draw_area_f(const GrazeWorldf *world, GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_world_draw_area_f(const GrazePlaneWorldf *world, GrazeDebugDraw *on);
 
 // </float>
 

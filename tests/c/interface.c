@@ -486,6 +486,83 @@ static void test_plane_world(void) {
   graze_plane_world_destroy_d(world), graze_plane_world_destroy_d(NULL), graze_buffer_destroy_d(buffer);
 }
 
+/* What a renderer was told, by layers. */
+typedef struct Drawn {
+  int points[9], lines[9], triangles[9], texts;
+  double lowest;
+} Drawn;
+
+static void draw_point(void* user, const double at[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning) {
+  (void)at, (void)meaning;
+  ++((Drawn*)user)->points[layer];
+}
+static void draw_line(void* user, const double from[3], const double to[3], GrazeDrawLayer layer,
+                      GrazeDrawMeaning meaning) {
+  (void)from, (void)to, (void)meaning;
+  ++((Drawn*)user)->lines[layer];
+}
+static void draw_triangle(void* user, const double a[3], const double b[3], const double c[3], GrazeDrawLayer layer,
+                          GrazeDrawMeaning meaning) {
+  Drawn* drawn = user;
+  (void)meaning;
+  ++drawn->triangles[layer];
+  drawn->lowest = fmin(drawn->lowest, fmin(a[1], fmin(b[1], c[1])));
+}
+static void draw_text(void* user, const double at[3], const char* words, GrazeDrawLayer layer,
+                      GrazeDrawMeaning meaning) {
+  (void)at, (void)layer, (void)meaning;
+  if (words[0] != '\0') ++((Drawn*)user)->texts;
+}
+
+static void test_draw(void) {
+  GrazeShaped* box;
+  OK(graze_shape_box_d((GrazeVec3d){1, 1, 1}, &box));
+  GrazeWorldd* world;
+  OK(graze_world_create_d(NULL, NULL, &world));
+  GrazeBodyd body = graze_body_default_d();
+  body.shape = box;
+  GrazeBodyId id;
+  OK(graze_world_add_d(world, &body, &id));
+  body.pose = graze_pose_at_place_d(0, 0.99, 0);
+  OK(graze_world_add_d(world, &body, &id));
+  OK(graze_world_update_d(world, 0));
+
+  Drawn drawn = {{0}, {0}, {0}, 0, 1};
+  GrazeDebugDraw on = graze_debug_draw_default();
+  OK(graze_world_draw_d(world, &on)); /* nothing to draw with draws nothing */
+  on.point = draw_point, on.line = draw_line, on.triangle = draw_triangle, on.text = draw_text, on.user = &drawn;
+  OK(graze_world_draw_area_d(world, &on));
+  EXPECT(is_near(on.center[1], 0.495) && on.size > 1.98);
+  OK(graze_world_draw_d(world, &on));
+  EXPECT(drawn.triangles[GRAZE_DRAW_SHAPES] == 24 && drawn.points[GRAZE_DRAW_CONTACTS] == 4 &&
+         drawn.lines[GRAZE_DRAW_BOUNDS] == 24 && is_near(drawn.lowest, -0.5));
+  on.layers = 1u << GRAZE_DRAW_CONTACTS;
+  OK(graze_world_draw_d(world, &on));
+  EXPECT(drawn.triangles[GRAZE_DRAW_SHAPES] == 24 && drawn.points[GRAZE_DRAW_CONTACTS] == 8);
+
+  on.layers = ~0u;
+  GrazeTrace* trace;
+  OK(graze_trace_create(&trace));
+  const GrazePosed here = graze_pose_identity_d();
+  bool touch;
+  OK(graze_overlap_explained_d(box, &here, box, &body.pose, &touch, trace));
+  OK(graze_trace_draw(trace, &on));
+  EXPECT(touch && drawn.texts == 1 && drawn.lines[GRAZE_DRAW_TRACE] > 3);
+  uint8_t rgb[3];
+  OK(graze_draw_color(GRAZE_MEANS_CONTACT, rgb));
+  EXPECT(rgb[0] > rgb[1]);
+  OK(graze_shape_draw_d(box, &here, GRAZE_MEANS_B, &on));
+  EXPECT(drawn.triangles[GRAZE_DRAW_SHAPES] == 36);
+
+  REFUSED(graze_world_draw_d(world, NULL), "on: expected a pointer, got null");
+  on.size = 0;
+  REFUSED(graze_world_draw_d(world, &on), "on.size: expected a size > 0, got 0");
+  on.size = 1;
+  REFUSED(graze_shape_draw_d(box, &here, (GrazeDrawMeaning)99, &on),
+          "meaning: expected an enumerator from 0 to 15, got 99");
+  graze_trace_destroy(trace), graze_world_destroy_d(world), graze_shape_release_d(box);
+}
+
 int main(void) {
   test_version();
   test_errors();
@@ -495,6 +572,7 @@ int main(void) {
   test_simulation();
   test_plane();
   test_plane_world();
+  test_draw();
   if (failures > 0) fprintf(stderr, "%d expectations failed\n", failures);
   return failures > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }
