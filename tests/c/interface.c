@@ -519,8 +519,7 @@ static void test_draw(void) {
   OK(graze_shape_box_d((GrazeVec3d){1, 1, 1}, &box));
   GrazeWorldd* world;
   OK(graze_world_create_d(NULL, NULL, &world));
-  GrazeBodyd body = graze_body_default_d();
-  body.shape = box;
+  GrazeBodyd body = graze_body_default_d(box);
   GrazeBodyId id;
   OK(graze_world_add_d(world, &body, &id));
   body.pose = graze_pose_at_place_d(0, 0.99, 0);

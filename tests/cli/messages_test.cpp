@@ -90,8 +90,8 @@ TEST(Messages, AFileThatIsNotThere) {
 TEST(Messages, AnUnknownCommandIsNamedAndTheKnownOnesListed) {
   const Result r = run("colide " + example);
   EXPECT_EQ(r.code, 2);
-  EXPECT_EQ(r.output,
-            "graze: colide: no such command; there are cast, collide, explain, info, query, simulate (graze --help)\n");
+  EXPECT_EQ(r.output, "graze: colide: no such command; there are capture, cast, collide, explain, info, "
+                      "query, replay, simulate, view (graze --help)\n");
 }
 
 TEST(Messages, AloneItHelps) {
