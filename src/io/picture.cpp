@@ -26,11 +26,11 @@ Aabbd scene_bounds(const Scene& scene) {
 
 /// What bodies of a picture may be, as its legend calls them. A body that does not move is tinted a little where it is
 /// touched.
-constexpr std::pair<DrawMeaning, const char*> names[] = {{DrawMeaning::fixed, "static"},
-                                                         {DrawMeaning::touched, "static, touched"},
-                                                         {DrawMeaning::moving, "moving"},
-                                                         {DrawMeaning::touching, "touching"},
-                                                         {DrawMeaning::trigger, "trigger"}};
+constexpr std::pair<DrawMeaning, const char*> legend_names[] = {{DrawMeaning::fixed, "static"},
+                                                                {DrawMeaning::touched, "static, touched"},
+                                                                {DrawMeaning::moving, "moving"},
+                                                                {DrawMeaning::touching, "touching"},
+                                                                {DrawMeaning::trigger, "trigger"}};
 
 template <class AnyScene, class AnyCollider>
 DrawMeaning meaning_of(const AnyScene& scene, const AnyCollider& collider, bool touching) {
@@ -53,7 +53,7 @@ std::string legend(const AnyScene& scene, const std::vector<TouchingPair>& pairs
                          fmt::format("{}: {}, {} in contact", scene.source, counted(scene.colliders.size(), "collider"),
                                      counted(pairs.size(), "pair")));
   double x = 24;
-  for (const auto& [meaning, called] : names) {
+  for (const auto& [meaning, called] : legend_names) {
     if (used.count(meaning) == 0) continue;
     const std::string name = called;
     out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" rx=\"3\" fill=\"{}\"/>\n", x,
