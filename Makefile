@@ -165,7 +165,7 @@ bench-resolution: ## run the solver's table beside Bullet and ODE, and write ben
 	@scripts/setup.sh bench
 	$(call configure,bench)
 	cmake --build --preset bench --parallel $(JOBS) --target bench_resolution
-	@build/bench/bin/bench_resolution $(if $(QUICK),--quick) > build/RESOLUTION.md
+	@build/release/bin/bench_resolution $(if $(QUICK),--quick) > build/RESOLUTION.md
 	@mv build/RESOLUTION.md bench/RESOLUTION.md
 
 .PHONY: format
