@@ -30,6 +30,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   case 1: put_frames<WorldSettings<float>>(out, capture::Kind::world, true, calls); break;
   case 2: put_frames<SimulationSettings<double>>(out, capture::Kind::simulation, false, calls); break;
   case 3: put_frames<SimulationSettings<float>>(out, capture::Kind::simulation, true, calls); break;
+  case 4: put_frames<WorldSettings<double>>(out, capture::Kind::plane_world, false, calls); break;
+  case 5: put_frames<WorldSettings<float>>(out, capture::Kind::plane_world, true, calls); break;
+  case 6: put_frames<plane::SimulationSettings<double>>(out, capture::Kind::plane_simulation, false, calls); break;
+  case 7: put_frames<plane::SimulationSettings<float>>(out, capture::Kind::plane_simulation, true, calls); break;
   default: out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
   }
   std::istringstream in(out.str());

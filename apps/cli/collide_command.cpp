@@ -102,7 +102,6 @@ bool is_in_plane(const CollideArguments& options) {
   const char* other = options.frames.frames              ? "--frames"
                       : options.solid                    ? "--solid"
                       : !options.out.empty()             ? "--out"
-                      : options.points                   ? "--points"
                       : !options.scene.colliders.empty() ? "--colliders"
                                                          : nullptr;
   if (other) throw InvalidValue(other, "a scene in space", "one of the plane");

@@ -23,6 +23,7 @@ struct ReplayArguments {
 
 void print_as_json(const ReplayReport& report) {
   Json whole{{"of", report.simulation ? "simulation" : "world"},
+             {"dimension", report.plane ? 2 : 3},
              {"precision", report.single ? "float" : "double"},
              {"frames", report.frames},
              {"calls", report.calls},
@@ -35,9 +36,9 @@ void print_as_json(const ReplayReport& report) {
 }
 
 void print_as_text(const std::string& file, const ReplayReport& report) {
-  fmt::print("{}: {} of a {} in {}, {}\n", file, counted(report.frames, "frame"),
-             report.simulation ? "simulation" : "world", report.single ? "float" : "double",
-             report.difference ? "then something else" : "the same bits");
+  fmt::print("{}: {} of a {}{} in {}, {}\n", file, counted(report.frames, "frame"),
+             report.simulation ? "simulation" : "world", report.plane ? " of the plane" : "",
+             report.single ? "float" : "double", report.difference ? "then something else" : "the same bits");
   if (report.difference)
     fmt::print("frame {}, call {}: {}\n", report.difference->frame, report.difference->call, report.difference->what);
   if (report.cut) print_notes({fmt::format("{}: ends within a frame, which was left out", file)});

@@ -393,6 +393,52 @@ export const traced: {
   cast(a: Moving, b: Moving, options?: CastOptions): Traced<CastHit | null>;
 };
 
+// --- Debug draw ---
+
+/** What a reader switches on and off together. */
+export type DrawLayer = "shapes" | "bounds" | "tree" | "contacts" | "distances" | "rays" | "casts" | "trace" | "joints";
+/** What a colour says: `a` and `b` are the first and the second of two, `ruledOut` was tried and decided nothing. */
+export type DrawMeaning =
+  | "a" | "b" | "fixed" | "touched" | "moving" | "touching" | "asleep" | "trigger" | "contact" | "normal" | "gap"
+  | "ruledOut" | "bounds" | "path" | "ghost" | "joint";
+/** A renderer of yours. Places are three numbers in the world, of the plane with 0 as the third; a method that is not
+ * there draws nothing. What a method throws is thrown by what draws. */
+export interface Renderer {
+  /** Those that are wanted; by default all. */
+  layers?: DrawLayer[];
+  /** What is looked at, the origin by default, and how far around it what has no end is drawn: 1 by default. */
+  center?: Vec3Like;
+  size?: number;
+  point?(at: number[], layer: DrawLayer, meaning: DrawMeaning): void;
+  line?(from: number[], to: number[], layer: DrawLayer, meaning: DrawMeaning): void;
+  /** Counter-clockwise seen from outside. */
+  triangle?(a: number[], b: number[], c: number[], layer: DrawLayer, meaning: DrawMeaning): void;
+  text?(at: number[], words: string, layer: DrawLayer, meaning: DrawMeaning): void;
+}
+/** Not in graze/queries. What the library knows, through a renderer. */
+export const draw: {
+  shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
+  distance(distance: Pick<Distance, "a" | "b">, renderer: Renderer): void;
+  /** Bodies, bounds, the tree, and the contacts of the last update. */
+  world(world: World, renderer: Renderer): void;
+  /** The same with what sleeps, and joints. */
+  simulation(simulation: Simulation, renderer: Renderer): void;
+  /** What a renderer looks at that shows all of a world. */
+  area(world: World): { center: number[]; size: number };
+  /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
+  color(meaning: DrawMeaning): [number, number, number];
+  /** Asks, draws what the question did, and answers. */
+  explained(renderer: Renderer): Explained;
+};
+export interface Explained {
+  overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
+  distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
+  contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
+  closest(shape: Shape, pose: PoseLike, point: Vec3Like): Closest;
+  raycast(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): RayHit | null;
+  cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
+}
+
 // --- What a blow does ---
 
 export interface StruckContact {
@@ -844,6 +890,18 @@ export declare namespace plane {
     raycast(shape: Shape, pose: PoseLike, ray: Ray): Traced<RayHit | null>;
     cast(a: Moving, b: Moving, options?: CastOptions): Traced<CastHit | null>;
   };
+  const draw: {
+    shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
+    explained(renderer: Renderer): Explained;
+  };
+  interface Explained {
+    overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
+    distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
+    contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
+    closest(shape: Shape, pose: PoseLike, point: ArrayLike<number>): Closest;
+    raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
+    cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
+  }
 }
 
 // --- The query protocol (graze/double alone) ---

@@ -11,6 +11,8 @@
 // takes no more memory than in proportion to them, and ends with a report or with an `InvalidValue` that names the file
 // and the frame. Writing costs the size of what was said and two hashes over what moved.
 //
+// In the plane, `plane::CapturedSimulation` and `plane::CapturedWorld` (`graze/plane/capture.hpp`) do the same.
+//
 // Shapes are built from what the file holds of them, so that a captured run and its replay have the same: a convex
 // hull from its vertices alone, whose faces and vertices may therefore be numbered in another order than the caller's.
 #pragma once
@@ -22,54 +24,77 @@
 #include <string>
 #include <variant>
 
+#include "graze/plane/simulation.hpp"
 #include "graze/simulation.hpp"
 
 namespace graze {
 
-template <class T>
+template <class T, class Space>
 class CaptureWriter;
+template <class T, class Space>
+struct CapturedStates;
 
 /// A simulation whose calls are written to a stream, which must outlive it; with no stream it is only a simulation.
 /// What is said of the calls there holds here.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedSimulation {
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+  using Pose = typename Space::Pose;
+  using Velocity = typename Space::Velocity;
+  using Dynamics = typename Rigid<Space>::Dynamics;
+  using Material = graze::Material<T, Vec>;
+
  public:
   /// Throws `InvalidValue` when the stream takes no more bytes, as all calls here do.
-  explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T>& settings = {},
+  explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
   ~CapturedSimulation();
   CapturedSimulation(const CapturedSimulation&) = delete;
   CapturedSimulation& operator=(const CapturedSimulation&) = delete;
 
   /// Throws `InvalidValue` for a shape of the user's own, too: a file cannot hold its support function.
-  BodyId add(Body<T> body, const Dynamics<T>& dynamics = {}, const Material<T>& material = {});
-  JointId add(const Joint<T>& joint);
+  BodyId add(Body<T, Space> body, const Dynamics& dynamics = {}, const Material& material = {});
+  JointId add(const Joint<T, Space>& joint);
   void remove(BodyId id);
   void remove(JointId id);
   void step(T dt);
-  void apply_impulse(BodyId id, const Vec3<T>& impulse, const Vec3<T>& point);
-  void apply_angular_impulse(BodyId id, const Vec3<T>& impulse);
-  void apply_force(BodyId id, const Vec3<T>& force);
-  void apply_torque(BodyId id, const Vec3<T>& torque);
-  void set_velocity(BodyId id, const Velocity<T>& velocity);
-  void set_pose(BodyId id, const Pose<T>& pose);
-  void move_to(BodyId id, const Pose<T>& pose, T dt);
-  void set_material(BodyId id, const Material<T>& material);
+  void apply_impulse(BodyId id, const Vec& impulse, const Vec& point);
+  void apply_angular_impulse(BodyId id, const Turning& impulse);
+  void apply_force(BodyId id, const Vec& force);
+  void apply_torque(BodyId id, const Turning& torque);
+  void set_velocity(BodyId id, const Velocity& velocity);
+  void set_pose(BodyId id, const Pose& pose);
+  void move_to(BodyId id, const Pose& pose, T dt);
+  void set_material(BodyId id, const Material& material);
   void wake(BodyId id);
-  void set_gravity(const Vec3<T>& gravity);
+  void set_gravity(const Vec& gravity);
 
-  /// For everything that is asked. A state cannot be restored: a capture has no way back.
-  const Simulation<T>& simulation() const { return simulation_; }
-  const World<T>& world() const { return simulation_.world(); }
+  /// Keeps the state as it is now under a number, instead of what was kept there. A replay keeps it as well, which is
+  /// why there are so few numbers. Throws `InvalidValue` for one that there is not.
+  static constexpr std::size_t most_states = 16;
+  void save(std::size_t number);
+  /// Goes back to what was kept. Throws `InvalidValue` where nothing was, and as `Simulation::restore`.
+  void restore(std::size_t number);
+
+  /// For everything that is asked.
+  const Simulation<T, Space>& simulation() const { return simulation_; }
+  const World<T, Space>& world() const { return simulation_.world(); }
 
  private:
-  Simulation<T> simulation_;
-  std::unique_ptr<CaptureWriter<T>> writer_;
+  Simulation<T, Space> simulation_;
+  std::unique_ptr<CapturedStates<T, Space>> states_;
+  std::unique_ptr<CaptureWriter<T, Space>> writer_;
 };
 
 /// A world whose calls are written to a stream; as `CapturedSimulation`.
-template <class T>
+template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedWorld {
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+  using Pose = typename Space::Pose;
+  using Shape = typename Space::Shape;
+
  public:
   /// Throws `InvalidValue` for settings with a last word on pairs (`allow`), which a file cannot hold.
   explicit CapturedWorld(std::ostream* out, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
@@ -77,25 +102,27 @@ class GRAZE_API CapturedWorld {
   CapturedWorld(const CapturedWorld&) = delete;
   CapturedWorld& operator=(const CapturedWorld&) = delete;
 
-  BodyId add(Body<T> body);
+  BodyId add(Body<T, Space> body);
   void remove(BodyId id);
-  void move(BodyId id, const Pose<T>& pose);
-  void move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular);
-  void set_shape(BodyId id, Shape<T> shape);
+  void move(BodyId id, const Pose& pose);
+  void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular);
+  void set_shape(BodyId id, Shape shape);
   void set_filter(BodyId id, const Filter& filter);
   void set_fast(BodyId id, bool fast);
   void update(T duration = T(0));
   void find_impacts(T duration);
 
-  const World<T>& world() const { return world_; }
+  const World<T, Space>& world() const { return world_; }
 
  private:
-  World<T> world_;
-  std::unique_ptr<CaptureWriter<T>> writer_;
+  World<T, Space> world_;
+  std::unique_ptr<CaptureWriter<T, Space>> writer_;
 };
 
 /// What is captured, while it is played: after a frame, or after the calls behind the last one.
-using Replayed = std::variant<const Worldf*, const Worldd*, const Simulationf*, const Simulationd*>;
+using Replayed =
+    std::variant<const Worldf*, const Worldd*, const Simulationf*, const Simulationd*, const plane::Worldf*,
+                 const plane::Worldd*, const plane::Simulationf*, const plane::Simulationd*>;
 
 /// Where a replay first comes to something else than the run that was captured.
 struct ReplayDifference {
@@ -106,6 +133,7 @@ struct ReplayDifference {
 
 struct ReplayReport {
   bool simulation = false;  ///< otherwise a world
+  bool plane = false;       ///< of the plane, otherwise of space
   bool single = false;      ///< float
   std::size_t frames = 0, calls = 0;
   bool cut = false;  ///< the stream ends within a frame, which was left out

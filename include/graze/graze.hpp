@@ -25,6 +25,7 @@
 #include "graze/pairs.hpp"
 #include "graze/plane/batch.hpp"
 #include "graze/plane/blows.hpp"
+#include "graze/plane/capture.hpp"
 #include "graze/plane/cast.hpp"
 #include "graze/plane/contact_motion.hpp"
 #include "graze/plane/mass.hpp"

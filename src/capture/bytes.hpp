@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "graze/simulation.hpp"
+#include "graze/plane/simulation.hpp"
 
 namespace graze::capture {
 
@@ -84,6 +84,9 @@ class Reading {
   static constexpr std::uint8_t last_of(JointSpace) { return static_cast<std::uint8_t>(JointSpace::angular); }
   static constexpr std::uint8_t last_of(DriveMode) { return static_cast<std::uint8_t>(DriveMode::acceleration); }
   static constexpr std::uint8_t last_of(Sides) { return static_cast<std::uint8_t>(Sides::front); }
+  static constexpr std::uint8_t last_of(plane::ChainSides) {
+    return static_cast<std::uint8_t>(plane::ChainSides::both);
+  }
 
   std::string_view left_;
 };
@@ -115,6 +118,18 @@ void fields(Io& io, Vec3<T>& v) {
   io(v.x, v.y, v.z);
 }
 template <class Io, class T>
+void fields(Io& io, plane::Vec2<T>& v) {
+  io(v.x, v.y);
+}
+template <class Io, class T>
+void fields(Io& io, plane::Pose2<T>& pose) {
+  io(pose.translation, pose.rotation.cosine, pose.rotation.sine);
+}
+template <class Io, class T>
+void fields(Io& io, plane::Velocity<T>& velocity) {
+  io(velocity.linear, velocity.angular);
+}
+template <class Io, class T>
 void fields(Io& io, Quat<T>& q) {
   io(q.x, q.y, q.z, q.w);
 }
@@ -138,8 +153,8 @@ template <class Io>
 void fields(Io& io, Filter& filter) {
   io(filter.category, filter.mask, filter.group);
 }
-template <class Io, class T>
-void fields(Io& io, Material<T>& m) {
+template <class Io, class T, class Vec>
+void fields(Io& io, Material<T, Vec>& m) {
   io(m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.friction_combine,
      m.restitution_combine, m.surface_velocity);
 }
@@ -147,6 +162,11 @@ template <class Io, class T>
 void fields(Io& io, Dynamics<T>& d) {
   io(d.mass, d.center_of_mass, d.inertia_diagonal, d.inertia_orientation, d.density, d.gravity_factor, d.linear_damping,
      d.angular_damping, d.kinematic, d.may_sleep);
+}
+template <class Io, class T>
+void fields(Io& io, plane::Dynamics<T>& d) {
+  io(d.mass, d.center_of_mass, d.inertia, d.density, d.gravity_factor, d.linear_damping, d.angular_damping, d.kinematic,
+     d.may_sleep);
 }
 template <class Io, class T>
 void fields(Io& io, JointLimit<T>& limit) {
@@ -157,15 +177,15 @@ void fields(Io& io, JointDrive<T>& drive) {
   io(drive.space, drive.mode, drive.axis, drive.position_target, drive.velocity_target, drive.stiffness, drive.damping,
      drive.max_force);
 }
-template <class Io, class T>
-void fields(Io& io, Joint<T>& joint) {
+template <class Io, class T, class Space>
+void fields(Io& io, Joint<T, Space>& joint) {
   io(joint.a, joint.b, joint.frame_a, joint.frame_b);
   fields(io, joint.limits, 8);
   fields(io, joint.drives, 8);
   io(joint.enable_collision);
 }
-template <class Io, class T>
-void fields(Io& io, SimulationSettings<T>& s) {
+template <class Io, class T, class Space>
+void fields(Io& io, SimulationSettings<T, Space>& s) {
   io(s.gravity, s.sub_steps, s.most_sub_steps, s.sleep, s.continuous, s.longest_step);
 }
 
@@ -178,8 +198,8 @@ void fields(Io& io, WorldSettings<T>& s) {
   if (points != 0) s.points_per_pair = static_cast<std::size_t>(points);
 }
 /// All but its shape.
-template <class Io, class T>
-void fields(Io& io, Body<T>& b) {
+template <class Io, class T, class Space>
+void fields(Io& io, Body<T, Space>& b) {
   io(b.pose, b.linear, b.angular, b.filter, b.fixed, b.trigger, b.fast);
 }
 

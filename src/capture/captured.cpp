@@ -4,6 +4,7 @@
 
 #include "capture/frames.hpp"
 #include "capture/shape_bytes.hpp"
+#include "capture/states.hpp"
 #include "graze/error.hpp"
 
 namespace graze {
@@ -11,8 +12,10 @@ namespace graze {
 using capture::Call;
 
 /// Gathers the calls of a frame and writes it when it ends.
-template <class T>
+template <class T, class Space>
 class CaptureWriter {
+  using Shape = typename Space::Shape;
+
  public:
   template <class Settings>
   CaptureWriter(std::ostream& out, capture::Kind kind, const Settings& settings) : out_(out) {
@@ -31,13 +34,13 @@ class CaptureWriter {
   }
 
   /// The shape that the file holds for this one, and its number.
-  std::pair<Shape<T>, std::uint32_t> shape(const Shape<T>& shape) {
+  std::pair<Shape, std::uint32_t> shape(const Shape& shape) {
     capture::Writing bytes;
     capture::write_shape(bytes, shape);
     const auto [place, added] = numbers_.try_emplace(bytes.bytes, static_cast<std::uint32_t>(shapes_.size()));
     if (added) {
       capture::Reading again(place->first);
-      shapes_.push_back(capture::read_shape<T>(again));
+      shapes_.push_back(capture::read_shape<Shape>(again));
       frame_(Call::shape);
       frame_.bytes += place->first;
     }
@@ -48,7 +51,7 @@ class CaptureWriter {
     frame_(call, values...);
   }
   template <class... Values>
-  void end(Call call, const World<T>& world, const Values&... values) {
+  void end(Call call, const World<T, Space>& world, const Values&... values) {
     frame_(call, values..., capture::outcome_of(world));
     write();
   }
@@ -62,19 +65,20 @@ class CaptureWriter {
   std::ostream& out_;
   capture::Writing frame_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
-  std::vector<Shape<T>> shapes_;
+  std::vector<Shape> shapes_;
 };
 
-template <class T>
-CapturedSimulation<T>::CapturedSimulation(std::ostream* out, const SimulationSettings<T>& settings, Executor* executor)
-    : simulation_(settings, executor) {
-  if (out) writer_ = std::make_unique<CaptureWriter<T>>(*out, capture::Kind::simulation, settings);
+template <class T, class Space>
+CapturedSimulation<T, Space>::CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings,
+                                                 Executor* executor)
+    : simulation_(settings, executor), states_(std::make_unique<CapturedStates<T, Space>>()) {
+  if (out) writer_ = std::make_unique<CaptureWriter<T, Space>>(*out, capture::kind_of<T, Space>(true), settings);
 }
-template <class T>
-CapturedSimulation<T>::~CapturedSimulation() = default;
+template <class T, class Space>
+CapturedSimulation<T, Space>::~CapturedSimulation() = default;
 
-template <class T>
-BodyId CapturedSimulation<T>::add(Body<T> body, const Dynamics<T>& dynamics, const Material<T>& material) {
+template <class T, class Space>
+BodyId CapturedSimulation<T, Space>::add(Body<T, Space> body, const Dynamics& dynamics, const Material& material) {
   if (!writer_) return simulation_.add(std::move(body), dynamics, material);
   auto [shape, number] = writer_->shape(body.shape);
   body.shape = std::move(shape);
@@ -82,89 +86,99 @@ BodyId CapturedSimulation<T>::add(Body<T> body, const Dynamics<T>& dynamics, con
   writer_->call(Call::add_body, number, body, dynamics, material, id);
   return id;
 }
-template <class T>
-JointId CapturedSimulation<T>::add(const Joint<T>& joint) {
+template <class T, class Space>
+JointId CapturedSimulation<T, Space>::add(const Joint<T, Space>& joint) {
   const JointId id = simulation_.add(joint);
   if (writer_) writer_->call(Call::add_joint, joint, id);
   return id;
 }
-template <class T>
-void CapturedSimulation<T>::remove(BodyId id) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::remove(BodyId id) {
   simulation_.remove(id);
   if (writer_) writer_->call(Call::remove_body, id);
 }
-template <class T>
-void CapturedSimulation<T>::remove(JointId id) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::remove(JointId id) {
   simulation_.remove(id);
   if (writer_) writer_->call(Call::remove_joint, id);
 }
-template <class T>
-void CapturedSimulation<T>::apply_impulse(BodyId id, const Vec3<T>& impulse, const Vec3<T>& point) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::apply_impulse(BodyId id, const Vec& impulse, const Vec& point) {
   simulation_.apply_impulse(id, impulse, point);
   if (writer_) writer_->call(Call::apply_impulse, id, impulse, point);
 }
-template <class T>
-void CapturedSimulation<T>::apply_angular_impulse(BodyId id, const Vec3<T>& impulse) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::apply_angular_impulse(BodyId id, const Turning& impulse) {
   simulation_.apply_angular_impulse(id, impulse);
   if (writer_) writer_->call(Call::apply_angular_impulse, id, impulse);
 }
-template <class T>
-void CapturedSimulation<T>::apply_force(BodyId id, const Vec3<T>& force) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::apply_force(BodyId id, const Vec& force) {
   simulation_.apply_force(id, force);
   if (writer_) writer_->call(Call::apply_force, id, force);
 }
-template <class T>
-void CapturedSimulation<T>::apply_torque(BodyId id, const Vec3<T>& torque) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::apply_torque(BodyId id, const Turning& torque) {
   simulation_.apply_torque(id, torque);
   if (writer_) writer_->call(Call::apply_torque, id, torque);
 }
-template <class T>
-void CapturedSimulation<T>::set_velocity(BodyId id, const Velocity<T>& velocity) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::set_velocity(BodyId id, const Velocity& velocity) {
   simulation_.set_velocity(id, velocity);
   if (writer_) writer_->call(Call::set_velocity, id, velocity);
 }
-template <class T>
-void CapturedSimulation<T>::set_pose(BodyId id, const Pose<T>& pose) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::set_pose(BodyId id, const Pose& pose) {
   simulation_.set_pose(id, pose);
   if (writer_) writer_->call(Call::set_pose, id, pose);
 }
-template <class T>
-void CapturedSimulation<T>::move_to(BodyId id, const Pose<T>& pose, T dt) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::move_to(BodyId id, const Pose& pose, T dt) {
   simulation_.move_to(id, pose, dt);
   if (writer_) writer_->call(Call::move_to, id, pose, dt);
 }
-template <class T>
-void CapturedSimulation<T>::set_material(BodyId id, const Material<T>& material) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::set_material(BodyId id, const Material& material) {
   simulation_.set_material(id, material);
   if (writer_) writer_->call(Call::set_material, id, material);
 }
-template <class T>
-void CapturedSimulation<T>::wake(BodyId id) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::wake(BodyId id) {
   simulation_.wake(id);
   if (writer_) writer_->call(Call::wake, id);
 }
-template <class T>
-void CapturedSimulation<T>::set_gravity(const Vec3<T>& gravity) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::set_gravity(const Vec& gravity) {
   simulation_.set_gravity(gravity);
   if (writer_) writer_->call(Call::set_gravity, gravity);
 }
-template <class T>
-void CapturedSimulation<T>::step(T dt) {
+template <class T, class Space>
+void CapturedSimulation<T, Space>::save(std::size_t number) {
+  states_->save(number, simulation_);
+  if (writer_) writer_->call(Call::save, static_cast<std::uint8_t>(number));
+}
+template <class T, class Space>
+void CapturedSimulation<T, Space>::restore(std::size_t number) {
+  states_->restore(number, simulation_);
+  if (writer_) writer_->call(Call::restore, static_cast<std::uint8_t>(number));
+}
+template <class T, class Space>
+void CapturedSimulation<T, Space>::step(T dt) {
   simulation_.step(dt);
   if (writer_) writer_->end(Call::step, simulation_.world(), dt);
 }
 
-template <class T>
-CapturedWorld<T>::CapturedWorld(std::ostream* out, const WorldSettings<T>& settings, Executor* executor)
+template <class T, class Space>
+CapturedWorld<T, Space>::CapturedWorld(std::ostream* out, const WorldSettings<T>& settings, Executor* executor)
     : world_(settings, executor) {
   if (settings.allow) throw InvalidValue("settings.allow", "none: a file cannot hold a function", "a function");
-  if (out) writer_ = std::make_unique<CaptureWriter<T>>(*out, capture::Kind::world, settings);
+  if (out) writer_ = std::make_unique<CaptureWriter<T, Space>>(*out, capture::kind_of<T, Space>(false), settings);
 }
-template <class T>
-CapturedWorld<T>::~CapturedWorld() = default;
+template <class T, class Space>
+CapturedWorld<T, Space>::~CapturedWorld() = default;
 
-template <class T>
-BodyId CapturedWorld<T>::add(Body<T> body) {
+template <class T, class Space>
+BodyId CapturedWorld<T, Space>::add(Body<T, Space> body) {
   if (!writer_) return world_.add(std::move(body));
   auto [shape, number] = writer_->shape(body.shape);
   body.shape = std::move(shape);
@@ -172,52 +186,56 @@ BodyId CapturedWorld<T>::add(Body<T> body) {
   writer_->call(Call::add_body, number, body, id);
   return id;
 }
-template <class T>
-void CapturedWorld<T>::set_shape(BodyId id, Shape<T> shape) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::set_shape(BodyId id, Shape shape) {
   if (!writer_) return world_.set_shape(id, std::move(shape));
   auto [held, number] = writer_->shape(shape);
   world_.set_shape(id, std::move(held));
   writer_->call(Call::set_shape, id, number);
 }
-template <class T>
-void CapturedWorld<T>::remove(BodyId id) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::remove(BodyId id) {
   world_.remove(id);
   if (writer_) writer_->call(Call::remove_body, id);
 }
-template <class T>
-void CapturedWorld<T>::move(BodyId id, const Pose<T>& pose) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::move(BodyId id, const Pose& pose) {
   world_.move(id, pose);
   if (writer_) writer_->call(Call::move, id, pose);
 }
-template <class T>
-void CapturedWorld<T>::move(BodyId id, const Pose<T>& pose, const Vec3<T>& linear, const Vec3<T>& angular) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular) {
   world_.move(id, pose, linear, angular);
   if (writer_) writer_->call(Call::move_with_velocity, id, pose, linear, angular);
 }
-template <class T>
-void CapturedWorld<T>::set_filter(BodyId id, const Filter& filter) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::set_filter(BodyId id, const Filter& filter) {
   world_.set_filter(id, filter);
   if (writer_) writer_->call(Call::set_filter, id, filter);
 }
-template <class T>
-void CapturedWorld<T>::set_fast(BodyId id, bool fast) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::set_fast(BodyId id, bool fast) {
   world_.set_fast(id, fast);
   if (writer_) writer_->call(Call::set_fast, id, fast);
 }
-template <class T>
-void CapturedWorld<T>::update(T duration) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::update(T duration) {
   world_.update(duration);
   if (writer_) writer_->end(Call::update, world_, duration);
 }
-template <class T>
-void CapturedWorld<T>::find_impacts(T duration) {
+template <class T, class Space>
+void CapturedWorld<T, Space>::find_impacts(T duration) {
   world_.find_impacts(duration);
   if (writer_) writer_->end(Call::find_impacts, world_, duration);
 }
 
 template class CapturedSimulation<float>;
 template class CapturedSimulation<double>;
+template class CapturedSimulation<float, plane::Space<float>>;
+template class CapturedSimulation<double, plane::Space<double>>;
 template class CapturedWorld<float>;
 template class CapturedWorld<double>;
+template class CapturedWorld<float, plane::Space<float>>;
+template class CapturedWorld<double, plane::Space<double>>;
 
 }  // namespace graze

@@ -42,27 +42,24 @@ std::string take(std::istream& in, std::uint64_t count) {
 
 const char* name_of(Call call) {
   constexpr std::array<const char*, call_count> names{
-      "shape",       "add",          "remove",       "add",      "remove",    "apply_impulse", "apply_angular_impulse",
-      "apply_force", "apply_torque", "set_velocity", "set_pose", "move_to",   "set_material",  "wake",
-      "set_gravity", "step",         "move",         "move",     "set_shape", "set_filter",    "set_fast",
-      "update",      "find_impacts"};
+      "shape",       "add",          "remove",       "add",         "remove",  "apply_impulse", "apply_angular_impulse",
+      "apply_force", "apply_torque", "set_velocity", "set_pose",    "move_to", "set_material",  "wake",
+      "set_gravity", "save",         "restore",      "step",        "move",    "move",          "set_shape",
+      "set_filter",  "set_fast",     "update",       "find_impacts"};
   return names[static_cast<std::size_t>(call)];
 }
 
-template <class T>
-Outcome outcome_of(const World<T>& world) {
-  const BodyArrays<T>& bodies = world.bodies();
+template <class T, class Space>
+Outcome outcome_of(const World<T, Space>& world) {
+  const BodyArrays<T, Space>& bodies = world.bodies();
   BitHash poses, velocities, contacts, impulses, events, impacts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.alive()[i]) continue;
-    const Pose<T>& pose = bodies.poses()[i];
-    poses.add(pose.translation);
-    poses.add(Vec3<T>{pose.rotation.x, pose.rotation.y, pose.rotation.z});
-    poses.add(pose.rotation.w);
+    poses.add(bodies.poses()[i]);
     velocities.add(bodies.linear()[i]);
     velocities.add(bodies.angular()[i]);
   }
-  const ContactArrays<T>& found = world.contacts();
+  const ContactArrays<T, Space>& found = world.contacts();
   for (const ContactPair<T>& pair : found.pairs) {
     contacts.add((std::uint64_t{pair.a} << 32) | pair.b);
     contacts.add(pair.overlap);
@@ -81,7 +78,7 @@ Outcome outcome_of(const World<T>& world) {
     events.add((std::uint64_t{e.a.index} << 32) | e.b.index);
     events.add(static_cast<std::uint32_t>(e.kind));
   }
-  for (const Impact<T>& impact : world.impacts()) {
+  for (const Impact<T, Space>& impact : world.impacts()) {
     impacts.add((std::uint64_t{impact.a.index} << 32) | impact.b.index);
     impacts.add(impact.hit.t);
     impacts.add(impact.hit.normal);
@@ -90,6 +87,8 @@ Outcome outcome_of(const World<T>& world) {
 }
 template Outcome outcome_of(const World<float>&);
 template Outcome outcome_of(const World<double>&);
+template Outcome outcome_of(const plane::World<float>&);
+template Outcome outcome_of(const plane::World<double>&);
 
 const char* difference(const Outcome& then, const Outcome& now) {
   if (then.contacts != now.contacts) return "other contacts";
@@ -126,9 +125,10 @@ Head FrameReader::head() {
   io(of, kind, single);
   if (of != version)
     throw InvalidValue(name_, "a capture of version " + std::to_string(version), "version " + std::to_string(of));
-  if (kind > 1 || single > 1) throw InvalidValue(name_, "a capture of a world or a simulation", "something else");
+  if (kind > static_cast<std::uint8_t>(Kind::plane_simulation) || single > 1)
+    throw InvalidValue(name_, "a capture of a world or a simulation", "something else");
   at_ = begin.size();
-  return {kind == 1 ? Kind::simulation : Kind::world, single == 1};
+  return {static_cast<Kind>(kind), single == 1};
 }
 
 std::optional<std::string> FrameReader::next() {

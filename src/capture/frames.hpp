@@ -10,9 +10,17 @@
 namespace graze::capture {
 
 /// Changes with every change of the format; a reader knows its own alone.
-inline constexpr std::uint16_t version = 1;
+inline constexpr std::uint16_t version = 2;
 
-enum class Kind : std::uint8_t { world, simulation };
+enum class Kind : std::uint8_t { world, simulation, plane_world, plane_simulation };
+
+constexpr bool is_simulation(Kind kind) { return kind == Kind::simulation || kind == Kind::plane_simulation; }
+constexpr bool is_of_plane(Kind kind) { return kind >= Kind::plane_world; }
+template <class T, class Space>
+constexpr Kind kind_of(bool simulation) {
+  if (std::is_same_v<Space, plane::Space<T>>) return simulation ? Kind::plane_simulation : Kind::plane_world;
+  return simulation ? Kind::simulation : Kind::world;
+}
 
 /// What stands in a frame, in the order of numbers in the file.
 enum class Call : std::uint8_t {
@@ -32,6 +40,8 @@ enum class Call : std::uint8_t {
   set_material,
   wake,
   set_gravity,
+  save,
+  restore,
   step,  ///< ends a frame
   // Of a world.
   move,
@@ -42,7 +52,7 @@ enum class Call : std::uint8_t {
   update,       ///< ends a frame
   find_impacts  ///< ends a frame
 };
-inline constexpr std::size_t call_count = 23;
+inline constexpr std::size_t call_count = 25;
 /// "add", "step": as the method is called.
 const char* name_of(Call call);
 
@@ -60,6 +70,21 @@ class BitHash {
   void add(const Vec3<T>& v) {
     add(v.x), add(v.y), add(v.z);
   }
+  template <class T>
+  void add(const plane::Vec2<T>& v) {
+    add(v.x), add(v.y);
+  }
+  template <class T>
+  void add(const Pose<T>& pose) {
+    add(pose.translation);
+    add(Vec3<T>{pose.rotation.x, pose.rotation.y, pose.rotation.z});
+    add(pose.rotation.w);
+  }
+  template <class T>
+  void add(const plane::Pose2<T>& pose) {
+    add(pose.translation);
+    add(pose.rotation.cosine), add(pose.rotation.sine);
+  }
   std::uint64_t value() const { return value_; }
 
  private:
@@ -74,8 +99,8 @@ template <class Io>
 void fields(Io& io, Outcome& o) {
   io(o.poses, o.velocities, o.contacts, o.impulses, o.events, o.impacts);
 }
-template <class T>
-Outcome outcome_of(const World<T>& world);
+template <class T, class Space>
+Outcome outcome_of(const World<T, Space>& world);
 /// "other poses", the first part that differs; null for equal ones.
 const char* difference(const Outcome& then, const Outcome& now);
 

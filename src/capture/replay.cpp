@@ -3,6 +3,7 @@
 
 #include "capture/frames.hpp"
 #include "capture/shape_bytes.hpp"
+#include "capture/states.hpp"
 #include "graze/capture.hpp"
 #include "graze/error.hpp"
 
@@ -21,8 +22,10 @@ struct Other {
 };
 
 /// The shapes of a capture, and the frame that is read.
-template <class T>
+template <class T, class Space>
 class Player {
+  using Shape = typename Space::Shape;
+
  public:
   template <class V>
   V read() {
@@ -42,7 +45,7 @@ class Player {
       ++calls;
       try {
         if (call == Call::shape)
-          shapes_.push_back(capture::read_shape<T>(io));
+          shapes_.push_back(capture::read_shape<Shape>(io));
         else
           one(call);
       } catch (const InvalidValue& e) {
@@ -52,13 +55,13 @@ class Player {
       }
     }
   }
-  const Shape<T>& shape() {
+  const Shape& shape() {
     const auto number = read<std::uint32_t>();
     if (number >= shapes_.size()) throw Damaged{"a shape that was not said before"};
     return shapes_[number];
   }
-  Body<T> body() {
-    Body<T> body{shape()};
+  Body<T, Space> body() {
+    Body<T, Space> body{shape()};
     (*io_)(body);
     return body;
   }
@@ -66,28 +69,29 @@ class Player {
   void check(Id id) {
     if (!(read<Id>() == id)) throw Other{"another handle"};
   }
-  void check(const World<T>& world) {
+  void check(const World<T, Space>& world) {
     if (const char* what = capture::difference(read<Outcome>(), capture::outcome_of(world))) throw Other{what};
   }
 
  private:
   Reading* io_ = nullptr;
-  std::vector<Shape<T>> shapes_;
+  std::vector<Shape> shapes_;
 };
 
-template <class T>
-void make(Call call, Player<T>& from, Simulation<T>& s) {
-  using Vec = Vec3<T>;
+template <class T, class Space>
+void make(Call call, Player<T, Space>& from, Simulation<T, Space>& s, CapturedStates<T, Space>& states) {
+  using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
   const auto id = [&] { return from.template read<BodyId>(); };
   const auto vec = [&] { return from.template read<Vec>(); };
   switch (call) {
   case Call::add_body: {
-    const Body<T> body = from.body();
-    const auto dynamics = from.template read<Dynamics<T>>();
-    const auto material = from.template read<Material<T>>();
+    const Body<T, Space> body = from.body();
+    const auto dynamics = from.template read<typename Rigid<Space>::Dynamics>();
+    const auto material = from.template read<graze::Material<T, Vec>>();
     return from.check(s.add(body, dynamics, material));
   }
-  case Call::add_joint: return from.check(s.add(from.template read<Joint<T>>()));
+  case Call::add_joint: return from.check(s.add(from.template read<Joint<T, Space>>()));
   case Call::remove_body: return s.remove(id());
   case Call::remove_joint: return s.remove(from.template read<JointId>());
   case Call::apply_impulse: {
@@ -97,7 +101,7 @@ void make(Call call, Player<T>& from, Simulation<T>& s) {
   }
   case Call::apply_angular_impulse: {
     const BodyId body = id();
-    return s.apply_angular_impulse(body, vec());
+    return s.apply_angular_impulse(body, from.template read<Turning>());
   }
   case Call::apply_force: {
     const BodyId body = id();
@@ -105,47 +109,49 @@ void make(Call call, Player<T>& from, Simulation<T>& s) {
   }
   case Call::apply_torque: {
     const BodyId body = id();
-    return s.apply_torque(body, vec());
+    return s.apply_torque(body, from.template read<Turning>());
   }
   case Call::set_velocity: {
     const BodyId body = id();
-    return s.set_velocity(body, from.template read<Velocity<T>>());
+    return s.set_velocity(body, from.template read<typename Space::Velocity>());
   }
   case Call::set_pose: {
     const BodyId body = id();
-    return s.set_pose(body, from.template read<Pose<T>>());
+    return s.set_pose(body, from.template read<typename Space::Pose>());
   }
   case Call::move_to: {
     const BodyId body = id();
-    const auto pose = from.template read<Pose<T>>();
+    const auto pose = from.template read<typename Space::Pose>();
     return s.move_to(body, pose, from.template read<T>());
   }
   case Call::set_material: {
     const BodyId body = id();
-    return s.set_material(body, from.template read<Material<T>>());
+    return s.set_material(body, from.template read<graze::Material<T, Vec>>());
   }
   case Call::wake: return s.wake(id());
   case Call::set_gravity: return s.set_gravity(vec());
+  case Call::save: return states.save(from.template read<std::uint8_t>(), s);
+  case Call::restore: return states.restore(from.template read<std::uint8_t>(), s);
   case Call::step: s.step(from.template read<T>()); return from.check(s.world());
   default: throw Damaged{"a call that a simulation has not"};
   }
 }
 
-template <class T>
-void make(Call call, Player<T>& from, World<T>& w) {
+template <class T, class Space>
+void make(Call call, Player<T, Space>& from, World<T, Space>& w, CapturedStates<T, Space>&) {
   const auto id = [&] { return from.template read<BodyId>(); };
   switch (call) {
   case Call::add_body: return from.check(w.add(from.body()));
   case Call::remove_body: return w.remove(id());
   case Call::move: {
     const BodyId body = id();
-    return w.move(body, from.template read<Pose<T>>());
+    return w.move(body, from.template read<typename Space::Pose>());
   }
   case Call::move_with_velocity: {
     const BodyId body = id();
-    const auto pose = from.template read<Pose<T>>();
-    const auto linear = from.template read<Vec3<T>>();
-    return w.move(body, pose, linear, from.template read<Vec3<T>>());
+    const auto pose = from.template read<typename Space::Pose>();
+    const auto linear = from.template read<typename Space::Vec>();
+    return w.move(body, pose, linear, from.template read<typename Space::Turning>());
   }
   case Call::set_shape: {
     const BodyId body = id();
@@ -166,13 +172,14 @@ void make(Call call, Player<T>& from, World<T>& w) {
 }
 
 /// Settings that a constructor refuses were not those of a run.
-template <class T, class Played, class Settings>
+template <class T, class Space, class Played, class Settings>
 void play(capture::FrameReader& frames, ReplayReport& report, Executor* executor,
           const std::function<void(std::size_t, const Replayed&)>& each) {
   const std::optional<std::string> first = frames.next();
   if (!first) return;
   std::unique_ptr<Played> played;
-  Player<T> player;
+  Player<T, Space> player;
+  CapturedStates<T, Space> states;
   try {
     Settings settings;
     Reading io(*first);
@@ -187,7 +194,7 @@ void play(capture::FrameReader& frames, ReplayReport& report, Executor* executor
   while (const std::optional<std::string> bytes = frames.next()) {
     std::size_t calls = 0;
     try {
-      player.frame(*bytes, calls, [&](Call call) { make(call, player, *played); });
+      player.frame(*bytes, calls, [&](Call call) { make(call, player, *played, states); });
     } catch (const Damaged& damage) {
       frames.fail(damage.why);
     } catch (const Other& other) {
@@ -207,14 +214,16 @@ ReplayReport replay(std::istream& in, const std::string& name,
   capture::FrameReader frames(in, name);
   const capture::Head head = frames.head();
   ReplayReport report;
-  report.simulation = head.kind == capture::Kind::simulation;
+  report.simulation = capture::is_simulation(head.kind);
+  report.plane = capture::is_of_plane(head.kind);
   report.single = head.single;
-  const auto as = [&]<class T>(T) {
+  const auto of = [&]<class T, class Space>(T, Space) {
     if (report.simulation)
-      play<T, Simulation<T>, SimulationSettings<T>>(frames, report, executor, each);
+      play<T, Space, Simulation<T, Space>, SimulationSettings<T, Space>>(frames, report, executor, each);
     else
-      play<T, World<T>, WorldSettings<T>>(frames, report, executor, each);
+      play<T, Space, World<T, Space>, WorldSettings<T>>(frames, report, executor, each);
   };
+  const auto as = [&]<class T>(T scalar) { report.plane ? of(scalar, plane::Space<T>{}) : of(scalar, Space<T>{}); };
   report.single ? as(float{}) : as(double{});
   report.cut = frames.cut();
   return report;

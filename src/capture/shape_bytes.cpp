@@ -1,13 +1,9 @@
-#include "capture/shape_bytes.hpp"
+// Shapes of space.
+#include "capture/shape_reading.hpp"
 
 namespace graze::capture {
 
 namespace {
-
-template <class V>
-std::vector<V> copied(std::span<const V> values) {
-  return {values.begin(), values.end()};
-}
 
 /// The numbers that a shape is made from.
 template <class T>
@@ -60,37 +56,9 @@ class WrittenShape {
 
 /// The reader of a shape of each kind.
 template <class T>
-class ReadShape {
+class ReadShape : ShapeReading<T> {
  public:
-  ReadShape(Reading& io, int depth) : io_(io), depth_(depth) {}
-
-  Shape<T> of(std::size_t kind, T rounding) { return of_kind<0>(kind, rounding); }
-
- private:
-  template <std::size_t I>
-  Shape<T> of_kind(std::size_t kind, T rounding) {
-    if constexpr (I < Shape<T>::count) {
-      using C = std::variant_alternative_t<I, ShapeList<T>>;
-      if (kind == I) return Shape<T>(concrete(std::type_identity<C>{}), rounding);
-      return of_kind<I + 1>(kind, rounding);
-    } else {
-      throw Damaged{"a shape of no kind"};
-    }
-  }
-
-  template <class V = T>
-  V number() {
-    V value{};
-    io_(value);
-    return value;
-  }
-  Vec3<T> vector() { return number<Vec3<T>>(); }
-  template <class V>
-  std::vector<V> list(std::size_t least_bytes) {
-    std::vector<V> values;
-    fields(io_, values, least_bytes);
-    return values;
-  }
+  using ShapeReading<T>::ShapeReading;
 
   Sphere<T> concrete(std::type_identity<Sphere<T>>) {
     const T radius = number();
@@ -119,57 +87,63 @@ class ReadShape {
   ConvexHull<T> concrete(std::type_identity<ConvexHull<T>>) { return ConvexHull<T>(list<Vec3<T>>(3 * sizeof(T))); }
   Mesh<T> concrete(std::type_identity<Mesh<T>>) {
     std::vector<Vec3<T>> points = list<Vec3<T>>(3 * sizeof(T));
-    const auto count = number<std::uint64_t>();
+    const auto count = this->template number<std::uint64_t>();
     if (count > io_.left() / sizeof(typename Mesh<T>::Index)) throw Damaged{"more triangles than it has bytes for"};
     std::vector<typename Mesh<T>::Index> triangles(static_cast<std::size_t>(count));
     for (auto& [i, j, k] : triangles) io_(i, j, k);
-    const Sides sides = number<Sides>();
-    return Mesh<T>(std::move(points), std::move(triangles), sides, number<bool>());
+    const Sides sides = this->template number<Sides>();
+    return Mesh<T>(std::move(points), std::move(triangles), sides, this->template number<bool>());
   }
   HeightField<T> concrete(std::type_identity<HeightField<T>>) {
-    const auto columns = number<std::uint64_t>(), rows = number<std::uint64_t>();
+    const auto columns = this->template number<std::uint64_t>(), rows = this->template number<std::uint64_t>();
     const T x = number(), z = number();
-    const Sides sides = number<Sides>();
+    const Sides sides = this->template number<Sides>();
     return HeightField<T>(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), list<T>(sizeof(T)), x, z,
                           sides);
   }
   Compound<T> concrete(std::type_identity<Compound<T>>) {
-    if (depth_ == deepest_compound) throw Damaged{"compounds within compounds without an end"};
-    const auto count = number<std::uint64_t>();
-    if (count > io_.left()) throw Damaged{"more children than it has bytes for"};
-    std::vector<Placed<T>> children;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      Shape<T> child = read_shape<T>(io_, depth_ + 1);
-      children.push_back({std::move(child), number<Pose<T>>()});
-    }
-    return Compound<T>(std::move(children));
+    return Compound<T>(this->template children<Placed<T>, Shape<T>, Pose<T>>());
   }
   [[noreturn]] UserConvex<T> concrete(std::type_identity<UserConvex<T>>) { throw Damaged{"a shape of no kind"}; }
 
-  Reading& io_;
-  int depth_;
+ private:
+  using ShapeReading<T>::io_;
+  using ShapeReading<T>::number;
+  Vec3<T> vector() { return this->template number<Vec3<T>>(); }
+  template <class V>
+  std::vector<V> list(std::size_t least_bytes) {
+    return ShapeReading<T>::template list<V>(least_bytes);
+  }
 };
 
-}  // namespace
-
 template <class T>
-void write_shape(Writing& io, const Shape<T>& shape) {
+void write(Writing& io, const Shape<T>& shape) {
   io(static_cast<std::uint8_t>(shape.index()), shape.rounding());
   WrittenShape<T> written(io);
   shape.visit([&](const auto& concrete) { written(concrete); });
 }
-
 template <class T>
-Shape<T> read_shape(Reading& io, int depth) {
+Shape<T> read(Reading& io, int depth) {
   std::uint8_t kind = 0;
   T rounding{};
   io(kind, rounding);
-  return ReadShape<T>(io, depth).of(kind, rounding);
+  ReadShape<T> one(io, depth);
+  return shape_of_kind<Shape<T>, ShapeList<T>>(kind, rounding, one);
 }
 
-template void write_shape(Writing&, const Shape<float>&);
-template void write_shape(Writing&, const Shape<double>&);
-template Shape<float> read_shape(Reading&, int);
-template Shape<double> read_shape(Reading&, int);
+}  // namespace
+
+#define GRAZE_SHAPE_BYTES(T)                                                                                           \
+  template <>                                                                                                          \
+  void write_shape(Writing& io, const Shape<T>& shape) {                                                               \
+    write(io, shape);                                                                                                  \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  Shape<T> read_shape(Reading& io, int depth) {                                                                        \
+    return read<T>(io, depth);                                                                                         \
+  }
+GRAZE_SHAPE_BYTES(float)
+GRAZE_SHAPE_BYTES(double)
+#undef GRAZE_SHAPE_BYTES
 
 }  // namespace graze::capture

@@ -1,7 +1,7 @@
 // Shapes as bytes of a capture.
 //
 // Guarantee: a shape that was read has the numbers of the one that was written; of a convex hull those of its vertices,
-// from which it is built anew. Throws `Damaged` for bytes that are no shape, and what the shapes' constructors throw.
+// and of an outline of the plane those of its corners, from which it is built anew. Throws `Damaged` for bytes that are no shape, and what the shapes' constructors throw.
 #pragma once
 
 #include "capture/bytes.hpp"
@@ -12,11 +12,12 @@ namespace graze::capture {
 /// Compounds within compounds, at most.
 inline constexpr int deepest_compound = 32;
 
-/// Throws `InvalidValue` for a user's shape, whose support function no file can hold.
-template <class T>
-void write_shape(Writing& io, const Shape<T>& shape);
+/// Throws `InvalidValue` for a user's shape, whose support function no file can hold. `AnyShape` is a shape of space or
+/// of the plane.
+template <class AnyShape>
+void write_shape(Writing& io, const AnyShape& shape);
 
-template <class T>
-Shape<T> read_shape(Reading& io, int depth = 0);
+template <class AnyShape>
+AnyShape read_shape(Reading& io, int depth = 0);
 
 }  // namespace graze::capture

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "graze/tessellate.hpp"
 #include "plane/leaves.hpp"
@@ -68,13 +67,8 @@ void add_half_plane(double top, const Pose2d& pose, const Vec3d& center, double 
 /// A solid polygon without rounding as it was given, without its cuts.
 template <class T>
 void add_outline(const plane::Pieces<T>& pieces, const Pose2d& pose, Polygons& out) {
-  std::map<std::uint32_t, Vec2d> vertices;
-  for (std::uint32_t i = 0; i < pieces.size(); ++i)
-    for (std::size_t k = 0; k < pieces.vertices(i).size(); ++k)
-      vertices.emplace(pieces.outline(i)[k].number, plane::converted<double>(pieces.vertices(i)[k]));
   std::vector<Vec2d> loop;
-  loop.reserve(vertices.size());
-  for (const auto& [number, v] : vertices) loop.push_back(v);
+  for (const plane::Vec2<T>& v : pieces.outline_vertices()) loop.push_back(plane::converted<double>(v));
   add_loop(loop, pose, out);
 }
 

@@ -1,18 +1,21 @@
-// A scene's colliders as the bodies of a world.
+// A scene's colliders, of space or of the plane, as the bodies of a world.
 #pragma once
 
 #include <algorithm>
 
+#include "graze/io/plane_scene.hpp"
 #include "graze/io/scene.hpp"
-#include "graze/world.hpp"
+#include "graze/plane/world.hpp"
 #include "io/convert.hpp"
+#include "io/single_plane_shape.hpp"
 
 namespace graze::io {
 
 /// Whether anything in the scene can move: else all of it is as if fixed, and is compared all the same.
-inline bool moves_by_itself(const Scene& scene) {
+template <class AnyScene>
+bool moves_by_itself(const AnyScene& scene) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const io::Body& b) { return b.type != MotionType::fixed; });
+                     [](const auto& b) { return b.type != MotionType::fixed; });
 }
 
 /// Throws `InvalidValue` for a pose that T cannot hold, or only as a number too large to compute with.
@@ -32,6 +35,21 @@ graze::Body<T> in_world(const Scene& scene, const Collider& c, bool fixed) {
     body.filter.group = -1 - static_cast<std::int32_t>(c.body);
     body.fixed = fixed;
     check_pose(body.pose);
+    return body;
+  } catch (const InvalidValue& e) {
+    throw e.below(scene.source + ": " + c.name);
+  }
+}
+
+/// The same for a collider of the plane, whose world checks its pose.
+template <class T>
+plane::Body<T> in_world(const PlaneScene& scene, const PlaneCollider& c, bool fixed) {
+  try {
+    plane::Body<T> body{in_precision<T>(c.shape), plane::converted<T>(c.pose)};
+    plane::detail::checked_point(body.pose.translation, "translation");
+    body.filter = c.filter;
+    body.filter.group = -1 - static_cast<std::int32_t>(c.body);
+    body.fixed = fixed;
     return body;
   } catch (const InvalidValue& e) {
     throw e.below(scene.source + ": " + c.name);

@@ -1,7 +1,6 @@
 // A shape of the plane in another precision.
 #pragma once
 
-#include <map>
 #include <memory>
 
 #include "graze/plane/shape.hpp"
@@ -49,15 +48,9 @@ inline plane::UserConvex<float> single(const plane::UserConvex<double>& u) {
   return plane::UserConvex<float>(std::make_shared<SinglePlaneSupport>(u));
 }
 
-/// The vertices of an outline in their order; those on straight lines were left out when it was cut.
 inline std::vector<plane::Vec2f> outline_of(const plane::Pieces<double>& pieces) {
-  std::map<std::uint32_t, plane::Vec2d> vertices;
-  for (std::uint32_t i = 0; i < pieces.size(); ++i)
-    for (std::size_t k = 0; k < pieces.vertices(i).size(); ++k)
-      vertices.emplace(pieces.outline(i)[k].number, pieces.vertices(i)[k]);
   std::vector<plane::Vec2f> out;
-  out.reserve(vertices.size());
-  for (const auto& [number, v] : vertices) out.push_back(plane::converted<float>(v));
+  for (const plane::Vec2d& v : pieces.outline_vertices()) out.push_back(plane::converted<float>(v));
   return out;
 }
 inline plane::Polygon<float> single(const plane::Polygon<double>& p) {

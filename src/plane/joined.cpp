@@ -91,6 +91,12 @@ std::uint32_t on_whole(const Core<T>& core, std::uint32_t feature) {
   return core.outline ? graze::detail::feature_of_kind(kind, core.outline[vertex].number) : feature;
 }
 
+template <class T>
+void name_on_wholes(Manifold<double>& manifold, const Core<T>& a, const Core<T>& b) {
+  for (ContactPoint<double>& p : manifold.points)
+    p.feature = feature_id(on_whole(a, p.feature >> 16), on_whole(b, p.feature & 0xffff));
+}
+
 /// Whether a point on the line of one of the core's edges lies beside that edge.
 template <class T>
 bool beside_edge(const Core<T>& core, std::uint32_t feature, const Vec2d& point) {
@@ -114,14 +120,20 @@ bool Joined<T>::face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_ce
   return known.left ? side >= 0 : side <= 0;
 }
 
+/// Turns both of a pair that are segments of chains, as above.
+template <class T>
+bool Joined<T>::faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a) {
+  const double far = 4 * (pair.extent_a + pair.extent_b + length(b_in_a.translation));
+  return (!a.chain || face(a, pair.pose_a, body_center(b_, pose_b_, far), side_a_)) &&
+         (!b.chain || face(b, pair.pose_b, body_center(a_, pose_a_, far), side_b_));
+}
+
 template <class T>
 void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin) {
   if (found.distance - pair.a.radius - pair.b.radius > margin) return;
   size_ = greatest(size_, pair.size());
   Core<T> a = pair.a, b = pair.b;
-  const double far = 4 * (pair.extent_a + pair.extent_b + length(b_in_a.translation));
-  if (a.chain && !face(a, pair.pose_a, body_center(b_, pose_b_, far), side_a_)) return;
-  if (b.chain && !face(b, pair.pose_b, body_center(a_, pose_a_, far), side_b_)) return;
+  if (!faces(a, b, pair, b_in_a)) return;
   const std::optional<Nearest> settled = nearest_on_outlines(a, b, b_in_a, found, pair.size());
   if (!settled) return;
   Manifold<double> m = manifold(a, b, b_in_a, *settled, margin);
@@ -130,12 +142,25 @@ void Joined<T>::add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest
   const bool beside = !own && m.points.size() == 1 &&
                       (beside_edge(a, settled->a.feature, settled->a.point) ||
                        beside_edge(b, settled->b.feature, inverse_transform(b_in_a, settled->b.point)));
-  for (ContactPoint<double>& p : m.points)
-    p.feature = feature_id(on_whole(a, p.feature >> 16), on_whole(b, p.feature & 0xffff));
+  name_on_wholes(m, a, b);
   const Manifold<T> placed = in_world<T>(m, pair);
   if (!beside) return join(placed, static_cast<T>(double(tolerance<T>) * size_));
-  if (!given_way_ || placed.points[0].distance > least_.points[0].distance) least_ = placed;
-  given_way_ = true;
+  if (!instead_ || placed.points[0].distance > instead_->points[0].distance) instead_ = placed;
+}
+
+template <class T>
+void Joined<T>::stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found) {
+  const double distance = found.distance - pair.a.radius - pair.b.radius;
+  if (distance > 0 || (instead_ && !(distance < deepest_))) return;
+  const auto one_sided = [](const Core<T>& core) { return core.chain && core.chain->sides() != ChainSides::both; };
+  Core<T> a = pair.a, b = pair.b;
+  if ((one_sided(a) || one_sided(b)) && !faces(a, b, pair, b_in_a)) return;
+  a.outline = b.outline = nullptr;
+  Manifold<double> m = manifold(a, b, b_in_a, found, 0);
+  if (m.points.empty()) return;
+  name_on_wholes(m, pair.a, pair.b);
+  instead_ = in_world<T>(m, pair);
+  deepest_ = distance;
 }
 
 /// Adds a manifold to the one that it goes on from, or as one of its own.
@@ -166,8 +191,9 @@ void Joined<T>::join(const Manifold<T>& manifold, T tolerated) {
 }
 
 template <class T>
-void Joined<T>::finish() {
-  if (given_way_ && out_.size() == first_) out_.push_back(least_);
+bool Joined<T>::finish() {
+  if (instead_ && out_.size() == first_) out_.push_back(*instead_);
+  return out_.size() > first_;
 }
 
 template class Joined<float>;

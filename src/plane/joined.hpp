@@ -2,8 +2,10 @@
 //
 // Guarantee: pieces give contacts only along normals of their outlines; points of pieces side by side that share a
 // normal are one manifold of at most two points, so that seams leave no trace. Its features name vertices of outlines.
+// What overlaps has a contact, but for what lies behind a one-sided chain.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "graze/plane/query.hpp"
@@ -33,8 +35,11 @@ class Joined {
 
   /// Contacts of one pair of pieces, whose nearest points are `found`.
   void add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin);
-  /// Once after the last pair.
-  void finish();
+  /// A second visit, to pairs that overlap where no pair gave contacts: lines that cross, and ends that reach through a
+  /// corner, leave no normal that is the outline's. The deepest pair then stands in, as it is without its neighbours.
+  void stand_in(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found);
+  /// Once after each visit. Returns whether there are contacts.
+  bool finish();
 
  private:
   /// Which side of a chain faces the other body's centre.
@@ -44,6 +49,7 @@ class Joined {
     bool left = false;
   };
   bool face(Core<T>& segment, const Pose2d& pose, const Vec2d& other_center, ChainSide& known) const;
+  bool faces(Core<T>& a, Core<T>& b, const LeafPair<T>& pair, const Pose2d& b_in_a);
   void join(const Manifold<T>& manifold, T tolerated);
 
   const Shape<T>&a_, &b_;
@@ -52,8 +58,10 @@ class Joined {
   std::size_t first_;
   ChainSide side_a_, side_b_;
   double size_ = 0;
-  bool given_way_ = false;
-  Manifold<T> least_{};  ///< the least deep of the contacts whose points lie beside their edges
+  /// What is told where nothing else is: of the first visit the least deep of the contacts whose points lie beside
+  /// their edges, of the second the deepest.
+  std::optional<Manifold<T>> instead_;
+  double deepest_ = 0;  ///< and how deep that one is
 };
 
 extern template class Joined<float>;

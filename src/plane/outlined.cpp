@@ -78,6 +78,21 @@ void Pieces<T>::add(std::span<const Vec2<T>> vertices, std::span<const OutlineVe
 }
 
 template <class T>
+std::vector<Vec2<T>> Pieces<T>::outline_vertices() const {
+  std::vector<std::pair<std::uint32_t, Vec2<T>>> numbered;
+  for (std::uint32_t i = 0; i < size(); ++i)
+    for (std::size_t k = 0; k < vertices(i).size(); ++k) numbered.emplace_back(outline(i)[k].number, vertices(i)[k]);
+  const auto by_number = [](const auto& p, const auto& q) { return p.first < q.first; };
+  const auto same = [](const auto& p, const auto& q) { return p.first == q.first; };
+  std::sort(numbered.begin(), numbered.end(), by_number);
+  numbered.erase(std::unique(numbered.begin(), numbered.end(), same), numbered.end());
+  std::vector<Vec2<T>> out;
+  out.reserve(numbered.size());
+  for (const auto& [number, vertex] : numbered) out.push_back(vertex);
+  return out;
+}
+
+template <class T>
 void Pieces<T>::build() {
   build(0, 0, size());
 }

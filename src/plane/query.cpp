@@ -132,8 +132,13 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
     manifolds.push_back(in_world<T>(m, pair));
     take_status(found, pair, manifolds.back());
   });
+  if (joined.finish() || !overlaps) return overlaps;
+  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
+  });
   joined.finish();
-  return overlaps;
+  return true;
 }
 
 template <class T>

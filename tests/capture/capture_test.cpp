@@ -182,6 +182,24 @@ TEST(Capture, AWorldRunsAgainToTheSameBits) {
   }
 }
 
+TEST(Capture, AStateIsBroughtBackInAReplayToo) {
+  std::ostringstream out;
+  CapturedSimulation<float> s(&out);
+  Body<float> floor{HalfSpace<float>()};
+  floor.fixed = true;
+  s.add(floor);
+  for (int i = 0; i < 4; ++i)
+    s.add({Box<float>({1, 1, 1}), {{0.1f * static_cast<float>(i), 1.2f * static_cast<float>(i) + 1, 0}, {}}});
+  for (int i = 0; i < 60; ++i) {
+    if (i == 20) s.save(1);
+    if (i == 40 || i == 50) s.restore(1);
+    s.step(1.0f / 60);
+  }
+  const ReplayReport report = replayed(out.str());
+  EXPECT_EQ(report.frames, 60u);
+  EXPECT_FALSE(report.difference) << report.difference->what;
+}
+
 TEST(Capture, WithoutAStreamItIsOnlyASimulation) {
   Simulationd plain;
   CapturedSimulation<double> captured(nullptr);

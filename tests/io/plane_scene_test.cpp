@@ -243,6 +243,14 @@ TEST(PlaneCollide, FindsThePairsOfABruteForce) {
     const auto in_float = collide(scene, options);
     EXPECT_NEAR(double(in_float.size()), double(pairs.size()), 2);
   }
+  CollideOptions one_point;
+  one_point.points_per_pair = 1;
+  const auto all = collide(scene), few = collide(scene, one_point);
+  ASSERT_EQ(few.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(few[i].point_count(), std::min<std::size_t>(1, all[i].point_count()));
+    EXPECT_TRUE(all[i].point_count() == 0 || few[i].distance() == all[i].distance());
+  }
   const std::string picture = draw_picture(scene, collide(scene));
   EXPECT_TRUE(picture.ends_with("</svg>\n"));
   EXPECT_EQ(picture.find("nan"), std::string::npos);

@@ -448,6 +448,78 @@ export const checks = [
            new plane.HalfPlane().kind, circle.rounded(1).kind], ["chain", "polygon", "ellipse", "halfPlane", "circle"]);
   }],
 
+  ["debug draw", ({ graze, queries }) => {
+    const drawn = [];
+    const renderer = {
+      center: [0, 0, 0],
+      size: 4,
+      ...Object.fromEntries(["point", "line", "triangle", "text"].map((kind) => [
+        kind, (...given) => drawn.push({ kind, meaning: given.pop(), layer: given.pop(), places: given })])),
+    };
+    const drawing = (body) => {
+      drawn.length = 0;
+      body();
+      return [...drawn];
+    };
+    const kinds = (all, of) => [...new Set(all.map((d) => d[of]))].sort();
+
+    const box = new graze.Box([2, 2, 2]);
+    const faces = drawing(() => graze.draw.shape(box, { translation: [5, 0, 0] }, renderer, "moving"))
+      .filter((d) => d.kind === "triangle");
+    equal(faces.length, 12, "triangles of a box");
+    equal([kinds(faces, "layer"), kinds(faces, "meaning")], [["shapes"], ["moving"]], "of a shape that moves");
+    for (const { places: [a, b, c] } of faces) {
+      for (const p of [a, b, c]) equal(p.map((x, i) => Math.abs(x - [5, 0, 0][i])), [1, 1, 1], "a corner");
+      const [u, v] = [b.map((x, i) => x - a[i]), c.map((x, i) => x - a[i])];
+      const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+      ok(normal.reduce((s, x, i) => s + x * (a[i] - [5, 0, 0][i]), 0) > 0, "counter-clockwise from outside");
+    }
+
+    const world = new graze.World();
+    world.add({ shape: new graze.HalfSpace(), fixed: true });
+    world.add({ shape: box, translation: [0, 0.9, 0] });
+    world.update();
+    equal(graze.draw.area(world).center.length, 3, "an area");
+    const all = drawing(() => graze.draw.world(world, renderer));
+    equal(kinds(all, "layer").filter((l) => ["shapes", "contacts", "bounds"].includes(l)), ["bounds", "contacts", "shapes"]);
+    const contacts = drawing(() => graze.draw.world(world, { ...renderer, layers: ["contacts"] }));
+    equal(kinds(contacts, "layer"), ["contacts"], "the layers that are wanted");
+    const points = contacts.filter((d) => d.kind === "point").map((d) => d.places[0]);
+    equal(points.length, 4, "points of contact");
+    equal(drawing(() => graze.draw.world(world, { size: 4 })), [], "a renderer without methods");
+
+    const simulation = new graze.Simulation();
+    const [a, b] = [0, 3].map((x) => simulation.add({ shape: box, translation: [x, 0, 0] }));
+    simulation.addJoint({ a, b, kind: "ball", frameA: { translation: [1.5, 0, 0] }, frameB: { translation: [-1.5, 0, 0] } });
+    ok(kinds(drawing(() => graze.draw.simulation(simulation, renderer)), "layer").includes("joints"), "joints");
+
+    const near = graze.distance(box, {}, box, { translation: [4, 0, 0] });
+    ok(kinds(drawing(() => graze.draw.distance(near, renderer)), "meaning").includes("gap"), "a gap");
+    let told = null;
+    const explained = drawing(() => { told = graze.draw.explained(renderer).distance(box, {}, box, { translation: [4, 0, 0] }); });
+    equal(told, near, "the same answer");
+    ok(explained.length > 0 && kinds(explained, "layer").includes("trace"), "what the question did");
+
+    const outline = drawing(() => graze.plane.draw.shape(new graze.plane.Box([2, 1]), {}, renderer));
+    ok(outline.some((d) => d.kind === "line") && outline.every((d) => d.places.every((p) => p[2] === 0)), "in the plane");
+    ok(drawing(() => graze.plane.draw.explained(renderer).distance(
+      new graze.plane.Box([1, 1]), {}, new graze.plane.Box([1, 1]), { translation: [3, 0] })).length > 0, "a trace of the plane");
+
+    const rgb = graze.draw.color("contact");
+    ok(rgb.length === 3 && rgb.every((x) => Number.isInteger(x) && x >= 0 && x <= 255), "a colour");
+    throws(
+      () => graze.draw.color("pretty"),
+      "meaning: expected one of a, b, fixed, touched, moving, touching, asleep, trigger, contact, normal, gap, " +
+        'ruledOut, bounds, path, ghost, joint, got "pretty"', graze.InvalidValue);
+    throws(
+      () => graze.draw.shape(box, {}, { layers: ["all"] }),
+      "renderer.layers: expected one of shapes, bounds, tree, contacts, distances, rays, casts, trace, joints, " +
+        'got "all"', graze.InvalidValue);
+    throws(() => graze.draw.shape(box, {}, { size: 0 }), "on.size: expected a size > 0, got 0", graze.InvalidValue);
+    throws(() => graze.draw.shape(box, {}, { triangle: () => { throw new Error("out of ink"); } }), "out of ink", Error);
+    equal(queries.draw, undefined, "graze/queries draws nothing");
+  }],
+
   ["the long run has the bits of every other build", ({ longRun }) => {
     equal(longRun.hash_float(), longRun.golden_float(), "float");
     equal(longRun.hash_double(), longRun.golden_double(), "double");
@@ -470,6 +542,8 @@ export const checks = [
       const batch = graze.distanceBatch({ shapes: box, poses: [0, 0, 0, 0, 0, 0, 1] }, { shapes: hull, poses: [0, 0, 0, 0, 0, 0, 1] });
       const broad = new graze.BroadPhase();
       broad.insert(0, [0, 0, 0], [1, 1, 1]);
+      graze.draw.explained({ size: 3 }).distance(both, {}, box, { translation: [3, 0, 0] });
+      graze.draw.world(world, { text: () => {} });
       graze.traced.distance(both, {}, user, { translation: [3, 0, 0] });
       const numbers = new graze.Numbers(100000); // more than the scratch arena
       graze.overlapBatch({ shapes: box, poses: new Float32Array(70000).map((_, i) => (i % 7 === 6 ? 1 : 0)) }, { shapes: box, poses: [0, 0, 0, 0, 0, 0, 1] });

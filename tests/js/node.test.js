@@ -110,6 +110,6 @@ test("every export is declared, and every declaration exported", async () => {
   const plane = Object.keys(double.plane);
   assert.deepEqual(plane.sort(), [...new Set(inPlane)].sort());
   assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain"].includes(name)));
-  const only = ["query", "explain", "traced", "response", "applyImpulse", "Simulation", "State", "plane"];
+  const only = ["query", "explain", "traced", "draw", "response", "applyImpulse", "Simulation", "State", "plane"];
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });

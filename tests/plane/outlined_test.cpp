@@ -274,6 +274,53 @@ TYPED_TEST(PlaneChains, CurvedShapesKeepTheirContacts) {
   EXPECT_GT(near, 200);
 }
 
+// Lines that cross, and ends that reach through a corner, leave no normal that belongs to an outline. Something pushes
+// them apart all the same.
+TYPED_TEST(PlaneChains, WhatOverlapsHasContacts) {
+  using T = TypeParam;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto pose = [&] {
+    return Pose2<T>{{static_cast<T>(u(random)), static_cast<T>(u(random))},
+                    Rot2<T>::from_angle(static_cast<T>(3.2 * u(random)))};
+  };
+  int touching = 0, lines = 0;
+  for (int round = 0; round < rounds(1500); ++round) {
+    std::vector<Vec2<T>> star, line;
+    for (const Vec2d& p : random_star(7, random)) star.push_back(plane::converted<T>(p));
+    for (int i = 0; i < 2 + round % 5; ++i) line.push_back({static_cast<T>(u(random)), static_cast<T>(u(random))});
+    const Shape<T> open = Chain<T>(line), ring = Chain<T>(star, true), solid = Polygon<T>(star);
+    const Shape<T> convex = round % 2 ? Shape<T>(Box<T>({T(0.7), T(0.3)})) : Shape<T>(Ellipse<T>({T(0.5), T(0.3)}));
+    const Shape<T> kinds[] = {open, ring, solid, convex, Compound<T>({{open, pose()}, {solid, pose()}})};
+    for (const Shape<T>& a : kinds)
+      for (const Shape<T>& b : kinds) {
+        const Pose2<T> at_a = pose(), at_b = pose();
+        if (!overlap<T>(a, at_a, b, at_b)) continue;
+        ++touching;
+        Manifolds<T> there, back;
+        EXPECT_TRUE(contacts<T>(a, at_a, b, at_b, T(0), there));
+        EXPECT_TRUE(contacts<T>(b, at_b, a, at_a, T(0), back));
+        ASSERT_FALSE(there.empty()) << a.name() << " and " << b.name() << ", round " << round;
+        ASSERT_EQ(there.empty(), back.empty()) << a.name() << " and " << b.name() << ", round " << round;
+        for (const auto& manifold : there) ASSERT_FALSE(manifold.points.empty());
+        if (a.template as<Chain<T>>() && b.template as<Chain<T>>()) ++lines;
+      }
+  }
+  EXPECT_GT(touching, 1000);
+  EXPECT_GT(lines, 100);
+}
+
+// Two lines that cross are pushed apart along the shortest way, to the end of one of them.
+TEST(PlaneChain, LinesThatCrossArePushedToTheNearestEnd) {
+  const Shaped a = Chain<double>(Points{{-2, 0}, {2, 0}}), b = Chain<double>(Points{{0, -0.25}, {0, 1}});
+  Manifolds<double> m;
+  ASSERT_TRUE(contacts<double>(a, {}, b, {}, 0, m));
+  ASSERT_EQ(m.size(), 1u);
+  ASSERT_EQ(m[0].points.size(), 1u);
+  EXPECT_DOUBLE_EQ(m[0].points[0].distance, -0.25);
+  EXPECT_DOUBLE_EQ(m[0].normal.y, 1);
+}
+
 TEST(PlaneChain, SidesAreKept) {
   const Points square{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   const Shaped outward = Chain<double>(square, true, ChainSides::one), both = Chain<double>(square, true);

@@ -97,6 +97,27 @@ export function shapeOf(shape: Shape): graze.Shape {
   })();
   return shape.margin ? plain.rounded(shape.margin) : plain;
 }
+/** The library's shape of a protocol's shape of the plane. */
+export function planeShapeOf(shape: Shape): graze.plane.Shape {
+  const m = measures<{ height: number; radiusBottom: number; radiusTop: number; radii: Vec; closed?: boolean; children: Body[] }>(shape);
+  const made = ((): graze.plane.Shape => {
+    switch (shape.type) {
+      case "circle": return new graze.plane.Circle(radiusOf(shape));
+      case "box": return new graze.plane.Box(sizeOf(shape));
+      case "capsule": return new graze.plane.Capsule(m.height, m.radiusBottom, m.radiusTop);
+      case "ellipse": return new graze.plane.Ellipse(m.radii);
+      case "plane": return new graze.plane.HalfPlane();
+      case "segment": return new graze.plane.Segment(pointsOf(shape)[0], pointsOf(shape)[1]);
+      case "convex": return new graze.plane.Convex(pointsOf(shape));
+      case "polygon": return new graze.plane.Polygon(pointsOf(shape));
+      case "chain": return new graze.plane.Chain(pointsOf(shape), { closed: m.closed ?? false });
+      case "compound": return new graze.plane.Compound(m.children.map((c) => ({
+        shape: planeShapeOf(c.shape), translation: c.translation ?? [0, 0], rotation: Number(c.rotation ?? 0) })));
+      default: throw new RangeError(`shape.type: the lab has no ${shape.type} in the plane`);
+    }
+  })();
+  return shape.margin ? made.rounded(shape.margin) : made;
+}
 /** The pose of a protocol's body; the library wants a quaternion of unit length. */
 export function poseOf(body: Body): { translation?: Vec; rotation?: Vec } {
   const pose: { translation?: Vec; rotation?: Vec } = {};

@@ -2,6 +2,7 @@
 // function.
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -18,6 +19,11 @@ bool graze_js_call_allow(std::uintptr_t key, std::uint32_t a, std::uint32_t a_ge
 GRAZE_JS_IMPORT("accept") bool graze_js_call_accept(std::uintptr_t key, std::uint32_t index, std::uint32_t generation);
 GRAZE_JS_IMPORT("support") void graze_js_call_support(std::uintptr_t key, const void* direction, void* point);
 GRAZE_JS_IMPORT("release") void graze_js_call_release(std::uintptr_t key);
+/// One place, or two of a line, or three of a triangle; of three numbers each.
+GRAZE_JS_IMPORT("draw")
+void graze_js_call_draw(std::uintptr_t key, const double* places, int count, int layer, int meaning);
+GRAZE_JS_IMPORT("text")
+void graze_js_call_text(std::uintptr_t key, const double* at, const char* words, int layer, int meaning);
 
 }  // extern "C"
 
@@ -40,6 +46,29 @@ Vector support(const void* user, Vector direction) {
 
 void release(void* user) { graze_js_call_release(key_of(user)); }
 
+/// Hands places on, one behind the other.
+template <class... Places>
+void hand_on(void* user, GrazeDrawLayer layer, GrazeDrawMeaning meaning, Places... places) {
+  double all[3 * sizeof...(places)];
+  double* next = all;
+  ((next = std::copy(places, places + 3, next)), ...);
+  graze_js_call_draw(key_of(user), all, sizeof...(places), layer, meaning);
+}
+
+void point(void* user, const double at[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning) {
+  hand_on(user, layer, meaning, at);
+}
+void line(void* user, const double from[3], const double to[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning) {
+  hand_on(user, layer, meaning, from, to);
+}
+void triangle(void* user, const double a[3], const double b[3], const double c[3], GrazeDrawLayer layer,
+              GrazeDrawMeaning meaning) {
+  hand_on(user, layer, meaning, a, b, c);
+}
+void text(void* user, const double at[3], const char* words, GrazeDrawLayer layer, GrazeDrawMeaning meaning) {
+  graze_js_call_text(key_of(user), at, words, layer, meaning);
+}
+
 }  // namespace
 
 extern "C" {
@@ -47,6 +76,15 @@ extern "C" {
 GRAZE_JS_EXPORT("graze_js_allow") void* graze_js_allow() { return reinterpret_cast<void*>(&allow); }
 
 GRAZE_JS_EXPORT("graze_js_accept") void* graze_js_accept() { return reinterpret_cast<void*>(&accept); }
+
+/// Makes a renderer hand everything to the function of JavaScript with that number.
+GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* on, std::uintptr_t key) {
+  on->user = reinterpret_cast<void*>(key);
+  on->point = &point;
+  on->line = &line;
+  on->triangle = &triangle;
+  on->text = &text;
+}
 
 /// Bytes that are allocated.
 GRAZE_JS_EXPORT("graze_js_memory_in_use") std::size_t graze_js_memory_in_use() {

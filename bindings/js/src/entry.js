@@ -1,6 +1,7 @@
 // What an entry of the package exports, made for one module.
 
 import { Core, handleClass, InvalidValue } from "./core.js";
+import { drawImports } from "./draw.js";
 import { layouts } from "./layout.js";
 import { argumentsOf, shapeClasses } from "./shapes.js";
 import { spaceQuestions } from "./questions.js";
@@ -22,6 +23,7 @@ function callbackImports(core) {
       core.numbers(point, 3).set(to);
     },
     release: (key) => core.callbacks.delete(key),
+    ...drawImports(core),
   };
 }
 

@@ -1,5 +1,6 @@
 // The same words in two dimensions.
 
+import { drawings } from "./draw.js";
 import { named } from "./layout.js";
 import { questions } from "./questions.js";
 import { sides } from "./shapes.js";
@@ -138,5 +139,6 @@ export function plane(core, layout, args, Handle) {
       },
     }),
     traced: ask.traced(),
+    draw: ask.framed(drawings(core, layout, ask, { prefix: "plane_", of, pose })),
   };
 }

@@ -98,25 +98,28 @@ export function questions(core, words) {
     Object.fromEntries(
       Object.entries(functions).map(([name, f]) => [name, (...parameters) => core.frame(() => f(...parameters))]));
 
-  /** Each question with what it did. The trace lives in the module as long as the question takes. */
-  const traced = () => {
-    const read = traceReader(core, layout);
+  /** Each question asked with a trace, which lives in the module as long as it takes: `use` makes the answer of both. */
+  const explaining = (use) => {
     const explained = (name) => (...parameters) => {
       const place = core.room(4);
       core.check(core.exports.graze_trace_create(place));
       const trace = core.data.getUint32(place, true);
       try {
-        const answer = asked("_explained", trace)[name](...parameters);
-        return { answer, trace: read(trace) };
+        return use(asked("_explained", trace)[name](...parameters), trace);
       } finally {
         core.exports.graze_trace_destroy(trace);
       }
     };
     return framed(Object.fromEntries(Object.keys(asked("")).map((name) => [name, explained(name)])));
   };
+  /** Each question with what it did, as plain objects. */
+  const traced = () => {
+    const read = traceReader(core, layout);
+    return explaining((answer, trace) => ({ answer, trace: read(trace) }));
+  };
 
   return {
-    asked: asked(""), framed, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length, moving,
+    asked: asked(""), framed, explaining, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length, moving,
     separating, back };
 }
 

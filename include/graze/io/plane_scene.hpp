@@ -52,8 +52,8 @@ GRAZE_API PlaneScene load_plane_svg(const std::string& bytes, const std::string&
 /// A JSON document `{"dimension": 2, "bodies": [...]}` with the protocol's shapes of the plane, from memory.
 GRAZE_API PlaneScene load_plane_json(const std::string& bytes, const std::string& source_name);
 
-/// As `collide` of scenes in space; vectors of the answer have z = 0. Throws `InvalidValue` for what is too large for
-/// the precision. Cost: n log n, and the pairs whose bounds overlap along X.
+/// As `collide` of scenes in space, by a `plane::World`; vectors of the answer have z = 0. Throws `InvalidValue` for
+/// what is too large for the precision.
 GRAZE_API std::vector<TouchingPair> collide(const PlaneScene& scene, const CollideOptions& options = {});
 
 /// The scene with its contacts and their normals.

@@ -1,7 +1,7 @@
 import { ask, type Support } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
-import { outline } from "../parts/outline.ts";
+import { corners } from "../parts/outline.ts";
 import { add, length, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, copy, type Body, type Question, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
@@ -17,7 +17,7 @@ const situation = (translation: Vec, rotation: number, direction: Vec = [0.8, 0.
 
 /** All points a − are mirrored, so that the difference with B is the sum. */
 function mirrored(body: Body): Body {
-  return { shape: convex(outline(body, 9).points.map((p) => scale(p, -1))) };
+  return { shape: convex(corners(body, 9).map((p) => scale(p, -1))) };
 }
 const asked = (state: State): Question =>
   state.choice?.what === "sum" ? { ...copy(state.q), a: mirrored(state.q.a) } : state.q;

@@ -2,7 +2,7 @@ import { ask, type Axis } from "../graze.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { digits, vector } from "../parts/dom.ts";
 import { add, dot, scale } from "../parts/vec.ts";
-import { outline } from "../parts/outline.ts";
+import { corners } from "../parts/outline.ts";
 import { box, convex, type Body, type State } from "../question.ts";
 import { dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
@@ -14,7 +14,7 @@ const situation = (translation: number[], rotation: number, a: Body["shape"] = b
 /** The axis as a ruler beside the shapes, with what A and B cover of it. */
 function ruler(d: Drawing, axis: Axis, bodies: Body[], reach: number, result: boolean): void {
   const u = axis.direction.slice(0, 2), n = [-u[1], u[0]];
-  const beyond = Math.max(...bodies.flatMap((body) => outline(body, 9).points.map((p) => -dot(p, n)))) + 0.5;
+  const beyond = Math.max(...bodies.flatMap((body) => corners(body, 9).map((p) => -dot(p, n)))) + 0.5;
   const at = (t: number, side = 0): number[] => add(scale(u, t), scale(n, -(beyond + side)));
   const ends = [...axis.a, ...axis.b].map(Number);
   const from = Math.min(...ends) - 0.4, to = Math.max(...ends) + 0.4;
@@ -23,7 +23,7 @@ function ruler(d: Drawing, axis: Axis, bodies: Body[], reach: number, result: bo
   d.line(at(a[0], 0.12), at(a[1], 0.12), "a", { wide: true });
   d.line(at(b[0], 0.26), at(b[1], 0.26), "b", { wide: true });
   bodies.forEach((body, i) => {
-    for (const p of outline(body, 9).points) {
+    for (const p of corners(body, 9)) {
       const side = i === 0 ? 0.12 : 0.26;
       d.line(p, at(dot(p, u), side), i === 0 ? "a" : "b", { ghost: true, dashed: true });
     }

@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { color } from "./theme.ts";
-import { geometryOf } from "./solid.ts";
+import { solidOf } from "./solid.ts";
 import type { Meaning } from "./drawing.ts";
 import type { Shape } from "../question.ts";
 
@@ -27,7 +27,7 @@ export class Crowd {
     for (const bodies of kinds.values()) {
       const flat = shapes[bodies[0]].type === "plane";
       const material = new THREE.MeshLambertMaterial({ side: THREE.DoubleSide, transparent: flat, opacity: flat ? 0.4 : 1 });
-      const mesh = new THREE.InstancedMesh(geometryOf(shapes[bodies[0]]), material, bodies.length);
+      const mesh = new THREE.InstancedMesh(solidOf(shapes[bodies[0]]).faces, material, bodies.length);
       mesh.frustumCulled = false;
       mesh.userData.bodies = bodies;
       this.batches.push({ mesh, bodies });

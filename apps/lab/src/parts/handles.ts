@@ -102,7 +102,10 @@ export class Handles {
       if (!step) return;
       event.preventDefault();
       const size = this.projection.step() * (event.shiftKey ? 0.1 : 1);
-      this.onDrag(id, this.at(id).map((x, i) => x + step[i] * size), true);
+      const to = this.at(id).map((x, i) => x + step[i] * size);
+      // Keys come faster than frames, after which `show` says where the handle has got to.
+      this.handles = this.handles.map((x) => (x.id === id ? { ...x, at: to } : x));
+      this.onDrag(id, to, true);
     });
     return button;
   }

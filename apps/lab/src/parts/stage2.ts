@@ -3,7 +3,7 @@
 import { h, svg } from "./dom.ts";
 import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Handles } from "./handles.ts";
-import { outline } from "./outline.ts";
+import { outlines, type Outline } from "./outline.ts";
 import { add, length, scale, sub, unit } from "./vec.ts";
 import type { Vec } from "../question.ts";
 
@@ -129,10 +129,11 @@ export class Stage2 implements Stage, Drawing {
   }
 
   shape(body: Parameters<Drawing["shape"]>[0], meaning: Meaning, look?: Look): void {
-    const { points, closed } = outline(body, this.view.reach * 8);
-    const d = points.map((p, i) => `${i ? "L" : "M"}${this.pixel(p).map((x) => x.toFixed(2)).join(" ")}`).join("");
+    const path = ({ points, closed }: Outline): string =>
+      points.map((p, i) => `${i ? "L" : "M"}${this.pixel(p).map((x) => x.toFixed(2)).join(" ")}`).join("") + (closed ? "Z" : "");
+    const d = outlines(body, this.view.reach * 8).map(path).join("");
     const attributes = this.attributes(meaning, look);
-    this.layers[0].append(svg("path", { ...attributes, class: `shape ${attributes.class}`, d: d + (closed ? "Z" : "") }));
+    this.layers[0].append(svg("path", { ...attributes, class: `shape ${attributes.class}`, d }));
     if (look?.label) this.label(body.translation ?? [0, 0], look, meaning);
   }
   point(at: Vec, meaning: Meaning, look?: Look): void {

@@ -10,7 +10,7 @@ import type { Drawing, Handle, Look, Meaning, Stage, View } from "./drawing.ts";
 import { Crowd } from "./crowd.ts";
 import { Handles } from "./handles.ts";
 import { color, onTheme } from "./theme.ts";
-import { geometryOf } from "./solid.ts";
+import { solidOf, type Solid } from "./solid.ts";
 import { length, sub, toWorld } from "./vec.ts";
 import type { Body, Vec } from "../question.ts";
 
@@ -42,7 +42,7 @@ export class Stage3 implements Stage, Drawing {
   private waiting = 0;
   private reach = 3;
   private size: [number, number] = [600, 480];
-  private readonly geometries = new Map<string, THREE.BufferGeometry>();
+  private readonly solids = new Map<string, Solid>();
 
   constructor() {
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
@@ -91,7 +91,7 @@ export class Stage3 implements Stage, Drawing {
     this.controls.dispose();
     this.clear();
     this.crowd.dispose();
-    for (const geometry of this.geometries.values()) geometry.dispose();
+    this.forget();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
@@ -133,39 +133,36 @@ export class Stage3 implements Stage, Drawing {
     if (body.translation) group.position.set(...(body.translation as [number, number, number]));
     if (Array.isArray(body.rotation)) group.quaternion.set(...(body.rotation as [number, number, number, number])).normalize();
     const key = JSON.stringify(body.shape);
-    let geometry = this.geometries.get(key);
-    if (!geometry) {
-      if (this.geometries.size > 400) {
-        for (const old of this.geometries.values()) old.dispose();
-        this.geometries.clear();
-      }
-      geometry = geometryOf(body.shape);
-      this.geometries.set(key, geometry);
-    }
+    const { faces, edges } = this.solid(key, body);
     const opacity = look?.ghost ? 0.12 : look?.wide ? 1 : body.shape.type === "plane" ? 0.25 : 0.55;
     const material = new THREE.MeshLambertMaterial({
       color: color(meaning), transparent: opacity < 1, opacity, side: THREE.DoubleSide, depthWrite: opacity === 1,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     });
-    const mesh = new THREE.Mesh(geometry, material);
+    const mesh = new THREE.Mesh(faces, material);
     mesh.userData.body = this.picks.length;
     this.picks.push(mesh);
     group.add(mesh);
-    const edges = this.edgesOf(key, geometry);
     const line = new THREE.LineSegments(edges,
       new THREE.LineBasicMaterial({ color: color(meaning), transparent: true, opacity: look?.ghost ? 0.35 : 1 }));
     group.add(line);
     this.drawn.add(group);
     if (look?.label) this.texts.push({ at: body.translation ?? [0, 0, 0], text: look.label, meaning });
   }
-  private edgesOf(key: string, geometry: THREE.BufferGeometry): THREE.BufferGeometry {
-    const name = `edges ${key}`;
-    let edges = this.geometries.get(name);
-    if (!edges) {
-      edges = new THREE.EdgesGeometry(geometry, 20);
-      this.geometries.set(name, edges);
+  private forget(): void {
+    for (const { faces, edges } of this.solids.values()) {
+      faces.dispose();
+      edges.dispose();
     }
-    return edges;
+    this.solids.clear();
+  }
+  private solid(key: string, body: Body): Solid {
+    const known = this.solids.get(key);
+    if (known) return known;
+    if (this.solids.size > 200) this.forget();
+    const made = solidOf(body.shape);
+    this.solids.set(key, made);
+    return made;
   }
   point(at: Vec, meaning: Meaning, look?: Look): void {
     const lit = look?.key !== undefined && look.key === this.lit;

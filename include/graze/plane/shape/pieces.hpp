@@ -41,6 +41,9 @@ class GRAZE_API Pieces {
   }
   const OutlineVertex* outline(std::uint32_t piece) const { return outline_.data() + first_outline_[piece]; }
 
+  /// The corners of the whole outline in their order. Those on straight lines were left out when it was cut.
+  std::vector<Vec2<T>> outline_vertices() const;
+
   /// Calls `f` with every piece in order, but for those in boxes that `wanted` refuses.
   template <class Wanted, class F>
   void for_each(const Wanted& wanted, F&& f) const {

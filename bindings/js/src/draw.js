@@ -1,0 +1,82 @@
+// Debug draw: what the library knows, drawn by a renderer of the caller's.
+
+import { named } from "./layout.js";
+
+const layers = ["shapes", "bounds", "tree", "contacts", "distances", "rays", "casts", "trace", "joints"];
+const meanings = [
+  "a", "b", "fixed", "touched", "moving", "touching", "asleep", "trigger", "contact", "normal", "gap", "ruledOut",
+  "bounds", "path", "ghost", "joint"];
+const methods = ["point", "line", "triangle"];
+
+/** What the module calls while it draws. */
+export function drawImports(core) {
+  const onto = (key, name, layer, meaning, values) =>
+    core.called(key, undefined, (renderer) => renderer[name]?.(...values(), layers[layer], meanings[meaning]));
+  const place = (pointer) => Array.from(new Float64Array(core.memory().buffer, pointer, 3));
+  return {
+    draw: (key, places, count, layer, meaning) =>
+      onto(key, methods[count - 1], layer, meaning, () =>
+        Array.from({ length: count }, (_, i) => place(places + i * 24))),
+    text: (key, at, words, layer, meaning) => onto(key, "text", layer, meaning, () => [place(at), core.string(words)]),
+  };
+}
+
+/** The renderer as the C interface has it, as long as `body` takes. */
+function drawnOn(core, layout, renderer, body) {
+  const on = core.room(layout.debugDraw.size);
+  core.exports.graze_debug_draw_default(on);
+  const { center, size } = renderer;
+  const wanted = renderer.layers?.reduce((bits, name) => bits | (1 << named(layers, name, "renderer.layers")), 0);
+  layout.debugDraw.write(on, { layers: wanted, center, size }, "renderer");
+  const key = core.keep(renderer);
+  core.exports.graze_js_debug_draw(on, key);
+  try {
+    return body(on);
+  } finally {
+    core.callbacks.delete(key);
+  }
+}
+
+/** Drawing of a dimension's shapes and explanations. */
+export function drawings(core, layout, ask, { prefix, of, pose }) {
+  const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
+  return {
+    shape(shape, at, renderer, meaning = "a") {
+      const means = named(meanings, meaning, "meaning");
+      drawn(renderer, (on) => core.call(`${prefix}shape_draw`, of(shape), pose(at, "pose"), means, on));
+    },
+    explained: (renderer) =>
+      ask.explaining((answer, trace) => {
+        drawn(renderer, (on) => core.check(core.exports.graze_trace_draw(trace, on)));
+        return answer;
+      }),
+  };
+}
+
+/** What is drawn in space on top of that. */
+export function spaceDrawings(core, layout, args, simulations, worlds, Handle) {
+  const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
+  const { World } = worlds;
+  const { Simulation } = simulations;
+  return {
+    distance: (distance, renderer) =>
+      drawn(renderer, (on) =>
+        core.call("distance_draw", args.written(layout.distance, distance, "distance"), on)),
+    world: (world, renderer) =>
+      drawn(renderer, (on) => core.call("world_draw", Handle.pointer(world, "world", World), on)),
+    simulation: (simulation, renderer) =>
+      drawn(renderer, (on) => core.call("simulation_draw", Handle.pointer(simulation, "simulation", Simulation), on)),
+    area(world) {
+      const on = core.room(layout.debugDraw.size);
+      core.exports.graze_debug_draw_default(on);
+      core.call("world_draw_area", Handle.pointer(world, "world", World), on);
+      const { center, size } = layout.debugDraw.read(on);
+      return { center, size };
+    },
+    color(meaning) {
+      const rgb = core.room(3);
+      core.check(core.exports.graze_draw_color(named(meanings, meaning, "meaning"), rgb));
+      return [0, 1, 2].map((i) => core.data.getUint8(rgb + i));
+    },
+  };
+}
