@@ -604,6 +604,7 @@ export interface WorldQueries {
   memory(): number;
 }
 export class World extends Handle implements WorldQueries {
+  shape(id: BodyId): Shape;
   constructor(settings?: WorldSettings);
   add(body: Body): BodyId;
   remove(id: BodyId): void;

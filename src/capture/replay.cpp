@@ -235,7 +235,11 @@ GRAZE_PLAY(double)
 
 ReplayReport replay(std::istream& in, const std::string& name,
                     const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
-  capture::FrameReader frames(in, name);
+  const auto from = [&](char* to, std::size_t count) {
+    in.read(to, static_cast<std::streamsize>(count));
+    return static_cast<std::size_t>(in.gcount());
+  };
+  capture::FrameReader frames(from, name);
   const capture::Head head = frames.head();
   return head.single ? capture::play<float>(frames, head, each, executor)
                      : capture::play<double>(frames, head, each, executor);
