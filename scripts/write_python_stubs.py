@@ -84,9 +84,8 @@ def parameter(text, bound):
 def signatures(function):
     lines = (function.__doc__ or "").splitlines()
     found = [SIGNATURE.match(line) for line in lines]
-    found = [m for m in found if m]
     # Of an overloaded function the first line, `name(*args, **kwargs)`, says nothing.
-    return found[1:] if len(found) > 1 else found
+    return [m for m in found if m and m.group(2) != "*args, **kwargs"]
 
 
 def functions(name, function, indent, bound):

@@ -1,5 +1,6 @@
 // The C interface for double. Its text is written once, with names in place of types: see the files that are included.
 #include "c/callbacks.hpp"
+#include "c/capture.hpp"
 #include "c/draw.hpp"
 #include "c/gathered.hpp"
 #include "c/trace.hpp"
@@ -28,3 +29,5 @@
 #include "c/plane_worlds.inc"
 
 #include "c/draw.inc"
+
+#include "c/capture.inc"

@@ -420,11 +420,11 @@ export const draw: {
   shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
   distance(distance: Pick<Distance, "a" | "b">, renderer: Renderer): void;
   /** Bodies, bounds, the tree, and the contacts of the last update. */
-  world(world: World, renderer: Renderer): void;
+  world(world: WorldQueries, renderer: Renderer): void;
   /** The same with what sleeps, and joints. */
   simulation(simulation: Simulation, renderer: Renderer): void;
   /** What a renderer looks at that shows all of a world. */
-  area(world: World): { center: number[]; size: number };
+  area(world: WorldQueries): { center: number[]; size: number };
   /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
   color(meaning: DrawMeaning): [number, number, number];
   /** Asks, draws what the question did, and answers. */
@@ -578,6 +578,8 @@ export interface WorldQueries {
   /** The handle of the body that has the index, or null. */
   bodyAt(index: number): BodyId | null;
   pose(id: BodyId): Pose;
+  /** A share of the body's shape, to be disposed of. */
+  shape(id: BodyId): Shape;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
   poses(): Scalars;
   contacts(): WorldPair[];
@@ -602,6 +604,7 @@ export interface WorldQueries {
   memory(): number;
 }
 export class World extends Handle implements WorldQueries {
+  shape(id: BodyId): Shape;
   constructor(settings?: WorldSettings);
   add(body: Body): BodyId;
   remove(id: BodyId): void;
@@ -903,6 +906,25 @@ export declare namespace plane {
     cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
   }
 }
+
+// --- Captures ---
+
+/** What a replay came to. */
+export interface ReplayReport {
+  simulation: boolean;
+  plane: boolean;
+  /** The bytes end within a frame, which was left out. */
+  cut: boolean;
+  /** Of what came out the same. */
+  frames: number;
+  calls: number;
+  /** Where something came out otherwise than in the run that was captured, counted from 1. */
+  difference: { frame: number; call: number; what: string } | null;
+}
+/** Plays a capture again, as `graze capture` or a program in C++ wrote it, in the scalar of this entry. `each` gets the
+ * world after every frame, null of one in the plane; it can be asked until the function returns. Not in graze/queries. */
+export function replay(
+  bytes: ArrayBuffer | ArrayBufferView, each?: (world: WorldQueries | null, frame: number) => void): ReplayReport;
 
 // --- The query protocol (graze/double alone) ---
 

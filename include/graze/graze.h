@@ -367,6 +367,17 @@ GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3
 // What a query did: separating axes through the centre, the Minkowski difference B - A about the origin.
 GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
 
+// What a replay of a capture came to (graze/capture.hpp, docs/capture.md).
+typedef struct GrazeReplayReport {
+  bool simulation;  // or a world
+  bool plane;       // or space
+  bool cut;         // the bytes end within a frame, which was left out
+  bool differs;     // something came out otherwise than in the run that was captured:
+  size_t frame, call;  // where, counted from 1, and
+  char what[128];      // what: "step: other poses"
+  size_t frames, calls;  // that came out the same
+} GrazeReplayReport;
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Double
 // ---------------------------------------------------------------------------------------------------------------------
@@ -1431,6 +1442,17 @@ GRAZE_C_API GrazeStatus graze_plane_world_draw_d(const GrazePlaneWorldd *world, 
 GRAZE_C_API GrazeStatus graze_world_draw_area_d(const GrazeWorldd *world, GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_area_d(const GrazePlaneWorldd *world, GrazeDebugDraw *on);
 
+// Captures (graze/capture.hpp) ----------------------------------------------------------------------------------------
+
+// What is played after a frame: a world, of a simulation too, of space or of the plane, until the function returns. The
+// other one is null.
+typedef void (*GrazeReplayFunctiond)(void *user, size_t frame, const GrazeWorldd *world,
+                                     const GrazePlaneWorldd *plane_world);
+// Plays a capture in this scalar again, to its end or to the first difference. `each` may be null. Any bytes may be
+// given: what is no capture, or damaged, is GRAZE_INVALID_VALUE, with the frame and where it begins.
+GRAZE_C_API GrazeStatus graze_replay_d(const void *bytes, size_t size, GrazeReplayFunctiond each, void *user,
+                                       GrazeReplayReport *report);
+
 // </double>
 // ---------------------------------------------------------------------------------------------------------------------
 // Float: the same, written by bindings/c/write_float.sh from the part for double.
@@ -2323,6 +2345,11 @@ GRAZE_C_API GrazeStatus graze_simulation_draw_f(const GrazeSimulationf *simulati
 GRAZE_C_API GrazeStatus graze_plane_world_draw_f(const GrazePlaneWorldf *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_world_draw_area_f(const GrazeWorldf *world, GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_area_f(const GrazePlaneWorldf *world, GrazeDebugDraw *on);
+
+typedef void (*GrazeReplayFunctionf)(void *user, size_t frame, const GrazeWorldf *world,
+                                     const GrazePlaneWorldf *plane_world);
+GRAZE_C_API GrazeStatus graze_replay_f(const void *bytes, size_t size, GrazeReplayFunctionf each, void *user,
+                                       GrazeReplayReport *report);
 
 // </float>
 

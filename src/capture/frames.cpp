@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <istream>
 #include <ostream>
 
 #include "graze/error.hpp"
@@ -23,19 +22,6 @@ std::uint64_t checksum(std::string_view bytes) {
 void put(std::ostream& out, std::string_view bytes) {
   if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())))
     throw InvalidValue("capture", "", "the stream takes no more bytes");
-}
-
-/// So many bytes, or fewer at the end. Memory grows with what is there, whatever the count says.
-std::string take(std::istream& in, std::uint64_t count) {
-  constexpr std::uint64_t step = 1 << 20;
-  std::string bytes;
-  while (bytes.size() < count && in) {
-    const std::size_t before = bytes.size();
-    bytes.resize(before + static_cast<std::size_t>(std::min(step, count - before)));
-    in.read(bytes.data() + before, static_cast<std::streamsize>(bytes.size() - before));
-    bytes.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -115,8 +101,21 @@ void write_frame(std::ostream& out, std::string_view bytes) {
   out.flush();
 }
 
+std::string FrameReader::take(std::uint64_t count) {
+  constexpr std::uint64_t step = 1 << 20;
+  std::string bytes;
+  while (bytes.size() < count) {
+    const std::size_t before = bytes.size(), wanted = static_cast<std::size_t>(std::min(step, count - before));
+    bytes.resize(before + wanted);
+    const std::size_t got = source_(bytes.data() + before, wanted);
+    bytes.resize(before + got);
+    if (got < wanted) break;
+  }
+  return bytes;
+}
+
 Head FrameReader::head() {
-  const std::string begin = take(in_, magic.size() + 4);
+  const std::string begin = take(magic.size() + 4);
   if (begin.size() < magic.size() + 4 || !begin.starts_with(magic))
     throw InvalidValue(name_, "a capture", "something else");
   Reading io(std::string_view(begin).substr(magic.size()));
@@ -134,7 +133,7 @@ Head FrameReader::head() {
 std::optional<std::string> FrameReader::next() {
   begin_ = at_;
   frame_ = read_++;
-  std::string head = take(in_, 16);
+  std::string head = take(16);
   if (head.empty()) return std::nullopt;
   std::uint64_t length = 0, sum = 0;
   std::string bytes;
@@ -142,7 +141,7 @@ std::optional<std::string> FrameReader::next() {
   if (!cut_) {
     Reading io(head);
     io(length, sum);
-    bytes = take(in_, length);
+    bytes = take(length);
     cut_ = bytes.size() < length;
   }
   if (cut_) return std::nullopt;

@@ -3,6 +3,7 @@
 // Guarantee: a block that was read is the one that was written, or is reported as damaged or cut.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 
 #include "capture/bytes.hpp"
@@ -116,7 +117,10 @@ struct Head {
 /// Reads a stream frame by frame.
 class FrameReader {
  public:
-  FrameReader(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
+  /// Writes up to so many bytes to a place, and returns how many: fewer at the end alone.
+  using Source = std::function<std::size_t(char* to, std::size_t count)>;
+
+  FrameReader(Source source, std::string name) : source_(std::move(source)), name_(std::move(name)) {}
 
   /// Throws `InvalidValue` for what is no capture, or of another version.
   Head head();
@@ -128,7 +132,10 @@ class FrameReader {
   [[noreturn]] void fail(const std::string& why) const;
 
  private:
-  std::istream& in_;
+  /// So many bytes, or fewer at the end. Memory grows with what is there, whatever the count says.
+  std::string take(std::uint64_t count);
+
+  Source source_;
   std::string name_;
   std::uint64_t at_ = 0, begin_ = 0;
   std::size_t frame_ = 0, read_ = 0;  ///< the settings are number 0

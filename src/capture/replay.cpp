@@ -1,10 +1,9 @@
 // A capture played again.
 #include <istream>
 
-#include "capture/frames.hpp"
+#include "capture/play.hpp"
 #include "capture/shape_bytes.hpp"
 #include "capture/states.hpp"
-#include "graze/capture.hpp"
 #include "graze/error.hpp"
 
 namespace graze {
@@ -173,8 +172,8 @@ void make(Call call, Player<T, Space>& from, World<T, Space>& w, CapturedStates<
 
 /// Settings that a constructor refuses were not those of a run.
 template <class T, class Space, class Played, class Settings>
-void play(capture::FrameReader& frames, ReplayReport& report, Executor* executor,
-          const std::function<void(std::size_t, const Replayed&)>& each) {
+void play_frames(capture::FrameReader& frames, ReplayReport& report, Executor* executor,
+                 const std::function<void(std::size_t, const Replayed&)>& each) {
   const std::optional<std::string> first = frames.next();
   if (!first) return;
   std::unique_ptr<Played> played;
@@ -209,24 +208,41 @@ void play(capture::FrameReader& frames, ReplayReport& report, Executor* executor
 
 }  // namespace
 
-ReplayReport replay(std::istream& in, const std::string& name,
-                    const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
-  capture::FrameReader frames(in, name);
-  const capture::Head head = frames.head();
+template <class T>
+ReplayReport capture::play(FrameReader& frames, const Head& head,
+                           const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
   ReplayReport report;
-  report.simulation = capture::is_simulation(head.kind);
-  report.plane = capture::is_of_plane(head.kind);
+  report.simulation = is_simulation(head.kind);
+  report.plane = is_of_plane(head.kind);
   report.single = head.single;
-  const auto of = [&]<class T, class Space>(T, Space) {
+  const auto of = [&]<class Space>(Space) {
     if (report.simulation)
-      play<T, Space, Simulation<T, Space>, SimulationSettings<T, Space>>(frames, report, executor, each);
+      play_frames<T, Space, Simulation<T, Space>, SimulationSettings<T, Space>>(frames, report, executor, each);
     else
-      play<T, Space, World<T, Space>, WorldSettings<T>>(frames, report, executor, each);
+      play_frames<T, Space, World<T, Space>, WorldSettings<T>>(frames, report, executor, each);
   };
-  const auto as = [&]<class T>(T scalar) { report.plane ? of(scalar, plane::Space<T>{}) : of(scalar, Space<T>{}); };
-  report.single ? as(float{}) : as(double{});
+  report.plane ? of(plane::Space<T>{}) : of(Space<T>{});
   report.cut = frames.cut();
   return report;
+}
+
+#define GRAZE_PLAY(T)                                                                                                  \
+  template ReplayReport capture::play<T>(capture::FrameReader&, const capture::Head&,                                  \
+                                         const std::function<void(std::size_t, const Replayed&)>&, Executor*);
+GRAZE_PLAY(float)
+GRAZE_PLAY(double)
+#undef GRAZE_PLAY
+
+ReplayReport replay(std::istream& in, const std::string& name,
+                    const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
+  const auto from = [&](char* to, std::size_t count) {
+    in.read(to, static_cast<std::streamsize>(count));
+    return static_cast<std::size_t>(in.gcount());
+  };
+  capture::FrameReader frames(from, name);
+  const capture::Head head = frames.head();
+  return head.single ? capture::play<float>(frames, head, each, executor)
+                     : capture::play<double>(frames, head, each, executor);
 }
 
 }  // namespace graze

@@ -101,6 +101,29 @@ test("the page's programs print what the page says", async () => {
   }
 });
 
+test("a capture is played again", async () => {
+  const file = await readFile(new URL("../../fuzz/corpus/capture/whole-file", import.meta.url));
+  const seen = [];
+  const kept = [];
+  const kinds = [];
+  const report = graze.replay(file, (world, frame) => {
+    kept.push(world);
+    seen.push([frame, world.size, world.poses().length / 7]);
+    const shape = world.shape(world.bodyAt(1));
+    kinds.push(shape.kind);
+    shape.dispose();
+    graze.draw.world(world, { size: 3 });
+  });
+  assert.deepEqual([report.simulation, report.plane, report.cut, report.difference], [false, false, false, null]);
+  assert.deepEqual(seen.map(([frame]) => frame), Array.from({ length: report.frames }, (_, i) => i + 1));
+  assert.deepEqual([kinds[0], kinds.at(-1)], ["capsule", "ellipsoid"]); // as the run has it
+  assert.throws(() => kept[0].poses(), /until its function returns/);
+  assert.equal(graze.replay(file.subarray(0, file.length - 1)).cut, true);
+  assert.throws(() => double.replay(file), { message: "bytes: expected a capture of the function's scalar, got one in float" });
+  assert.throws(() => graze.replay(new Uint8Array(3)), { name: "InvalidValue" });
+  assert.throws(() => graze.replay(file, () => { throw new Error("enough"); }), /enough/);
+});
+
 test("every export is declared, and every declaration exported", async () => {
   const declarations = await readFile(path.join(dist, "index.d.ts"), "utf8");
   const names = [...declarations.matchAll(/^export (?:declare )?(?:abstract )?(?:class|function|const|namespace) (\w+)/gm)];
@@ -110,6 +133,6 @@ test("every export is declared, and every declaration exported", async () => {
   const plane = Object.keys(double.plane);
   assert.deepEqual(plane.sort(), [...new Set(inPlane)].sort());
   assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain"].includes(name)));
-  const only = ["query", "explain", "traced", "draw", "response", "applyImpulse", "Simulation", "State", "plane"];
+  const only = ["query", "explain", "traced", "draw", "replay", "response", "applyImpulse", "Simulation", "State", "plane"];
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });

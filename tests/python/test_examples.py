@@ -20,4 +20,4 @@ def test_the_picture_is_what_the_example_draws(tmp_path):
     # Another version of matplotlib draws the same things by other lines.
     if f"Matplotlib v{matplotlib.__version__}," in kept:
         assert drawn.read_text() == kept
-    assert len(re.findall("#c23b22", drawn.read_text())) == len(re.findall("#c23b22", kept))
+    assert len(re.findall("#c1121f", drawn.read_text())) == len(re.findall("#c1121f", kept))

@@ -6,6 +6,7 @@ import { readPlace } from "./parts/state.ts";
 import { choose, isDark, startTheme } from "./parts/theme.ts";
 import { Home } from "./rooms/home.ts";
 import { LessonRoom } from "./rooms/lesson.ts";
+import { CaptureRoom } from "./rooms/capture.ts";
 import { SceneRoom } from "./rooms/scene.ts";
 import type { Room } from "./rooms/room.ts";
 
@@ -13,12 +14,19 @@ const main = h("main", { id: "main", tabindex: -1 });
 let room: Room | null = null;
 let shownPath = "";
 
+/** Another page at the same address. */
+function enter(next: Room): void {
+  room?.dispose();
+  room = next;
+  main.replaceChildren(next.element);
+}
+
 function open(): void {
   const { path, values } = readPlace();
   const lesson = lessons.find((l) => path === `/lesson/${l.id}`);
   room?.dispose();
   if (lesson) room = new LessonRoom(lesson, values);
-  else if (path === "/scene") room = new SceneRoom(values);
+  else if (path === "/scene") room = new SceneRoom(values, (name, captured) => enter(new CaptureRoom(name, captured)));
   else room = new Home();
   document.title = lesson ? `${lesson.title} · Graze lab` : path === "/scene" ? "Viewer and playground · Graze lab" : "Graze lab";
   main.replaceChildren(room.element);

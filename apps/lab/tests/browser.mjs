@@ -338,6 +338,39 @@ await test("viewer: opens the project's scenes, and says what is wrong with a br
   await page.context().close();
 });
 
+await test("viewer: opens a capture, and scrubs through it", async () => {
+  const page = await scene("shapes");
+  // Two seconds of examples/scenes/demo.gltf, by graze capture.
+  await page.setInputFiles("input[type=file]", join(here, "tests/demo.capture"));
+  await page.waitForSelector("[data-next]");
+  assert.ok((await page.textContent(".intro")).includes("120 frames, played again. It comes to the same bits."));
+  const first = await shown(page);
+  assert.deepEqual([first.frame, first.frames, first.bodies], [0, 120, 16]);
+  await page.click("[data-next]");
+  assert.equal((await shown(page)).frame, 1);
+  await page.evaluate(() => {
+    const scrub = document.querySelector("input[type=range]");
+    scrub.value = "90";
+    scrub.dispatchEvent(new Event("input"));
+  });
+  const later = await shown(page);
+  assert.equal(later.frame, 90);
+  assert.ok(later.pairs > 10, `${later.pairs} pairs`);
+  assert.ok((await page.textContent(".counter")).startsWith(`16 bodies · ${later.pairs} pairs`));
+  await page.click('[aria-label="Last frame"]');
+  assert.ok(await page.isDisabled("[data-next]"), "there is a frame after the last");
+  await page.click('nav a:text-is("Lessons")');
+  await page.click('nav a:text-is("Viewer")');
+  await page.waitForSelector("input[type=file]", { state: "attached" });
+  const bytes = readFileSync(join(here, "tests/demo.capture"));
+  bytes[5000] ^= 1;
+  await page.setInputFiles("input[type=file]", { name: "damaged.capture", mimeType: "application/octet-stream", buffer: bytes });
+  await page.waitForSelector(".trouble:not([hidden])");
+  assert.match(await page.textContent(".trouble"), /frame \d+, from byte \d+: expected a frame as it was written, got other bytes/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 await test("viewer has no finding of axe, and fits a phone", async () => {
   for (const colorScheme of ["light", "dark"]) {
     const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });

@@ -24,6 +24,8 @@ GRAZE_JS_IMPORT("draw")
 void graze_js_call_draw(std::uintptr_t key, const double* places, int count, int layer, int meaning);
 GRAZE_JS_IMPORT("text")
 void graze_js_call_text(std::uintptr_t key, const double* at, const char* words, int layer, int meaning);
+GRAZE_JS_IMPORT("frame")
+void graze_js_call_frame(std::uintptr_t key, std::size_t frame, const void* world, const void* plane_world);
 
 }  // extern "C"
 
@@ -45,6 +47,10 @@ Vector support(const void* user, Vector direction) {
 }
 
 void release(void* user) { graze_js_call_release(key_of(user)); }
+
+void frame(void* user, std::size_t number, const void* world, const void* plane_world) {
+  graze_js_call_frame(key_of(user), number, world, plane_world);
+}
 
 /// Hands places on, one behind the other.
 template <class... Places>
@@ -76,6 +82,8 @@ extern "C" {
 GRAZE_JS_EXPORT("graze_js_allow") void* graze_js_allow() { return reinterpret_cast<void*>(&allow); }
 
 GRAZE_JS_EXPORT("graze_js_accept") void* graze_js_accept() { return reinterpret_cast<void*>(&accept); }
+
+GRAZE_JS_EXPORT("graze_js_frame") void* graze_js_frame() { return reinterpret_cast<void*>(&frame); }
 
 /// Makes a renderer hand everything to the function of JavaScript with that number.
 GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* on, std::uintptr_t key) {

@@ -56,20 +56,19 @@ export function drawings(core, layout, ask, { prefix, of, pose }) {
 /** What is drawn in space on top of that. */
 export function spaceDrawings(core, layout, args, simulations, worlds, Handle) {
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
-  const { World } = worlds;
   const { Simulation } = simulations;
   return {
     distance: (distance, renderer) =>
       drawn(renderer, (on) =>
         core.call("distance_draw", args.written(layout.distance, distance, "distance"), on)),
     world: (world, renderer) =>
-      drawn(renderer, (on) => core.call("world_draw", Handle.pointer(world, "world", World), on)),
+      drawn(renderer, (on) => core.call("world_draw", worlds.pointerOf(world), on)),
     simulation: (simulation, renderer) =>
       drawn(renderer, (on) => core.call("simulation_draw", Handle.pointer(simulation, "simulation", Simulation), on)),
     area(world) {
       const on = core.room(layout.debugDraw.size);
       core.exports.graze_debug_draw_default(on);
-      core.call("world_draw_area", Handle.pointer(world, "world", World), on);
+      core.call("world_draw_area", worlds.pointerOf(world), on);
       const { center, size } = layout.debugDraw.read(on);
       return { center, size };
     },

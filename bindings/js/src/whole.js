@@ -2,6 +2,7 @@
 
 import { drawings, spaceDrawings } from "./draw.js";
 import { queriesEntry } from "./entry.js";
+import { replays } from "./replay.js";
 import { plane } from "./plane.js";
 import { blows, simulationClasses } from "./simulation.js";
 
@@ -15,6 +16,7 @@ export function wholeEntry(scalar, address) {
       ...names,
       ...blows(core, layout, args, shapes),
       ...simulations,
+      ...replays(core, layout, worlds),
       traced: ask.traced(),
       draw: ask.framed({
         ...drawings(core, layout, ask, { prefix: "", of: shapes.of, pose: args.pose }),

@@ -9,6 +9,7 @@ const integers = (value, path) => {
 
 export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
   const { of, numbersOf } = shapes;
+  const { Shape } = shapes.classes;
   const { written, answered, pose } = args;
   const release = `graze_shape_release_${core.scalar}`;
 
@@ -78,6 +79,7 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
       core.exports[release](body.shape); // one more share, which was given to us
       return body.pose;
     },
+    shape: (id) => new Shape(answered(layout.body, (p) => call("body", pointer(), idAt(id, "body"), p)).shape),
     poses() {
       const { first, count } = own(layout.pose, "poses", pointer());
       return core.numbers(first, 7 * count);
@@ -146,12 +148,20 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
       }),
     memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
   });
+  /** Where the world of each thing is that has those questions. */
+  const pointers = new WeakMap();
+  const pointerOf = (world) => {
+    const pointer = pointers.get(world);
+    if (pointer === undefined) throw new InvalidValue(`world: expected a World, got ${shown(world)}`);
+    return pointer();
+  };
   /** Gives `target` those questions as methods. */
   const questionable = (target, pointer) => {
     const { size, ...methods } = asked(pointer);
     const framed = ask.framed({ size, ...methods });
     for (const name of Object.keys(methods)) Object.defineProperty(target, name, { value: framed[name] });
     Object.defineProperty(target, "size", { get: framed.size });
+    pointers.set(target, pointer);
     return target;
   };
 
@@ -222,5 +232,5 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
   }
   const at = (world) => Handle.pointer(world, "world", World);
 
-  return { World, idAt, bodyAt, questionable };
+  return { World, idAt, bodyAt, questionable, pointerOf };
 }

@@ -24,6 +24,7 @@ void add_world(py::module_& m);
 void add_simulation(py::module_& m);
 void add_scenes(py::module_& m);
 void add_plane(py::module_& m);
+void add_draw(py::module_& m);
 
 /// Records of contact points, with or without a solver's impulses.
 py::dtype distance_type();

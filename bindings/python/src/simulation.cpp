@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "answers.hpp"
+#include "draw.hpp"
 #include "shapes.hpp"
 #include "world.hpp"
 
@@ -265,6 +266,13 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
           "Goes back, bit for bit. Raises ValueError where bodies or joints came or went in between.");
   add_bodies(sim);
   add_joints(sim);
+  m.def(
+      "draw",
+      [](const py::object& on, const Sim& simulation) {
+        PythonDraw to(on);
+        draw(to, *simulation.read());
+      },
+      py::arg("on"), py::arg("simulation"), "As a world, with what sleeps told apart, and joints.");
 }
 
 }  // namespace graze::python

@@ -2,10 +2,16 @@
 
 import * as THREE from "three";
 import { color } from "./theme.ts";
-import { solidOf } from "./solid.ts";
+import type { Solid } from "./solid.ts";
 import type { Meaning } from "./drawing.ts";
-import type { Shape } from "../question.ts";
 
+/** What a body looks like; of those with the same key one is made. */
+export interface Looks {
+  key: string;
+  make: () => Solid;
+  /** Without an end: drawn to be seen through. */
+  flat: boolean;
+}
 interface Batch { mesh: THREE.InstancedMesh; bodies: number[] }
 
 export class Crowd {
@@ -14,20 +20,19 @@ export class Crowd {
   private meanings: Meaning[] = [];
 
   /** Other bodies than before. */
-  set(shapes: Shape[], meanings: Meaning[]): void {
+  set(looks: Looks[], meanings: Meaning[]): void {
     this.dispose();
     this.meanings = meanings;
     const kinds = new Map<string, number[]>();
-    shapes.forEach((shape, i) => {
-      const key = JSON.stringify(shape);
+    looks.forEach(({ key }, i) => {
       const known = kinds.get(key);
       if (known) known.push(i);
       else kinds.set(key, [i]);
     });
     for (const bodies of kinds.values()) {
-      const flat = shapes[bodies[0]].type === "plane";
+      const { flat, make } = looks[bodies[0]];
       const material = new THREE.MeshLambertMaterial({ side: THREE.DoubleSide, transparent: flat, opacity: flat ? 0.4 : 1 });
-      const mesh = new THREE.InstancedMesh(solidOf(shapes[bodies[0]]).faces, material, bodies.length);
+      const mesh = new THREE.InstancedMesh(make().faces, material, bodies.length);
       mesh.frustumCulled = false;
       mesh.userData.bodies = bodies;
       this.batches.push({ mesh, bodies });
@@ -35,13 +40,15 @@ export class Crowd {
     }
     this.paint();
   }
-  /** Seven numbers a body: translation and quaternion. */
-  move(poses: ArrayLike<number>): void {
-    const matrix = new THREE.Matrix4(), at = new THREE.Vector3(), turn = new THREE.Quaternion(), one = new THREE.Vector3(1, 1, 1);
+  /** Seven numbers a body: translation and quaternion. Of those that are not `there`, if said, nothing is seen. */
+  move(poses: ArrayLike<number>, there?: ReadonlySet<number>): void {
+    const matrix = new THREE.Matrix4(), at = new THREE.Vector3(), turn = new THREE.Quaternion();
+    const one = new THREE.Vector3(1, 1, 1), none = new THREE.Vector3(0, 0, 0);
     for (const { mesh, bodies } of this.batches) {
       bodies.forEach((body, i) => {
         const p = body * 7;
-        matrix.compose(at.set(poses[p], poses[p + 1], poses[p + 2]), turn.set(poses[p + 3], poses[p + 4], poses[p + 5], poses[p + 6]), one);
+        if (there && !there.has(body)) matrix.compose(at.set(0, 0, 0), turn.identity(), none);
+        else matrix.compose(at.set(poses[p], poses[p + 1], poses[p + 2]), turn.set(poses[p + 3], poses[p + 4], poses[p + 5], poses[p + 6]), one);
         mesh.setMatrixAt(i, matrix);
       });
       mesh.instanceMatrix.needsUpdate = true;

@@ -1,4 +1,4 @@
-// Faces and edges of the protocol's shapes, as the library draws them.
+// Faces and edges of shapes, as the library draws them.
 
 import * as THREE from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
@@ -18,14 +18,19 @@ const reach = 4;
 const geometry = (corners: number[]): THREE.BufferGeometry =>
   new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
 
-export function solidOf(shape: Shape): Solid {
+export function solidOfShape(shape: graze.Shape): Solid {
   const faces: number[] = [], edges: number[] = [];
-  const made = shapeOf(shape);
-  graze.draw.shape(made, {}, {
+  graze.draw.shape(shape, {}, {
     size: reach,
     triangle: (a, b, c) => faces.push(...a, ...b, ...c),
     line: (from, to) => edges.push(...from, ...to),
   });
-  made.dispose();
   return { faces: toCreasedNormals(geometry(faces), crease), edges: geometry(edges) };
+}
+/** Of a shape of the protocol. */
+export function solidOf(shape: Shape): Solid {
+  const made = shapeOf(shape);
+  const solid = solidOfShape(made);
+  made.dispose();
+  return solid;
 }

@@ -8,13 +8,16 @@ export class Timeline {
   private at = 0;
   private timer: number | undefined;
   private readonly onStep: (step: number) => void;
+  private readonly period: number;
   private readonly scrub: HTMLInputElement;
   private readonly next: HTMLButtonElement;
   private readonly play: HTMLButtonElement;
   private readonly where = h("output", { class: "where" });
 
-  constructor(onStep: (step: number) => void, word = "step") {
+  /** `period`: milliseconds from one to the next while it plays. */
+  constructor(onStep: (step: number) => void, word = "step", period = 900) {
     this.onStep = onStep;
+    this.period = period;
     const button = (label: string, sign: string, act: () => void): HTMLButtonElement =>
       h("button", { type: "button", "aria-label": label, title: label, onclick: act }, sign) as HTMLButtonElement;
     this.scrub = h("input", {
@@ -56,6 +59,6 @@ export class Timeline {
     if (this.at >= this.count - 1) this.onStep(0);
     this.play.textContent = "❚❚";
     this.play.setAttribute("aria-label", "Pause");
-    this.timer = window.setInterval(() => this.go(this.at + 1), 900);
+    this.timer = window.setInterval(() => this.go(this.at + 1), this.period);
   }
 }

@@ -5,12 +5,14 @@ import { digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Handle, Meaning } from "../parts/drawing.ts";
 import { featureWords } from "../parts/features.ts";
 import { drawGraph } from "../parts/graph.ts";
+import { solidOf } from "../parts/solid.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { add, length, quatBetween, quatMultiply, rotate, scale, sub, unit } from "../parts/vec.ts";
 import type { Body, Question, Vec } from "../question.ts";
 import { Shapes, simulationOf, worldOf, type Scene } from "../scene/model.ts";
+import { readCapture, type Captured } from "../scene/captured.ts";
 import { openFile, sceneOfQuestion } from "../scene/open.ts";
 import { scenes } from "../scene/scenes.ts";
 import type { Room } from "./room.ts";
@@ -47,6 +49,7 @@ export class SceneRoom implements Room {
   private subSteps = 8;
   private gravity = true;
   private times = { step: 0, draw: 0 };
+  private readonly onCapture: (name: string, captured: Captured) => void;
   private readonly table = new Table();
   private readonly pairs = new Table();
   private readonly info = h("div", { class: "words", "aria-live": "polite" });
@@ -60,7 +63,9 @@ export class SceneRoom implements Room {
     h("select", { "aria-label": k ? "Another body" : "A body", "data-body": k, onchange: () => this.chooseBodies() }) as HTMLSelectElement);
   private readonly asked = h("textarea", { rows: 3, spellcheck: "false", "aria-label": "A question of the protocol" }) as HTMLTextAreaElement;
 
-  constructor(values: Record<string, string>) {
+  /** `onCapture` gets a capture that was opened in place of a scene. */
+  constructor(values: Record<string, string>, onCapture: (name: string, captured: Captured) => void) {
+    this.onCapture = onCapture;
     this.stage.onPick = (body, ray) => this.pick(body, ray);
     this.stage.onDrag = (id, to, done) => this.drag(id, to, done);
     this.pairs.onPoint = (key) => this.stage.light(key);
@@ -167,7 +172,7 @@ export class SceneRoom implements Room {
       this.world = new graze.World();
     }
     const { bodies } = this.scene;
-    this.stage.crowd.set(bodies.map((b) => b.shape), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
+    this.stage.crowd.set(bodies.map(({ shape }) => ({ key: JSON.stringify(shape), make: () => solidOf(shape), flat: shape.type === "plane" })), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
     for (const [k, select] of this.chosen.entries())
       select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
     this.note.textContent = this.scene.note ?? "";
@@ -192,7 +197,8 @@ export class SceneRoom implements Room {
   }
   private async file(file: File): Promise<void> {
     try {
-      this.open(await openFile(file));
+      if (file.name.endsWith(".capture")) this.onCapture(file.name, readCapture(await file.arrayBuffer()));
+      else this.open(await openFile(file));
     } catch (error) {
       this.say((error as Error).message);
     }
@@ -406,7 +412,7 @@ export class SceneRoom implements Room {
   }
 
   private page(): HTMLElement {
-    const chooser = h("input", { type: "file", class: "hidden", accept: ".gltf,.glb,.obj,.stl,.ply,.json,.jsonl", "aria-label": "Open a file",
+    const chooser = h("input", { type: "file", class: "hidden", accept: ".gltf,.glb,.obj,.stl,.ply,.json,.jsonl,.capture", "aria-label": "Open a file",
       onchange: (event: Event) => { const [file] = (event.target as HTMLInputElement).files ?? []; if (file) void this.chosenFile(file); } }) as HTMLInputElement;
     const again = (): void => { const { scene } = this; this.open(scenes[this.list.value]?.().name === scene.name ? scenes[this.list.value]() : scene); };
     return h("article", { class: "lesson" },

@@ -192,7 +192,7 @@ export async function openFile(file: File): Promise<Scene> {
         if (bodies.length === 0) throw new Unreadable("the file has no faces");
         return { name: file.name, bodies };
       }
-      default: throw new Unreadable("expected .gltf, .glb, .obj, .stl, .ply or .jsonl");
+      default: throw new Unreadable("expected .gltf, .glb, .obj, .stl, .ply, .jsonl or .capture");
     }
   } catch (error) {
     throw new Unreadable(`${file.name}: ${(error as Error).message}`);

@@ -1,0 +1,81 @@
+// A capture played again: where each body was in every frame, and what touched.
+
+import { graze } from "../graze.ts";
+import { solidOfShape, type Solid } from "../parts/solid.ts";
+import type { Vec } from "../question.ts";
+
+export interface CapturedBody {
+  name: string;
+  solid: Solid;
+  flat: boolean;
+}
+export interface CapturedPair {
+  a: string;
+  b: string;
+  points: { at: Vec; normal: Vec; distance: number }[];
+}
+export interface CapturedFrame {
+  /** Seven numbers for each of `bodies`; those of bodies that are not there mean nothing. */
+  poses: Float32Array;
+  there: ReadonlySet<number>;
+  pairs: CapturedPair[];
+  deepest: number;
+}
+export interface Captured {
+  report: graze.ReplayReport;
+  bodies: CapturedBody[];
+  frames: CapturedFrame[];
+  center: Vec;
+  size: number;
+}
+
+/** Of more pairs the points are counted and not kept. */
+const mostPairs = 200;
+
+/** Whether a body is somewhere else in a later frame than in the first in which it is. */
+export function moves({ frames }: Captured, body: number): boolean {
+  const poses = frames.filter(({ there }) => there.has(body)).map((frame) => frame.poses.subarray(7 * body, 7 * body + 7));
+  return poses.some((pose) => pose.some((x, i) => x !== poses[0][i]));
+}
+
+/** Throws what `graze.replay` does, and for a capture of the plane. */
+export function readCapture(bytes: ArrayBuffer): Captured {
+  const bodies: CapturedBody[] = [], frames: CapturedFrame[] = [];
+  const known = new Map<string, number>();
+  let area: { center: Vec; size: number } | null = null;
+  /** The number of a body as it looks now: one that gets another shape is drawn as another. */
+  const place = (world: graze.WorldQueries, index: number, id: graze.BodyId): number => {
+    const shape = world.shape(id);
+    try {
+      const { lower, upper } = shape.bounds();
+      const key = [index, id.generation, shape.kind, ...lower, ...upper].join();
+      let at = known.get(key);
+      if (at === undefined) {
+        at = bodies.push({ name: `body ${index}`, solid: solidOfShape(shape), flat: shape.kind === "halfSpace" }) - 1;
+        known.set(key, at);
+      }
+      return at;
+    } finally {
+      shape.dispose();
+    }
+  };
+  const report = graze.replay(bytes, (world) => {
+    if (!world) throw new Error("a capture of the plane: graze replay plays it");
+    const poses = world.poses(), there = new Map<number, number>();
+    for (let i = 0; 7 * i < poses.length; i++) {
+      const id = world.bodyAt(i);
+      if (id) there.set(place(world, i, id), i);
+    }
+    const all = world.poses(), kept = new Float32Array(7 * bodies.length);
+    for (const [body, i] of there) kept.set(all.subarray(7 * i, 7 * i + 7), 7 * body);
+    const pairs = world.contacts().map((pair): CapturedPair => ({
+      a: `body ${pair.a}`, b: `body ${pair.b}`,
+      points: pair.manifolds.flatMap((m) => m.points.map((p) => ({ at: p.a as Vec, normal: m.normal as Vec, distance: p.distance }))),
+    }));
+    const deepest = Math.max(0, ...pairs.flatMap((pair) => pair.points.map((p) => -p.distance)));
+    frames.push({ poses: kept, there: new Set(there.keys()), pairs: pairs.slice(0, mostPairs), deepest });
+    area ??= graze.draw.area(world);
+  });
+  if (!area) throw new Error("the capture has no whole frame");
+  return { report, bodies, frames, ...(area as { center: Vec; size: number }) };
+}

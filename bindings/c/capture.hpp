@@ -1,0 +1,41 @@
+// What a replay came to, for C.
+#pragma once
+
+#include <algorithm>
+
+#include "c/arguments.hpp"
+#include "capture/play.hpp"
+
+namespace graze::c {
+
+/// Bytes of the caller's, from the first to the last.
+struct BytesInMemory {
+  const char* next;
+  std::size_t left;
+
+  std::size_t operator()(char* to, std::size_t count) {
+    const std::size_t taken = std::min(count, left);
+    std::copy_n(next, taken, to);
+    next += taken;
+    left -= taken;
+    return taken;
+  }
+};
+
+inline GrazeReplayReport report_of(const ReplayReport& played) {
+  GrazeReplayReport out{};
+  out.simulation = played.simulation;
+  out.plane = played.plane;
+  out.cut = played.cut;
+  out.frames = played.frames;
+  out.calls = played.calls;
+  if (!played.difference) return out;
+  out.differs = true;
+  out.frame = played.difference->frame;
+  out.call = played.difference->call;
+  // What does not fit is cut; the last byte stays zero.
+  played.difference->what.copy(out.what, sizeof(out.what) - 1);
+  return out;
+}
+
+}  // namespace graze::c

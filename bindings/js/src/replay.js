@@ -1,0 +1,42 @@
+// Captures played again.
+
+/** What the module calls after each frame. */
+export function replayImports(core) {
+  return {
+    frame: (key, frame, world, planeWorld) =>
+      core.called(key, undefined, (each) => each(frame >>> 0, world >>> 0, planeWorld >>> 0)),
+  };
+}
+
+export function replays(core, layout, worlds) {
+  return {
+    replay: (bytes, each) =>
+      core.frame(() => {
+        const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
+        const place = core.room(Math.max(1, from.length));
+        new Uint8Array(core.memory().buffer).set(from, place);
+        let pointer = 0;
+        const world = worlds.questionable({}, () => {
+          if (pointer === 0) throw new Error("graze: the world of a replay is there until its function returns");
+          return pointer;
+        });
+        const key = core.keep((frame, at) => {
+          pointer = at;
+          try {
+            each?.(at === 0 ? null : world, frame);
+          } finally {
+            pointer = 0;
+          }
+        });
+        const p = core.room(layout.replayReport.size);
+        try {
+          core.call("replay", place, from.length, core.exports.graze_js_frame(), key, p);
+        } finally {
+          core.callbacks.delete(key);
+        }
+        const { simulation, plane, cut, differs, frame, call, frames, calls } = layout.replayReport.read(p);
+        const what = core.string(p + layout.replayReport.offset.what);
+        return { simulation, plane, cut, frames, calls, difference: differs ? { frame, call, what } : null };
+      }),
+  };
+}

@@ -1,0 +1,200 @@
+// Debug draw.
+#include "draw.hpp"
+
+#include <array>
+
+#include "answers.hpp"
+#include "plane_world.hpp"
+#include "shapes.hpp"
+
+namespace graze::python {
+
+namespace {
+
+constexpr std::array<const char*, 9> layer_words{"shapes", "bounds", "tree",  "contacts", "distances",
+                                                 "rays",   "casts",  "trace", "joints"};
+constexpr std::array<const char*, 16> meaning_words{"a",      "b",       "fixed",   "touched", "moving", "touching",
+                                                    "asleep", "trigger", "contact", "normal",  "gap",    "ruled_out",
+                                                    "bounds", "path",    "ghost",   "joint"};
+
+template <class Words>
+std::size_t place_of(const Words& words, const std::string& word, const char* path) {
+  std::string all;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (word == words[i]) return i;
+    all += std::string(all.empty() ? "" : ", ") + words[i];
+  }
+  validate::fail(path, "one of " + all, word);
+}
+
+DrawArea area_of(const py::object& on) {
+  DrawArea area;
+  if (py::hasattr(on, "center")) {
+    if (!read_vector(on.attr("center"), area.center)) throw py::type_error("center: expected three numbers");
+    validate::point(area.center, "center");
+  }
+  if (py::hasattr(on, "size")) area.size = on.attr("size").cast<double>();
+  if (!(area.size > 0) || !(area.size <= largest_magnitude<double>)) validate::fail("size", "a size > 0", area.size);
+  return area;
+}
+
+/// A method of that name, or none, as in a renderer that does not draw such things.
+py::object method_of(const py::object& on, const char* name) { return py::getattr(on, name, py::none()); }
+
+py::array_t<double> array_of_loop(const Polygons& shape, const std::vector<std::uint32_t>& loop) {
+  py::array_t<double> out({static_cast<py::ssize_t>(loop.size()), py::ssize_t{3}});
+  double* to = out.mutable_data();
+  for (const std::uint32_t i : loop)
+    for (const double x : {shape.points[i].x, shape.points[i].y, shape.points[i].z}) *to++ = x;
+  return out;
+}
+
+template <class... Values>
+void hand(const py::object& method, DrawLayer layer, DrawMeaning meaning, const Values&... values) {
+  if (!method.is_none())
+    method(values..., layer_words[static_cast<std::size_t>(layer)], meaning_words[static_cast<std::size_t>(meaning)]);
+}
+
+template <class Words>
+void add_worlds(py::module_& m) {
+  m.def(
+      "draw",
+      [](const py::object& on, const WorldView<Words>& world) {
+        PythonDraw to(on);
+        draw(to, *world.read());
+      },
+      py::arg("on"), py::arg("world"), "Bodies, bounds, the tree, and the contacts of the last update.");
+  m.def(
+      "draw_area",
+      [](const WorldView<Words>& world) {
+        const DrawArea area = draw_area(*world.read());
+        return py::make_tuple(array_of(area.center), area.size);
+      },
+      py::arg("world"), "(center, size) of what has to be looked at to see all of a world.");
+}
+
+/// The answers that have a picture, of space or of the plane.
+template <class Answer>
+void add_answer(py::module_& m, const char* doc) {
+  m.def(
+      "draw",
+      [](const py::object& on, const Answer& answer) {
+        PythonDraw to(on);
+        draw(to, answer);
+      },
+      py::arg("on"), py::arg("answer"), doc);
+}
+
+}  // namespace
+
+DrawMeaning meaning_of(const std::string& word) {
+  return static_cast<DrawMeaning>(place_of(meaning_words, word, "meaning"));
+}
+
+PythonDraw::PythonDraw(const py::object& on)
+    : DebugDraw(area_of(on)),
+      on_(on),
+      point_(method_of(on, "point")),
+      line_(method_of(on, "line")),
+      triangle_(method_of(on, "triangle")),
+      text_(method_of(on, "text")),
+      polygon_(method_of(on, "polygon")),
+      arrow_(method_of(on, "arrow")) {
+  if (!py::hasattr(on, "layers")) return;
+  layers_.emplace();
+  for (const py::handle layer : on.attr("layers"))
+    layers_->insert(static_cast<DrawLayer>(place_of(layer_words, layer.cast<std::string>(), "layers")));
+}
+
+void PythonDraw::point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) {
+  hand(point_, layer, meaning, array_of(at));
+}
+void PythonDraw::line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) {
+  hand(line_, layer, meaning, array_of(from), array_of(to));
+}
+void PythonDraw::triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) {
+  hand(triangle_, layer, meaning, array_of(a), array_of(b), array_of(c));
+}
+void PythonDraw::text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) {
+  hand(text_, layer, meaning, array_of(at), py::str(std::string(words)));
+}
+void PythonDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) {
+  if (polygon_.is_none()) return DebugDraw::polygons(shape, layer, meaning);
+  for (const auto& loop : shape.loops) hand(polygon_, layer, meaning, array_of_loop(shape, loop));
+}
+void PythonDraw::arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) {
+  if (arrow_.is_none()) return DebugDraw::arrow(from, direction, layer, meaning);
+  hand(arrow_, layer, meaning, array_of(from), array_of(direction));
+}
+
+void add_draw(py::module_& m) {
+  m.def(
+      "draw",
+      [](const py::object& on, const Shaped& shape, const Placement& pose, const std::string& meaning) {
+        PythonDraw to(on);
+        draw(to, shape, pose.value, meaning_of(meaning));
+      },
+      py::arg("on"), py::arg("shape"), py::arg("pose") = py::none(), py::arg("meaning") = "moving",
+      R"(Shows what the library knows through a renderer of yours.
+
+on: any object. Of its methods those that it has are called: point(at, layer, meaning), line(from,
+to, layer, meaning), triangle(a, b, c, layer, meaning), counter-clockwise seen from outside,
+text(at, words, layer, meaning), and polygon(corners, layer, meaning) instead of the triangles and
+lines of a face, arrow(from, direction, layer, meaning) instead of the lines of an arrow. Places
+are arrays of three numbers in the world. layer: shapes, bounds, tree, contacts, distances, rays,
+casts, trace or joints; on.layers, if there, are those that are wanted. meaning: what the colour is
+to say, as in suggested_color. on.center (three numbers) and on.size (> 0) say what is looked at:
+what has no end is drawn as far. Raises ValueError, and what the methods raise.
+
+>>> import graze
+>>> class Corners:
+...     def polygon(self, corners, layer, meaning):
+...         print(layer, meaning, corners.shape)  # a triangle has two sides
+>>> graze.draw(Corners(), graze.Triangle((0, 0, 0), (1, 0, 0), (0, 1, 0)))
+shapes moving (3, 3)
+shapes moving (3, 3)
+)");
+  add_answer<Manifold<double>>(m, "Points of contact, and the normal as an arrow from their middle.");
+  add_answer<Distance<double>>(m, "The shortest way between two shapes, or out of each other.");
+  add_worlds<SpaceWords>(m);
+  m.def(
+      "suggested_color",
+      [](const std::string& meaning) {
+        const DrawColor c = suggested_color(meaning_of(meaning));
+        return py::make_tuple(c.red, c.green, c.blue);
+      },
+      py::arg("meaning"), R"(The colour (red, green, blue; 0 to 255) that the project's own pictures give a meaning.
+
+meaning: a, b, fixed, touched, moving, touching, asleep, trigger, contact, normal, gap, ruled_out,
+bounds, path, ghost or joint. Raises ValueError.
+
+>>> import graze
+>>> graze.suggested_color("contact")
+(193, 18, 31)
+)");
+}
+
+void add_plane_draw(py::module_& m) {
+  m.def(
+      "draw",
+      [](const py::object& on, const plane::Shaped& shape, const Placement2& pose, const std::string& meaning) {
+        PythonDraw to(on);
+        draw(to, shape, pose.value, meaning_of(meaning));
+      },
+      py::arg("on"), py::arg("shape"), py::arg("pose") = py::none(), py::arg("meaning") = "moving",
+      R"(As graze.draw: shows what is known of the plane through a renderer of yours. Places have three
+numbers there too, the last of which is 0.
+
+>>> from graze import plane
+>>> class Corners:
+...     def polygon(self, corners, layer, meaning):
+...         print(len(corners))
+>>> plane.draw(Corners(), plane.Box((1, 2)), (3, 0))
+4
+)");
+  add_answer<plane::Manifold<double>>(m, "Points of contact, and the normal as an arrow from their middle.");
+  add_answer<plane::Distance<double>>(m, "The shortest way between two shapes, or out of each other.");
+  add_worlds<PlaneWords>(m);
+}
+
+}  // namespace graze::python

@@ -1,0 +1,129 @@
+"""Debug draw: what is known, through an object with as many of a renderer's methods as it likes."""
+
+import numpy as np
+import pytest
+
+import graze
+from graze import plane
+
+
+class Everything:
+    """Writes down all calls."""
+
+    center, size = (0, 0, 0), 4
+
+    def __init__(self, layers=None):
+        self.calls = []
+        if layers is not None:
+            self.layers = layers
+
+    def _note(kind):
+        def method(self, *given):
+            *places, layer, meaning = given
+            self.calls.append((kind, places, layer, meaning))
+
+        return method
+
+    point, line, triangle, text = _note("point"), _note("line"), _note("triangle"), _note("text")
+
+    def of(self, kind):
+        return [places for k, places, _, _ in self.calls if k == kind]
+
+
+class Faces(Everything):
+    polygon, arrow = Everything._note("polygon"), Everything._note("arrow")
+
+
+def world_with_a_box():
+    world = graze.World()
+    world.add(graze.HalfSpace(), fixed=True)
+    world.add(graze.Box((1, 1, 1)), (0, 0.49, 0))
+    world.update()
+    return world
+
+
+def test_a_box_is_twelve_triangles_seen_from_outside():
+    on = Everything()
+    graze.draw(on, graze.Box((2, 2, 2)), (5, 0, 0), "touching")
+    assert {(layer, meaning) for _, _, layer, meaning in on.calls} == {("shapes", "touching")}
+    triangles = on.of("triangle")
+    assert len(triangles) == 12
+    for a, b, c in triangles:
+        assert np.all(np.abs(a - (5, 0, 0)) == 1)
+        assert np.dot(np.cross(b - a, c - a), a - (5, 0, 0)) > 0
+
+
+def test_a_renderer_that_knows_polygons_gets_faces_and_arrows():
+    on = Faces()
+    graze.draw(on, graze.Box((2, 2, 2)))
+    assert [corners.shape for (corners,) in on.of("polygon")] == [(4, 3)] * 6 and not on.of("triangle")
+    [manifold] = graze.contacts(graze.Box((1, 1, 1)), None, graze.Box((1, 1, 1)), (0, 0.9, 0))
+    graze.draw(on, manifold)
+    assert len(on.of("point")) == 4
+    [(_, direction)] = on.of("arrow")
+    assert np.all(direction == manifold.normal)
+
+
+def test_a_world_is_drawn_by_its_layers():
+    everything, contacts = Everything(), Everything(["contacts"])
+    graze.draw(everything, world_with_a_box())
+    graze.draw(contacts, world_with_a_box())
+    assert {"shapes", "bounds", "contacts"} <= {layer for _, _, layer, _ in everything.calls}
+    assert {layer for _, _, layer, _ in contacts.calls} == {"contacts"}
+    assert len(contacts.of("point")) == 4
+    center, size = graze.draw_area(world_with_a_box())
+    assert center.shape == (3,) and size > 0
+
+
+def test_a_simulation_shows_its_joints():
+    simulation = graze.Simulation()
+    box = graze.Box((1, 1, 1))
+    a, b = simulation.add(box), simulation.add(box, (3, 0, 0))
+    simulation.join_ball(a, (1.5, 0, 0), b, (-1.5, 0, 0))
+    on = Everything(["joints"])
+    graze.draw(on, simulation)
+    assert on.of("line")
+
+
+def test_distances_and_the_plane():
+    on = Everything()
+    graze.draw(on, graze.distance(graze.Sphere(1), None, graze.Sphere(1), (4, 0, 0)))
+    assert "gap" in {meaning for _, _, _, meaning in on.calls}
+    flat = Faces()
+    world = plane.World()
+    world.add(plane.HalfPlane(), fixed=True)
+    world.add(plane.Circle(1), (0, 0.9))
+    world.update()
+    plane.draw(flat, world)
+    plane.draw(flat, plane.Box((1, 1)), (2, 2), "b")
+    plane.draw(flat, plane.distance(plane.Circle(1), None, plane.Circle(1), (4, 0)))
+    assert all(place[..., 2] == 0 for (place,) in flat.of("point"))
+    assert flat.of("polygon")[-1][0].shape == (4, 3)
+    assert plane.draw_area(world)[1] > 0
+
+
+def test_a_renderer_without_methods_draws_nothing():
+    graze.draw(object(), world_with_a_box())
+
+
+def test_what_is_wrong_is_said():
+    class Broken:
+        size = 0
+
+    class Lost:
+        layers = ["everything"]
+
+    class Throws:
+        def triangle(self, *_):
+            raise RuntimeError("out of ink")
+
+    box = graze.Box((1, 1, 1))
+    with pytest.raises(ValueError, match="size: expected a size > 0, got 0"):
+        graze.draw(Broken(), box)
+    with pytest.raises(ValueError, match="layers: expected one of shapes, bounds"):
+        graze.draw(Lost(), box)
+    with pytest.raises(ValueError, match="meaning: expected one of a, b"):
+        graze.draw(Everything(), box, None, "pretty")
+    with pytest.raises(RuntimeError, match="out of ink"):
+        graze.draw(Throws(), box)
+    assert graze.suggested_color("contact") == (193, 18, 31)
