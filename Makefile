@@ -114,6 +114,14 @@ lab: ## build the lab, a web application, into apps/lab/dist
 test-lab: lab ## the lab's tests, in headless Chromium
 	cd apps/lab && npm test
 
+# LAB=folder takes a lab that was built elsewhere, LAB=none leaves it out. The pages of docs/, the API reference, the
+# tables, the lessons and what searches them: static files for any host.
+LAB ?= apps/lab/dist
+.PHONY: site
+site: $(if $(filter apps/lab/dist,$(LAB)),lab) ## write the site below build/site (LAB=none: without the lab)
+	@scripts/setup.sh site
+	/usr/bin/python3 docs/site/build.py --out build/site --lab $(LAB)
+
 # The back end stands in bindings/python/graze_build.py; pip fetches nothing.
 .PHONY: wheel
 wheel: ## build a wheel of the Python package below build/wheel, and try it in an environment of its own

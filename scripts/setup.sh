@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that one part of Graze needs, and only those that are missing.
 #
-#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|windows|abi|package|python|lab|mpi|npm [more groups...]
+#   scripts/setup.sh demo|test|bench|fuzz|lint|arm|wasm|windows|abi|package|python|lab|site|mpi|npm [more groups...]
 #   scripts/setup.sh --list <group>...        print the packages, install nothing
 #
 # The second run finds everything in place: it then needs neither root nor network and takes milliseconds, so that
@@ -51,11 +51,14 @@ python=(python3-dev pybind11-dev python3-numpy python3-pip python3-venv python3-
 # The lab: what builds it, and the browser in which it is tested.
 lab=(nodejs npm chromium)
 
+# The site: what reads Markdown and the headers' comments, and what colours code.
+site=(cmark-gfm doxygen python3 python3-pygments)
+
 # Many machines: messages, what shares out the bodies, and MPI for Python.
 mpi=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev python3-mpi4py)
 
 usage() {
-  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|windows|abi|package|python|lab|mpi|npm ..." >&2
+  echo "usage: scripts/setup.sh [--list] demo|test|bench|fuzz|lint|arm|wasm|windows|abi|package|python|lab|site|mpi|npm ..." >&2
   exit 2
 }
 
@@ -80,6 +83,7 @@ for arg in "$@"; do
     mpi) wanted+=("${base[@]}" "${demo[@]}" "${test[@]}" "${threads[@]}" "${mpi[@]}") ;;
     python) wanted+=("${base[@]}" "${demo[@]}" "${python[@]}") ;;
     lab) wanted+=("${lab[@]}") ;;
+    site) wanted+=("${site[@]}") ;;
     *) usage ;;
   esac
 done
