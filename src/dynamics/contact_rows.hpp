@@ -38,7 +38,7 @@ struct ContactStep {
   T gravity{};
 };
 
-/// The springs of a sub-step of h: their period is six sub-steps, damped far beyond the critical, so that nothing
+/// The springs of a sub-step of h: their period is some sub-steps, damped beyond the critical, so that nothing
 /// swings (Catto 2024). Stiffer ones against what does not give, as Catto has them, shake heavy bodies that lie on
 /// light ones.
 template <class T>
@@ -68,15 +68,15 @@ template <class T, class Space>
 void warm_start(const ManifoldRows<T, Space>& m, std::span<const PointRow<T, Space>> rows, SolverBody<T, Space>& a,
                 SolverBody<T, Space>& b);
 
-/// One pass. With `bias` depth is recovered, without velocities alone count.
+/// One pass. With `bias` depth is recovered, without velocities alone count. Tells whether friction is at its limit.
 template <class T, class Space>
-void solve(ManifoldRows<T, Space>& m, std::span<PointRow<T, Space>> rows, SolverBody<T, Space>& a,
+bool solve(ManifoldRows<T, Space>& m, std::span<PointRow<T, Space>> rows, SolverBody<T, Space>& a,
            SolverBody<T, Space>& b, const ContactStep<T>& step, bool bias);
 
-/// Notes along which normal the bodies are pressed, if they are.
+/// Notes along what the bodies are pressed, if they are: along the normal, and where friction holds in all directions.
 template <class T, class Space>
-void note_pressed(const ManifoldRows<T, Space>& m, std::span<const PointRow<T, Space>> rows, SolverBody<T, Space>& a,
-                  SolverBody<T, Space>& b);
+void note_pressed(const ManifoldRows<T, Space>& m, std::span<const PointRow<T, Space>> rows, bool slides,
+                  SolverBody<T, Space>& a, SolverBody<T, Space>& b);
 
 /// Writes the impulses to the points, `times` as large: friction is spread so that it is the same force and the same
 /// torque about the pressure centre.

@@ -31,6 +31,28 @@ bool met(const ContactArrays<T, Space>& contacts, std::uint32_t a, std::uint32_t
   return at != contacts.pairs.end() && at->a == a && at->b == b && at->manifold_count != 0;
 }
 
+/// What a body meets first.
+template <class T, class Space>
+struct Meeting {
+  T time{};
+  std::uint32_t other{};
+  typename Space::Vec point{}, normal{};
+};
+
+/// Which bodies contacts or joints pushed in this step.
+template <class T, class Space>
+std::vector<std::uint8_t> pushed_bodies(const SimulationParts<T, Space>& parts) {
+  std::vector<std::uint8_t> pushed(parts.bodies.size(), 0);
+  const ContactArrays<T, Space>& contacts = parts.world.contacts();
+  for (const ContactPair<T>& pair : contacts.pairs)
+    for (const ContactManifold<T, Space>& m : contacts.manifolds_of(pair))
+      for (const SolverPoint<T, Space>& p : contacts.points_of(m))
+        if (!(p.impulse == typename Space::Vec{})) pushed[pair.a] = pushed[pair.b] = 1;
+  for (const JointPlace<T, Space>& joint : parts.joints)
+    if (joint.alive) pushed[joint.in_place.a] = pushed[joint.in_place.b] = 1;
+  return pushed;
+}
+
 }  // namespace
 
 template <class T, class Space>
@@ -55,24 +77,53 @@ void SimulationParts<T, Space>::hold_back(T dt) {
   }
   for (const std::uint32_t i : fast) world.set_fast(world.bodies().id(i), true);
   world.find_impacts(dt);
-  std::vector<T> until(bodies.size(), dt);
+  // Of a body's material point at a place and a time of the step.
+  const auto speed_of = [&](std::uint32_t i, const typename Space::Vec& point, T time) {
+    return mean[i].linear + cross(mean[i].angular, point - (found_at[i].translation + mean[i].linear * time));
+  };
+  std::vector<Meeting<T, Space>> first(bodies.size(), Meeting<T, Space>{dt});
+  bool any = false;
   for (const Impact<T, Space>& impact : world.impacts()) {
     const std::uint32_t a = impact.a.index, b = impact.b.index;
-    // Rows of contacts let bodies approach little; a body that slides fast is not held back by what it slides on.
-    const T approach = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
-    const bool slow = approach < unasked_motion<T> * least(bodies[a].size, bodies[b].size) / T(2);
-    if (impact.trigger || (slow && met<T, Space>(world.contacts(), a, b))) continue;
+    if (impact.trigger) continue;
+    // Rows of contacts let bodies approach little; a body that slides fast is not held back by what it slides on. One
+    // that turns may come down beside the point that touches and is left: it goes on by as much as nobody asks about, or
+    // it would hang there.
+    T time = impact.hit.t;
+    if (met<T, Space>(world.contacts(), a, b)) {
+      const T unasked = unasked_motion<T> * least(bodies[a].size, bodies[b].size) / T(2);
+      const T way = dot(mean[a].linear - mean[b].linear, impact.hit.normal) * dt;
+      if (way < unasked) continue;
+      const auto closing = speed_of(a, impact.hit.point, time) - speed_of(b, impact.hit.point, time);
+      if (dot(closing, impact.hit.normal) * dt < unasked) time = greatest(time, dt * (unasked / way));
+    }
     for (const std::uint32_t i : {a, b})
-      if (bodies[i].movable) until[i] = least(until[i], impact.hit.t);
+      if (bodies[i].movable && time < first[i].time)
+        first[i] = {time, i == a ? b : a, impact.hit.point, impact.hit.normal};
   }
   for (const std::uint32_t i : fast) {
     world.set_fast(world.bodies().id(i), false);
-    if (!(until[i] < dt)) continue;
+    any = any || first[i].time < dt;
+  }
+  if (!any) return;
+  const std::vector<std::uint8_t> pushed = pushed_bodies(*this);
+  const auto end_of = [&](std::uint32_t i) {
+    return std::binary_search(fast.begin(), fast.end(), i) ? first[i].time : dt;
+  };
+  for (const std::uint32_t i : fast) {
+    const Meeting<T, Space>& meeting = first[i];
+    if (!(meeting.time < dt)) continue;
     ++last.stopped;
-    const typename Space::Pose at = pose_at(found_at[i], mean[i], until[i]);
+    typename Space::Pose at = pose_at(found_at[i], mean[i], meeting.time);
+    // What it met may go on: it stays in touch, along the normal.
+    const typename Space::Vec carried = speed_of(meeting.other, meeting.point, meeting.time);
+    const T rest = greatest(T(0), end_of(meeting.other) - meeting.time);
+    at.translation += meeting.normal * (dot(carried, meeting.normal) * rest);
     SimulatedBody<T, Space>& body = bodies[i];
     const typename Space::Turning angular = motion(i).angular;
-    const typename Space::Vec linear = body.free.linear;
+    typename Space::Vec linear = body.free.linear;
+    // What flew freely has the speed that it had then, and no more from a fall that was not.
+    if (pushed[i] == 0) linear -= (settings.gravity * body.gravity_factor) * (dt - meeting.time);
     place(i, at, {});
     body.free.linear = linear;
     set_angular_velocity(body.free, angular);

@@ -284,8 +284,8 @@ template <class T, class Space>
 void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
   each_by_color([&](Contact& contact, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
     for (ManifoldRows<T, Space>& m : manifolds_of(contact)) {
-      graze::solve<T, Space>(m, rows_of(m), a, b, step, bias);
-      if (bias) graze::note_pressed<T, Space>(m, rows_of(m), a, b);
+      const bool slides = graze::solve<T, Space>(m, rows_of(m), a, b, step, bias);
+      if (bias) graze::note_pressed<T, Space>(m, rows_of(m), slides, a, b);
     }
   });
   solve_joints(bias);
