@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <ostream>
@@ -201,7 +202,12 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
   std::uint64_t run = 0;
   begin(comm, [&] {
     if (rank != 0 || !kept) return;
-    if (!settings.out.empty()) File::writing(partial_name(settings.out));
+    if (!settings.out.empty()) {
+      const auto there = std::filesystem::status(settings.out);
+      if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        throw InvalidValue(settings.out, "a regular file, or nothing", "something else");
+      File::writing(partial_name(settings.out));
+    }
     journal = Journal::open(directory, head_of(settings, questions));
     run = journal.run();
   });
