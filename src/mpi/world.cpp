@@ -148,6 +148,11 @@ const WorldReport& World<T>::report() const {
 }
 
 template <class T>
+const Aabb<double>& World<T>::region() const {
+  return parts_->partition.region();
+}
+
+template <class T>
 std::size_t World<T>::memory() const {
   const Parts& p = *parts_;
   return p.owned.size() * (sizeof(std::pair<Key, typename Parts::Owned>) + 4 * sizeof(void*)) +

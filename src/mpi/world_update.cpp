@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "graze/world/bounds.hpp"
 #include "mpi/world_parts.hpp"
@@ -16,7 +17,10 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 /// Counts the seconds since the last call.
 class Clock {
  public:
-  double lap() { return -std::exchange(since_, now()) + since_; }
+  double lap() {
+    const double before = std::exchange(since_, now());
+    return since_ - before;
+  }
 
  private:
   double since_ = now();

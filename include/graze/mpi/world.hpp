@@ -84,12 +84,12 @@ class GRAZE_API World {
 
   /// Makes a shape known whose data is large or is a user's code: a hull, a mesh, a height field, a compound, a shape
   /// with a support function of one's own. All ranks call it with the same shapes in the same order, and bodies that go
-  /// elsewhere take its number along and not its data. The numbers count from 0. Throws `CommonError` on every rank when
-  /// one has a shape of another kind or size.
+  /// elsewhere take its number along and not its data. The numbers count from 0. Throws `CommonError` on every rank
+  /// when one has a shape of another kind or size.
   void share(const Shape<T>& shape);
-  /// Says where shapes come from that not every rank holds: `source` gives the shape of a number, the same on every rank,
-  /// and is called once on each where it is needed, which is for bodies that live there or are lent. Bodies that are
-  /// added have shapes as `shared` gives them. Numbers begin after those of `share`.
+  /// Says where shapes come from that not every rank holds: `source` gives the shape of a number, the same on every
+  /// rank, and is called once on each where it is needed, which is for bodies that live there or are lent. Bodies that
+  /// are added have shapes as `shared` gives them. Numbers begin after those of `share`.
   void share_from(std::function<Shape<T>(std::uint64_t)> source);
   /// The shape of a number. Throws `InvalidValue` where it is nobody's, and what the source throws.
   const Shape<T>& shared(std::uint64_t number);
@@ -108,8 +108,8 @@ class GRAZE_API World {
   std::vector<Key> keys() const;
 
   /// Brings bodies to where they live, lends what stands at borders, and finds what touches. All ranks. Throws
-  /// `CommonError` on every rank when one fails: out of memory, by a message that does not fit into it, by what `allow` or
-  /// the source of shapes threw, by a key that two bodies have. The world is then good for nothing but its end.
+  /// `CommonError` on every rank when one fails: out of memory, by a message that does not fit into it, by what `allow`
+  /// or the source of shapes threw, by a key that two bodies have. The world is then good for nothing but its end.
   void update();
 
   /// What this rank found, in the order of keys; valid until the next update.
@@ -117,6 +117,8 @@ class GRAZE_API World {
   const ContactArrays<T>& contacts() const;  ///< manifolds and points of `pairs`
   std::span<const KeyedEvent> events() const;
   const WorldReport& report() const;
+  /// The part of space whose bodies live here; all of it before the first update.
+  const Aabb<double>& region() const;
   /// Bytes that are held, shared shapes' own data apart.
   std::size_t memory() const;
 
