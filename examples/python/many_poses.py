@@ -1,6 +1,6 @@
 """A robot's poses, spread over ranks by mpi4py: which of many configurations of an arm are free?
 
-    mpirun -n 4 python3 -m mpi4py.futures examples/python/many_poses.py [poses.npy]
+    mpirun -n 4 python3 -m mpi4py examples/python/many_poses.py [poses.npy]
 
 Rank 0 hands out blocks of configurations and the others answer them: who is done takes the next block, so that a slow
 one holds up nobody, and the answers come back in the order of the poses. Without mpirun one process answers all. A block
