@@ -11,6 +11,7 @@
 #include "graze/io/scene_writer.hpp"
 #include "graze/io/solid.hpp"
 #include "output.hpp"
+#include "pair_json.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 
@@ -40,23 +41,12 @@ template <class AnyScene>
 void print_pairs_as_json(const AnyScene& scene, const std::vector<io::TouchingPair>& pairs) {
   Json out = Json::array();
   for (const io::TouchingPair& pair : pairs) {
-    Json manifolds = Json::array();
-    for (const auto& m : pair.manifolds) {
-      Json points = Json::array();
-      for (const auto& p : m.points)
-        points.push_back({{"a", vector_of(scene, p.a)},
-                          {"b", vector_of(scene, p.b)},
-                          {"distance", p.distance},
-                          {"feature", fmt::format("{:08x}", p.feature)}});
-      manifolds.push_back({{"normal", vector_of(scene, m.normal)}, {"points", points}});
-    }
-    out.push_back({{"a", scene.colliders[pair.a].name},
-                   {"b", scene.colliders[pair.b].name},
-                   {"colliderA", pair.a},
-                   {"colliderB", pair.b},
-                   {"overlap", pair.overlap},
-                   {"trigger", pair.trigger},
-                   {"manifolds", manifolds}});
+    Json told{{"a", scene.colliders[pair.a].name},
+              {"b", scene.colliders[pair.b].name},
+              {"colliderA", pair.a},
+              {"colliderB", pair.b}};
+    told.update(json_of_touch(pair, [&](const Vec3d& v) { return vector_of(scene, v); }));
+    out.push_back(std::move(told));
   }
   const Json whole{
       {"scene", scene.source}, {"colliders", scene.colliders.size()}, {"pairs", out}, {"notices", scene.notices}};

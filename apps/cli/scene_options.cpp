@@ -17,7 +17,7 @@ void SceneOptions::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"hull", "mesh", "box", "sphere"}));
 }
 
-io::Scene SceneOptions::load(bool animations, bool physics_only) const {
+io::LoadOptions SceneOptions::load_options(bool animations, bool physics_only) const {
   io::LoadOptions options;
   options.animations = animations;
   options.physics_only = physics_only;
@@ -25,6 +25,11 @@ io::Scene SceneOptions::load(bool animations, bool physics_only) const {
   if (colliders == "hull") options.mesh_colliders = io::MeshColliders::hull;
   if (colliders == "box") options.mesh_colliders = io::MeshColliders::box;
   if (colliders == "sphere") options.mesh_colliders = io::MeshColliders::sphere;
+  return options;
+}
+
+io::Scene SceneOptions::load(bool animations, bool physics_only) const {
+  const io::LoadOptions options = load_options(animations, physics_only);
   const Progress progress("reading");
   io::Scene scene;
   for (const std::string& file : files) io::append(scene, io::load_scene(file, options));

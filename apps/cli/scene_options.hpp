@@ -15,6 +15,7 @@ struct SceneOptions {
   std::string colliders;
 
   void add_to(CLI::App& command);
+  io::LoadOptions load_options(bool animations = false, bool physics_only = false) const;
   /// All files in one scene, each at the origin, with their animations if these are asked for. With `physics_only` the
   /// meshes of files that have motions, and no colliders, do not collide. Throws `InvalidValue`.
   io::Scene load(bool animations = false, bool physics_only = false) const;

@@ -10,6 +10,7 @@ namespace graze::cli {
 /// What a command does when it was chosen, on every rank; returns the exit code.
 using Run = std::function<int()>;
 
+Run add_collide(CLI::App& app);
 Run add_query(CLI::App& app);
 
 }  // namespace graze::cli

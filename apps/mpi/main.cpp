@@ -38,8 +38,9 @@ int run(int argc, char** argv, int rank) {
   app.name("graze-mpi");
   app.set_version_flag("--version", "graze-mpi " GRAZE_VERSION);
   app.require_subcommand(1);
-  app.footer("Example:\n  mpirun -n 8 graze-mpi query questions.jsonl --out answers.jsonl");
-  const std::pair<const char*, Run> commands[] = {{"query", add_query(app)}};
+  app.footer("Examples:\n  mpirun -n 8 graze-mpi collide city.gltf --svg owners.svg\n  mpirun -n 8 graze-mpi query "
+             "questions.jsonl --out answers.jsonl");
+  const std::pair<const char*, Run> commands[] = {{"collide", add_collide(app)}, {"query", add_query(app)}};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -48,7 +49,10 @@ int run(int argc, char** argv, int rank) {
     return e.get_exit_code() == 0 ? 0 : cannot_work;
   }
   for (const auto& [name, act] : commands)
-    if (app.got_subcommand(name)) return act();
+    if (app.got_subcommand(name)) {
+      graze::mpi::agree_on(MPI_COMM_WORLD, "the program", std::string("graze-mpi " GRAZE_VERSION " ") + name);
+      return act();
+    }
   return cannot_work;
 }
 

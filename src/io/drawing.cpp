@@ -124,7 +124,7 @@ void SvgDraw::text(const Vec3d& at, std::string_view words, DrawLayer, DrawMeani
 }
 
 void SvgDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) {
-  const Color own = color_of(meaning), color = layer == DrawLayer::casts ? mixed(own, pale, 0.7) : own;
+  const Color own = tint_.value_or(color_of(meaning)), color = layer == DrawLayer::casts ? mixed(own, pale, 0.7) : own;
   const char* glass = is_glass(meaning) ? R"( fill-opacity=".3" stroke-opacity=".5")" : "";
   for (const auto& loop : shape.loops) {
     Vec3d normal = face_normal(shape, loop);
@@ -143,7 +143,7 @@ void SvgDraw::polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meani
     points.pop_back();
     const std::string fill = hex(color, view_.light(normal));
     // A smooth shape's facets are sealed in their own colour, a polyhedron's edges drawn.
-    const std::string stroke = shape.smooth ? fill : hex(color, 0.55);
+    const std::string stroke = shape.smooth ? fill : hex(color, tint_ ? 0.88 * view_.light(normal) : 0.55);
     faces_.push_back(
         {view_.depth(middle), max_abs(box.extent()) > background_,
          fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"{}/>\n", points, fill, stroke, glass)});

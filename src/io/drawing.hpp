@@ -5,7 +5,9 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/draw.hpp"
@@ -75,19 +77,25 @@ class SvgDraw final : public DebugDraw {
   void polygons(const Polygons& shape, DrawLayer layer, DrawMeaning meaning) override;
   void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) override;
 
+  /// A colour for faces instead of that of their meaning.
+  void set_tint(const Color& color) { tint_ = color; }
+
   /// The picture's parts: what hides each other, and what lies over it.
   std::string faces() const;
   std::string over() const;
 
- private:
   struct Face {
     double depth;
     bool background;
     std::string text;
   };
+  /// The faces in the order in which they came, for a picture that is put together elsewhere.
+  std::vector<Face> take_faces() { return std::move(faces_); }
 
+ private:
   const View& view_;
   double background_;
+  std::optional<Color> tint_;
   std::vector<Face> faces_;
   std::string arrows_, lines_, dots_, words_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graze/io/file.hpp"
+#include "graze/io/tiles.hpp"
 #include "io/mesh_collider.hpp"
 #include "io/mesh_file.hpp"
 #include "io/scene_file.hpp"
@@ -10,22 +11,6 @@
 namespace graze::io {
 
 namespace {
-
-std::string read_file(const std::filesystem::path& file) {
-  std::ifstream in = open_file(file);
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(file, failed)) throw InvalidValue(file.string(), "", "not a regular file");
-  std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  if (!in && !in.eof()) throw InvalidValue(file.string(), "", "cannot be read to its end");
-  return bytes;
-}
-
-std::string ending_of(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending.empty() ? ending : ending.substr(1);
-}
 
 Scene load_mesh(const std::string& bytes, const std::filesystem::path& file, const LoadOptions& options) {
   const std::string name = file.stem().string();
@@ -58,13 +43,38 @@ std::uint64_t moved_bits(std::uint64_t mask, const std::vector<std::size_t>& pla
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream in = open_file(file);
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed)) throw InvalidValue(file.string(), "", "not a regular file");
+  std::string bytes((std::istreambuf_iterator<char>(in)), {});
+  if (!in && !in.eof()) throw InvalidValue(file.string(), "", "cannot be read to its end");
+  return bytes;
+}
+
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending.empty() ? ending : ending.substr(1);
+}
+
+Scene load_whole(const std::filesystem::path& file, const LoadOptions& options) {
   const std::string ending = ending_of(file);
   const std::string bytes = read_file(file);
   if (ending == "glb" || ending == "gltf")
     return load_gltf_from(bytes, file.filename().string(), file.has_parent_path() ? file.parent_path() : ".", options);
   if (ending == "obj" || ending == "stl" || ending == "ply") return load_mesh(bytes, file, options);
   throw InvalidValue(file.string(), "a file that ends in .gltf, .glb, .obj, .stl or .ply", "\"." + ending + "\"");
+}
+
+Scene load_scene(const std::filesystem::path& file, const LoadOptions& options) {
+  const std::vector<ScenePart> parts = scene_parts(file);
+  Scene scene = load_part(parts[0], options);
+  const std::string source = scene.source;
+  for (std::size_t i = 1; i < parts.size(); ++i) append(scene, load_part(parts[i], options));
+  scene.source = source;
+  return scene;
 }
 
 void append(Scene& scene, Scene other) {

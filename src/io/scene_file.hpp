@@ -9,4 +9,12 @@ namespace graze::io {
 Scene load_gltf_from(const std::string& bytes, const std::string& name, const std::filesystem::path& folder,
                      const LoadOptions& options);
 
+/// As `load_scene`, but tiles that the file references are not read.
+Scene load_whole(const std::filesystem::path& file, const LoadOptions& options);
+
+/// All bytes of a regular file.
+std::string read_file(const std::filesystem::path& file);
+/// "glb" of "a.GLB".
+std::string ending_of(const std::filesystem::path& file);
+
 }  // namespace graze::io

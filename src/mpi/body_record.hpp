@@ -6,10 +6,12 @@
 
 #include <cstddef>
 #include <cstring>
+#include <functional>
+#include <map>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "graze/error.hpp"
 #include "graze/mpi/world.hpp"
@@ -38,29 +40,48 @@ struct BodyRecord {
   Filter filter;
   T rounding;
   float weight;
+  std::uint64_t shared;  ///< number of a shared shape, where it is one
   std::uint32_t type;    ///< place in `ShapeList`
-  std::uint32_t shared;  ///< number of a shared shape, where it is one
   std::uint8_t fixed, trigger, fast;
   alignas(16) std::byte value[largest_value<T>(std::make_index_sequence<Shape<T>::count>())];
 };
 
-/// The shapes that all ranks know by number.
+/// The shapes that ranks know by number: those that all of them hold, and those that each gets where it needs them.
 template <class T>
 class SharedShapes {
  public:
-  void add(const Shape<T>& shape) { shapes_.push_back(shape); }
-  const Shape<T>& operator[](std::uint32_t number) const { return shapes_.at(number); }
+  using Source = std::function<Shape<T>(std::uint64_t)>;
+
+  void add(const Shape<T>& shape) { keep(added_++, shape); }
+  void set_source(Source source) { source_ = std::move(source); }
+  std::uint64_t added() const { return added_; }
+
+  /// Throws `InvalidValue` for a number that no shape has, and what the source throws.
+  const Shape<T>& operator[](std::uint64_t number) {
+    const auto found = shapes_.find(number);
+    if (found != shapes_.end()) return found->second;
+    if (!source_) throw InvalidValue("number", "that of a shared shape", std::to_string(number));
+    return keep(number, source_(number));
+  }
 
   /// The number of a shape that shares its data with a shared one. Throws `InvalidValue`.
-  std::uint32_t number_of(const Shape<T>& shape) const {
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
-      if (shapes_[i].index() == shape.index() && shapes_[i].rounding() == shape.rounding() &&
-          data_of(shapes_[i]) == data_of(shape))
-        return i;
+  std::uint64_t number_of(const Shape<T>& shape) const {
+    const auto found = numbers_.find(name_of(shape));
+    if (found != numbers_.end()) return found->second;
     throw InvalidValue("body.shape", "a shape that all ranks share, or one of plain numbers", shape.name());
   }
 
  private:
+  using Name = std::tuple<std::size_t, const void*, T>;
+
+  static Name name_of(const Shape<T>& shape) { return {shape.index(), data_of(shape), shape.rounding()}; }
+
+  /// Of shapes that are the same the first gives the number.
+  const Shape<T>& keep(std::uint64_t number, const Shape<T>& shape) {
+    numbers_.emplace(name_of(shape), number);
+    return shapes_.emplace(number, shape).first->second;
+  }
+
   static const void* data_of(const Shape<T>& shape) {
     return shape.visit([](const auto& c) -> const void* {
       using C = std::decay_t<decltype(c)>;
@@ -76,7 +97,10 @@ class SharedShapes {
     });
   }
 
-  std::vector<Shape<T>> shapes_;
+  std::map<std::uint64_t, Shape<T>> shapes_;
+  std::map<Name, std::uint64_t> numbers_;
+  Source source_;
+  std::uint64_t added_ = 0;
 };
 
 template <class T>
@@ -103,7 +127,7 @@ BodyRecord<T> record_of(Key key, const Body<T>& body, float weight, const Shared
 }
 
 template <class T, std::size_t... i>
-Shape<T> shape_of(const BodyRecord<T>& record, const SharedShapes<T>& shared, std::index_sequence<i...>) {
+Shape<T> shape_of(const BodyRecord<T>& record, SharedShapes<T>& shared, std::index_sequence<i...>) {
   Shape<T> shape = Sphere<T>(T(0));
   const auto take = [&]<class C>(std::type_identity<C>) {
     if constexpr (goes_as_it_is<C>) {
@@ -119,7 +143,7 @@ Shape<T> shape_of(const BodyRecord<T>& record, const SharedShapes<T>& shared, st
 }
 
 template <class T>
-Body<T> body_of(const BodyRecord<T>& r, const SharedShapes<T>& shared) {
+Body<T> body_of(const BodyRecord<T>& r, SharedShapes<T>& shared) {
   return {shape_of(r, shared, std::make_index_sequence<Shape<T>::count>()),
           r.pose,
           r.linear,

@@ -16,61 +16,68 @@ struct Hash {
   }
 };
 
-/// What a rank has to say of a pair: `stay` if it touched here, `begin` if it overlaps here now and did not touch,
-/// `end` if it is near without having touched here.
-struct Claim {
+}  // namespace
+
+/// What a rank has to say of a pair: that it was found here and did not touch before, or touched and was not found.
+struct KeyedEvents::Claim {
   Key a, b;
   std::uint8_t found;  ///< found now; else missed
   std::uint8_t overlap, trigger;
 };
 
-}  // namespace
-
-void KeyedEvents::update(MPI_Comm comm, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers,
-                         std::uint64_t& bytes) {
-  const auto ranks = static_cast<std::size_t>(size_of(comm));
-  ByRank<Claim> claims(ranks);
-  const auto judge = [&](Key a, Key b) { return Hash()(std::pair(a, b)) / 7 % ranks; };
+/// The events that this rank knows by itself, and what it has to ask of the judges of the others.
+void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers,
+                              ByRank<Claim>& claims) {
+  const auto judge = [&](Key a, Key b) -> auto& { return claims[Hash()(std::pair(a, b)) / 7 % claims.size()]; };
   events_.clear();
   auto last = touching_.begin();
-  const auto miss = [&](const KeyedEvent& e) { claims[judge(e.a, e.b)].push_back({e.a, e.b, 0, 0, e.trigger}); };
+  const auto miss = [&](const KeyedEvent& e) { judge(e.a, e.b).push_back({e.a, e.b, 0, 0, e.trigger}); };
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const KeyedPair& p = pairs[i];
     while (last != touching_.end() && keys_of(*last) < std::pair(p.a, p.b)) miss(*last++);
     if (last != touching_.end() && keys_of(*last) == std::pair(p.a, p.b))
       events_.push_back({p.a, p.b, EventKind::stay, (last++)->trigger});
     else
-      claims[judge(p.a, p.b)].push_back({p.a, p.b, 1, p.overlap, triggers[i]});
+      judge(p.a, p.b).push_back({p.a, p.b, 1, p.overlap, triggers[i]});
   }
   while (last != touching_.end()) miss(*last++);
+}
 
-  // The verdict goes to who found the pair, and on an end to who missed it.
-  const ByRank<Claim> heard = exchanged(comm, claims, bytes);
-  ByRank<KeyedEvent> verdicts(ranks);
-  std::unordered_map<std::pair<Key, Key>, std::pair<Claim, std::size_t>, Hash> missed;
-  for (std::size_t r = 0; r < ranks; ++r)
-    for (const Claim& c : heard[r])
-      if (c.found == 0) missed.emplace(std::pair(c.a, c.b), std::pair(c, r));
-  for (std::size_t r = 0; r < ranks; ++r)
-    for (const Claim& c : heard[r]) {
-      if (c.found == 0) continue;
-      const auto before = missed.find(std::pair(c.a, c.b));
-      if (before != missed.end()) {
-        verdicts[r].push_back({c.a, c.b, EventKind::stay, before->second.first.trigger != 0});
-        missed.erase(before);
-      } else if (c.overlap != 0) {
-        verdicts[r].push_back({c.a, c.b, EventKind::begin, c.trigger != 0});
+/// The verdict goes to who found the pair, and on an end to who missed it.
+void KeyedEvents::update(Together& together, std::span<const KeyedPair> pairs,
+                         const std::vector<std::uint8_t>& triggers) {
+  ByRank<Claim> claims = together.nothing<Claim>();
+  together.alone([&] { find_claims(pairs, triggers, claims); });
+  const ByRank<Claim> heard = together.exchange(claims);
+  ByRank<KeyedEvent> verdicts = together.nothing<KeyedEvent>();
+  together.alone([&] {
+    std::unordered_map<std::pair<Key, Key>, std::pair<Claim, std::size_t>, Hash> missed;
+    for (std::size_t r = 0; r < heard.size(); ++r)
+      for (const Claim& c : heard[r])
+        if (c.found == 0) missed.emplace(std::pair(c.a, c.b), std::pair(c, r));
+    for (std::size_t r = 0; r < heard.size(); ++r)
+      for (const Claim& c : heard[r]) {
+        if (c.found == 0) continue;
+        const auto before = missed.find(std::pair(c.a, c.b));
+        if (before != missed.end()) {
+          verdicts[r].push_back({c.a, c.b, EventKind::stay, before->second.first.trigger != 0});
+          missed.erase(before);
+        } else if (c.overlap != 0) {
+          verdicts[r].push_back({c.a, c.b, EventKind::begin, c.trigger != 0});
+        }
       }
-    }
-  for (const auto& [keys, claim] : missed)
-    verdicts[claim.second].push_back({keys.first, keys.second, EventKind::end, claim.first.trigger != 0});
-  for (const std::vector<KeyedEvent>& some : exchanged(comm, verdicts, bytes))
-    events_.insert(events_.end(), some.begin(), some.end());
-  std::sort(events_.begin(), events_.end(),
-            [](const KeyedEvent& e, const KeyedEvent& f) { return keys_of(e) < keys_of(f); });
-  touching_.clear();
-  std::copy_if(events_.begin(), events_.end(), std::back_inserter(touching_),
-               [](const KeyedEvent& e) { return e.kind != EventKind::end; });
+    for (const auto& [keys, claim] : missed)
+      verdicts[claim.second].push_back({keys.first, keys.second, EventKind::end, claim.first.trigger != 0});
+  });
+  const ByRank<KeyedEvent> heard_of = together.exchange(verdicts);
+  together.alone([&] {
+    for (const std::vector<KeyedEvent>& some : heard_of) events_.insert(events_.end(), some.begin(), some.end());
+    std::sort(events_.begin(), events_.end(),
+              [](const KeyedEvent& e, const KeyedEvent& f) { return keys_of(e) < keys_of(f); });
+    touching_.clear();
+    std::copy_if(events_.begin(), events_.end(), std::back_inserter(touching_),
+                 [](const KeyedEvent& e) { return e.kind != EventKind::end; });
+  });
 }
 
 }  // namespace graze::mpi

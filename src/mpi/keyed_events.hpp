@@ -12,13 +12,15 @@ namespace graze::mpi {
 class KeyedEvents {
  public:
   /// `pairs` sorted; `triggers[i]` whether one of the i-th two is a trigger. All ranks.
-  void update(MPI_Comm comm, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers,
-              std::uint64_t& bytes);
+  void update(Together& together, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers);
 
   const std::vector<KeyedEvent>& events() const { return events_; }
   std::size_t memory() const { return (events_.capacity() + touching_.capacity()) * sizeof(KeyedEvent); }
 
  private:
+  struct Claim;
+  void find_claims(std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers, ByRank<Claim>& claims);
+
   std::vector<KeyedEvent> events_;
   std::vector<KeyedEvent> touching_;  ///< of the last update: all but the ends
 };

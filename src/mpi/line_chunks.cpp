@@ -13,6 +13,7 @@ constexpr std::uint64_t bytes_per_block = 1 << 20;
 
 /// The offset behind the end of the line that holds `from`.
 std::uint64_t LineChunks::end_of_line(std::uint64_t from) {
+  if (record_bytes_ > 0) return from + record_bytes_;
   while (from < size_) {
     if (from < block_offset_ || from >= block_offset_ + block_.size()) {
       block_offset_ = from;

@@ -1,4 +1,4 @@
-// A file of lines in parts that are handed out: a function of the file alone, so that a journal can name them by
+// A file of lines or of records in parts that are handed out: a function of the file alone, so that a journal can name them by
 // number.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace graze::mpi {
 
-/// Some whole lines of a file.
+/// Some whole lines or records of a file.
 struct Chunk {
   std::uint64_t number = 0;
   std::uint64_t offset = 0, length = 0;  ///< in bytes
@@ -23,7 +23,9 @@ class LineChunks {
   /// a message costs nothing, and little to wait for at the end.
   static constexpr std::uint64_t most_lines = 64, most_bytes = 1 << 16;
 
-  explicit LineChunks(const File& file) : file_(file), size_(file.size()) {}
+  /// With `record_bytes` a "line" has so many bytes, whatever they are; the file has a multiple of them.
+  explicit LineChunks(const File& file, std::uint64_t record_bytes = 0)
+      : file_(file), size_(file.size()), record_bytes_(record_bytes) {}
 
   /// The next chunk; false at the end.
   bool next(Chunk& out);
@@ -33,7 +35,7 @@ class LineChunks {
   std::uint64_t end_of_line(std::uint64_t from);
 
   const File& file_;
-  std::uint64_t size_, offset_ = 0, line_ = 1, number_ = 0;
+  std::uint64_t size_, record_bytes_, offset_ = 0, line_ = 1, number_ = 0;
   std::vector<char> block_;
   std::uint64_t block_offset_ = 0;
 };

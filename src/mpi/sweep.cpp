@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <ostream>
@@ -71,8 +72,9 @@ void work_for_first(MPI_Comm comm, Worker worker) {
 /// What rank 0 does: hands out chunks and gathers what is answered.
 class Coordinator {
  public:
-  Coordinator(MPI_Comm comm, const File& questions, const std::vector<Record>& known, std::ostream* stream)
-      : comm_(comm), questions_(questions), chunks_(questions), stream_(stream), open_(size_of(comm), 0) {
+  Coordinator(MPI_Comm comm, const File& questions, std::uint64_t record_bytes, const std::vector<Record>& known,
+              std::ostream* stream)
+      : comm_(comm), questions_(questions), chunks_(questions, record_bytes), stream_(stream), open_(size_of(comm), 0) {
     for (const Record& record : known) known_.emplace(record.chunk, record);
     report_.by_rank.assign(open_.size(), 0);
     report_.busy.assign(open_.size(), 0);
@@ -167,7 +169,8 @@ class Coordinator {
 /// One line that says of what sweep a journal is.
 std::string head_of(const SweepSettings& settings, const File& questions) {
   return "graze sweep 1; " + settings.kind + "; " + std::to_string(LineChunks::most_lines) + " lines or " +
-         std::to_string(LineChunks::most_bytes) + " bytes; of " + std::to_string(questions.size()) + " bytes\n";
+         std::to_string(LineChunks::most_bytes) + " bytes; of " + std::to_string(questions.size()) + " bytes" +
+         (settings.record_bytes > 0 ? " in records of " + std::to_string(settings.record_bytes) : "") + "\n";
 }
 
 /// Calls `f` on one rank's behalf and tells all what it threw.
@@ -194,6 +197,9 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
   begin(comm, [&] {
     questions = File::reading(settings.questions);
     if (!questions.regular()) throw InvalidValue(settings.questions, "a regular file", "something else");
+    if (settings.record_bytes > 0 && questions.size() % settings.record_bytes != 0)
+      throw InvalidValue(settings.questions, "records of " + std::to_string(settings.record_bytes) + " bytes each",
+                         std::to_string(questions.size()) + " bytes");
   });
   agree_on(comm, "the questions", settings.questions + " of " + std::to_string(questions.size()) + " bytes");
   const bool kept = !directory.empty();
@@ -201,7 +207,12 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
   std::uint64_t run = 0;
   begin(comm, [&] {
     if (rank != 0 || !kept) return;
-    if (!settings.out.empty()) File::writing(partial_name(settings.out));
+    if (!settings.out.empty()) {
+      const auto there = std::filesystem::status(settings.out);
+      if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        throw InvalidValue(settings.out, "a regular file, or nothing", "something else");
+      File::writing(partial_name(settings.out));
+    }
     journal = Journal::open(directory, head_of(settings, questions));
     run = journal.run();
   });
@@ -211,11 +222,11 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
     if (kept) part = JournalPart(directory, Journal::part_of(run, rank));
   });
 
-  const Worker worker(questions, kept ? &part : nullptr, answer);
+  const Worker worker(questions, settings.record_bytes, kept ? &part : nullptr, answer);
   SweepReport report;
   std::vector<Record> records;
   if (rank == 0) {
-    Coordinator coordinator(comm, questions, journal.known(), kept ? nullptr : &stream);
+    Coordinator coordinator(comm, questions, settings.record_bytes, journal.known(), kept ? nullptr : &stream);
     coordinator.run(worker);
     report = coordinator.take_report();
     records = coordinator.records();

@@ -11,19 +11,32 @@ bool blank(std::string_view line) { return line.find_first_not_of(" \t\r\n\v\f")
 
 }  // namespace
 
+void Worker::answer_lines(std::string_view lines, std::uint64_t first, Answered& answered) const {
+  for (std::uint64_t number = first; !lines.empty(); ++number) {
+    const std::size_t end = lines.find('\n');
+    const std::string_view line = lines.substr(0, end);
+    lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
+    if (!blank(line)) answered.record.errors += answer_(line, number, answered.text) ? 1 : 0;
+  }
+}
+
+void Worker::answer_records(std::string_view records, std::uint64_t first, Answered& answered) const {
+  for (std::uint64_t number = first; !records.empty(); ++number) {
+    answered.record.errors += answer_(records.substr(0, record_bytes_), number, answered.text) ? 1 : 0;
+    records.remove_prefix(record_bytes_);
+  }
+}
+
 Answered Worker::work(const Chunk& chunk) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string questions = questions_.read(chunk.offset, chunk.length);
   Answered answered;
   answered.record.chunk = chunk.number;
   answered.record.questions = checksum(questions);
-  std::string_view rest = questions;
-  for (std::uint64_t number = chunk.first_line; !rest.empty(); ++number) {
-    const std::size_t end = rest.find('\n');
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    if (!blank(line)) answered.record.errors += answer_(line, number, answered.text) ? 1 : 0;
-  }
+  if (record_bytes_ > 0)
+    answer_records(questions, chunk.first_line, answered);
+  else
+    answer_lines(questions, chunk.first_line, answered);
   if (journal_) {
     journal_->append(answered.record, answered.text);
     answered.text = {};

@@ -24,13 +24,18 @@ struct Answered {
 
 class Worker {
  public:
-  Worker(const File& questions, JournalPart* journal, const LineAnswer& answer)
-      : questions_(questions), journal_(journal), answer_(answer) {}
+  /// `record_bytes` as of the chunks.
+  Worker(const File& questions, std::uint64_t record_bytes, JournalPart* journal, const LineAnswer& answer)
+      : questions_(questions), record_bytes_(record_bytes), journal_(journal), answer_(answer) {}
 
   Answered work(const Chunk& chunk);
 
  private:
+  void answer_lines(std::string_view lines, std::uint64_t first, Answered& answered) const;
+  void answer_records(std::string_view records, std::uint64_t first, Answered& answered) const;
+
   const File& questions_;
+  std::uint64_t record_bytes_;
   JournalPart* journal_;
   const LineAnswer& answer_;
 };

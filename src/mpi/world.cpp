@@ -1,281 +1,52 @@
 #include "graze/mpi/world.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <map>
-#include <string>
+#include <array>
+#include <charconv>
 #include <tuple>
 
-#include "graze/pairs.hpp"
-#include "graze/world/bounds.hpp"
-#include "mpi/body_record.hpp"
-#include "mpi/keyed_events.hpp"
-#include "mpi/partition.hpp"
+#include "mpi/journal.hpp"
+#include "mpi/world_parts.hpp"
 
 namespace graze::mpi {
 
 namespace {
 
-/// What a pair of which contacts are looked for costs beside a body: some 100 ns beside 50.
-constexpr float cost_of_pair = 2, cost_of_body = 1;
-/// How much worse than after the last drawing the balance has to be, so that what cannot be shared out is left alone.
-constexpr double worse = 1.02;
+/// All of a number's digits.
+std::string digits(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// Counts the seconds since the last call.
-class Clock {
- public:
-  double lap() { return -std::exchange(since_, now()) + since_; }
-
- private:
-  double since_ = now();
-};
-
-/// A point of both boxes, if they overlap.
+/// What has to be the same on all ranks, as words.
 template <class T>
-Vec3<double> common_point(const Aabb<T>& a, const Aabb<T>& b) {
-  return converted<double>(greatest(a.lower, b.lower));
+std::string kind_of(const WorldSettings<T>& settings) {
+  std::string kind = "graze " GRAZE_VERSION ", " + std::string(sizeof(T) == sizeof(float) ? "float" : "double");
+  if (settings.margin) kind += ", margin " + digits(static_cast<double>(*settings.margin));
+  if (settings.points_per_pair) kind += ", points of a pair " + std::to_string(*settings.points_per_pair);
+  return kind + ", imbalance " + digits(settings.imbalance) + (settings.allow ? ", a last word on pairs" : "");
+}
+
+/// A shape's kind, and a number that its bounds and its rounding give.
+template <class T>
+std::string words_of(const Shape<T>& shape) {
+  const Aabb<T> box = bounds(shape, Pose<T>{});
+  const T numbers[] = {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z, shape.rounding()};
+  return shape.name() + (" #" + std::to_string(checksum({reinterpret_cast<const char*>(numbers), sizeof numbers})));
 }
 
 }  // namespace
 
 template <class T>
-struct World<T>::Parts {
-  Parts(MPI_Comm c, WorldSettings<T> s, Executor* e)
-      : comm(c), settings(std::move(s)), executor(e ? e : &serial), partition(c) {}
-
-  struct Owned {
-    Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
-    float weight = cost_of_body;
-  };
-
-  void check(Key key, bool there) const {
-    if (owned.contains(key) != there)
-      throw InvalidValue("key", there ? "that of a body that lives on this rank" : "one that no body has",
-                         std::to_string(key));
-  }
-  void balance();
-  void migrate();
-  void lend();
-  void find_pairs();
-  void find_contacts();
-  void find_bounds_here();
-  void insert(const std::vector<BodyRecord<T>>& records, bool lent);
-  std::vector<std::uint32_t> sort_local();
-
-  MPI_Comm comm;
-  WorldSettings<T> settings;
-  SerialExecutor serial;
-  Executor* executor;
-  SharedShapes<T> shared;
-  std::map<Key, Owned> owned;
-  Partition partition;
-  double drawn_imbalance = 1;
-
-  // Of the last update: what stands here, lent or not, sorted by key.
-  struct Local {
-    Key key;
-    Body<T> body;
-    bool lent;
-  };
-  std::vector<Local> local;
-  std::unique_ptr<BodyArrays<T>> arrays;
-  std::vector<Aabb<T>> boxes;
-  PairFinder<T> finder;
-  std::vector<IdPair> candidates, mine;
-  std::unique_ptr<ManifoldFinder<T>> manifolds;
-  std::vector<KeyedPair> pairs;
-  KeyedEvents events;
-  WorldReport report;
-};
-
-/// Draws borders where there are none, or where the work is shared unevenly.
-template <class T>
-void World<T>::Parts::balance() {
-  double sum = 0;
-  for (const auto& [key, o] : owned) sum += static_cast<double>(o.weight);
-  double most = 0, all = 0;
-  MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
-  MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, comm);
-  report.imbalance = all > 0 ? most / all * size_of(comm) : 1;
-  if (all == 0 || (partition.drawn() && report.imbalance <= std::max(settings.imbalance, drawn_imbalance * worse)))
-    return;
-  std::vector<Load> loads;
-  loads.reserve(owned.size());
-  for (const auto& [key, o] : owned)
-    loads.push_back({converted<double>(o.body.pose.translation), static_cast<double>(o.weight)});
-  partition.draw(loads);
-  ++report.partitions;
-  // What was reached.
-  std::vector<double> by_rank(static_cast<std::size_t>(size_of(comm)), 0);
-  for (const Load& load : loads) by_rank[static_cast<std::size_t>(partition.rank_of_point(load.place))] += load.weight;
-  MPI_Allreduce(MPI_IN_PLACE, by_rank.data(), size_of(comm), MPI_DOUBLE, MPI_SUM, comm);
-  drawn_imbalance = *std::max_element(by_rank.begin(), by_rank.end()) / all * size_of(comm);
-}
-
-/// Bodies go to live where their origins are.
-template <class T>
-void World<T>::Parts::migrate() {
-  ByRank<BodyRecord<T>> to(static_cast<std::size_t>(size_of(comm)));
-  if (partition.drawn())
-    for (auto i = owned.begin(); i != owned.end();) {
-      const int rank = partition.rank_of_point(converted<double>(i->second.body.pose.translation));
-      if (rank == rank_of(comm)) {
-        ++i;
-        continue;
-      }
-      to[static_cast<std::size_t>(rank)].push_back(record_of(i->first, i->second.body, i->second.weight, shared));
-      i = owned.erase(i);
-      ++report.migrated;
-    }
-  for (const auto& some : exchanged(comm, to, report.bytes))
-    for (const BodyRecord<T>& r : some) owned.insert_or_assign(r.key, Owned{body_of(r, shared), r.weight});
-}
-
-/// Appends what is not here yet.
-template <class T>
-void World<T>::Parts::insert(const std::vector<BodyRecord<T>>& records, bool lent) {
-  for (const BodyRecord<T>& r : records) local.push_back({r.key, body_of(r, shared), lent});
-}
-
-/// Sorts what stands here; returns where each was put. Bodies that came twice stand here once.
-template <class T>
-std::vector<std::uint32_t> World<T>::Parts::sort_local() {
-  std::vector<std::uint32_t> order(local.size()), place(local.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return local[i].key < local[j].key; });
-  std::vector<Local> sorted;
-  sorted.reserve(local.size());
-  for (const std::uint32_t i : order) {
-    if (sorted.empty() || sorted.back().key != local[i].key) sorted.push_back(std::move(local[i]));
-    place[i] = static_cast<std::uint32_t>(sorted.size() - 1);
-  }
-  local = std::move(sorted);
-  return place;
-}
-
-/// Puts what stands here into arrays and finds their bounds.
-template <class T>
-void World<T>::Parts::find_bounds_here() {
-  arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  for (const Local& l : local) arrays->add(l.body);
-  boxes.resize(local.size());
-  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), boxes, *executor);
-}
-
-/// What reaches into other regions is lent to their ranks.
-template <class T>
-void World<T>::Parts::lend() {
-  local.clear();
-  for (const auto& [key, o] : owned) local.push_back({key, o.body, false});
-  if (size_of(comm) == 1) return find_bounds_here();
-  find_bounds_here();
-  ByRank<BodyRecord<T>> to(static_cast<std::size_t>(size_of(comm)));
-  std::vector<int> ranks;
-  for (std::size_t i = 0; i < local.size() && partition.drawn(); ++i) {
-    const Aabb<double> box{converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)};
-    const Aabb<double>& region = partition.region();
-    const auto inside = [](const Vec3<double>& a, const Vec3<double>& b) {
-      return a.x < b.x && a.y < b.y && a.z < b.z;
-    };
-    if (inside(region.lower, box.lower) && inside(box.upper, region.upper)) continue;
-    ranks.clear();
-    partition.ranks_of_box(box, ranks);
-    for (const int r : ranks)
-      if (r != rank_of(comm))
-        to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, local[i].body, 0.0F, shared));
-  }
-  for (const auto& some : exchanged(comm, to, report.bytes)) insert(some, true);
-  sort_local();
-  find_bounds_here();
-}
-
-/// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
-/// What moves and what stands still are found where the former lives, with all else that stands beside: the latter is
-/// lent there, too, by the rank of their common point.
-template <class T>
-void World<T>::Parts::find_pairs() {
-  finder.find(boxes, candidates, *executor);
-  const auto fixed = arrays->fixed();
-  const auto is_pair = [&](std::uint32_t a, std::uint32_t b) {
-    return (fixed[a] & fixed[b]) == 0 && (!settings.allow || settings.allow(local[a].key, local[b].key));
-  };
-  keep_allowed(candidates, arrays->filters(), is_pair);
-  mine.clear();
-  struct Sent {
-    BodyRecord<T> standing;
-    Key moving;
-  };
-  ByRank<Sent> to(static_cast<std::size_t>(size_of(comm)));
-  for (const IdPair& p : candidates) {
-    const bool ground = (fixed[p.a] | fixed[p.b]) != 0;
-    const std::uint32_t moving = fixed[p.a] != 0 ? p.b : p.a, standing = fixed[p.a] != 0 ? p.a : p.b;
-    if (ground) {
-      if (!local[moving].lent) {
-        mine.push_back(p);
-        continue;
-      }
-    } else if (!local[p.a].lent && !local[p.b].lent && size_of(comm) == 1) {
-      mine.push_back(p);
-      continue;
-    }
-    if (partition.rank_of_point(common_point(boxes[p.a], boxes[p.b])) != rank_of(comm)) continue;
-    if (!ground) {
-      mine.push_back(p);
-      continue;
-    }
-    const int owner = partition.rank_of_point(converted<double>(local[moving].body.pose.translation));
-    to[static_cast<std::size_t>(owner)].push_back(
-        {record_of(local[standing].key, local[standing].body, 0.0F, shared), local[moving].key});
-  }
-  const ByRank<Sent> from = exchanged(comm, to, report.bytes);
-  std::vector<std::pair<Key, Key>> more;
-  const auto place_of = [&](Key key) {
-    return static_cast<std::uint32_t>(
-        std::lower_bound(local.begin(), local.end(), key, [](const Local& l, Key k) { return l.key < k; }) -
-        local.begin());
-  };
-  const std::size_t before = local.size();
-  for (const auto& some : from)
-    for (const Sent& s : some) {
-      more.emplace_back(s.standing.key, s.moving);
-      const std::uint32_t at = place_of(s.standing.key);
-      if (at == before || local[at].key != s.standing.key) more.back().first = s.standing.key;
-    }
-  if (more.empty()) return;
-  for (const auto& some : from)
-    for (const Sent& s : some) local.push_back({s.standing.key, body_of(s.standing, shared), true});
-  const std::vector<std::uint32_t> place = sort_local();
-  for (IdPair& p : mine) p = {place[p.a], place[p.b]};
-  for (const auto& [standing, moving] : more) {
-    const std::uint32_t i = place_of(standing), j = place_of(moving);
-    mine.push_back({std::min(i, j), std::max(i, j)});
-  }
-  std::sort(mine.begin(), mine.end());
-  mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-  find_bounds_here();
-}
-
-template <class T>
-void World<T>::Parts::find_contacts() {
-  manifolds = std::make_unique<ManifoldFinder<T>>(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points));
-  manifolds->find(*arrays, mine, *executor);
-  pairs.clear();
-  for (const ContactPair<T>& p : manifolds->contacts().pairs)
-    pairs.push_back({local[p.a].key, local[p.b].key, p.overlap, p.first_manifold, p.manifold_count});
-  // What each body cost is what its rank is charged for next time.
-  for (auto& [key, o] : owned) o.weight = cost_of_body;
-  for (const IdPair& p : mine)
-    for (const std::uint32_t i : {p.a, p.b})
-      if (const auto o = local[i].lent ? owned.end() : owned.find(local[i].key); o != owned.end())
-        o->second.weight += cost_of_pair / 2;
-}
-
-template <class T>
 World<T>::World(MPI_Comm comm, WorldSettings<T> settings, Executor* executor) {
-  if (!(settings.imbalance >= 1)) throw InvalidValue("imbalance", "a number >= 1", std::to_string(settings.imbalance));
-  static_cast<void>(BodyArrays<T>(settings.margin));
+  Together together(comm);
+  together.alone([&] {
+    if (!(settings.imbalance >= 1))
+      throw InvalidValue("imbalance", "a number >= 1", std::to_string(settings.imbalance));
+    static_cast<void>(BodyArrays<T>(settings.margin));
+  });
+  together.meet();
+  agree_on(comm, "the world", kind_of(settings));
   parts_ = std::make_unique<Parts>(comm, std::move(settings), executor);
 }
 
@@ -284,7 +55,19 @@ World<T>::~World() = default;
 
 template <class T>
 void World<T>::share(const Shape<T>& shape) {
-  parts_->shared.add(shape);
+  Parts& p = *parts_;
+  agree_on(p.comm, "shared shape " + std::to_string(p.shared.added()), words_of(shape));
+  p.shared.add(shape);
+}
+
+template <class T>
+void World<T>::share_from(std::function<Shape<T>(std::uint64_t)> source) {
+  parts_->shared.set_source(std::move(source));
+}
+
+template <class T>
+const Shape<T>& World<T>::shared(std::uint64_t number) {
+  return parts_->shared[number];
 }
 
 template <class T>
@@ -345,31 +128,6 @@ std::vector<Key> World<T>::keys() const {
 }
 
 template <class T>
-void World<T>::update() {
-  Parts& p = *parts_;
-  p.report = {.partitions = p.report.partitions};
-  Clock clock;
-  p.balance();
-  p.migrate();
-  p.report.partition = clock.lap();
-  p.lend();
-  p.report.exchange = clock.lap();
-  p.find_pairs();
-  p.report.broad = clock.lap();
-  p.find_contacts();
-  p.report.contacts = clock.lap();
-  std::vector<std::uint8_t> triggers;
-  for (const ContactPair<T>& c : p.manifolds->contacts().pairs)
-    triggers.push_back(p.arrays->triggers()[c.a] | p.arrays->triggers()[c.b]);
-  p.events.update(p.comm, p.pairs, triggers, p.report.bytes);
-  p.report.events = clock.lap();
-  p.report.bodies = p.owned.size();
-  p.report.ghosts = p.local.size() - p.owned.size();
-  p.report.candidates = p.mine.size();
-  p.report.pairs = p.pairs.size();
-}
-
-template <class T>
 std::span<const KeyedPair> World<T>::pairs() const {
   return parts_->pairs;
 }
@@ -390,6 +148,11 @@ const WorldReport& World<T>::report() const {
 }
 
 template <class T>
+const Aabb<double>& World<T>::region() const {
+  return parts_->partition.region();
+}
+
+template <class T>
 std::size_t World<T>::memory() const {
   const Parts& p = *parts_;
   return p.owned.size() * (sizeof(std::pair<Key, typename Parts::Owned>) + 4 * sizeof(void*)) +
@@ -403,11 +166,12 @@ template <class T>
 Gathered<T> World<T>::gather(int root) const {
   const Parts& p = *parts_;
   const auto ranks = static_cast<std::size_t>(size_of(p.comm)), to = static_cast<std::size_t>(root);
-  std::uint64_t bytes = 0;
+  if (to >= ranks) throw InvalidValue("root", "a rank below " + std::to_string(ranks), std::to_string(root));
+  Together together(p.comm);
   const auto gathered = [&]<class E>(std::span<const E> some) {
     ByRank<E> all(ranks);
-    all[to].assign(some.begin(), some.end());
-    return exchanged(p.comm, all, bytes);
+    together.alone([&] { all[to].assign(some.begin(), some.end()); });
+    return together.exchange(all);
   };
   const ContactArrays<T>& found = p.manifolds->contacts();
   const auto pairs = gathered(std::span<const KeyedPair>(p.pairs));

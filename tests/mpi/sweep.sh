@@ -82,10 +82,10 @@ resumes() { # RANKS: the rest, of which the journal spares some
 
 case $case in
   same)
-    questions 3000 >questions
+    questions 2000 >questions
     for precision in double float; do
       "$graze" query questions --precision $precision >expected
-      for n in 1 2 3 4; do
+      for n in $([[ $precision == double ]] && echo 1 2 4 || echo 3); do
         expect 1 ranks $n "$graze_mpi" query questions --precision $precision --out answers
         same "$n ranks, --out"; nothing_left answers; rm answers
         ranks $n "$graze_mpi" query questions --precision $precision >answers 2>log; same "$n ranks, standard output"
@@ -101,21 +101,19 @@ case $case in
     expect 0 ranks 4 "$graze_mpi" query questions --out answers; same "no questions"
     ;;
   kill_one)
-    slow_questions 1500 >questions
+    slow_questions 700 >questions
     "$graze" query questions >expected
-    for n in 2 4; do
-      for which in first last; do
-        start_slow $n
-        kill -9 "$(workers | sort -n | if [[ $which == first ]]; then head -1; else tail -1; fi)"
-        ends_soon
-        said "signal 9"
-        resumes 3
-        rm answers
-      done
+    for n in 2 4; do # of two the first, of four the last
+      start_slow $n
+      kill -9 "$(workers | sort -n | if ((n == 2)); then head -1; else tail -1; fi)"
+      ends_soon
+      said "signal 9"
+      resumes 3
+      rm answers
     done
     ;;
   kill_all)
-    slow_questions 1500 >questions
+    slow_questions 700 >questions
     "$graze" query questions >expected
     for n in 1 3; do
       start_slow $n
@@ -134,7 +132,7 @@ case $case in
     same "after a torn end"
     ;;
   other_sweep)
-    slow_questions 1500 >questions
+    slow_questions 700 >questions
     start_slow 2
     kill -9 $(processes); ends_soon
     expect 2 ranks 2 "$graze_mpi" query "$work/questions" --out "$work/answers" --precision float
@@ -163,8 +161,21 @@ case $case in
     expect 2 ranks 2 "$graze_mpi" query questions --out answers --journal taken
     said "taken: expected the journal of a sweep, or nothing"
     [[ -e taken/file ]] || fail "a file of somebody else is gone"
+    # A device takes no file's place: what is renamed to its name would.
+    expect 2 ranks 3 "$graze_mpi" query questions --out /dev/full
+    said "/dev/full: expected a regular file, or nothing"
+    [[ -c /dev/full && ! -e /dev/full.partial ]] || fail "/dev/full is not what it was"
+    expect 2 ranks 2 "$graze_mpi" query questions --out answers --journal /dev/full
+    said "/dev/full"
     rm -f answers.partial
     nothing_left
+    # Standard output goes through a shell here, since mpirun does not say when it cannot write on.
+    expect 2 ranks 3 sh -c '[ "$OMPI_COMM_WORLD_RANK" = 0 ] && exec >/dev/full; exec "$0" "$@"' "$graze_mpi" query questions
+    said "rank 0: answers cannot be written: No space left on device"
+    expect 2 ranks 2 sh -c '[ "$OMPI_COMM_WORLD_RANK" = 0 ] && exec >/dev/full; exec "$0" "$@"' "$graze_mpi" query questions --journal kept
+    said "rank 0: answers cannot be written: No space left on device"
+    [[ -e kept/head ]] || fail "the journal is gone before the answers are written"
+    rm -r kept
     ;;
   full_disk)
     questions 3000 >questions

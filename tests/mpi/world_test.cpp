@@ -234,7 +234,8 @@ void play(int seed, int updates) {
   std::printf("%d ranks, seed %d: %zu manifolds, %zu ends, %zu migrations, %zu ghosts, %zu partitions: the same bits\n",
               ranks, seed, play.contacts, play.ends, all[0], all[1], play.many.report().partitions);
   // A test that saw none of these saw nothing.
-  if (play.contacts < 1000 || play.ends < 20 || (ranks > 1 && (all[0] < 20 || all[1] < 1000)))
+  const auto n = static_cast<std::size_t>(updates);
+  if (play.contacts < 20 * n || play.ends < n || (ranks > 1 && (all[0] < n || all[1] < 5 * n)))
     fail("a scene in which too little happened", seed, updates);
 }
 

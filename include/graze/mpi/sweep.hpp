@@ -1,4 +1,4 @@
-// A sweep: many questions, one a line of a file, answered by all ranks of a communicator.
+// A sweep: many questions, one a line or so many bytes of a file, answered by all ranks of a communicator.
 //
 // Guarantee: the answers stand in the order of the questions and are the same bytes whatever the number of ranks. Who
 // is done asks for more, so that a question that takes long holds up nobody but its own rank. With a journal the work
@@ -37,15 +37,17 @@ struct SweepSettings {
   /// A directory that every rank can write, for what is done so far; gone when the sweep is. Empty: beside `out`, which
   /// has ".journal" after its name, or none where the answers go to a stream.
   std::string journal;
+  /// Bytes of each question, whatever they are; 0 where a question is a line.
+  std::uint64_t record_bytes = 0;
   std::string kind;  ///< what the answers depend on beside the questions: the program's version, the precision
 };
 
-/// Appends the answer to a line, which is not blank, to `out`; `number` counts lines from 1. Returns whether the answer
+/// Appends the answer to a line, which is not blank, or to a record, to `out`; `number` counts them from 1. Returns whether the answer
 /// is an error. Called from one thread a rank.
 using LineAnswer = std::function<bool(std::string_view line, std::size_t number, std::string& out)>;
 
 struct SweepReport {
-  std::uint64_t lines = 0;                   ///< of the file, blank ones too
+  std::uint64_t lines = 0;                   ///< of the file, blank ones too; or records
   std::uint64_t errors = 0;                  ///< answers that are errors
   std::uint64_t chunks = 0, remembered = 0;  ///< parts of the file, and those that the journal had
   std::vector<std::uint64_t> by_rank;        ///< chunks that each rank answered

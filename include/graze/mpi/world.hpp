@@ -75,7 +75,8 @@ struct WorldReport {
 template <class T>
 class GRAZE_API World {
  public:
-  /// Throws `InvalidValue` as `graze::World`, and for an imbalance below 1.
+  /// Throws `CommonError` on every rank for what `graze::World` refuses and an imbalance below 1 on any, and when ranks
+  /// have libraries of other versions, another precision or other settings.
   explicit World(MPI_Comm comm, WorldSettings<T> settings = {}, Executor* executor = nullptr);
   ~World();
   World(const World&) = delete;
@@ -83,8 +84,15 @@ class GRAZE_API World {
 
   /// Makes a shape known whose data is large or is a user's code: a hull, a mesh, a height field, a compound, a shape
   /// with a support function of one's own. All ranks call it with the same shapes in the same order, and bodies that go
-  /// elsewhere take its number along and not its data.
+  /// elsewhere take its number along and not its data. The numbers count from 0. Throws `CommonError` on every rank
+  /// when one has a shape of another kind or size.
   void share(const Shape<T>& shape);
+  /// Says where shapes come from that not every rank holds: `source` gives the shape of a number, the same on every
+  /// rank, and is called once on each where it is needed, which is for bodies that live there or are lent. Bodies that
+  /// are added have shapes as `shared` gives them. Numbers begin after those of `share`.
+  void share_from(std::function<Shape<T>(std::uint64_t)> source);
+  /// The shape of a number. Throws `InvalidValue` where it is nobody's, and what the source throws.
+  const Shape<T>& shared(std::uint64_t number);
 
   /// Throws `InvalidValue` for what `graze::World::add` refuses, for a shape that would have to be shared and is not,
   /// and for a key that lives here already. The body may live elsewhere after the next update.
@@ -99,7 +107,9 @@ class GRAZE_API World {
   /// The bodies that live here, sorted.
   std::vector<Key> keys() const;
 
-  /// Brings bodies to where they live, lends what stands at borders, and finds what touches. All ranks.
+  /// Brings bodies to where they live, lends what stands at borders, and finds what touches. All ranks. Throws
+  /// `CommonError` on every rank when one fails: out of memory, by a message that does not fit into it, by what `allow`
+  /// or the source of shapes threw, by a key that two bodies have. The world is then good for nothing but its end.
   void update();
 
   /// What this rank found, in the order of keys; valid until the next update.
@@ -107,10 +117,12 @@ class GRAZE_API World {
   const ContactArrays<T>& contacts() const;  ///< manifolds and points of `pairs`
   std::span<const KeyedEvent> events() const;
   const WorldReport& report() const;
+  /// The part of space whose bodies live here; all of it before the first update.
+  const Aabb<double>& region() const;
   /// Bytes that are held, shared shapes' own data apart.
   std::size_t memory() const;
 
-  /// All that was found, on one rank; empty on the others.
+  /// All that was found, on one rank; empty on the others. All ranks. Throws as `update`.
   Gathered<T> gather(int root = 0) const;
 
  private:

@@ -1,0 +1,81 @@
+// What a world of many ranks holds on one of them, and the steps of its update.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "graze/pairs.hpp"
+#include "mpi/body_record.hpp"
+#include "mpi/keyed_events.hpp"
+#include "mpi/partition.hpp"
+
+namespace graze::mpi {
+
+/// What a pair of which contacts are looked for costs beside a body: some 100 ns beside 50.
+constexpr float cost_of_pair = 2, cost_of_body = 1;
+
+template <class T>
+struct World<T>::Parts {
+  Parts(MPI_Comm c, WorldSettings<T> s, Executor* e)
+      : comm(c), settings(std::move(s)), executor(e ? e : &serial), partition(c) {}
+
+  /// A body that lives here.
+  struct Owned {
+    Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
+    float weight = cost_of_body;
+  };
+  /// A body that stands here, lent or not.
+  struct Local {
+    Key key;
+    Body<T> body;
+    bool lent;
+  };
+  /// A fixed body for the rank on which one that moves lives.
+  struct Sent {
+    BodyRecord<T> standing;
+    Key moving;
+  };
+
+  void check(Key key, bool there) const {
+    if (owned.contains(key) != there)
+      throw InvalidValue("key", there ? "that of a body that lives on this rank" : "one that no body has",
+                         std::to_string(key));
+  }
+
+  // The steps of an update; those that exchange something all ranks do together.
+  void balance(Together& together);
+  void migrate(Together& together);
+  void lend(Together& together);
+  void find_pairs(Together& together);
+  void find_contacts();
+
+  void find_who_leaves(ByRank<BodyRecord<T>>& to);
+  void find_who_is_lent(ByRank<BodyRecord<T>>& to);
+  void find_own_pairs(ByRank<Sent>& to);
+  void take_pairs(const ByRank<Sent>& from);
+  void find_bounds_here();
+  std::vector<std::uint32_t> sort_local();
+  std::uint32_t place_of(Key key) const;
+
+  MPI_Comm comm;
+  WorldSettings<T> settings;
+  SerialExecutor serial;
+  Executor* executor;
+  SharedShapes<T> shared;
+  std::map<Key, Owned> owned;
+  Partition partition;
+  double drawn_imbalance = 1;
+
+  // Of the last update.
+  std::vector<Local> local;  ///< sorted by key
+  std::unique_ptr<BodyArrays<T>> arrays;
+  std::vector<Aabb<T>> boxes;
+  PairFinder<T> finder;
+  std::vector<IdPair> candidates, mine;
+  std::unique_ptr<ManifoldFinder<T>> manifolds;
+  std::vector<KeyedPair> pairs;
+  KeyedEvents events;
+  WorldReport report;
+};
+
+}  // namespace graze::mpi

@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "graze/world/bounds.hpp"
+#include "mpi/world_parts.hpp"
+
+namespace graze::mpi {
+
+namespace {
+
+/// How much worse than after the last drawing the balance has to be, so that what cannot be shared out is left alone.
+constexpr double worse = 1.02;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Counts the seconds since the last call.
+class Clock {
+ public:
+  double lap() {
+    const double before = std::exchange(since_, now());
+    return since_ - before;
+  }
+
+ private:
+  double since_ = now();
+};
+
+/// A point of both boxes, if they overlap.
+template <class T>
+Vec3<double> common_point(const Aabb<T>& a, const Aabb<T>& b) {
+  return converted<double>(greatest(a.lower, b.lower));
+}
+
+}  // namespace
+
+/// Draws borders where there are none, or where the work is shared unevenly.
+template <class T>
+void World<T>::Parts::balance(Together& together) {
+  double sum = 0;
+  for (const auto& [key, o] : owned) sum += static_cast<double>(o.weight);
+  double most = 0, all = 0;
+  MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
+  MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, comm);
+  report.imbalance = all > 0 ? most / all * size_of(comm) : 1;
+  if (all == 0 || (partition.drawn() && report.imbalance <= std::max(settings.imbalance, drawn_imbalance * worse)))
+    return;
+  std::vector<Load> loads;
+  together.alone([&] {
+    loads.reserve(owned.size());
+    for (const auto& [key, o] : owned)
+      loads.push_back({converted<double>(o.body.pose.translation), static_cast<double>(o.weight)});
+  });
+  together.meet();
+  partition.draw(loads);
+  ++report.partitions;
+  // What was reached.
+  std::vector<double> by_rank(static_cast<std::size_t>(size_of(comm)), 0);
+  for (const Load& load : loads) by_rank[static_cast<std::size_t>(partition.rank_of_point(load.place))] += load.weight;
+  MPI_Allreduce(MPI_IN_PLACE, by_rank.data(), size_of(comm), MPI_DOUBLE, MPI_SUM, comm);
+  drawn_imbalance = *std::max_element(by_rank.begin(), by_rank.end()) / all * size_of(comm);
+}
+
+template <class T>
+void World<T>::Parts::find_who_leaves(ByRank<BodyRecord<T>>& to) {
+  if (!partition.drawn()) return;
+  for (auto i = owned.begin(); i != owned.end();) {
+    const int rank = partition.rank_of_point(converted<double>(i->second.body.pose.translation));
+    if (rank == rank_of(comm)) {
+      ++i;
+      continue;
+    }
+    to[static_cast<std::size_t>(rank)].push_back(record_of(i->first, i->second.body, i->second.weight, shared));
+    i = owned.erase(i);
+    ++report.migrated;
+  }
+}
+
+/// Bodies go to live where their origins are.
+template <class T>
+void World<T>::Parts::migrate(Together& together) {
+  ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
+  together.alone([&] { find_who_leaves(to); });
+  const ByRank<BodyRecord<T>> from = together.exchange(to);
+  together.alone([&] {
+    for (const auto& some : from)
+      for (const BodyRecord<T>& r : some) {
+        check(r.key, false);
+        owned.emplace(r.key, Owned{body_of(r, shared), r.weight});
+      }
+  });
+}
+
+/// Sorts what stands here; returns where each was put. Bodies that came again stand here once.
+template <class T>
+std::vector<std::uint32_t> World<T>::Parts::sort_local() {
+  std::vector<std::uint32_t> order(local.size()), place(local.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return local[i].key < local[j].key; });
+  std::vector<Local> sorted;
+  sorted.reserve(local.size());
+  for (const std::uint32_t i : order) {
+    if (sorted.empty() || sorted.back().key != local[i].key) sorted.push_back(std::move(local[i]));
+    place[i] = static_cast<std::uint32_t>(sorted.size() - 1);
+  }
+  local = std::move(sorted);
+  return place;
+}
+
+template <class T>
+std::uint32_t World<T>::Parts::place_of(Key key) const {
+  const auto found = std::lower_bound(local.begin(), local.end(), key, [](const Local& l, Key k) { return l.key < k; });
+  return static_cast<std::uint32_t>(found - local.begin());
+}
+
+/// Puts what stands here into arrays and finds their bounds.
+template <class T>
+void World<T>::Parts::find_bounds_here() {
+  arrays = std::make_unique<BodyArrays<T>>(settings.margin);
+  for (const Local& l : local) arrays->add(l.body);
+  boxes.resize(local.size());
+  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), boxes, *executor);
+}
+
+template <class T>
+void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
+  local.clear();
+  for (const auto& [key, o] : owned) local.push_back({key, o.body, false});
+  find_bounds_here();
+  if (to.size() == 1 || !partition.drawn()) return;
+  const Aabb<double>& region = partition.region();
+  const auto inside = [](const Vec3<double>& a, const Vec3<double>& b) { return a.x < b.x && a.y < b.y && a.z < b.z; };
+  std::vector<int> ranks;
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    const Aabb<double> box{converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)};
+    if (inside(region.lower, box.lower) && inside(box.upper, region.upper)) continue;
+    ranks.clear();
+    partition.ranks_of_box(box, ranks);
+    for (const int r : ranks)
+      if (r != rank_of(comm))
+        to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, local[i].body, 0.0F, shared));
+  }
+}
+
+/// What reaches into other regions is lent to their ranks.
+template <class T>
+void World<T>::Parts::lend(Together& together) {
+  ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
+  together.alone([&] { find_who_is_lent(to); });
+  if (size_of(comm) == 1) return together.meet();
+  const ByRank<BodyRecord<T>> from = together.exchange(to);
+  together.alone([&] {
+    for (const auto& some : from)
+      for (const BodyRecord<T>& r : some) {
+        check(r.key, false);
+        local.push_back({r.key, body_of(r, shared), true});
+      }
+    sort_local();
+    find_bounds_here();
+  });
+}
+
+template <class T>
+void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
+  finder.find(boxes, candidates, *executor);
+  const auto fixed = arrays->fixed();
+  const auto is_pair = [&](std::uint32_t a, std::uint32_t b) {
+    return (fixed[a] & fixed[b]) == 0 && (!settings.allow || settings.allow(local[a].key, local[b].key));
+  };
+  keep_allowed(candidates, arrays->filters(), is_pair);
+  mine.clear();
+  const auto found_here = [&](const IdPair& p) {
+    return to.size() == 1 || partition.rank_of_point(common_point(boxes[p.a], boxes[p.b])) == rank_of(comm);
+  };
+  for (const IdPair& p : candidates) {
+    if ((fixed[p.a] | fixed[p.b]) == 0) {
+      if (found_here(p)) mine.push_back(p);
+      continue;
+    }
+    const Local &moving = local[fixed[p.a] != 0 ? p.b : p.a], &standing = local[fixed[p.a] != 0 ? p.a : p.b];
+    if (!moving.lent) {
+      mine.push_back(p);
+    } else if (found_here(p)) {
+      const int home = partition.rank_of_point(converted<double>(moving.body.pose.translation));
+      to[static_cast<std::size_t>(home)].push_back({record_of(standing.key, standing.body, 0.0F, shared), moving.key});
+    }
+  }
+}
+
+/// Adds the pairs that other ranks found for bodies that live here, with the fixed bodies that are not here yet.
+template <class T>
+void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
+  bool any = false;
+  for (const auto& some : from)
+    for (const Sent& s : some) {
+      any = true;
+      local.push_back({s.standing.key, body_of(s.standing, shared), true});
+    }
+  if (!any) return;
+  const std::vector<std::uint32_t> place = sort_local();
+  for (IdPair& p : mine) p = {place[p.a], place[p.b]};
+  for (const auto& some : from)
+    for (const Sent& s : some) {
+      const std::uint32_t i = place_of(s.standing.key), j = place_of(s.moving);
+      mine.push_back({std::min(i, j), std::max(i, j)});
+    }
+  std::sort(mine.begin(), mine.end());
+  mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
+  find_bounds_here();
+}
+
+/// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
+/// What moves and what stands still are found where the former lives, with all else that stands beside: the latter is
+/// lent there, too, by the rank of their common point.
+template <class T>
+void World<T>::Parts::find_pairs(Together& together) {
+  ByRank<Sent> to = together.nothing<Sent>();
+  together.alone([&] { find_own_pairs(to); });
+  const ByRank<Sent> from = together.exchange(to);
+  together.alone([&] { take_pairs(from); });
+}
+
+template <class T>
+void World<T>::Parts::find_contacts() {
+  manifolds = std::make_unique<ManifoldFinder<T>>(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points));
+  manifolds->find(*arrays, mine, *executor);
+  pairs.clear();
+  for (const ContactPair<T>& p : manifolds->contacts().pairs)
+    pairs.push_back({local[p.a].key, local[p.b].key, p.overlap, p.first_manifold, p.manifold_count});
+  // What each body cost is what its rank is charged for next time.
+  for (auto& [key, o] : owned) o.weight = cost_of_body;
+  for (const IdPair& p : mine)
+    for (const std::uint32_t i : {p.a, p.b})
+      if (const auto o = local[i].lent ? owned.end() : owned.find(local[i].key); o != owned.end())
+        o->second.weight += cost_of_pair / 2;
+}
+
+template <class T>
+void World<T>::update() {
+  Parts& p = *parts_;
+  p.report = {.partitions = p.report.partitions};
+  Together together(p.comm);
+  Clock clock;
+  p.balance(together);
+  p.migrate(together);
+  p.report.partition = clock.lap();
+  p.lend(together);
+  p.report.exchange = clock.lap();
+  p.find_pairs(together);
+  p.report.broad = clock.lap();
+  std::vector<std::uint8_t> triggers;
+  together.alone([&] {
+    p.find_contacts();
+    for (const ContactPair<T>& c : p.manifolds->contacts().pairs)
+      triggers.push_back(p.arrays->triggers()[c.a] | p.arrays->triggers()[c.b]);
+  });
+  p.report.contacts = clock.lap();
+  p.events.update(together, p.pairs, triggers);
+  together.meet();
+  p.report.events = clock.lap();
+  p.report.bodies = p.owned.size();
+  p.report.ghosts = p.local.size() - p.owned.size();
+  p.report.candidates = p.mine.size();
+  p.report.pairs = p.pairs.size();
+  p.report.bytes = together.bytes();
+}
+
+template void World<float>::update();
+template void World<double>::update();
+
+}  // namespace graze::mpi
