@@ -60,6 +60,7 @@ class GRAZE_API CapturedSimulation {
 
   /// For everything that is asked. A state cannot be restored: a capture has no way back.
   const Simulation<T>& simulation() const { return simulation_; }
+  /// What is recorded.
   const World<T>& world() const { return simulation_.world(); }
 
  private:
@@ -87,6 +88,7 @@ class GRAZE_API CapturedWorld {
   void update(T duration = T(0));
   void find_impacts(T duration);
 
+  /// What is recorded.
   const World<T>& world() const { return world_; }
 
  private:
@@ -104,11 +106,13 @@ struct ReplayDifference {
   std::string what;   ///< "step: other poses", "add: another handle", "remove: body: expected ..."
 };
 
+/// What a replay did.
 struct ReplayReport {
-  bool simulation = false;  ///< otherwise a world
-  bool single = false;      ///< float
-  std::size_t frames = 0, calls = 0;
-  bool cut = false;  ///< the stream ends within a frame, which was left out
+  bool simulation = false;            ///< otherwise a world
+  bool single = false;                ///< float
+  std::size_t frames = 0, calls = 0;  ///< how many frames and calls were replayed
+  bool cut = false;                   ///< the stream ends within a frame, which was left out
+  /// Where an answer was first another one; none where all were the same.
   std::optional<ReplayDifference> difference;
 };
 
