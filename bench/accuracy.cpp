@@ -1,4 +1,4 @@
-// How far the answers of Graze, in both precisions, and of other libraries are from the truth, for every pair of shapes.
+// How far the answers of Graze, in both precisions, and of other libraries are from the truth, for each pair of shapes.
 //
 //   bench_accuracy [--pairs N] [--only REGEX] [--libraries REGEX]
 //
@@ -58,6 +58,8 @@ void add_line(Table& table, const std::string& name, const std::vector<Errors>& 
   table.add(std::move(cells));
 }
 
+using PlacedPair = std::pair<reference::Placed, reference::Placed>;
+
 /// Rotations of unit length to double precision: those of `pairs` were rounded to single precision, and what a library
 /// makes of a quaternion that is not unit is not the question here.
 void normalize(std::vector<Pair>& pairs) {
@@ -65,44 +67,95 @@ void normalize(std::vector<Pair>& pairs) {
     for (Body* body : {&pair.a, &pair.b}) body->pose.rotation = normalized(body->pose.rotation);
 }
 
+/// Whether the library answers, of the pairs that it was given; one that answers all at once does so now.
+bool answers(Peer& peer, Query query, std::size_t count) {
+  if (!peer.has(query)) return false;
+  if (peer.answers_at_once()) peer.run(query, count);
+  return true;
+}
+
+/// The reference's value is a maximum over directions, of which a search may miss the best one. Where no library comes
+/// as near as `agreed` to it, that may be what happened: there it searches again from ten, then from a
+/// hundred times as many places. More
+/// places never make the value wrong.
+void search_again(const std::vector<Pair>& pairs, const std::vector<PlacedPair>& placed,
+                  std::vector<reference::Signed>& truth) {
+  constexpr Real agreed = 1e-6L;
+  std::vector<std::vector<Real>> told(pairs.size());
+  for (const auto& peer : peers()) {
+    if (peer->prepare(pairs) && answers(*peer, Query::distance, pairs.size()))
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (const Answer answer = peer->answer(Query::distance, i); !answer.failed && std::isfinite(answer.distance))
+          told[i].push_back(answer.distance);
+    peer->forget();
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto agrees = [&](Real d) { return std::abs(d - truth[i].distance) <= agreed * pairs[i].size(); };
+    for (const int effort : {10, 100}) {
+      if (pairs[i].b.kind == Kind::half_space || std::ranges::any_of(told[i], agrees)) break;
+      const reference::Signed again = search_signed_distance(placed[i].first, placed[i].second, effort);
+      if (again.distance > truth[i].distance) truth[i] = again;
+    }
+  }
+}
+
+/// Pairs, and what is so of them.
+struct Known {
+  std::vector<Pair> pairs;
+  std::vector<PlacedPair> placed;
+  std::vector<reference::Signed> truth;
+};
+
+/// Signed distances of those that are apart, and of those that overlap.
+void ask_distances(Peer& peer, const Known& known, Errors& apart, Errors& overlapping) {
+  if (!answers(peer, Query::distance, known.pairs.size())) return;
+  apart.asked = overlapping.asked = true;
+  for (std::size_t i = 0; i < known.pairs.size(); ++i) {
+    const Real so = known.truth[i].distance;
+    Errors& errors = so > 0 ? apart : overlapping;
+    const Answer answer = peer.answer(Query::distance, i);
+    if (answer.failed || !std::isfinite(answer.distance))
+      ++errors.without;
+    else
+      errors.add(std::abs(answer.distance - so) / known.pairs[i].size());
+  }
+}
+
+/// The deepest contact of those that overlap, and the normal: how much further than necessary the two have to be moved
+/// along it, either way round, to come apart.
+void ask_contacts(Peer& peer, const Known& known, Errors& depth, Errors& normal) {
+  if (!answers(peer, Query::contacts, known.pairs.size())) return;
+  depth.asked = normal.asked = true;
+  for (std::size_t i = 0; i < known.pairs.size(); ++i) {
+    const Real so = known.truth[i].distance, size = known.pairs[i].size();
+    if (so >= 0) continue;
+    const Answer answer = peer.answer(Query::contacts, i);
+    if (answer.failed || answer.points == 0 || !std::isfinite(answer.distance)) {
+      ++depth.without;
+      ++normal.without;
+      continue;
+    }
+    depth.add(std::abs(answer.distance - so) / size);
+    const reference::Vector n{answer.normal.x, answer.normal.y, answer.normal.z};
+    const auto& [a, b] = known.placed[i];
+    normal.add(std::max<Real>(0, so - std::max(separation(a, b, n), separation(a, b, -n))) / size);
+  }
+}
+
 void ask_pairs(const std::string& name, std::vector<Pair> pairs, Tables& tables) {
   normalize(pairs);
-  std::vector<reference::Signed> truth;
-  std::vector<std::pair<reference::Placed, reference::Placed>> placed;
-  for (const Pair& pair : pairs) {
-    placed.emplace_back(referenced(pair.a), referenced(pair.b));
-    truth.push_back(reference::signed_distance(placed.back().first, placed.back().second));
+  Known known{std::move(pairs), {}, {}};
+  for (const Pair& pair : known.pairs) {
+    known.placed.emplace_back(referenced(pair.a), referenced(pair.b));
+    known.truth.push_back(signed_distance(known.placed.back().first, known.placed.back().second));
   }
+  search_again(known.pairs, known.placed, known.truth);
   std::vector<Errors> distances, overlaps, depths, normals;
   for (const auto& peer : peers()) {
     Errors distance, overlap, depth, normal;
-    if (peer->prepare(pairs)) {
-      distance.asked = overlap.asked = peer->has(Query::distance);
-      depth.asked = normal.asked = peer->has(Query::contacts);
-      for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const Real so = truth[i].distance, size = pairs[i].size();
-        if (distance.asked) {
-          const Answer answer = peer->answer(Query::distance, i);
-          Errors& errors = so > 0 ? distance : overlap;
-          if (answer.failed || !std::isfinite(answer.distance))
-            ++errors.without;
-          else
-            errors.add(std::abs(answer.distance - so) / size);
-        }
-        if (so < 0 && depth.asked) {
-          const Answer answer = peer->answer(Query::contacts, i);
-          if (answer.failed || answer.points == 0 || !std::isfinite(answer.distance)) {
-            ++depth.without;
-            ++normal.without;
-            continue;
-          }
-          depth.add(std::abs(answer.distance - so) / size);
-          // Either way round; how much further than necessary the two have to be moved along it to come apart.
-          const reference::Vector n{answer.normal.x, answer.normal.y, answer.normal.z};
-          const auto& [a, b] = placed[i];
-          normal.add(std::max<Real>(0, so - std::max(separation(a, b, n), separation(a, b, -n))) / size);
-        }
-      }
+    if (peer->prepare(known.pairs)) {
+      ask_distances(*peer, known, distance, overlap);
+      ask_contacts(*peer, known, depth, normal);
     }
     peer->forget();
     distances.push_back(std::move(distance));
@@ -127,7 +180,7 @@ void ask_meetings(const std::string& name, std::vector<Pair> pairs, Query query,
   std::vector<Errors> line;
   for (const auto& peer : peers()) {
     Errors errors;
-    if (peer->prepare(pairs) && peer->has(query)) {
+    if (peer->prepare(pairs) && answers(*peer, query, pairs.size())) {
       errors.asked = true;
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Answer answer = peer->answer(query, i);
@@ -184,7 +237,9 @@ void run(const Options& options) {
       "in single precision gets it rounded, and what that changes is part of its error, as it is for its users. The\n"
       "truth is found in extended precision (a significand of %d bits) by the reference of the tests\n"
       "(`tests/reference`), which shares nothing with Graze: it enumerates the directions of two polytopes, and\n"
-      "searches the sphere of directions for everything else; it is right within about 2e-17 of the size.\n\n",
+      "searches the sphere of directions for everything else, once more and from up to a hundred times as many places "
+      "where no library agrees\n"
+      "with it to a millionth; it is right within about 2e-17 of the size where the search missed nothing.\n\n",
       options.pairs, std::numeric_limits<Real>::digits);
   std::printf(
       "Each cell has the largest error and the 99.9th percentile, over the size of the pair: the larger of the two\n"
