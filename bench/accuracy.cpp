@@ -226,29 +226,25 @@ void run(const Options& options) {
         wanted(name))
       ask_meetings(name, make_ways(kind, options.pairs), Query::cast, cast_meeting, tables.cast);
 
-  std::printf("# Accuracy\n\n");
-  std::printf(
-      "Written by `make accuracy`. Of %zu pairs of each two kinds of shapes every other one overlaps, by up to a "
-      "quarter\n"
-      "of its size, and the others are as far apart; the same pairs on every machine. A size, radius or coordinate is "
-      "a\n"
-      "float, edges and radii are between 0.25 and 2. The rotation is a unit quaternion in double precision: a "
-      "library\n"
-      "in single precision gets it rounded, and what that changes is part of its error, as it is for its users. The\n"
-      "truth is found in extended precision (a significand of %d bits) by the reference of the tests\n"
-      "(`tests/reference`), which shares nothing with Graze: it enumerates the directions of two polytopes, and\n"
-      "searches the sphere of directions for everything else, once more and from up to a hundred times as many places "
-      "where no library agrees\n"
-      "with it to a millionth; it is right within about 2e-17 of the size where the search missed nothing.\n\n",
-      options.pairs, std::numeric_limits<Real>::digits);
-  std::printf(
-      "Each cell has the largest error and the 99.9th percentile, over the size of the pair: the larger of the two\n"
-      "radii about the shapes' own origins. In brackets: the share of pairs without an answer, or with the opposite\n"
-      "one (none where there is a contact, a hit for a miss); these have no error. `-`: the library has no such shape\n"
-      "or query; `none`: it has it and answered for no pair. The other libraries are the distribution's packages, "
-      "with\n"
-      "the tolerances that they come with; Bullet keeps a margin of its own inside its shapes, as a simulation uses "
-      "it.\n\n");
+  std::printf(R"(# Accuracy
+
+Written by `make accuracy`. Of %zu pairs of each two kinds of shapes every other one overlaps, by up to a quarter of its
+size, and the others are as far apart; the same pairs on every machine. A size, radius or coordinate is a float, edges
+and radii are between 0.25 and 2. The rotation is a unit quaternion in double precision: a library in single precision
+gets it rounded, and what that changes is part of its error, as it is for its users. The truth is found in extended
+precision (a significand of %d bits) by the reference of the tests (`tests/reference`), which shares nothing with Graze:
+it enumerates the directions of two polytopes, and searches the sphere of directions for everything else, again from up
+to a hundred times as many places where no library agrees with it to a millionth. It is right within about 2e-17 of the
+size where the search missed nothing.
+
+Each cell has the largest error and the 99.9th percentile, over the size of the pair: the larger of the two radii about
+the shapes' own origins. In brackets: the share of pairs without an answer, or with the opposite one (no contact where
+there is one, a hit for a miss); these have no error. `-`: the library has no such shape or query; `none`: it has it and
+answered for no pair. The other libraries are the distribution's packages, with the tolerances that they come with;
+margins of Bullet are 0, so that its shapes are those of everybody else.
+
+)",
+              options.pairs, std::numeric_limits<Real>::digits);
   for (const auto& [what, value] : conditions()) std::printf("- %s: %s\n", what.c_str(), value.c_str());
   print("Distance", "Of pairs that are apart.", tables.distance);
   print("Signed distance",
