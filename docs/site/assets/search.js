@@ -18,7 +18,7 @@ globalThis.grazeFind = (index, question, most = 60) => {
       score += points;
     }
     if (score < 0) continue;
-    if (name === phrase) score += 100;
+    if (name === phrase || name.endsWith(`::${phrase}`)) score += 100;
     else if (words.length > 1 && name.includes(phrase)) score += 60;
     else if (words.length > 1 && text.includes(phrase)) score += 20;
     if (entry.text !== undefined) score += entry.in === "" ? 13 : 3;  // a page explains, a name only says where it stands
