@@ -176,6 +176,14 @@ bench-resolution: ## run the solver's table beside Bullet and ODE, and write ben
 	@build/release/bin/bench_resolution $(if $(QUICK),--quick) > build/RESOLUTION.md
 	@mv build/RESOLUTION.md bench/RESOLUTION.md
 
+.PHONY: accuracy
+accuracy: ## measure the largest errors, beside Bullet, ODE and FCL, and write bench/ACCURACY.md
+	@scripts/setup.sh bench
+	$(call configure,bench)
+	cmake --build --preset bench --parallel $(JOBS) --target bench_accuracy
+	@build/release/bin/bench_accuracy > build/ACCURACY.md
+	@mv build/ACCURACY.md bench/ACCURACY.md
+
 .PHONY: format
 format: ## format all sources in place
 	@scripts/setup.sh lint

@@ -12,7 +12,7 @@ namespace graze {
 /// All points between `lower` and `upper`, both included. Empty when any lower exceeds its upper.
 template <class T>
 struct Aabb {
-  Vec3<T> lower{}, upper{};
+  Vec3<T> lower{}, upper{};  ///< the corners with the least and the greatest coordinates
 
   /// The empty box: the neutral element of `merged`.
   static constexpr Aabb empty() {
@@ -25,7 +25,9 @@ struct Aabb {
     return {{-inf, -inf, -inf}, {inf, inf, inf}};
   }
 
+  /// The middle.
   constexpr Vec3<T> center() const { return (lower + upper) * T(0.5); }
+  /// Edge lengths.
   constexpr Vec3<T> extent() const { return upper - lower; }
 
   friend constexpr bool operator==(const Aabb&, const Aabb&) = default;
@@ -34,15 +36,18 @@ struct Aabb {
 using Aabbf = Aabb<float>;
 using Aabbd = Aabb<double>;
 
+/// Whether they have a point in common; touching counts.
 template <class T>
 constexpr bool overlap(const Aabb<T>& a, const Aabb<T>& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
          a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
+/// The least box that holds both.
 template <class T>
 constexpr Aabb<T> merged(const Aabb<T>& a, const Aabb<T>& b) {
   return {least(a.lower, b.lower), greatest(a.upper, b.upper)};
 }
+/// The least box that holds both.
 template <class T>
 constexpr Aabb<T> merged(const Aabb<T>& a, const Vec3<T>& p) {
   return {least(a.lower, p), greatest(a.upper, p)};
@@ -53,6 +58,7 @@ constexpr Aabb<T> inflated(const Aabb<T>& a, const T& amount) {
   const Vec3<T> d{amount, amount, amount};
   return {a.lower - d, a.upper + d};
 }
+/// Whether no point of `inner` lies outside of `outer`.
 template <class T>
 constexpr bool contains(const Aabb<T>& outer, const Aabb<T>& inner) {
   return outer.lower.x <= inner.lower.x && inner.upper.x <= outer.upper.x && outer.lower.y <= inner.lower.y &&

@@ -32,6 +32,7 @@ class GRAZE_API Bodies {
       : Bodies(std::span<const C>(shapes), std::span<const Pose<T>>(poses)) {}
 
   std::size_t size() const { return size_; }
+  /// Of the i-th body: a single pose is that of all.
   const Pose<T>& pose(std::size_t i) const { return poses_.size() == 1 ? poses_[0] : poses_[i]; }
   /// The place of a shape in `ShapeList`.
   std::size_t kind(std::size_t i) const { return one_kind() ? kind_ : any(i).index(); }
@@ -74,7 +75,9 @@ class GRAZE_API Batch {
   Batch(const Bodies<T>& a, const Bodies<T>& b);
 
   std::size_t size() const { return size_; }
+  /// The first bodies of the pairs.
   const Bodies<T>& a() const { return a_; }
+  /// The second bodies of the pairs.
   const Bodies<T>& b() const { return b_; }
   /// Whether no places are given: the i-th pair is of the i-th bodies, or of the single one of a side.
   bool in_order() const { return pairs_.empty(); }

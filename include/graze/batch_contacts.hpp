@@ -13,10 +13,12 @@ namespace graze {
 /// What `contacts` finds for a batch.
 template <class T>
 struct BatchContacts {
+  /// One pair of the batch.
   struct Pair {
     bool overlap;  ///< distance <= 0, whatever the margin
     std::uint32_t first_manifold, manifold_count;
   };
+  /// One manifold of a pair.
   struct Group {
     Vec3<T> normal{};                        ///< unit, from A to B
     std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches

@@ -23,7 +23,7 @@ template <class T, class Space = graze::Space<T>>
 struct Blow {
   std::uint32_t a, b;            ///< indices of the bodies
   typename Space::Vec normal{};  ///< unit, from a to b
-  T restitution{};
+  T restitution{};               ///< how much of the approach comes back, 0 to 1
   std::uint32_t first_point, point_count;
 };
 

@@ -17,7 +17,7 @@ namespace graze {
 
 /// Two ids, the smaller first.
 struct IdPair {
-  std::uint32_t a, b;
+  std::uint32_t a, b;  ///< the two ids
 
   friend constexpr bool operator==(const IdPair&, const IdPair&) = default;
   friend constexpr auto operator<=>(const IdPair&, const IdPair&) = default;
@@ -33,7 +33,7 @@ class GRAZE_API BroadPhase {
   virtual void insert(std::uint32_t id, const Aabb<T>& box) = 0;
   /// Throws `InvalidValue` for an id that is not there.
   virtual void remove(std::uint32_t id) = 0;
-  virtual void move(std::uint32_t id, const Aabb<T>& box) = 0;
+  virtual void move(std::uint32_t id, const Aabb<T>& box) = 0;  ///< the box of `id` from now on
 
   /// All overlapping pairs, sorted. What moved counts as still from then on.
   virtual void pairs(std::vector<IdPair>& out) = 0;

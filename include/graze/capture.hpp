@@ -79,6 +79,7 @@ class GRAZE_API CapturedSimulation {
 
   /// For everything that is asked.
   const Simulation<T, Space>& simulation() const { return simulation_; }
+  /// What is recorded.
   const World<T, Space>& world() const { return simulation_.world(); }
 
  private:
@@ -112,6 +113,7 @@ class GRAZE_API CapturedWorld {
   void update(T duration = T(0));
   void find_impacts(T duration);
 
+  /// What is recorded.
   const World<T, Space>& world() const { return world_; }
 
  private:
@@ -131,12 +133,14 @@ struct ReplayDifference {
   std::string what;   ///< "step: other poses", "add: another handle", "remove: body: expected ..."
 };
 
+/// What a replay did.
 struct ReplayReport {
-  bool simulation = false;  ///< otherwise a world
-  bool plane = false;       ///< of the plane, otherwise of space
-  bool single = false;      ///< float
-  std::size_t frames = 0, calls = 0;
-  bool cut = false;  ///< the stream ends within a frame, which was left out
+  bool simulation = false;            ///< otherwise a world
+  bool plane = false;                 ///< of the plane, otherwise of space
+  bool single = false;                ///< float
+  std::size_t frames = 0, calls = 0;  ///< how many frames and calls were replayed
+  bool cut = false;                   ///< the stream ends within a frame, which was left out
+  /// Where an answer was first another one; none where all were the same.
   std::optional<ReplayDifference> difference;
 };
 

@@ -32,8 +32,8 @@ struct ContactPoint {
 /// Points of contact that share a normal.
 template <class T>
 struct Manifold {
-  Vec3<T> normal{};  ///< unit, from A to B
-  SmallVector<ContactPoint<T>, 8> points;
+  Vec3<T> normal{};                        ///< unit, from A to B
+  SmallVector<ContactPoint<T>, 8> points;  ///< where they touch
   std::uint32_t piece_a = 0, piece_b = 0;  ///< of a composite: the triangle or child that touches
   /// `bounded` where the distance of two convex pieces that touch here is not proven.
   Status status = Status::converged;
@@ -43,6 +43,7 @@ struct Manifold {
   Manifold() {}  // NOLINT(modernize-use-equals-default)
 };
 
+/// As contacts are found: one for each pair of pieces.
 template <class T>
 using Manifolds = std::vector<Manifold<T>>;
 

@@ -11,7 +11,7 @@ namespace graze {
 /// The velocity of a rigid body: of its centre of mass, and its turning about it.
 template <class T>
 struct Motion {
-  Vec3<T> linear{};
+  Vec3<T> linear{};   ///< the velocity of the origin
   Vec3<T> angular{};  ///< along the axis, right-handed; its length is the rate
   Vec3<T> center{};   ///< of mass
 };
@@ -25,7 +25,7 @@ Vec3<T> velocity_at(const Motion<T>& motion, const Vec3<T>& point) {
 /// How B moves seen from A at a contact, in two parts.
 template <class T>
 struct RelativeVelocity {
-  Vec3<T> whole{};
+  Vec3<T> whole{};       ///< the velocity of B against A
   T normal{};            ///< along the contact normal: negative while the bodies approach
   Vec3<T> tangential{};  ///< the rest: the sliding that friction resists
 };

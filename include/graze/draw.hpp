@@ -46,7 +46,7 @@ enum class DrawMeaning : std::uint8_t {
 
 /// A colour in sRGB, 0 to 255.
 struct DrawColor {
-  std::uint8_t red, green, blue;
+  std::uint8_t red, green, blue;  ///< 0 to 255 each.
 };
 /// The colour that the project's own pictures give a meaning, to be told apart on light paper and on dark.
 GRAZE_API DrawColor suggested_color(DrawMeaning meaning);
@@ -54,7 +54,7 @@ GRAZE_API DrawColor suggested_color(DrawMeaning meaning);
 /// The part of the world that is looked at. What has no end is drawn about its centre as far as its size, and arrows
 /// are a twelfth of it.
 struct DrawArea {
-  Vec3d center{};
+  Vec3d center{};   ///< the middle of what is looked at
   double size = 1;  ///< > 0
 };
 /// Bounds of all bodies that have any, without an end to their size; the default of `DrawArea` when none has.
@@ -64,15 +64,18 @@ GRAZE_API DrawArea draw_area(const World<T, Space>& world);
 /// A renderer. The first five are what it must do, and the rest what it may do better than with these.
 class GRAZE_API DebugDraw {
  public:
+  /// Draws within `area`.
   explicit DebugDraw(const DrawArea& area = {}) : area_(area) {}
   virtual ~DebugDraw();
 
   /// Whether the layer is seen; what is in one that is not is not even computed.
   virtual bool wants(DrawLayer layer) const = 0;
-  virtual void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) = 0;
+  virtual void point(const Vec3d& at, DrawLayer layer, DrawMeaning meaning) = 0;  ///< A point of the world.
+  /// A line between two points of the world.
   virtual void line(const Vec3d& from, const Vec3d& to, DrawLayer layer, DrawMeaning meaning) = 0;
   /// Counter-clockwise seen from outside.
   virtual void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, DrawLayer layer, DrawMeaning meaning) = 0;
+  /// `words` at a point; they live until the function returns.
   virtual void text(const Vec3d& at, std::string_view words, DrawLayer layer, DrawMeaning meaning) = 0;
 
   /// All faces of a shape: by itself triangles, and lines along the edges that are the shape's own.
@@ -80,11 +83,12 @@ class GRAZE_API DebugDraw {
   /// A direction, a unit vector, at a place: by itself a line of a length for the area, with two for its head.
   virtual void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning);
 
+  /// What is looked at.
   const DrawArea& area() const { return area_; }
 
  protected:
-  DebugDraw(const DebugDraw&) = default;
-  DebugDraw& operator=(const DebugDraw&) = default;
+  DebugDraw(const DebugDraw&) = default;             ///< A copy draws within the same area.
+  DebugDraw& operator=(const DebugDraw&) = default;  ///< A copy draws within the same area.
 
  private:
   DrawArea area_;
@@ -94,6 +98,7 @@ class GRAZE_API DebugDraw {
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose,
                     DrawMeaning meaning = DrawMeaning::moving);
+/// The same in the plane.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose,
                     DrawMeaning meaning = DrawMeaning::moving);
@@ -106,12 +111,14 @@ GRAZE_API void draw(DebugDraw& on, const Aabb<T>& box, DrawLayer layer = DrawLay
 /// A contact manifold: its points, and its normal as an arrow from their middle.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Manifold<T>& manifold);
+/// The same in the plane.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Manifold<T>& manifold);
 
 /// The shortest way between two shapes, or out of each other, with its point on either.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Distance<T>& distance);
+/// The same in the plane.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Distance<T>& distance);
 
@@ -119,6 +126,7 @@ GRAZE_API void draw(DebugDraw& on, const plane::Distance<T>& distance);
 /// area.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Ray<T>& ray, T length, const std::optional<RayHit<T>>& hit);
+/// The same in the plane.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Ray<T>& ray, T length, const std::optional<plane::RayHit<T>>& hit);
 
@@ -127,6 +135,7 @@ GRAZE_API void draw(DebugDraw& on, const plane::Ray<T>& ray, T length, const std
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Shape<T>& shape, const Pose<T>& pose, const Velocity<T>& velocity, T duration,
                     const std::optional<CastHit<T>>& hit);
+/// The same in the plane.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Pose2<T>& pose,
                     const plane::Velocity<T>& velocity, T duration, const std::optional<plane::CastHit<T>>& hit);
@@ -137,6 +146,7 @@ GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Po
 GRAZE_API void draw(DebugDraw& on, const Trace& trace);
 /// One iteration of GJK, or one expansion of EPA: the simplex or polygon, the direction, and the point that was found.
 GRAZE_API void draw(DebugDraw& on, const TraceGjk& iteration);
+/// One expansion of EPA: the polygon, and the point that was found.
 GRAZE_API void draw(DebugDraw& on, const TraceEpa& expansion);
 
 /// The boxes of a tree, those of its nodes and those in it.
@@ -146,6 +156,7 @@ GRAZE_API void draw(DebugDraw& on, const DynamicTree<T>& tree);
 /// A joint of bodies that stand at these poses: from either origin to its anchor, and how far the anchors are apart.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Joint<T>& joint, const Pose<T>& pose_a, const Pose<T>& pose_b);
+/// The same in the plane.
 template <class T>
 GRAZE_API void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const plane::Pose2<T>& pose_a,
                     const plane::Pose2<T>& pose_b);

@@ -20,6 +20,7 @@
 
 namespace graze {
 
+/// A tree of boxes that are widened by a margin, so that small moves change nothing.
 template <class T>
 class GRAZE_API DynamicTree final : public BroadPhase<T> {
  public:

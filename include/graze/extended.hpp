@@ -13,14 +13,17 @@ namespace graze {
 /// `S` is `float`, `double` or a lane type.
 template <class S>
 struct Extended {
-  using Mask = decltype(S() < S());
+  using Mask = decltype(S() < S());  ///< what a comparison gives
 
   S high{}, low{};  ///< the number rounded, and what rounding took
 
   constexpr Extended() = default;
+  /// A number as it is.
   constexpr explicit(false) Extended(const S& number) : high(number), low(0) {}
+  /// The sum of two parts, the second of which is less than the last digit of the first.
   constexpr Extended(const S& high_part, const S& low_part) : high(high_part), low(low_part) {}
 
+  /// Rounded.
   explicit constexpr operator S() const { return high; }
 
   /// a + b without rounding.
@@ -66,6 +69,7 @@ struct Extended {
   friend constexpr Mask operator<=(const Extended& a, const Extended& b) { return !(b < a); }
   friend constexpr Mask operator>=(const Extended& a, const Extended& b) { return !(a < b); }
 
+  /// With about twice the digits of a number.
   friend constexpr Extended select(const Mask& condition, const Extended& yes, const Extended& no) {
     return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
   }
@@ -90,6 +94,7 @@ struct Extended {
   }
 };
 
+/// A vector as it is.
 template <class S>
 constexpr Vec3<Extended<S>> extended(const Vec3<S>& v) {
   return {v.x, v.y, v.z};

@@ -10,13 +10,16 @@
 
 namespace graze {
 
+/// A list of up to N elements that stands in place.
 template <class T, std::size_t N>
 class FixedVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
   FixedVector() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
+  /// A copy has only the elements that are there.
   FixedVector(const FixedVector& other) { *this = other; }
+  /// A copy has only the elements that are there.
   FixedVector& operator=(const FixedVector& other) {
     size_ = other.size_;
     std::copy_n(other.items_, size_, items_);
@@ -24,9 +27,11 @@ class FixedVector {
   }
   ~FixedVector() = default;
 
+  /// How many there is room for.
   static constexpr std::size_t capacity() { return N; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
+  /// Whether there is no more room.
   bool full() const { return size_ == N; }
   T& operator[](std::size_t i) { return items_[i]; }
   const T& operator[](std::size_t i) const { return items_[i]; }
@@ -38,9 +43,11 @@ class FixedVector {
   const T* end() const { return items_ + size_; }
   T& back() { return items_[size_ - 1]; }
   const T& back() const { return items_[size_ - 1]; }
+  /// One more; there has to be room.
   void push_back(const T& value) { items_[size_++] = value; }
   /// One more element, whose value is whatever the memory holds.
   T& emplace_back() { return items_[size_++]; }
+  /// Without the last one, which has to be there.
   void pop_back() { --size_; }
   void clear() { size_ = 0; }
   /// Drops all elements from position `count` on.

@@ -38,6 +38,7 @@ Vec3<T> point_at(const Segment<T>& s, const T& t) {
   return select(t <= T(0.5), s.a + d * t, s.b - d * (T(1) - t));
 }
 
+/// The point of the thing that is nearest to `p`.
 template <class T>
 Vec3<T> closest_point(const Segment<T>& s, const Vec3<T>& p) {
   return point_at(s, closest_parameter(s, p));
@@ -50,6 +51,7 @@ Vec3<T> closest_point_on_line(const Ray<T>& line, const Vec3<T>& p) {
          line.direction * ratio(dot(p - line.origin, line.direction), dot(line.direction, line.direction));
 }
 
+/// The point of the thing that is nearest to `p`.
 template <class T>
 Vec3<T> closest_point(const Plane<T>& plane, const Vec3<T>& p) {
   return p - plane.normal * signed_distance(plane, p);
@@ -64,7 +66,7 @@ Vec3<T> closest_point_in_box(const Vec3<T>& half, const Vec3<T>& p) {
 /// A point of a triangle with its barycentric weights.
 template <class T>
 struct TrianglePoint {
-  Vec3<T> point;
+  Vec3<T> point;   ///< the point in common
   Vec3<T> weight;  ///< of the vertices a, b, c; sums to one
 };
 
@@ -118,7 +120,7 @@ TrianglePoint<T> closest_point_on_triangle(const Vec3<T>& a, const Vec3<T>& b, c
 /// Parameters of the nearest points of two segments or lines.
 template <class T>
 struct ClosestParameters {
-  T s, t;
+  T s, t;  ///< places along the first and the second line, in units of their directions
 };
 
 /// The nearest points of two segments. Of parallel ones, some pair that is nearest.
@@ -193,8 +195,8 @@ T intersect_box(const Ray<T>& ray, const Vec3<T>& half) {
 /// A ray's hit with a triangle: `t` (infinite for none) and the barycentric weights of the point.
 template <class T>
 struct TriangleHit {
-  T t;
-  Vec3<T> weight;
+  T t;             ///< the place along the line, in units of its direction
+  Vec3<T> weight;  ///< of each corner of the triangle; they add up to one
 };
 
 /// Both sides count; a ray in the triangle's plane misses.
@@ -232,15 +234,15 @@ Plane<T> plane_from(const Vec3<T>& normal, const T& distance) {
 /// A box anywhere: centre and turn as a pose, half extents along its own axes.
 template <class T>
 struct OrientedBox {
-  Pose<T> pose{};
-  Vec3<T> half{};
+  Pose<T> pose{};  ///< where it stands
+  Vec3<T> half{};  ///< half of the edge lengths
 };
 
 /// A box as one corner and the three edge vectors that leave it, right-handed and perpendicular.
 template <class T>
 struct CornerBox {
-  Vec3<T> corner{};
-  Vec3<T> edge[3]{};
+  Vec3<T> corner{};   ///< one corner
+  Vec3<T> edge[3]{};  ///< from the corner to its three neighbours
 };
 
 /// The eight vertices: bit i of the index is set on the positive side of axis i.
@@ -265,6 +267,7 @@ std::array<Plane<T>, 6> planes_of(const OrientedBox<T>& box) {
   }
   return out;
 }
+/// The same box by a corner and its edges.
 template <class T>
 CornerBox<T> corner_of(const OrientedBox<T>& box) {
   const Mat3<T> m = rotation_matrix(box.pose.rotation);

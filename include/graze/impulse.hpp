@@ -24,17 +24,17 @@ namespace graze {
 /// A body as a blow meets it.
 template <class T, class Space = graze::Space<T>>
 struct StruckBody {
-  typename Rigid<Space>::Motion motion{};
-  typename Rigid<Space>::InverseMass mass{};
+  typename Rigid<Space>::Motion motion{};     ///< how it moves
+  typename Rigid<Space>::InverseMass mass{};  ///< what a blow does to it
 };
 
 /// A contact of two bodies, in world space.
 template <class T>
 struct StruckContact {
-  Vec3<T> point{};
-  Vec3<T> normal{};  ///< unit, from A to B
-  T restitution = T(0);
-  T friction = T(0.6);  ///< Coulomb's coefficient
+  Vec3<T> point{};       ///< where the two touch, in the world
+  Vec3<T> normal{};      ///< unit, from A to B
+  T restitution = T(0);  ///< how much of the approach comes back, 0 to 1
+  T friction = T(0.6);   ///< Coulomb's coefficient
 };
 
 /// What the blow does, and the quantities that lead to it in the order in which they are computed.

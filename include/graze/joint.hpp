@@ -19,6 +19,7 @@ namespace graze {
 
 /// A handle: the index of a joint, and how often the index was given away before.
 struct JointId {
+  /// Which place, and which of the bodies or joints that had it.
   std::uint32_t index = ~std::uint32_t{0}, generation = 0;
 
   friend constexpr bool operator==(const JointId&, const JointId&) = default;
@@ -33,11 +34,11 @@ enum class JointSpace : std::uint8_t { linear, angular };
 /// Lengths, or radians.
 template <class T>
 struct JointLimit {
-  JointSpace space = JointSpace::linear;
-  std::array<bool, 3> axes{};    ///< x, y, z of frame A; at least one
-  T min = T(0), max = T(0);      ///< min <= max, either may be infinite; equal for what is held
-  std::optional<T> stiffness{};  ///< > 0, force per length or torque per radian beyond the bounds; none: hard
-  T damping = T(0);              ///< >= 0, of the soft limit: force per velocity
+  JointSpace space = JointSpace::linear;  ///< along an axis, or about it
+  std::array<bool, 3> axes{};             ///< x, y, z of frame A; at least one
+  T min = T(0), max = T(0);               ///< min <= max, either may be infinite; equal for what is held
+  std::optional<T> stiffness{};           ///< > 0, force per length or torque per radian beyond the bounds; none: hard
+  T damping = T(0);                       ///< >= 0, of the soft limit: force per velocity
 };
 
 /// Whether a drive's stiffness and damping are forces, or accelerations that mass and inertia do not change.
@@ -46,10 +47,10 @@ enum class DriveMode : std::uint8_t { force, acceleration };
 /// A motor on one axis of frame A: stiffness (position_target - position) + damping (velocity_target - velocity).
 template <class T>
 struct JointDrive {
-  JointSpace space = JointSpace::linear;
-  DriveMode mode = DriveMode::force;
-  std::uint8_t axis = 0;  ///< 0, 1, 2: x, y, z of frame A
-  T position_target = T(0), velocity_target = T(0);
+  JointSpace space = JointSpace::linear;  ///< along an axis, or about it
+  DriveMode mode = DriveMode::force;      ///< whether stiffness and damping are of a force or of an acceleration
+  std::uint8_t axis = 0;                  ///< 0, 1, 2: x, y, z of frame A
+  T position_target = T(0), velocity_target = T(0);  ///< where the drive pulls to, and how fast it should get there
   T stiffness = T(0), damping = T(0);                ///< >= 0
   T max_force = std::numeric_limits<T>::infinity();  ///< >= 0; a torque for an angular axis
 };
@@ -59,9 +60,9 @@ template <class T, class Space = graze::Space<T>>
 struct Joint {
   BodyId a{}, b{};                            ///< two different bodies; a fixed one ties the other to the world
   typename Space::Pose frame_a{}, frame_b{};  ///< each in its body's frame
-  std::vector<JointLimit<T>> limits;
-  std::vector<JointDrive<T>> drives;
-  bool enable_collision = false;  ///< otherwise the two do not touch each other
+  std::vector<JointLimit<T>> limits;          ///< what it holds back
+  std::vector<JointDrive<T>> drives;          ///< what pulls it
+  bool enable_collision = false;              ///< otherwise the two do not touch each other
 };
 
 /// The frames stay one.

@@ -105,6 +105,7 @@ struct alignas(N * sizeof(T)) LaneVector {
   }
 };
 
+/// The same bits as another type.
 template <class To, class From>
 inline To bits_as(const From& v) {
   static_assert(sizeof(To) == sizeof(From));
@@ -112,10 +113,12 @@ inline To bits_as(const From& v) {
   std::memcpy(&r, &v, sizeof r);
   return r;
 }
+/// Lane by lane, `yes` where the condition holds, else `no`.
 template <class Whole, class V>
 inline V either_of(const Whole& condition, const V& yes, const V& no) {
   return V::of([&](int i) { return condition[i] != 0 ? yes[i] : no[i]; });
 }
+/// The lanes one by one.
 template <std::size_t first, class V, std::size_t... I>
 inline auto lanes_from(const V& v, std::index_sequence<I...>) {
   return LaneVector<typename V::Lane, static_cast<int>(sizeof...(I))>{{v.lane[first + I]...}};

@@ -12,9 +12,10 @@ namespace graze {
 /// The inverse of a body's mass and of its inertia about the centre of mass, in world space. By default immovable.
 template <class T>
 struct InverseMass {
-  T mass{};
-  Mat3<T> inertia{};
+  T mass{};           ///< the mass
+  Mat3<T> inertia{};  ///< about the centre of mass
 
+  /// Whether a blow moves it.
   bool movable() const { return mass > T(0); }
 };
 

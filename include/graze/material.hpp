@@ -14,11 +14,12 @@ enum class Combine { unset, average, minimum, maximum, multiply };
 /// Of bodies of space, and with vectors of the plane of those of the plane.
 template <class T, class Vec = Vec3<T>>
 struct Material {
-  T static_friction = T(0.6);   ///< Coulomb's coefficient while nothing slides; >= 0
-  T dynamic_friction = T(0.6);  ///< and while it does; >= 0
-  T restitution = T(0);         ///< of the speed of approach, what comes back; 0 to 1
-  T rolling_friction = T(0);    ///< the lever arm of the torque that resists rolling, as a length; >= 0
-  Combine friction_combine = Combine::unset;
+  T static_friction = T(0.6);                 ///< Coulomb's coefficient while nothing slides; >= 0
+  T dynamic_friction = T(0.6);                ///< and while it does; >= 0
+  T restitution = T(0);                       ///< of the speed of approach, what comes back; 0 to 1
+  T rolling_friction = T(0);                  ///< the lever arm of the torque that resists rolling, as a length; >= 0
+  Combine friction_combine = Combine::unset;  ///< how the friction of two materials becomes that of the contact
+  /// How the restitution of two materials becomes that of the contact.
   Combine restitution_combine = Combine::unset;
   Vec surface_velocity{};  ///< of a conveyor, in the body's frame
 };
@@ -45,7 +46,7 @@ constexpr T combined(T a, T b, Combine how) {
 /// What acts where two materials touch.
 template <class T>
 struct ContactMaterial {
-  T static_friction{}, dynamic_friction{}, restitution{}, rolling_friction{};
+  T static_friction{}, dynamic_friction{}, restitution{}, rolling_friction{};  ///< of the two together
 };
 
 /// The larger of the two rolling frictions counts: it is the softer body that is pressed in.

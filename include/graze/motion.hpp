@@ -14,6 +14,7 @@ namespace graze {
 /// some ten roundings of the support points of a user's shape, and no more than rounding the time to float costs.
 template <class T>
 inline constexpr T cast_tolerance = T(1e-9);
+/// That of single precision.
 template <>
 inline constexpr float cast_tolerance<float> = 2e-6f;
 
@@ -21,13 +22,14 @@ inline constexpr float cast_tolerance<float> = 2e-6f;
 /// rate.
 template <class T>
 struct Velocity {
-  Vec3<T> linear{};
+  Vec3<T> linear{};   ///< the velocity of the pose's origin
   Vec3<T> angular{};  ///< in world axes, right-handed; its length is the rate in radians per unit of time
 };
 
+/// When two shapes that move first touch, and where.
 template <class T>
 struct CastHit {
-  T t{};
+  T t{};             ///< when, from 0 to the duration
   Vec3<T> point{};   ///< in the world at time t, in the middle of what is left of the gap
   Vec3<T> normal{};  ///< unit, from A to B, in the world at time t
   T depth{};         ///< of shapes that overlap at the start: how deep, as `distance` says; else 0 (or up to D)
@@ -57,8 +59,9 @@ enum class Separating : std::uint8_t {
 /// deep, counts from D on.
 inline constexpr int sinking = 1000;
 
+/// What a cast may be told.
 struct CastOptions {
-  Separating separating = Separating::hit;
+  Separating separating = Separating::hit;  ///< what it says of shapes that touch at first and come apart
 };
 
 }  // namespace graze

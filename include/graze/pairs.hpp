@@ -26,8 +26,8 @@ class GRAZE_API PairFinder {
  public:
   PairFinder();
   ~PairFinder();
-  PairFinder(PairFinder&&) noexcept;
-  PairFinder& operator=(PairFinder&&) noexcept;
+  PairFinder(PairFinder&&) noexcept;             ///< takes over what the other one holds
+  PairFinder& operator=(PairFinder&&) noexcept;  ///< takes over what the other one holds
 
   /// The pairs of places in `boxes`, sorted, the smaller first. Boxes with lower <= upper; infinite ones cost a look at
   /// all others. Cost N log N for any sizes and places, and the number of pairs; no allocation where a frame needs no

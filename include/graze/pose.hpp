@@ -11,8 +11,8 @@ namespace graze {
 /// A rigid motion from a body's frame to the world: p -> translation + rotation p.
 template <class T>
 struct Pose {
-  Vec3<T> translation{};
-  Quat<T> rotation{};  ///< of unit length
+  Vec3<T> translation{};  ///< where the origin of the frame stands
+  Quat<T> rotation{};     ///< of unit length
 
   friend constexpr bool operator==(const Pose&, const Pose&) = default;
 };
@@ -20,10 +20,12 @@ struct Pose {
 using Posef = Pose<float>;
 using Posed = Pose<double>;
 
+/// From the frame into the world.
 template <class T>
 constexpr Vec3<T> transform(const Pose<T>& pose, const Vec3<T>& point) {
   return pose.translation + rotate(pose.rotation, point);
 }
+/// From the world into the frame.
 template <class T>
 constexpr Vec3<T> inverse_transform(const Pose<T>& pose, const Vec3<T>& point) {
   return rotate(conjugate(pose.rotation), point - pose.translation);
@@ -33,6 +35,7 @@ template <class T>
 constexpr Pose<T> compose(const Pose<T>& a, const Pose<T>& b) {
   return {transform(a, b.translation), a.rotation * b.rotation};
 }
+/// What undoes it.
 template <class T>
 constexpr Pose<T> inverse(const Pose<T>& pose) {
   const Quat<T> q = conjugate(pose.rotation);

@@ -10,8 +10,9 @@ namespace graze {
 /// A quaternion x i + y j + z k + w; a rotation when of unit length. The order is glTF's.
 template <class T>
 struct Quat {
-  T x{}, y{}, z{}, w{T(1)};
+  T x{}, y{}, z{}, w{T(1)};  ///< x i + y j + z k + w.
 
+  /// The part without w.
   constexpr Vec3<T> vector() const { return {x, y, z}; }
 
   /// The rotation by `angle` radians about the unit vector `axis`, right-handed.
@@ -26,6 +27,7 @@ struct Quat {
     const Vec3<T> v = b.vector() * a.w + a.vector() * b.w + cross(a.vector(), b.vector());
     return {v.x, v.y, v.z, a.w * b.w - dot(a.vector(), b.vector())};
   }
+  /// Number by number.
   friend constexpr bool operator==(const Quat& a, const Quat& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
   }

@@ -14,9 +14,11 @@ namespace graze {
 /// How far an answer may be from the truth, relative to the size of the pair. Half of `float`'s is rounding of poses.
 template <class T>
 inline constexpr T tolerance = T(1e-10);
+/// That of single precision.
 template <>
 inline constexpr float tolerance<float> = 1e-5f;
 
+/// How sure an answer is.
 enum class Status : std::uint8_t {
   converged,  ///< right within the tolerance
   bounded,    ///< the iteration bound was reached first: right within `error`
@@ -26,7 +28,7 @@ enum class Status : std::uint8_t {
 /// The signed distance of two shapes and the points that realise it, in world space.
 template <class T>
 struct Distance {
-  T distance{};
+  T distance{};      ///< signed: positive between separated shapes, negative when they overlap
   Vec3<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
   Vec3<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
   Status status = Status::converged;
@@ -37,7 +39,7 @@ struct Distance {
 template <class T>
 struct PieceDistance {
   std::uint32_t piece_a = 0, piece_b = 0;  ///< the triangle of a mesh or the child of the outermost compound, else 0
-  Distance<T> distance{};
+  Distance<T> distance{};                  ///< between the two pieces
 };
 
 /// The point of a shape's surface nearest to a point of the world.

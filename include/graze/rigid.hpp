@@ -15,6 +15,7 @@ namespace graze {
 template <class Space>
 struct Rigid;
 
+/// The words of motion in space.
 template <class T>
 struct Rigid<Space<T>> {
   using Rotation = Quat<T>;

@@ -38,10 +38,11 @@ concept BoundedConvex = requires(const C& c) {
   c.core_support(Vec3<double>{});
 };
 
+/// Any shape, with its rounding: a value.
 template <class T>
 class Shape {
  public:
-  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;
+  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< how many kinds there are
 
   /// `concrete`, rounded by `rounding`: the Minkowski sum with a ball of that radius. Throws `InvalidValue` for a
   /// rounding that is negative, larger than `largest_magnitude`, or given to a composite.
@@ -53,12 +54,15 @@ class Shape {
         validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
   }
 
+  /// The radius of the ball that is added to it.
   T rounding() const { return rounding_; }
   /// The shape's place in `ShapeList`.
   std::size_t index() const { return list_.index(); }
+  /// What the kind is called in files and messages.
   const char* name() const {
     return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
   }
+  /// Whether it is one convex piece.
   bool convex() const {
     return visit([](const auto& c) {
       using C = std::decay_t<decltype(c)>;
@@ -115,15 +119,15 @@ using Shaped = Shape<double>;
 /// A shape and where it stands.
 template <class T>
 struct Placed {
-  Shape<T> shape;
-  Pose<T> pose{};
+  Shape<T> shape;  ///< the shape; of a reference, one that outlives it
+  Pose<T> pose{};  ///< where it stands
 };
 
 /// The same of somebody else's.
 template <class T>
 struct PlacedRef {
-  const Shape<T>* shape;
-  const Pose<T>* pose;
+  const Shape<T>* shape;  ///< the shape, which outlives the reference
+  const Pose<T>* pose;    ///< where it stands
 };
 
 /// The bounds of a shape under a pose, rounding included; not less than the true ones.
@@ -137,8 +141,8 @@ GRAZE_API Vec3<T> support(const Shape<T>& shape, const Vec3<T>& direction);
 /// Volume, centre of mass and inertia of a body of density one.
 template <class T>
 struct MassProperties {
-  T volume{};
-  Vec3<T> center{};
+  T volume{};         ///< of what has an inside
+  Vec3<T> center{};   ///< of mass, in the shape's frame
   Mat3<T> inertia{};  ///< about `center`, in the shape's frame
 };
 

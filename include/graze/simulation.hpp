@@ -22,14 +22,15 @@
 
 namespace graze {
 
+/// What a simulation may be told at its beginning.
 template <class T, class Space = graze::Space<T>>
 struct SimulationSettings {
-  typename Space::Vec gravity{T(0), T(-9.81)};
-  int sub_steps = 4;        ///< of a step, at least; a power of two
-  int most_sub_steps = 16;  ///< of an island that bears much; a power of two
-  bool sleep = true;        ///< islands at rest cost nothing and do not move
-  bool continuous = true;   ///< what moves fast passes through nothing
-  T longest_step = T(1);    ///< a longer step is refused
+  typename Space::Vec gravity{T(0), T(-9.81)};  ///< an acceleration
+  int sub_steps = 4;                            ///< of a step, at least; a power of two
+  int most_sub_steps = 16;                      ///< of an island that bears much; a power of two
+  bool sleep = true;                            ///< islands at rest cost nothing and do not move
+  bool continuous = true;                       ///< what moves fast passes through nothing
+  T longest_step = T(1);                        ///< a longer step is refused
 };
 
 /// What a step did. Lengths, masses and times in the caller's units; times by the clock in milliseconds.
@@ -45,9 +46,10 @@ struct StepReport {
   T mean_depth{};            ///< of the points that penetrate
   T residual{};              ///< fastest approach of touching points that the solver left
   // Of the bodies with mass as they are now, asleep or not.
-  T kinetic_energy{}, potential_energy{};  ///< the latter from the origin up
-  typename Space::Vec momentum{};
+  T kinetic_energy{}, potential_energy{};      ///< the latter from the origin up
+  typename Space::Vec momentum{};              ///< of all of them together
   typename Space::Turning angular_momentum{};  ///< about the origin
+  /// By the clock: finding contacts, preparing, solving, what moves fast, and all of it.
   double collide_ms{}, prepare_ms{}, solve_ms{}, continuous_ms{}, whole_ms{};
 };
 
@@ -60,10 +62,10 @@ class GRAZE_API State {
  public:
   State();
   ~State();
-  State(const State&);
-  State(State&&) noexcept;
-  State& operator=(const State&);
-  State& operator=(State&&) noexcept;
+  State(const State&);                 ///< states are copied and moved as values
+  State(State&&) noexcept;             ///< states are copied and moved as values
+  State& operator=(const State&);      ///< states are copied and moved as values
+  State& operator=(State&&) noexcept;  ///< states are copied and moved as values
 
  private:
   template <class, class>
@@ -72,6 +74,7 @@ class GRAZE_API State {
   std::unique_ptr<Kept> kept_;
 };
 
+/// Bodies that move by forces, contacts and joints.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API Simulation {
   using Vec = typename Space::Vec;
@@ -98,7 +101,7 @@ class GRAZE_API Simulation {
   JointId add(const Joint<T, Space>& joint);
   /// What stood on the body or was joined to it wakes; joints of the body go with it.
   void remove(BodyId id);
-  void remove(JointId id);
+  void remove(JointId id);  ///< the bodies that it joined wake
 
   /// Moves everything by `dt` > 0. Throws `InvalidValue` for a step that is not finite, not > 0, or longer than
   /// `settings.longest_step`.
@@ -106,39 +109,39 @@ class GRAZE_API Simulation {
 
   /// An impulse at a point of the world, at once. None of these moves what is fixed or kinematic; all wake.
   void apply_impulse(BodyId id, const Vec& impulse, const Vec& point);
-  void apply_angular_impulse(BodyId id, const Turning& impulse);
+  void apply_angular_impulse(BodyId id, const Turning& impulse);  ///< A turning blow, at once.
   /// A force on the centre of mass, and a torque, throughout the next step.
   void apply_force(BodyId id, const Vec& force);
-  void apply_torque(BodyId id, const Turning& torque);
+  void apply_torque(BodyId id, const Turning& torque);  ///< A torque throughout the next step.
   /// Of the pose's origin, and the turning about it.
   void set_velocity(BodyId id, const Velocity& velocity);
   /// Puts a body elsewhere at once; its velocity stays.
   void set_pose(BodyId id, const Pose& pose);
   /// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
   void move_to(BodyId id, const Pose& pose, T dt);
-  void set_material(BodyId id, const Material& material);
-  void wake(BodyId id);
+  void set_material(BodyId id, const Material& material);  ///< its material from now on
+  void wake(BodyId id);                                    ///< wakes the body and what touches it
 
   /// Of all bodies, by index; what is said in `World::bodies` of indices that are not alive.
   std::span<const Pose> poses() const;
   /// Of the centre of mass.
   Motion motion(BodyId id) const;
-  Turning angular_momentum(BodyId id) const;  ///< about the centre of mass
-  T mass(BodyId id) const;                    ///< infinite for what is fixed or kinematic
-  bool asleep(BodyId id) const;
-  std::vector<JointId> joints() const;        ///< all of them, by index
-  const Joint<T, Space>& joint(JointId id) const;
+  Turning angular_momentum(BodyId id) const;       ///< about the centre of mass
+  T mass(BodyId id) const;                         ///< infinite for what is fixed or kinematic
+  bool asleep(BodyId id) const;                    ///< whether it is at rest and not moved until something wakes it
+  std::vector<JointId> joints() const;             ///< all of them, by index
+  const Joint<T, Space>& joint(JointId id) const;  ///< as it was added
   std::span<const T> joint_impulses(JointId id) const;  ///< of the last step, a number for each row of the joint
 
   /// Contacts with the impulses of the last step, events, and all queries. Contacts are those that the last step began
   /// with.
   const World<T, Space>& world() const;
-  const SimulationSettings<T, Space>& settings() const;
-  void set_gravity(const Vec& gravity);
+  const SimulationSettings<T, Space>& settings() const;  ///< as they are now
+  void set_gravity(const Vec& gravity);                  ///< from the next step on
 
-  StepReport<T, Space> report() const;
+  StepReport<T, Space> report() const;  ///< what the last step did
 
-  State<T, Space> save() const;
+  State<T, Space> save() const;  ///< all that `restore` needs
   /// Goes back to a state of this simulation. Throws `InvalidValue` where bodies or joints came or went in between.
   /// Costs an update of the world. What touched is found anew, so that the events of the next step may begin what had
   /// begun before where bodies are apart by less than their margin.

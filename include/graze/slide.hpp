@@ -11,10 +11,12 @@
 
 namespace graze {
 
+/// What a slide may be told.
 struct SlideOptions {
   int iterations = 6;  ///< casts, at most
 };
 
+/// Where a slide ended.
 template <class T>
 struct SlideResult {
   Pose<T> pose{};                       ///< where the shape ends

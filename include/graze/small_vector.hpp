@@ -14,20 +14,25 @@
 
 namespace graze {
 
+/// A list whose first N elements stand in place, and more of them on the heap.
 template <class T, std::size_t N>
 class SmallVector {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
   SmallVector() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
+  /// As of `std::vector`.
   SmallVector(const SmallVector& other) { *this = other; }
+  /// As of `std::vector`.
   SmallVector(SmallVector&& other) noexcept { *this = std::move(other); }
+  /// As of `std::vector`.
   SmallVector& operator=(const SmallVector& other) {
     if (this == &other) return *this;
     outside_ = other.outside_;
     take_inside(other);
     return *this;
   }
+  /// As of `std::vector`.
   SmallVector& operator=(SmallVector&& other) noexcept {
     if (this == &other) return *this;
     outside_ = std::move(other.outside_);
@@ -51,6 +56,7 @@ class SmallVector {
   const T& back() const { return data()[size_ - 1]; }
   void clear() { size_ = 0; }
 
+  /// As of `std::vector`.
   void push_back(const T& value) {
     if (size_ < N) [[likely]]
       inside_[size_] = value;

@@ -12,6 +12,7 @@
 
 namespace graze {
 
+/// Runs tasks on the threads of oneTBB.
 class GRAZE_API TbbExecutor final : public Executor {
  public:
   /// In the arena of whoever calls `run`, within the limits set there. With `threads`: on at most so many at a time,

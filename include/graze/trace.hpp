@@ -14,24 +14,24 @@ namespace graze {
 
 /// One separating axis: the intervals that both shapes cover on it.
 struct TraceAxis {
-  std::string name;  ///< "A0", "B2", "A1×B0", "A face 12", "A edge 1 × B edge 7", "normal"
-  Vec3d direction;   ///< unit, from A to B
-  double a_lower, a_upper, b_lower, b_upper;
+  std::string name;                           ///< "A0", "B2", "A1×B0", "A face 12", "A edge 1 × B edge 7", "normal"
+  Vec3d direction;                            ///< unit, from A to B
+  double a_lower, a_upper, b_lower, b_upper;  ///< the intervals of A and of B on the axis
   /// Positive when the shapes' intervals overlap along `direction`, negative when there is a gap.
   double overlap() const { return a_upper - b_lower; }
 };
 
 /// One point of the Minkowski difference B - A and the support points it was made of.
 struct TraceSupport {
-  Vec3d a, b;
+  Vec3d a, b;  ///< the support points of A and of B
 };
 
 /// One iteration of GJK: where it looked, what it found, and what it knew then.
 struct TraceGjk {
   std::vector<TraceSupport> simplex;  ///< at the beginning of the iteration
   Vec3d direction;                    ///< the search direction, from A to B
-  TraceSupport found;
-  double lower, upper;  ///< bounds of the distance of the cores after it
+  TraceSupport found;                 ///< what was found along the direction
+  double lower, upper;                ///< bounds of the distance of the cores after it
   /// In the plane, where all vertices are kept and `simplex` is the nearest edge: all of them, counter-clockwise.
   std::vector<TraceSupport> polygon{};
 };
@@ -41,8 +41,8 @@ struct TraceEpa {
   Vec3d normal;        ///< of the face that lay nearest to the origin, from A to B
   double face_depth;   ///< the depth if that face were final: a lower bound
   double found_depth;  ///< the depth along that normal: an upper bound
-  TraceSupport found;
-  std::size_t faces;  ///< of the polytope, after the expansion
+  TraceSupport found;  ///< what was found along the direction
+  std::size_t faces;   ///< of the polytope, after the expansion
   /// In the plane the polytope before the expansion, counter-clockwise.
   std::vector<TraceSupport> polygon{};
 };
@@ -65,9 +65,9 @@ struct TraceStep {
 /// Everything that one query did.
 struct Trace {
   std::string method;  ///< "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement"
-  std::vector<TraceAxis> axes;
-  std::vector<TraceGjk> gjk;
-  std::vector<TraceEpa> epa;
+  std::vector<TraceAxis> axes;  ///< separating axes that were tried
+  std::vector<TraceGjk> gjk;    ///< iterations of GJK
+  std::vector<TraceEpa> epa;    ///< expansions of EPA
   /// In the plane: the outline of the difference of the bounded cores, counter-clockwise; of curved ones sampled.
   std::vector<TraceSupport> difference;
   double rounding = 0;                                ///< of both cores together: how near to it counts as contact

@@ -53,7 +53,9 @@ namespace graze::validate {
 /// How numbers are printed in errors: shortest form that reads back to the same value.
 GRAZE_API std::string number(double value);
 
+/// Throws `InvalidValue`.
 [[noreturn]] GRAZE_API void fail(const std::string& path, const std::string& expectation, double found);
+/// Throws `InvalidValue`.
 [[noreturn]] GRAZE_API void fail(const std::string& path, const std::string& expectation, const std::string& found);
 
 /// What is expected of a coordinate that `value` is not, or null.
@@ -81,6 +83,7 @@ template <class T>
 T resolved(T value) {
   return std::abs(value) < smallest_magnitude<T> ? value * T(0) : value;
 }
+/// The same of each coordinate.
 template <class T>
 Vec3<T> resolved(const Vec3<T>& v) {
   return {resolved(v.x), resolved(v.y), resolved(v.z)};

@@ -15,9 +15,11 @@ namespace graze {
 /// A vector or point, in the caller's unit of length.
 template <class T>
 struct Vec3 {
-  T x{}, y{}, z{};
+  T x{}, y{}, z{};  ///< coordinates
 
+  /// Coordinate 0, 1 or 2.
   constexpr T& operator[](std::size_t i) { return i == 0 ? x : i == 1 ? y : z; }
+  /// Coordinate 0, 1 or 2.
   constexpr const T& operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
 
   constexpr Vec3& operator+=(const Vec3& v) { return *this = *this + v; }
@@ -36,11 +38,13 @@ struct Vec3 {
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 
+/// x x + y y + z z.
 template <class T>
 constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// Perpendicular to both, right-handed.
 template <class T>
 constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -52,17 +56,20 @@ constexpr Vec3<T> scaled(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
+/// The length times itself, without a root.
 template <class T>
 constexpr T length_squared(const Vec3<T>& v) {
   return dot(v, v);
 }
 
+/// The length.
 template <class T>
 T length(const Vec3<T>& v) {
   using std::sqrt;
   return sqrt(dot(v, v));
 }
 
+/// Coordinate by coordinate.
 template <class T>
 Vec3<T> abs(const Vec3<T>& v) {
   using std::abs;
@@ -74,6 +81,7 @@ template <class T>
 constexpr T least(const T& a, const T& b) {
   return b < a ? b : a;
 }
+/// The greater of the two.
 template <class T>
 constexpr T greatest(const T& a, const T& b) {
   return a < b ? b : a;
@@ -82,19 +90,23 @@ constexpr T greatest(const T& a, const T& b) {
 template <class T>
 requires std::is_arithmetic_v<T>
 constexpr T select(bool condition, const T& yes, const T& no) { return condition ? yes : no; }
+/// `yes` where the condition holds, else `no`.
 template <class M, class T>
 constexpr Vec3<T> select(const M& condition, const Vec3<T>& yes, const Vec3<T>& no) {
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
 }
 
+/// Coordinate by coordinate.
 template <class T>
 constexpr Vec3<T> least(const Vec3<T>& a, const Vec3<T>& b) {
   return {least(a.x, b.x), least(a.y, b.y), least(a.z, b.z)};
 }
+/// Coordinate by coordinate.
 template <class T>
 constexpr Vec3<T> greatest(const Vec3<T>& a, const Vec3<T>& b) {
   return {greatest(a.x, b.x), greatest(a.y, b.y), greatest(a.z, b.z)};
 }
+/// The number of [low, high] nearest to `value`.
 template <class T>
 constexpr T clamp(const T& value, const T& low, const T& high) {
   return greatest(low, least(value, high));

@@ -21,43 +21,51 @@ namespace graze {
 /// N lanes of T (`float` or `double`), N a power of two. Comparisons give a `Mask`; `select` chooses by it.
 template <class T, int N>
 struct Wide {
-  using Lane = T;
-  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  using Vector = detail::LaneVector<T, N>;
-  using BitVector = detail::LaneVector<Bits, N>;
+  using Lane = T;                                                               ///< the type of a lane
+  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;  ///< an integer as long as a lane
+  using Vector = detail::LaneVector<T, N>;                                      ///< all lanes, as the compiler has them
+  using BitVector = detail::LaneVector<Bits, N>;                                ///< the bits of all lanes
 
-  static constexpr int lanes = N;
+  static constexpr int lanes = N;  ///< how many there are
 
   /// One truth value a lane: all bits set, or none.
   struct Mask {
-    static constexpr int lanes = N;
-    BitVector bits;
+    static constexpr int lanes = N;  ///< how many there are
+    BitVector bits;                  ///< all set for true, none for false
 
     [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
     [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) { return {a.bits | b.bits}; }
     [[gnu::always_inline]] friend Mask operator!(const Mask& a) { return {~a.bits}; }
+    /// Lane by lane, `yes` where the condition holds, else `no`.
     [[gnu::always_inline]] friend Mask select(const Mask& condition, const Mask& yes, const Mask& no) {
       return (condition & yes) | ((!condition) & no);
     }
+    /// One lane.
     [[gnu::always_inline]] bool operator[](int i) const { return bits[i] != 0; }
   };
 
-  Vector v;
+  Vector v;  ///< the lanes
 
   [[gnu::always_inline]] Wide() : v{} {}
+  /// The same number in all lanes.
   [[gnu::always_inline]] explicit(false) Wide(T value) : v(value - Vector{}) {}
+  /// The lanes as the compiler has them.
   [[gnu::always_inline]] static Wide of(const Vector& vector) {
     Wide w;
     w.v = vector;
     return w;
   }
+  /// N numbers that stand one behind the other.
   [[gnu::always_inline]] static Wide load(const T* from) {
     Wide w;
     std::memcpy(&w.v, from, sizeof w.v);
     return w;
   }
+  /// To where N numbers stand one behind the other.
   [[gnu::always_inline]] void store(T* to) const { std::memcpy(to, &v, sizeof v); }
+  /// One lane.
   [[gnu::always_inline]] T operator[](int i) const { return v[i]; }
+  /// One lane anew.
   [[gnu::always_inline]] void set(int i, T value) { v[i] = value; }
 
   [[gnu::always_inline]] friend Wide operator+(const Wide& a, const Wide& b) { return of(a.v + b.v); }
@@ -88,6 +96,7 @@ struct Wide {
     return {detail::bits_as<BitVector>(a.v != b.v)};
   }
 
+  /// Lane by lane, `yes` where the condition holds, else `no`.
   [[gnu::always_inline]] friend Wide select(const Mask& condition, const Wide& yes, const Wide& no) {
     return of(detail::either_of(condition.bits, yes.v, no.v));
   }
@@ -107,6 +116,7 @@ struct Wide {
 
 namespace detail {
 
+/// Lane by lane.
 template <bool either, class V>
 [[gnu::always_inline]] inline V joined(const V& a, const V& b) {
   if constexpr (either)
@@ -144,6 +154,7 @@ template <class M>
     return detail::joined_lanes<true>(mask.bits, std::make_index_sequence<M::lanes / 2>()) != 0;
   }
 }
+/// Whether it holds in all lanes.
 template <class M>
 [[gnu::always_inline]] inline bool all(const M& mask) {
   if constexpr (std::is_integral_v<M>) {

@@ -17,16 +17,19 @@ namespace graze {
 
 /// What a child is: a node, a leaf, or nothing.
 struct TreeChild {
+  /// No child, and the bit that tells a leaf from a node.
   static constexpr std::uint32_t none = ~0u, leaf_bit = 1u << 31;
 
+  /// Whether the child is a leaf.
   static constexpr bool is_leaf(std::uint32_t child) { return (child & leaf_bit) != 0; }
+  /// What the leaf holds.
   static constexpr std::uint32_t leaf(std::uint32_t child) { return child & ~leaf_bit; }
 };
 
 /// A ray, as boxes ask for it: the points origin + t direction with t >= 0, its direction of any length.
 template <class T>
 struct NodeRay {
-  Vec3<T> origin, inverse, margin;
+  Vec3<T> origin, inverse, margin;  ///< where the ray begins, one over its direction, and what is added for rounding
 
   /// Boxes are met that grow by `slack` on all sides.
   NodeRay(const Vec3<T>& from, const Vec3<double>& direction, double slack) : origin(from) {
@@ -42,31 +45,35 @@ struct NodeRay {
   }
 };
 
+/// A node of a tree, with the boxes of all its children side by side.
 template <class T>
 struct alignas(64) WideNode {
   /// Measured on 30,000 drifting boxes with the 16-byte vectors that every x86-64 has: with four children a frame takes
   /// half as long again, and the tree a fifth more memory.
   static constexpr std::uint32_t width = 8;
 
-  std::array<std::array<T, width>, 3> lower, upper;
-  std::array<std::uint32_t, width> child;
-  Aabb<T> bounds;                       ///< of all children, and the room they may move in
-  std::uint32_t parent = 0, place = 0;  ///< which child of its parent it is
+  std::array<std::array<T, width>, 3> lower, upper;  ///< of the children's boxes, by axis
+  std::array<std::uint32_t, width> child;            ///< nodes, leaves or none
+  Aabb<T> bounds;                                    ///< of all children, and the room they may move in
+  std::uint32_t parent = 0, place = 0;               ///< which child of its parent it is
 
   WideNode() {
     for (std::uint32_t i = 0; i < width; ++i) clear(i);
     bounds = Aabb<T>::empty();
   }
 
+  /// Of the i-th child.
   Aabb<T> box(std::uint32_t i) const {
     return {{lower[0][i], lower[1][i], lower[2][i]}, {upper[0][i], upper[1][i], upper[2][i]}};
   }
+  /// Of the i-th child.
   void set_box(std::uint32_t i, const Aabb<T>& b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       lower[axis][i] = b.lower[axis];
       upper[axis][i] = b.upper[axis];
     }
   }
+  /// The i-th child and its box.
   void set(std::uint32_t i, const Aabb<T>& b, std::uint32_t what) {
     set_box(i, b);
     child[i] = what;

@@ -22,6 +22,7 @@
 
 namespace graze {
 
+/// What a world may be told at its beginning.
 template <class T>
 struct WorldSettings {
   /// Contacts are reported up to this far apart; by default up to `contact_margin` of the two.
@@ -35,6 +36,7 @@ struct WorldSettings {
   std::optional<std::size_t> points_per_pair;
 };
 
+/// Bodies in place, and what touches.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API World {
   using Vec = typename Space::Vec;
@@ -65,7 +67,9 @@ class GRAZE_API World {
   void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular) {
     bodies_.move(id, pose, linear, angular);
   }
+  /// Another shape from the next update on.
   void set_shape(BodyId id, Shape shape) { bodies_.set_shape(id, std::move(shape)); }
+  /// Another filter from the next update on.
   void set_filter(BodyId id, const Filter& filter) { bodies_.set_filter(id, filter); }
   /// Whether the body is asked what it would pass through.
   void set_fast(BodyId id, bool fast) { bodies_.set_fast(id, fast); }
@@ -75,6 +79,7 @@ class GRAZE_API World {
     settings_.allow = std::move(allow);
   }
 
+  /// All bodies, as arrays by index.
   const BodyArrays<T, Space>& bodies() const { return bodies_; }
 
   /// Finds what touches now; and, given the time to the next update, what fast bodies would pass through until then.
@@ -88,7 +93,9 @@ class GRAZE_API World {
 
   /// What the last update found. Solvers write the points' impulses.
   ContactArrays<T, Space>& contacts() { return manifolds_.contacts(); }
+  /// Those of the last update.
   const ContactArrays<T, Space>& contacts() const { return manifolds_.contacts(); }
+  /// Those of the last update.
   std::span<const ContactEvent> events() const { return tracker_.events(); }
   /// What fast bodies would meet in the duration of the last update or `find_impacts`, in the order of time.
   std::span<const Impact<T, Space>> impacts() const { return impacts_; }
@@ -101,6 +108,7 @@ class GRAZE_API World {
   /// Without a count all of them.
   void nearest(const Shape& shape, const Pose& pose, std::size_t count, T limit, const QueryFilter& filter,
                std::vector<BodyDistance<T, Space>>& out) const;
+  /// The body nearest to a shape.
   std::optional<BodyDistance<T, Space>> closest(const Shape& shape, const Pose& pose,
                                                 T limit = std::numeric_limits<T>::infinity(),
                                                 const QueryFilter& filter = {}) const;
@@ -109,8 +117,10 @@ class GRAZE_API World {
   /// order of the ray. Rays and back faces as for `graze::raycast`.
   std::optional<BodyRayHit<T, Space>> raycast(const Ray& ray, T length = std::numeric_limits<T>::infinity(),
                                               const QueryFilter& filter = {}, BackFaces back = {}) const;
+  /// Whether the ray hits anything.
   bool raycast_any(const Ray& ray, T length = std::numeric_limits<T>::infinity(), const QueryFilter& filter = {},
                    BackFaces back = {}) const;
+  /// All that the ray hits, the nearest first.
   void raycast_all(const Ray& ray, T length, const QueryFilter& filter, std::vector<BodyRayHit<T, Space>>& out,
                    BackFaces back = {}) const;
 
@@ -118,6 +128,7 @@ class GRAZE_API World {
   /// is first met, in the order of time. As `graze::cast`.
   std::optional<BodyCastHit<T, Space>> cast(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration,
                                             const QueryFilter& filter = {}, const CastOptions& options = {}) const;
+  /// All that the moving shape hits, the first one first.
   void cast_all(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration, const QueryFilter& filter,
                 std::vector<BodyCastHit<T, Space>>& out, const CastOptions& options = {}) const;
 

@@ -101,6 +101,22 @@ def search_finds(site):
         check(any("graze_8h" in at for at in found("graze_world_step_d") + found("graze_distance_d")), "nothing of C is found")
 
 
+def lessons_are_read_from_the_lab(work):
+    """With a stand-in for the built lab: each lesson's id is that of a file, and leads into the lab."""
+    lab = work / "lab"
+    lab.mkdir(exist_ok=True)
+    (lab / "index.html").write_text("<!doctype html><title>stand-in</title>")
+    site = work / "with-lab"
+    build(site, "--lab", str(lab), "--api", "no")
+    home = (site / "index.html").read_text(encoding="utf-8")
+    led_to = re.findall(r'href="lab/index.html#/lesson/([^"]+)"', home)
+    ids = []
+    for path in sorted((TREE / "apps/lab/src/lessons").glob("*.ts")):
+        if path.name not in ("index.ts", "lesson.ts"):
+            ids += re.findall(r'^  id: "([^"]+)",(?: number|$)', path.read_text(), re.MULTILINE)
+    check(sorted(led_to) == sorted(ids), f"lessons in the navigation {sorted(led_to)}, in the lab {sorted(ids)}")
+
+
 def what_is_asked_for_wrongly_is_refused(work):
     done = built(work / "none", "--lab", str(work / "no-lab"))
     check(done.returncode != 0 and "holds no built lab" in done.stderr, done.stderr)
@@ -124,6 +140,7 @@ def main():
     nothing_comes_from_elsewhere(site)
     search_finds(site)
     faults_are_found(site)
+    lessons_are_read_from_the_lab(work)
     what_is_asked_for_wrongly_is_refused(work)
 
 

@@ -4,7 +4,7 @@
 // The entries found, best first. A name that is what was asked for comes first, then names that begin so, then texts
 // that hold the words as they stand, then those that hold them anywhere.
 globalThis.grazeFind = (index, question, most = 60) => {
-  const phrase = question.trim().toLowerCase();
+  const phrase = question.trim().toLowerCase().replace(/\s+/g, " ");
   const words = phrase.split(/[\s:.()]+/).filter(Boolean);
   if (words.length === 0) return [];
   const found = [];
@@ -18,7 +18,7 @@ globalThis.grazeFind = (index, question, most = 60) => {
       score += points;
     }
     if (score < 0) continue;
-    if (name === phrase) score += 100;
+    if (name === phrase || name.endsWith(`::${phrase}`)) score += 100;
     else if (words.length > 1 && name.includes(phrase)) score += 60;
     else if (words.length > 1 && text.includes(phrase)) score += 20;
     if (entry.text !== undefined) score += entry.in === "" ? 13 : 3;  // a page explains, a name only says where it stands
@@ -30,7 +30,7 @@ globalThis.grazeFind = (index, question, most = 60) => {
 
 // The part of a text around the first of the words.
 globalThis.grazeExcerpt = (entry, question) => {
-  const text = entry.text ?? "", low = text.toLowerCase(), phrase = question.trim().toLowerCase();
+  const text = entry.text ?? "", low = text.toLowerCase(), phrase = question.trim().toLowerCase().replace(/\s+/g, " ");
   let at = low.indexOf(phrase);
   if (at < 0) at = low.indexOf(phrase.split(/\s+/)[0]);
   const begin = Math.max(0, at - 60);

@@ -14,19 +14,20 @@
 
 namespace graze::io {
 
+/// A motion of some colliders of a scene.
 struct SceneCast {
-  std::string from;             ///< the name of a body, or of a collider that then moves alone
-  Velocity<double> velocity{};  ///< in the world, a unit of time
-  double duration = 1;
+  std::string from;              ///< the name of a body, or of a collider that then moves alone
+  Velocity<double> velocity{};   ///< in the world, a unit of time
+  double duration = 1;           ///< how long it moves
   std::optional<Vec3d> about{};  ///< what the spin turns about; without it the origin of the first collider
-  CastOptions options{};
-  Precision precision = Precision::double_precision;
+  CastOptions options{};         ///< as for `graze::cast`
+  Precision precision = Precision::double_precision;  ///< in which scalar it is computed
 };
 
 /// The colliders that move, and the point that they turn about.
 struct Mover {
-  std::vector<std::uint32_t> colliders;
-  Vec3d pivot{};
+  std::vector<std::uint32_t> colliders;  ///< numbers of the colliders that move
+  Vec3d pivot{};                         ///< about which they turn
 
   /// Where one of them, at `pose` before the motion, stands at a time.
   Posed pose_at(const Posed& pose, const Velocity<double>& velocity, double t) const;
@@ -34,7 +35,7 @@ struct Mover {
 
 /// What one collider of the mover hits first in one collider of the rest.
 struct SceneHit {
-  double t;
+  double t;                       ///< when they touch
   std::uint32_t collider, other;  ///< indices of colliders: the mover's, and the one it hits
   Vec3d point{}, normal{};        ///< the normal from the mover to the other
   double depth = 0;               ///< of colliders that overlap at the start

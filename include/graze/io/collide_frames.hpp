@@ -18,6 +18,7 @@ namespace graze::io {
 /// How many frames are played at most.
 inline constexpr double max_frames = 1e7;
 
+/// What may be told.
 struct FrameOptions {
   std::size_t animation = 0;  ///< an index into `Scene::animations`
   double fps = 30;            ///< frames a second, above 0; the first is at 0 s
@@ -26,17 +27,18 @@ struct FrameOptions {
   /// Colliders that touch go on until they are further apart than this; by default a thousandth of their size or so
   /// (`contact_margin`). Triggers have none.
   std::optional<double> margin;
-  Precision precision = Precision::double_precision;
+  Precision precision = Precision::double_precision;  ///< in which scalar it is computed
 };
 
 /// Two colliders begin to touch, or no longer do.
 struct FrameEvent {
-  bool begin;
+  bool begin;                   ///< whether they begin to touch, or end
   std::uint32_t a, b;           ///< indices of colliders, a < b
   bool trigger;                 ///< one of them is a trigger
   std::optional<double> depth;  ///< >= 0, of the deepest point at a `begin`; nothing for a trigger, which has no points
 };
 
+/// What touches in one frame.
 struct Frame {
   std::size_t index, count;            ///< this one, and how many there will be
   double time;                         ///< seconds: index / fps

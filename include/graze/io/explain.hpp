@@ -18,22 +18,22 @@ namespace graze::io {
 
 /// A ray that was cast, and what it hit.
 struct ExplainedRay {
-  Ray<double> ray;
-  double length;  ///< as it was asked; may be infinite
-  std::optional<RayHit<double>> hit;
+  Ray<double> ray;                    ///< what was asked
+  double length;                      ///< as it was asked; may be infinite
+  std::optional<RayHit<double>> hit;  ///< what was answered
 };
 
 /// Two bodies that moved, and how they met.
 struct ExplainedCast {
-  Velocity<double> a, b;
-  double duration;
-  std::optional<CastHit<double>> hit;
+  Velocity<double> a, b;               ///< how both move
+  double duration;                     ///< how long
+  std::optional<CastHit<double>> hit;  ///< what was answered
 };
 
 /// What was asked, what came out, and what was done for it. Numbers of a question in float are widened.
 struct Explanation {
   std::string query;  ///< "overlap", "distance", "contacts", "raycast", "cast" or "closest"
-  int dimension = 3;
+  int dimension = 3;  ///< 2 or 3.
   /// In space. Of `closest` B is the point, as a ball of no radius; of `raycast` there is none.
   std::optional<Placed<double>> a, b;
   /// In the plane, likewise; all vectors below then have z = 0.
@@ -43,7 +43,7 @@ struct Explanation {
   Manifolds<double> manifolds;               ///< of `contacts`
   std::optional<ExplainedRay> ray;           ///< of `raycast`
   std::optional<ExplainedCast> cast;         ///< of `cast`
-  Trace trace;
+  Trace trace;                               ///< what the query did
 };
 
 /// Asks a question, one line of the protocol. Throws `InvalidValue` as the protocol would answer with an error.
@@ -64,6 +64,7 @@ GRAZE_API std::string draw_explanation(const Explanation& explanation, const Vec
 /// The features that a contact's number names: "face 5 of A, vertex 0 of B"; with the shapes known, an edge by the two
 /// vertices that it joins ("edge 2-6 of A"), and of a round shape its surface, side or end.
 GRAZE_API std::string feature_text(std::uint32_t feature);
+/// A feature in words: "edge 3 of A".
 GRAZE_API std::string feature_text(std::uint32_t feature, const Explanation& explanation);
 
 }  // namespace graze::io

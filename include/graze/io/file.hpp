@@ -21,7 +21,7 @@ class GRAZE_API FileWriter {
  public:
   /// Makes the file, or empties it. Throws `InvalidValue`, as everything here does.
   explicit FileWriter(const std::filesystem::path& file);
-  void write(std::string_view bytes);
+  void write(std::string_view bytes);  ///< appends
   /// Writes out what was kept back, which may find no room: without this nothing is known to be written.
   void close();
 
@@ -39,6 +39,7 @@ GRAZE_API void check_writable(const std::filesystem::path& file);
 /// Writes the parts one behind the other as a whole file, and closes it. Throws `InvalidValue` unless every byte of it
 /// was taken.
 GRAZE_API void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts);
+/// Writes the whole file or nothing.
 GRAZE_API void write_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace graze::io

@@ -18,24 +18,25 @@ namespace graze::io {
 
 /// What moves as one. Its colliders never collide with each other.
 struct PlaneSceneBody {
-  std::string name;
-  MotionType type = MotionType::fixed;
+  std::string name;                     ///< its name in the file; may be empty
+  MotionType type = MotionType::fixed;  ///< whether it is fixed, or how it moves
 };
 
 /// One shape of a body, at its pose in the world.
 struct PlaneCollider {
-  std::string name;
+  std::string name;        ///< its name in the file; may be empty
   std::uint32_t body = 0;  ///< index into `PlaneScene::bodies`
-  plane::Shaped shape;
-  plane::Pose2d pose{};
-  Filter filter{};
-  bool trigger = false;
+  plane::Shaped shape;     ///< its shape
+  plane::Pose2d pose{};    ///< where it stands
+  Filter filter{};         ///< what it may meet
+  bool trigger = false;    ///< whether it only tells of overlaps
 };
 
+/// A drawing of bodies in the plane.
 struct PlaneScene {
-  std::string source;
-  std::vector<PlaneSceneBody> bodies;
-  std::vector<PlaneCollider> colliders;
+  std::string source;                          ///< the file it was read from
+  std::vector<PlaneSceneBody> bodies;          ///< in the order of the file
+  std::vector<PlaneCollider> colliders;        ///< in the order of the file
   std::vector<std::string> notices;            ///< what was skipped, one sentence each
   std::vector<std::string> collision_systems;  ///< the names behind the filters' bits
 };

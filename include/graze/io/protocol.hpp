@@ -14,11 +14,13 @@
 
 namespace graze::io {
 
+/// The scalar that answers.
 enum class Precision { single_precision, double_precision };
 
+/// What is answered to one line.
 struct AnswerLine {
-  std::string text;  ///< one JSON object, without a line end
-  bool error = false;
+  std::string text;    ///< one JSON object, without a line end
+  bool error = false;  ///< whether the line could not be answered
 };
 
 /// Answers one question. With the number of its line, counted from 1, as `answer_stream` does: an error that has no

@@ -20,24 +20,26 @@ namespace graze::io {
 
 /// A body at a time.
 struct BodyState {
-  Posed pose{};     ///< of its node in the world, without scale
-  Vec3d linear{};   ///< velocity of the centre of mass
-  Vec3d angular{};  ///< in world axes
-  bool asleep = false;
+  Posed pose{};         ///< of its node in the world, without scale
+  Vec3d linear{};       ///< velocity of the centre of mass
+  Vec3d angular{};      ///< in world axes
+  bool asleep = false;  ///< whether it is at rest
 };
 
 /// What two bodies that touch did to each other in a step.
 struct ContactState {
   std::uint32_t a = 0, b = 0;  ///< indices into `Scene::bodies`
-  std::size_t points = 0;
-  double impulse = 0;  ///< the sum of its normal impulses
-  double depth = 0;    ///< of the deepest point; 0 where a gap is left
+  std::size_t points = 0;      ///< how many there are
+  double impulse = 0;          ///< the sum of its normal impulses
+  double depth = 0;            ///< of the deepest point; 0 where a gap is left
 };
 
+/// What a simulation looks like at one time.
 struct SimulationFrame {
-  double time = 0;
-  std::vector<BodyState> bodies;  ///< in the order of `moving_bodies`
-  std::vector<ContactState> contacts;
+  double time = 0;                     ///< since the beginning
+  std::vector<BodyState> bodies;       ///< in the order of `moving_bodies`
+  std::vector<ContactState> contacts;  ///< what touches
+  /// Of the bodies with mass: from their motion, and from the origin up.
   double kinetic_energy = 0, potential_energy = 0;
 };
 

@@ -24,6 +24,7 @@ namespace graze::mpi {
 /// is A.
 using Key = std::uint64_t;
 
+/// What a world may be told at its beginning.
 template <class T>
 struct WorldSettings {
   std::optional<T> margin;                     ///< as of `graze::WorldSettings`; the same on all ranks
@@ -35,15 +36,16 @@ struct WorldSettings {
 
 /// Two bodies within the margin of each other, by key.
 struct KeyedPair {
-  Key a, b;
-  bool overlap;
+  Key a, b;      ///< the two bodies
+  bool overlap;  ///< whether they overlap, and are not only near
   std::uint32_t first_manifold, manifold_count;
 };
 
+/// What became of a pair, with the caller's keys.
 struct KeyedEvent {
-  Key a, b;
-  EventKind kind;
-  bool trigger;
+  Key a, b;        ///< the two bodies
+  EventKind kind;  ///< what became of the pair
+  bool trigger;    ///< whether it only tells of overlaps
 
   friend bool operator==(const KeyedEvent&, const KeyedEvent&) = default;
 };
@@ -51,10 +53,10 @@ struct KeyedEvent {
 /// Contacts and events of all ranks, sorted by key.
 template <class T>
 struct Gathered {
-  std::vector<KeyedPair> pairs;
+  std::vector<KeyedPair> pairs;               ///< the pairs that touch
   std::vector<ContactManifold<T>> manifolds;  ///< those of a pair one behind the other
-  std::vector<SolverPoint<T>> points;
-  std::vector<KeyedEvent> events;
+  std::vector<SolverPoint<T>> points;         ///< of all manifolds, one behind the other
+  std::vector<KeyedEvent> events;             ///< what began and ended
 };
 
 /// What an update of this rank took.
@@ -99,11 +101,11 @@ class GRAZE_API World {
   void add(Key key, const Body<T>& body);
   /// Whether a body lives on this rank. These throw `InvalidValue` for one that does not.
   bool contains(Key key) const;
-  void remove(Key key);
-  void move(Key key, const Pose<T>& pose);
-  void set_filter(Key key, const Filter& filter);
-  void set_shape(Key key, const Shape<T>& shape);
-  Body<T> body(Key key) const;
+  void remove(Key key);                            ///< as of `graze::World`, by the caller's key
+  void move(Key key, const Pose<T>& pose);         ///< as of `graze::World`, by the caller's key
+  void set_filter(Key key, const Filter& filter);  ///< as of `graze::World`, by the caller's key
+  void set_shape(Key key, const Shape<T>& shape);  ///< as of `graze::World`, by the caller's key
+  Body<T> body(Key key) const;                     ///< as of `graze::World`, by the caller's key
   /// The bodies that live here, sorted.
   std::vector<Key> keys() const;
 
@@ -114,9 +116,9 @@ class GRAZE_API World {
 
   /// What this rank found, in the order of keys; valid until the next update.
   std::span<const KeyedPair> pairs() const;
-  const ContactArrays<T>& contacts() const;  ///< manifolds and points of `pairs`
-  std::span<const KeyedEvent> events() const;
-  const WorldReport& report() const;
+  const ContactArrays<T>& contacts() const;    ///< manifolds and points of `pairs`
+  std::span<const KeyedEvent> events() const;  ///< those of the last update
+  const WorldReport& report() const;           ///< what the last update did
   /// The part of space whose bodies live here; all of it before the first update.
   const Aabb<double>& region() const;
   /// Bytes that are held, shared shapes' own data apart.

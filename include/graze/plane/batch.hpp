@@ -49,6 +49,7 @@ class GRAZE_API Bodies {
       : Bodies(std::span<const C>(shapes), std::span<const Pose2<T>>(poses)) {}
 
   std::size_t size() const { return size_; }
+  /// Of the i-th body: a single pose is that of all.
   const Pose2<T>& pose(std::size_t i) const { return poses_.size() == 1 ? poses_[0] : poses_[i]; }
   /// The place of a shape in `ShapeList`.
   std::size_t kind(std::size_t i) const { return one_kind() ? kind_ : any(i).index(); }
@@ -89,7 +90,9 @@ class GRAZE_API Batch {
   Batch(const Bodies<T>& a, const Bodies<T>& b);
 
   std::size_t size() const { return size_; }
+  /// The first bodies of the pairs.
   const Bodies<T>& a() const { return a_; }
+  /// The second bodies of the pairs.
   const Bodies<T>& b() const { return b_; }
   /// The places of the i-th pair.
   IdPair operator[](std::size_t i) const {
@@ -107,10 +110,12 @@ class GRAZE_API Batch {
 /// Where the pairs of a batch touch: the contacts of all of them in three arrays.
 template <class T>
 struct BatchContacts {
+  /// One pair of the batch.
   struct Pair {
     bool overlap;  ///< distance <= 0, whatever the margin
     std::uint32_t first_manifold, manifold_count;
   };
+  /// One manifold of a pair.
   struct Group {
     Vec2<T> normal{};                        ///< unit, from A to B
     std::uint32_t piece_a = 0, piece_b = 0;  ///< which child of a compound touches, else 0

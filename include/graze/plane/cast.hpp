@@ -19,7 +19,7 @@ namespace graze::plane {
 /// The points origin + t direction with t >= 0.
 template <class T>
 struct Ray {
-  Vec2<T> origin{}, direction{};
+  Vec2<T> origin{}, direction{};  ///< where it begins, and where to
 };
 
 /// Where a ray meets a shape, in world space.
@@ -58,17 +58,18 @@ GRAZE_API std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, c
 /// rate.
 template <class T>
 struct Velocity {
-  Vec2<T> linear{};
-  T angular{};  ///< radians per unit of time, counter-clockwise
+  Vec2<T> linear{};  ///< the velocity of the pose's origin
+  T angular{};       ///< radians per unit of time, counter-clockwise
 };
 
 /// Where a body stands at time t: translation + t linear, turned by t angular.
 template <class T>
 GRAZE_API Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t);
 
+/// When two shapes that move first touch, and where.
 template <class T>
 struct CastHit {
-  T t{};
+  T t{};             ///< when, from 0 to the duration
   Vec2<T> point{};   ///< in the world at time t, in the middle of what is left of the gap
   Vec2<T> normal{};  ///< unit, from A to B, in the world at time t
   T depth{};         ///< of shapes that overlap at the start: how deep, as `distance` says; else 0 (or up to D)

@@ -16,7 +16,7 @@ constexpr Vec2<T> cross(const T& turning, const Vec2<T>& arm) {
 /// The velocity of a rigid body: of its centre of mass, and its turning about it.
 template <class T>
 struct Motion {
-  Vec2<T> linear{};
+  Vec2<T> linear{};  ///< the velocity of the origin
   T angular{};       ///< radians per unit of time, counter-clockwise
   Vec2<T> center{};  ///< of mass
 };
@@ -30,7 +30,7 @@ Vec2<T> velocity_at(const Motion<T>& motion, const Vec2<T>& point) {
 /// How B moves seen from A at a contact, in two parts.
 template <class T>
 struct RelativeVelocity {
-  Vec2<T> whole{};
+  Vec2<T> whole{};       ///< the velocity of B against A
   T normal{};            ///< along the contact normal: negative while the bodies approach
   Vec2<T> tangential{};  ///< the rest: the sliding that friction resists
 };

@@ -19,6 +19,7 @@ struct FreeBody {
   T inverse_inertia{};   ///< zero of a body that does not turn
 };
 
+/// From the angular momentum.
 template <class T>
 T angular_velocity(const FreeBody<T>& body) {
   return body.angular_momentum * body.inverse_inertia;

@@ -11,9 +11,10 @@
 
 namespace graze::plane {
 
+/// Of a body of density one.
 template <class T>
 struct MassProperties {
-  T area{};
+  T area{};          ///< the area
   Vec2<T> center{};  ///< of area, in the shape's own frame
   T inertia{};       ///< the integral of the squared distance from the centre over the area
 };

@@ -14,27 +14,32 @@ namespace graze::plane {
 /// A rotation of the plane, counter-clockwise: the unit vector to which it turns the X axis.
 template <class T>
 struct Rot2 {
-  T cosine{T(1)}, sine{};
+  T cosine{T(1)}, sine{};  ///< of the angle
 
   /// The rotation by `angle` radians. Needs a sine, and so is for set-up and not for kernels.
   static Rot2 from_angle(T angle) {
     using std::cos, std::sin;
     return {cos(angle), sin(angle)};
   }
+  /// First `b`, then `a`.
   friend constexpr Rot2 operator*(const Rot2& a, const Rot2& b) {
     return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
   }
+  /// Number by number.
   friend constexpr bool operator==(const Rot2& a, const Rot2& b) { return a.cosine == b.cosine && a.sine == b.sine; }
 };
 
+/// What undoes it.
 template <class T>
 constexpr Rot2<T> inverse(const Rot2<T>& q) {
   return {q.cosine, -q.sine};
 }
+/// The vector turned.
 template <class T>
 constexpr Vec2<T> rotate(const Rot2<T>& q, const Vec2<T>& v) {
   return {q.cosine * v.x - q.sine * v.y, q.sine * v.x + q.cosine * v.y};
 }
+/// The vector turned back.
 template <class T>
 constexpr Vec2<T> inverse_rotate(const Rot2<T>& q, const Vec2<T>& v) {
   return {q.cosine * v.x + q.sine * v.y, q.cosine * v.y - q.sine * v.x};
@@ -53,8 +58,8 @@ Rot2<T> normalized(const Rot2<T>& q) {
 /// A rigid motion from a body's frame to the world: p -> translation + rotation p.
 template <class T>
 struct Pose2 {
-  Vec2<T> translation{};
-  Rot2<T> rotation{};  ///< of unit length
+  Vec2<T> translation{};  ///< where the origin of the frame stands
+  Rot2<T> rotation{};     ///< of unit length
 
   friend constexpr bool operator==(const Pose2&, const Pose2&) = default;
 };
@@ -63,10 +68,12 @@ using Rot2d = Rot2<double>;
 using Pose2f = Pose2<float>;
 using Pose2d = Pose2<double>;
 
+/// From the frame into the world.
 template <class T>
 constexpr Vec2<T> transform(const Pose2<T>& pose, const Vec2<T>& point) {
   return pose.translation + rotate(pose.rotation, point);
 }
+/// From the world into the frame.
 template <class T>
 constexpr Vec2<T> inverse_transform(const Pose2<T>& pose, const Vec2<T>& point) {
   return inverse_rotate(pose.rotation, point - pose.translation);
@@ -89,7 +96,7 @@ constexpr Pose2<S> converted(const Pose2<T>& pose) {
 /// All points between `lower` and `upper`, both included.
 template <class T>
 struct Aabb2 {
-  Vec2<T> lower{}, upper{};
+  Vec2<T> lower{}, upper{};  ///< the corners with the least and the greatest coordinates
 
   friend constexpr bool operator==(const Aabb2&, const Aabb2&) = default;
 };
@@ -99,6 +106,7 @@ template <class T>
 constexpr bool overlap(const Aabb2<T>& a, const Aabb2<T>& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
 }
+/// The least box that holds both.
 template <class T>
 constexpr Aabb2<T> merged(const Aabb2<T>& a, const Aabb2<T>& b) {
   return {least(a.lower, b.lower), greatest(a.upper, b.upper)};

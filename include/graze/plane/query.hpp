@@ -23,7 +23,7 @@ namespace graze::plane {
 /// The signed distance of two shapes and the points that realise it, in world space.
 template <class T>
 struct Distance {
-  T distance{};
+  T distance{};      ///< signed: positive between separated shapes, negative when they overlap
   Vec2<T> normal{};  ///< unit, from A to B; moving B by -distance * normal makes the shapes touch
   Vec2<T> a{}, b{};  ///< on the surfaces: b - a = distance * normal
   Status status = Status::converged;
@@ -99,6 +99,7 @@ struct Closest {
   T error{};  ///< as for `Distance`
 };
 
+/// The point of the shape's surface nearest to `point`, and the signed distance to it; `trace` is filled.
 template <class T>
 GRAZE_API Closest<T> closest(const Shape<T>& shape, const Pose2<T>& pose, const Vec2<T>& point, Trace* trace = nullptr);
 

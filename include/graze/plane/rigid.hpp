@@ -13,13 +13,15 @@ namespace plane {
 /// The inverse of a body's mass and of its inertia about the centre of mass. By default immovable.
 template <class T>
 struct InverseMass {
-  T mass{}, inertia{};
+  T mass{}, inertia{};  ///< inverse; 0 for what no blow moves
 
+  /// Whether a blow moves it.
   bool movable() const { return mass > T(0); }
 };
 
 }  // namespace plane
 
+/// The words of motion in the plane.
 template <class T>
 struct Rigid<plane::Space<T>> {
   using Rotation = plane::Rot2<T>;

@@ -24,10 +24,11 @@ template <class T>
 using ShapeList = std::variant<Circle<T>, Capsule<T>, Box<T>, Segment<T>, ConvexPolygon<T>, Ellipse<T>, UserConvex<T>,
                                HalfPlane<T>, Polygon<T>, Chain<T>, Compound<T>>;
 
+/// Any shape of the plane, with its rounding: a value.
 template <class T>
 class Shape {
  public:
-  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;
+  static constexpr std::size_t count = std::variant_size_v<ShapeList<T>>;  ///< how many kinds there are
 
   /// `concrete`, rounded by `rounding`: the Minkowski sum with a disc of that radius. Throws `InvalidValue` for a
   /// rounding that is negative, larger than `largest_magnitude`, or given to a compound.
@@ -39,9 +40,11 @@ class Shape {
         validate::fail("rounding", "0 (only convex shapes are rounded)", static_cast<double>(rounding));
   }
 
+  /// The radius of the ball that is added to it.
   T rounding() const { return rounding_; }
   /// The shape's place in `ShapeList`.
   std::size_t index() const { return list_.index(); }
+  /// What the kind is called in files and messages.
   const char* name() const {
     return visit([](const auto& c) { return std::decay_t<decltype(c)>::name; });
   }
@@ -79,8 +82,8 @@ using Shaped = Shape<double>;
 /// A shape and where it stands.
 template <class T>
 struct Placed {
-  Shape<T> shape;
-  Pose2<T> pose{};
+  Shape<T> shape;   ///< the shape; of a reference, one that outlives it
+  Pose2<T> pose{};  ///< where it stands
 };
 
 /// How far a shape reaches from its own origin, rounding included. Zero for a half-plane without rounding.

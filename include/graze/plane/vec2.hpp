@@ -13,7 +13,7 @@ using graze::least;
 /// A vector or point of the plane, in the caller's unit of length.
 template <class T>
 struct Vec2 {
-  T x{}, y{};
+  T x{}, y{};  ///< coordinates
 
   constexpr Vec2& operator+=(const Vec2& v) { return *this = *this + v; }
   constexpr Vec2& operator-=(const Vec2& v) { return *this = *this - v; }
@@ -31,6 +31,7 @@ struct Vec2 {
 using Vec2f = Vec2<float>;
 using Vec2d = Vec2<double>;
 
+/// x x + y y.
 template <class T>
 constexpr T dot(const Vec2<T>& a, const Vec2<T>& b) {
   return a.x * b.x + a.y * b.y;
@@ -47,32 +48,38 @@ template <class T>
 constexpr Vec2<T> left(const Vec2<T>& v) {
   return {-v.y, v.x};
 }
+/// Turned by a quarter, clockwise.
 template <class T>
 constexpr Vec2<T> right(const Vec2<T>& v) {
   return {v.y, -v.x};
 }
 
+/// The length times itself, without a root.
 template <class T>
 constexpr T length_squared(const Vec2<T>& v) {
   return dot(v, v);
 }
 
+/// The length.
 template <class T>
 T length(const Vec2<T>& v) {
   using std::sqrt;
   return sqrt(dot(v, v));
 }
 
+/// Coordinate by coordinate.
 template <class T>
 Vec2<T> abs(const Vec2<T>& v) {
   using std::abs;
   return {abs(v.x), abs(v.y)};
 }
 
+/// Coordinate by coordinate.
 template <class T>
 constexpr Vec2<T> least(const Vec2<T>& a, const Vec2<T>& b) {
   return {least(a.x, b.x), least(a.y, b.y)};
 }
+/// Coordinate by coordinate.
 template <class T>
 constexpr Vec2<T> greatest(const Vec2<T>& a, const Vec2<T>& b) {
   return {greatest(a.x, b.x), greatest(a.y, b.y)};

@@ -20,6 +20,7 @@ class Box {
   /// `size`: the full edge lengths, each >= 0 (zero makes a rectangle, a segment or a point). Throws `InvalidValue`.
   explicit Box(const Vec3<T>& size) : half_(validate::resolved(validate::extents(size, "size")) * T(0.5)) {}
 
+  /// Half of the edge lengths.
   const Vec3<T>& half_extents() const { return half_; }
 
   T core_radius() const { return T(0); }

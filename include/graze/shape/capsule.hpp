@@ -11,6 +11,7 @@
 
 namespace graze {
 
+/// The convex hull of two balls on the Y axis.
 template <class T>
 class Capsule {
  public:
@@ -21,11 +22,16 @@ class Capsule {
       : half_height_(validate::size(height, "height") / T(2)),
         radius_bottom_(validate::size(radius_bottom, "radiusBottom")),
         radius_top_(validate::size(radius_top, "radiusTop")) {}
+  /// Both balls of one radius.
   Capsule(T height, T radius) : Capsule(height, radius, radius) {}
 
+  /// Half of the height, along Y.
   T half_height() const { return half_height_; }
+  /// The radius at -Y.
   T radius_bottom() const { return radius_bottom_; }
+  /// The radius at +Y.
   T radius_top() const { return radius_top_; }
+  /// Whether the radii differ.
   bool tapered() const { return radius_bottom_ != radius_top_; }
 
   T core_radius() const { return least(radius_bottom_, radius_top_); }

@@ -15,6 +15,7 @@
 
 namespace graze {
 
+/// Any shape (graze/shape.hpp).
 template <class T>
 class Shape;
 template <class T>
@@ -23,6 +24,7 @@ struct Placed;
 template <class T>
 struct CompoundData;
 
+/// Several shapes that move as one.
 template <class T>
 class GRAZE_API Compound {
  public:
@@ -32,7 +34,8 @@ class GRAZE_API Compound {
   explicit Compound(std::vector<Placed<T>> children);
   Compound(const Compound& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
-  std::span<const Placed<T>> children() const;
+  std::span<const Placed<T>> children() const;  ///< the children in their places
+  /// What copies of the shape share.
   const CompoundData<T>& data() const { return *data_; }
 
   T core_extent() const;

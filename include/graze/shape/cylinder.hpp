@@ -14,6 +14,7 @@
 
 namespace graze {
 
+/// A cylinder, a cone or a truncated cone along the Y axis.
 template <class T>
 class Cylinder {
  public:
@@ -24,10 +25,14 @@ class Cylinder {
       : half_height_(validate::size(height, "height") / T(2)),
         radius_bottom_(validate::size(radius_bottom, "radiusBottom")),
         radius_top_(validate::size(radius_top, "radiusTop")) {}
+  /// With one radius.
   Cylinder(T height, T radius) : Cylinder(height, radius, radius) {}
 
+  /// Half of the height, along Y.
   T half_height() const { return half_height_; }
+  /// The radius at -Y.
   T radius_bottom() const { return radius_bottom_; }
+  /// The radius at +Y.
   T radius_top() const { return radius_top_; }
 
   T core_radius() const { return T(0); }
@@ -85,7 +90,7 @@ class Cylinder {
                   Aabb<T>{high - disc * radius_top_, high + disc * radius_top_});
   }
 
-  static constexpr std::size_t cap_vertices = 8;
+  static constexpr std::size_t cap_vertices = 8;  ///< of the polygon that stands for a cap in contacts
   /// The lean (a sine) from which on a corner of a cap's polygon lies where the rim reaches furthest. Below it the
   /// polygon turns there in proportion: the direction of a smaller lean is a solver's noise, and points are to stay.
   static constexpr T turning_lean = T(1e-3);

@@ -10,6 +10,7 @@
 
 namespace graze {
 
+/// An ellipsoid about its origin.
 template <class T>
 class Ellipsoid {
  public:
@@ -18,6 +19,7 @@ class Ellipsoid {
   /// `radii` along the axes, about the origin, each >= 0.
   explicit Ellipsoid(const Vec3<T>& radii) : radii_(validate::resolved(validate::extents(radii, "radii"))) {}
 
+  /// Along X, Y and, in space, Z.
   const Vec3<T>& radii() const { return radii_; }
 
   T core_radius() const { return T(0); }

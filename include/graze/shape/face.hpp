@@ -14,15 +14,17 @@ namespace graze {
 /// A vertex (1), an edge (2) or a polygon (3 and more) of a shape's core, in the shape's frame.
 template <class T>
 struct Face {
-  SmallVector<Vec3<T>, 16> vertices;
+  SmallVector<Vec3<T>, 16> vertices;   ///< in order, counter-clockwise seen from outside
   SmallVector<std::uint32_t, 16> ids;  ///< the shape's own number for each vertex
   std::uint32_t id = 0;                ///< the shape's own number for the face, edge or vertex
 
+  /// Forgets all vertices.
   void clear() {
     vertices.clear();
     ids.clear();
     id = 0;
   }
+  /// One more vertex, with the id that it has in its shape.
   void push(const Vec3<T>& v, std::size_t vertex_id) {
     vertices.push_back(v);
     ids.push_back(static_cast<std::uint32_t>(vertex_id));

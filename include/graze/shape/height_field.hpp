@@ -40,21 +40,23 @@ class GRAZE_API HeightField {
               T spacing_x = T(1), T spacing_z = T(1), Sides sides = Sides::both);
   HeightField(const HeightField& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
-  std::size_t columns() const;
-  std::size_t rows() const;
-  T spacing_x() const;
-  T spacing_z() const;
-  Sides sides() const;
+  std::size_t columns() const;  ///< samples along X
+  std::size_t rows() const;     ///< samples along Z
+  T spacing_x() const;          ///< between columns
+  T spacing_z() const;          ///< between rows
+  Sides sides() const;          ///< which sides count
   /// As given, but a hole is not a number.
   std::span<const T> heights() const;
+  /// Whether the square that begins at this sample is missing.
   bool hole(std::size_t column, std::size_t row) const;
+  /// What copies of the shape share.
   const HeightFieldData<T>& data() const { return *data_; }
 
   /// Triangles have numbers: 2 (r (columns - 1) + c), and one more for the second of a cell; holes are counted too.
   std::uint32_t triangle_numbers() const;
   /// Whether a number's cell is whole, and its corners, counter-clockwise seen from above.
   bool has_triangle(std::uint32_t number) const;
-  std::array<Vec3<T>, 3> triangle(std::uint32_t number) const;
+  std::array<Vec3<T>, 3> triangle(std::uint32_t number) const;  ///< the corners of a triangle by its number
 
   T core_extent() const;
   /// Of more than 256 triangles and turned, up to 1/128 of the field's size too wide on each side.

@@ -22,11 +22,12 @@ namespace graze {
 template <class T>
 struct MeshData;
 
+/// Triangles: a surface, or a solid when closed and asked for.
 template <class T>
 class GRAZE_API Mesh {
  public:
   static constexpr const char* name = "mesh";
-  using Index = std::array<std::uint32_t, 3>;
+  using Index = std::array<std::uint32_t, 3>;  ///< three numbers of points
 
   /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a million
   /// triangles; besides points and triangles some 50 bytes for each triangle are kept. A `solid` mesh is a body and no
@@ -34,14 +35,15 @@ class GRAZE_API Mesh {
   Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both, bool solid = false);
   Mesh(const Mesh& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}
 
-  std::span<const Vec3<T>> points() const;
-  std::span<const Index> triangles() const;
+  std::span<const Vec3<T>> points() const;   ///< the points
+  std::span<const Index> triangles() const;  ///< the triangles, counter-clockwise seen from their front
   /// Whether the triangles bound a solid: each edge, by its indices, is shared by two that run through it in opposite
   /// directions. Such a mesh has a mass, and an inside for `closest`; for all else it has one if it is made `solid`.
   bool closed() const;
-  Sides sides() const;
+  Sides sides() const;  ///< which sides count
   /// Whether the inside counts as the mesh's own: for `overlap`, `distance`, `contacts`, casts and rays.
   bool solid() const;
+  /// What copies of the shape share.
   const MeshData<T>& data() const { return *data_; }
 
   T core_extent() const;

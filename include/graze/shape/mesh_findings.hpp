@@ -11,7 +11,7 @@ namespace graze {
 
 /// Counts of a mesh's triangles and edges. Each edge is in one of the five classes, a triangle may be in several.
 struct MeshFindings {
-  std::size_t triangles = 0;
+  std::size_t triangles = 0;           ///< how many there are
   std::size_t repeated_triangles = 0;  ///< the corners of an earlier one in the same turn: they count once in answers
   std::size_t without_area = 0;        ///< triangles that are a line or a point
   std::size_t slivers = 0;             ///< triangles lower than 1/1000 of their longest side, those without area apart
@@ -25,6 +25,7 @@ struct MeshFindings {
 
   std::size_t t_junctions = 0;  ///< open edges on whose inside the corner of another triangle lies
 
+  /// How many there are of all sorts.
   std::size_t edges() const { return flat_edges + convex_edges + concave_edges + open_edges + irregular_edges; }
 };
 

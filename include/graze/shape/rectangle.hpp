@@ -7,6 +7,7 @@
 
 namespace graze {
 
+/// A flat rectangle in the XZ plane.
 template <class T>
 class Rectangle {
  public:

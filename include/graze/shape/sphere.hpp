@@ -10,6 +10,7 @@
 
 namespace graze {
 
+/// A ball.
 template <class T>
 class Sphere {
  public:
@@ -19,7 +20,9 @@ class Sphere {
   explicit Sphere(T radius, const Vec3<T>& center = {})
       : center_(validate::vertex(center, "center")), radius_(validate::size(radius, "radius")) {}
 
+  /// The radius.
   T radius() const { return radius_; }
+  /// The middle.
   const Vec3<T>& center() const { return center_; }
 
   T core_radius() const { return radius_; }

@@ -28,6 +28,7 @@ std::size_t furthest(const Vec3<T>* vertices, std::size_t count, const Vec3<S>& 
   return best;
 }
 
+/// What bounds points under a pose.
 template <class T>
 Aabb<T> bounds_of(const Vec3<T>* vertices, std::size_t count, const Pose<T>& pose) {
   Aabb<T> bounds = Aabb<T>::empty();
@@ -37,6 +38,7 @@ Aabb<T> bounds_of(const Vec3<T>* vertices, std::size_t count, const Pose<T>& pos
 
 }  // namespace detail
 
+/// A triangle without thickness.
 template <class T>
 class Triangle {
  public:
@@ -46,6 +48,7 @@ class Triangle {
   Triangle(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c)
       : points_{validate::vertex(a, "points[0]"), validate::vertex(b, "points[1]"), validate::vertex(c, "points[2]")} {}
 
+  /// Its i-th corner or end.
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 
   T core_radius() const { return T(0); }
@@ -96,9 +99,11 @@ class LineSegment {
  public:
   static constexpr const char* name = "segment";
 
+  /// From `a` to `b`.
   LineSegment(const Vec3<T>& a, const Vec3<T>& b)
       : points_{validate::vertex(a, "points[0]"), validate::vertex(b, "points[1]")} {}
 
+  /// Its i-th corner or end.
   const Vec3<T>& point(std::size_t i) const { return points_[i]; }
 
   T core_radius() const { return T(0); }

@@ -30,6 +30,7 @@ class OriginSupport final : public SupportFunction<T> {
   Vec3<T> support(const Vec3<T>&) const override { return {}; }
 };
 
+/// A convex shape that is known by its support function.
 template <class T>
 class UserConvex {
  public:
@@ -52,6 +53,7 @@ class UserConvex {
   UserConvex(const UserConvex& lender, Lent)
       : function_(std::shared_ptr<void>(), lender.function_.get()), extent_(lender.extent_) {}
 
+  /// The caller's function.
   const SupportFunction<T>& function() const { return *function_; }
 
   T core_radius() const { return T(0); }

@@ -15,9 +15,10 @@ namespace graze {
 /// The pairs of two types of shapes: `order[begin]` to `order[end - 1]`.
 struct Bin {
   std::uint8_t type_a, type_b;  ///< places in `ShapeList`
-  std::uint32_t begin, end;
+  std::uint32_t begin, end;     ///< of `order`
 };
 
+/// Pairs sorted by the kinds of their shapes.
 struct Bins {
   std::vector<std::uint32_t> order;  ///< places among the pairs
   std::vector<Bin> bins;             ///< those that are not empty, by type

@@ -18,6 +18,7 @@ namespace graze {
 
 /// A handle: the index of a body in all arrays, and how often the index was given away before.
 struct BodyId {
+  /// Which place, and which of the bodies or joints that had it.
   std::uint32_t index = ~std::uint32_t{0}, generation = 0;
 
   friend constexpr bool operator==(const BodyId&, const BodyId&) = default;
@@ -27,14 +28,14 @@ struct BodyId {
 /// What is said of a body when it is added.
 template <class T, class Space = graze::Space<T>>
 struct Body {
-  typename Space::Shape shape;
-  typename Space::Pose pose{};
+  typename Space::Shape shape;        ///< what it is
+  typename Space::Pose pose{};        ///< where it stands
   typename Space::Vec linear{};       ///< velocity of the pose's origin
   typename Space::Turning angular{};  ///< the turning about it, in world space
-  Filter filter{};
-  bool fixed = false;    ///< never moves by itself: two fixed bodies are no pair
-  bool trigger = false;  ///< tells that something is inside it; has no contact points
-  bool fast = false;     ///< is asked what it would pass through before the next update
+  Filter filter{};                    ///< what it may meet
+  bool fixed = false;                 ///< never moves by itself: two fixed bodies are no pair
+  bool trigger = false;               ///< tells that something is inside it; has no contact points
+  bool fast = false;                  ///< is asked what it would pass through before the next update
 };
 
 /// The bodies of a world, an array for each of their parts. At indices that are not `alive` the rest means nothing.
@@ -59,30 +60,42 @@ class GRAZE_API BodyArrays {
   void remove(BodyId id);
   /// The velocities stay what they are where none are given.
   void move(BodyId id, const Pose& pose);
+  /// Puts it there, with the velocities that it has there.
   void move(BodyId id, const Pose& pose, const Vec& linear, const Turning& angular);
-  void set_shape(BodyId id, Shape shape);
-  void set_filter(BodyId id, const Filter& filter);
-  void set_fast(BodyId id, bool fast);
-  Body<T, Space> body(BodyId id) const;
+  void set_shape(BodyId id, Shape shape);            ///< another shape
+  void set_filter(BodyId id, const Filter& filter);  ///< another filter
+  void set_fast(BodyId id, bool fast);               ///< whether it may pass through something within an update
+  Body<T, Space> body(BodyId id) const;              ///< as it is now
 
+  /// Whether the body is still there.
   bool contains(BodyId id) const {
     return id.index < generations_.size() && alive_[id.index] != 0 && generations_[id.index] == id.generation;
   }
+  /// Of the body that has this index.
   BodyId id(std::uint32_t index) const { return {index, generations_[index]}; }
   /// How many bodies there are, and how many indices.
   std::size_t count() const { return shapes_.size() - free_.size(); }
   std::size_t size() const { return shapes_.size(); }
 
+  /// By index.
   std::span<const Shape> shapes() const { return shapes_; }
+  /// By index.
   std::span<const Pose> poses() const { return poses_; }
+  /// Velocities of the origins, by index.
   std::span<const Vec> linear() const { return linear_; }
+  /// Angular velocities, by index.
   std::span<const Turning> angular() const { return angular_; }
+  /// By index.
   std::span<const Filter> filters() const { return filters_; }
   /// Whether any was ever given a filter of its own: without, all may collide.
   bool filtered() const { return filtered_; }
+  /// By index: whether a body has it.
   std::span<const std::uint8_t> alive() const { return alive_; }
+  /// By index: whether it never moves.
   std::span<const std::uint8_t> fixed() const { return fixed_; }
+  /// By index: whether it only tells of overlaps.
   std::span<const std::uint8_t> triggers() const { return triggers_; }
+  /// By index: whether it may pass through something within an update.
   std::span<const std::uint8_t> fast() const { return fast_; }
   /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has
   /// no size.
@@ -90,10 +103,10 @@ class GRAZE_API BodyArrays {
 
   /// What was added, removed, moved or given another shape since `settle`: one byte an index, and the indices sorted.
   std::span<const std::uint8_t> changed() const { return changed_; }
-  std::span<const std::uint32_t> changes();
+  std::span<const std::uint32_t> changes();  ///< the indices of what is `changed`, sorted
   /// The same in the order in which they came.
   std::span<const std::uint32_t> unsorted_changes() const { return changes_; }
-  void settle();
+  void settle();  ///< nothing counts as changed from here on
   /// Grows with every change.
   std::uint64_t revision() const { return revision_; }
 

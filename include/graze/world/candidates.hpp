@@ -13,6 +13,7 @@
 
 namespace graze {
 
+/// Finds the pairs whose boxes overlap.
 template <class T>
 class GRAZE_API CandidateFinder {
  public:
@@ -21,6 +22,7 @@ class GRAZE_API CandidateFinder {
   std::span<const IdPair> find(std::span<const Aabb<T>> boxes, std::span<const std::uint8_t> alive,
                                std::span<const std::uint8_t> fixed, std::span<const std::uint32_t> changes,
                                Executor& executor);
+  /// The boxes.
   const DynamicTree<T>& tree() const { return tree_; }
 
   /// The boxes of all that is alive, for queries: brought up to date for what changed in `find` and for `changes`. Not

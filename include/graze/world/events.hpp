@@ -12,13 +12,14 @@
 
 namespace graze {
 
+/// What became of a pair.
 enum class EventKind : std::uint8_t { begin, stay, end };
 
 /// Two bodies and what became of their touching.
 struct ContactEvent {
-  static constexpr std::uint32_t no_pair = ~std::uint32_t{0};
+  static constexpr std::uint32_t no_pair = ~std::uint32_t{0};  ///< in place of a pair that is gone
 
-  EventKind kind;
+  EventKind kind;      ///< what became of the pair
   bool trigger;        ///< one of them is a trigger
   BodyId a, b;         ///< a.index < b.index; at `end` they may have been removed
   std::uint32_t pair;  ///< the place among the pairs of the update; `no_pair` at an `end`

@@ -15,9 +15,9 @@ namespace graze {
 /// Two bodies and when they first meet: a.index < b.index, the normal of the hit from a to b.
 template <class T, class Space = graze::Space<T>>
 struct Impact {
-  BodyId a, b;
-  bool trigger;  ///< one of them is a trigger
-  typename Space::CastHit hit;
+  BodyId a, b;                  ///< the two bodies
+  bool trigger;                 ///< one of them is a trigger
+  typename Space::CastHit hit;  ///< when and where they first touch
 };
 
 /// `allowed(i, j)` tells whether two indices may meet; it is called from any thread. Bodies that touch and part, or

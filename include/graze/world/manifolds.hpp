@@ -39,7 +39,7 @@ struct ContactPair {
 /// Points that share a normal, and where they stand.
 template <class T, class Space = graze::Space<T>>
 struct ContactManifold {
-  typename Space::Vec normal{};
+  typename Space::Vec normal{};    ///< unit, from a to b
   std::uint32_t piece_a, piece_b;  ///< of a composite: the first triangle or child of it that touches
   std::uint32_t first_point, point_count;
 };
@@ -56,7 +56,7 @@ template <class T, class Space = graze::Space<T>>
 struct ContactArrays {
   std::vector<ContactPair<T>> pairs;                 ///< sorted
   std::vector<ContactManifold<T, Space>> manifolds;  ///< in an order of their own, as are the points
-  std::vector<SolverPoint<T, Space>> points;
+  std::vector<SolverPoint<T, Space>> points;         ///< of all manifolds, one behind the other
 
   std::span<const ContactManifold<T, Space>> manifolds_of(const ContactPair<T>& p) const {
     return std::span(manifolds).subspan(p.first_manifold, p.manifold_count);
@@ -66,6 +66,7 @@ struct ContactArrays {
   }
 };
 
+/// Finds the contacts of the pairs.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API ManifoldFinder {
   using Vec = typename Space::Vec;
@@ -74,7 +75,7 @@ class GRAZE_API ManifoldFinder {
   using PlacedRef = typename Space::PlacedRef;
 
  public:
-  static constexpr std::size_t all_points = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t all_points = (std::numeric_limits<std::size_t>::max)();  ///< keeps all of them
 
   /// A finder that leaves at most so many points of a pair, chosen as by `reduce` of its manifolds.
   explicit ManifoldFinder(std::size_t points_per_pair = all_points) : points_per_pair_(points_per_pair) {}
@@ -87,7 +88,9 @@ class GRAZE_API ManifoldFinder {
       const BodyArrays<T, Space>& bodies, std::span<const IdPair> pairs, Executor& executor,
       const std::function<void()>& paired = [] {});
 
+  /// Those of the last time.
   ContactArrays<T, Space>& contacts() { return now_; }
+  /// Those of the last time.
   const ContactArrays<T, Space>& contacts() const { return now_; }
 
   std::size_t memory() const;

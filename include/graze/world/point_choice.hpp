@@ -10,6 +10,7 @@
 
 namespace graze {
 
+/// Chooses which points of a pair are kept.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API PointChoice {
   using Vec = typename Space::Vec;

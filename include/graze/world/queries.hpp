@@ -23,22 +23,22 @@ struct QueryFilter {
 /// A body and how far it is from the shape that was asked about, which is A of the distance.
 template <class T, class Space = graze::Space<T>>
 struct BodyDistance {
-  BodyId body;
-  typename Space::Distance distance;
+  BodyId body;                        ///< which body it is
+  typename Space::Distance distance;  ///< to the body
 };
 
 /// A body that a ray hits.
 template <class T, class Space = graze::Space<T>>
 struct BodyRayHit {
-  BodyId body;
-  typename Space::RayHit hit;
+  BodyId body;                 ///< which body it is
+  typename Space::RayHit hit;  ///< where it is hit
 };
 
 /// A body that a moving shape hits, which is A of the hit.
 template <class T, class Space = graze::Space<T>>
 struct BodyCastHit {
-  BodyId body;
-  typename Space::CastHit hit;
+  BodyId body;                  ///< which body it is
+  typename Space::CastHit hit;  ///< where it is hit
 };
 
 }  // namespace graze

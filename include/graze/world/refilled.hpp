@@ -11,14 +11,19 @@
 
 namespace graze {
 
+/// An array that is filled anew again and again, and keeps its room.
 template <class E>
 class Refilled {
  public:
   std::size_t size() const { return size_; }
+  /// The first element.
   E* data() { return room_.data(); }
+  /// All elements.
   std::span<E> filled() { return {room_.data(), size_}; }
+  /// All elements.
   std::span<const E> filled() const { return {room_.data(), size_}; }
 
+  /// Forgets the elements and keeps the room.
   void clear() { size_ = 0; }
   /// Drops what stands from `size` on.
   void shorten(std::size_t size) { size_ = size; }
@@ -30,10 +35,12 @@ class Refilled {
     size_ += count;
     return first;
   }
+  /// One more.
   void push_back(const E& element) { *extend(1) = element; }
 
   /// Where it stands, to be changed for another: what is filled goes with it.
   std::vector<E>& room() { return room_; }
+  /// How many there is room for.
   std::size_t capacity() const { return room_.capacity(); }
 
  private:

@@ -17,6 +17,7 @@
 
 namespace graze {
 
+/// What a world asks of the number of dimensions: here three.
 template <class T>
 struct GRAZE_API Space {
   using Vec = Vec3<T>;
@@ -64,9 +65,11 @@ struct GRAZE_API Space {
     validate::point(angular, "angular");
   }
 
+  /// As `graze::raycast`.
   static std::optional<RayHit> raycast(const Shape& shape, const Pose& pose, const Ray& ray, T length, BackFaces back) {
     return graze::raycast(shape, pose, ray, length, back);
   }
+  /// As `graze::cast`.
   static std::optional<CastHit> cast(const Shape& a, const Pose& pose_a, const Velocity& velocity_a, const Shape& b,
                                      const Pose& pose_b, const Velocity& velocity_b, T duration,
                                      const CastOptions& options) {

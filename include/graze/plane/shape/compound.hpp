@@ -15,6 +15,7 @@ namespace graze::plane {
 template <class T>
 struct Placed;
 
+/// Several shapes that move as one.
 template <class T>
 class GRAZE_API Compound {
  public:
@@ -23,7 +24,7 @@ class GRAZE_API Compound {
   /// At least one child, each at its pose in the compound's frame. Throws `InvalidValue`.
   explicit Compound(std::vector<Placed<T>> children);
 
-  std::span<const Placed<T>> children() const;
+  std::span<const Placed<T>> children() const;  ///< the children in their places
   T core_extent() const { return extent_; }
 
  private:

@@ -39,6 +39,7 @@ class Box {
   explicit Box(const Vec2<T>& size)
       : half_{validate::extent(size.x, "size[0]") / T(2), validate::extent(size.y, "size[1]") / T(2)} {}
 
+  /// Half of the edge lengths.
   const Vec2<T>& half_extents() const { return half_; }
   T core_extent() const { return length(half_); }
 
@@ -52,10 +53,13 @@ class Segment {
  public:
   static constexpr const char* name = "segment";
 
+  /// From `a` to `b`.
   Segment(const Vec2<T>& a, const Vec2<T>& b)
       : a_(detail::checked_point(a, "points[0]")), b_(detail::checked_point(b, "points[1]")) {}
 
+  /// Where it begins.
   const Vec2<T>& a() const { return a_; }
+  /// Where it ends.
   const Vec2<T>& b() const { return b_; }
   T core_extent() const { return greatest(length(a_), length(b_)); }
 
@@ -69,6 +73,7 @@ template <class T>
 class GRAZE_API ConvexPolygon {
  public:
   static constexpr const char* name = "convex";
+  /// Corners that stand in the shape itself; more are shared by its copies.
   static constexpr std::size_t in_place = 8;
 
   /// The convex hull of at least one point, in any order; points that lie inside, on edges or upon each other are left

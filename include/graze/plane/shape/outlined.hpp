@@ -24,6 +24,7 @@ class GRAZE_API Polygon {
   /// turns back on itself, and where it crosses or touches itself. Cost up to n^2 in the number of points.
   explicit Polygon(std::span<const Vec2<T>> points);
 
+  /// The convex pieces it consists of.
   const Pieces<T>& pieces() const { return *pieces_; }
   T core_extent() const { return extent_; }
 
@@ -50,8 +51,11 @@ class GRAZE_API Chain {
   /// row are the same.
   explicit Chain(std::span<const Vec2<T>> points, bool closed = false, ChainSides sides = ChainSides::both);
 
+  /// The convex pieces it consists of.
   const Pieces<T>& pieces() const { return *pieces_; }
+  /// Whether its end is tied to its beginning.
   bool closed() const { return closed_; }
+  /// Which sides count.
   ChainSides sides() const { return sides_; }
   T core_extent() const { return extent_; }
 

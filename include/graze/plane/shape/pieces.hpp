@@ -14,6 +14,7 @@ namespace graze::plane {
 /// The outline about vertex i of a piece, and whether the piece's edge from it belongs to the outline. The outline's
 /// outside lies to the right of its edges.
 struct OutlineVertex {
+  /// What stands at a vertex of the outline.
   enum class Kind : std::uint8_t {
     convex,  ///< its normals are those between the normals of the two edges
     reflex,  ///< nothing outside is nearest to it alone
@@ -21,11 +22,12 @@ struct OutlineVertex {
     last,    ///< and where it ends
   };
   Vec2d arriving{}, leaving{};  ///< unit vectors along the edges that end and begin here
-  Kind kind = Kind::convex;
-  bool outer = true;         ///< whether edge i of the piece is an edge of the outline
-  std::uint32_t number = 0;  ///< of the vertex on the outline
+  Kind kind = Kind::convex;     ///< what stands there
+  bool outer = true;            ///< whether edge i of the piece is an edge of the outline
+  std::uint32_t number = 0;     ///< of the vertex on the outline
 };
 
+/// The convex pieces of an outline.
 template <class T>
 class GRAZE_API Pieces {
  public:
@@ -36,9 +38,11 @@ class GRAZE_API Pieces {
   void build();
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(first_.size()); }
+  /// Of one piece, counter-clockwise.
   std::span<const Vec2<T>> vertices(std::uint32_t piece) const {
     return std::span(vertices_).subspan(first_[piece], end(piece) - first_[piece]);
   }
+  /// What the vertices of one piece are in the outline.
   const OutlineVertex* outline(std::uint32_t piece) const { return outline_.data() + first_outline_[piece]; }
 
   /// The corners of the whole outline in their order. Those on straight lines were left out when it was cut.

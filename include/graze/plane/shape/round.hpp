@@ -15,8 +15,10 @@ class Circle {
  public:
   static constexpr const char* name = "circle";
 
+  /// Throws `InvalidValue` for a radius that is negative, not finite or too large.
   explicit Circle(T radius) : radius_(validate::extent(radius, "radius")) {}
 
+  /// The radius.
   T radius() const { return radius_; }
   T core_extent() const { return radius_; }
 
@@ -36,11 +38,16 @@ class Capsule {
       : half_height_(validate::extent(height, "height") / T(2)),
         radius_bottom_(validate::extent(radius_bottom, "radiusBottom")),
         radius_top_(validate::extent(radius_top, "radiusTop")) {}
+  /// Both circles of one radius.
   Capsule(T height, T radius) : Capsule(height, radius, radius) {}
 
+  /// Half of the height, along Y.
   T half_height() const { return half_height_; }
+  /// The radius at -Y.
   T radius_bottom() const { return radius_bottom_; }
+  /// The radius at +Y.
   T radius_top() const { return radius_top_; }
+  /// Whether the radii differ.
   bool tapered() const { return radius_bottom_ != radius_top_; }
   T core_extent() const { return half_height_ + greatest(radius_bottom_, radius_top_); }
 
@@ -58,6 +65,7 @@ class Ellipse {
   explicit Ellipse(const Vec2<T>& radii)
       : radii_{validate::extent(radii.x, "radii[0]"), validate::extent(radii.y, "radii[1]")} {}
 
+  /// Along X, Y and, in space, Z.
   const Vec2<T>& radii() const { return radii_; }
   T core_extent() const { return max_abs(radii_); }
 

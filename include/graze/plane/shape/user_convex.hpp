@@ -19,6 +19,7 @@ class GRAZE_API SupportFunction {
   virtual Vec2<T> support(const Vec2<T>& direction) const = 0;
 };
 
+/// A convex shape of the plane that is known by its support function.
 template <class T>
 class UserConvex {
  public:
@@ -37,6 +38,7 @@ class UserConvex {
     extent_ = length(reach);
   }
 
+  /// The caller's function.
   const SupportFunction<T>& function() const { return *function_; }
   T core_extent() const { return extent_; }
 
