@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,22 @@
 
 namespace graze::io {
 
+/// How a body of the plane is moved, when the scene is played.
+struct PlaneMotion {
+  plane::Vec2d linear{};          ///< velocity of the origin of its first collider
+  double angular = 0;             ///< counter-clockwise with Y up
+  std::optional<double> mass;     ///< by default of its area
+  std::optional<double> inertia;  ///< by default that of its shape with its mass
+  double gravity_factor = 1, friction = 0.6, restitution = 0;
+
+  friend bool operator==(const PlaneMotion&, const PlaneMotion&) = default;
+};
+
 /// What moves as one. Its colliders never collide with each other.
 struct PlaneSceneBody {
   std::string name;
   MotionType type = MotionType::fixed;
+  PlaneMotion motion{};
 };
 
 /// One shape of a body, at its pose in the world.
@@ -38,6 +51,7 @@ struct PlaneScene {
   std::vector<PlaneCollider> colliders;
   std::vector<std::string> notices;            ///< what was skipped, one sentence each
   std::vector<std::string> collision_systems;  ///< the names behind the filters' bits
+  std::optional<plane::Vec2d> gravity;         ///< where the file says one
 };
 
 /// Whether a file's ending is that of a scene of the plane: .svg or .json.
