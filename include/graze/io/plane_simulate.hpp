@@ -45,8 +45,8 @@ class GRAZE_API PlaneRecording {
 };
 
 /// By the end of the file's name: .svg, a picture that moves in any browser, or .jsonl, lines with as many digits as
-/// `precision` needs. Throws `InvalidValue` for another ending, or when `file` cannot be written. The scene must outlive
-/// the recording.
+/// `precision` needs. Throws `InvalidValue` for another ending, or when `file` cannot be written. The scene must
+/// outlive the recording.
 GRAZE_API std::unique_ptr<PlaneRecording> record(const std::filesystem::path& file, const PlaneScene& scene,
                                                  Precision precision = Precision::double_precision);
 
