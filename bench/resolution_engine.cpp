@@ -249,14 +249,17 @@ class OdeEngine final : public Engine {
 #endif
 
 template <class E>
-EngineKind kind(const char* name) {
-  return {name, [](const EngineOptions& o) -> std::unique_ptr<Engine> { return std::make_unique<E>(o); }};
+EngineKind kind(const char* name, bool has_threads = false) {
+  const auto make = [](const EngineOptions& o) -> std::unique_ptr<Engine> { return std::make_unique<E>(o); };
+  return {name, make, has_threads};
 }
 
 }  // namespace
 
 std::vector<EngineKind> engine_kinds() {
-  std::vector<EngineKind> kinds{kind<GrazeEngine<float>>("Graze, float"), kind<GrazeEngine<double>>("Graze, double")};
+  const bool threads = make_executor(2) != nullptr;
+  std::vector<EngineKind> kinds{kind<GrazeEngine<float>>("Graze, float", threads),
+                                kind<GrazeEngine<double>>("Graze, double", threads)};
 #ifdef GRAZE_BENCH_BULLET
   kinds.push_back(kind<BulletEngine>("Bullet " GRAZE_BENCH_BULLET_VERSION));
 #endif

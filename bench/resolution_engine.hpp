@@ -57,6 +57,7 @@ class Engine {
 struct EngineKind {
   std::string name;
   std::function<std::unique_ptr<Engine>(const EngineOptions&)> make;
+  bool has_threads = false;  ///< takes as many as it is told
 };
 /// Graze in both precisions, and of Bullet and ODE what is installed.
 std::vector<EngineKind> engine_kinds();

@@ -25,10 +25,13 @@ std::string elastic(const EngineKind& kind, bool ball);
 std::string cradle(const EngineKind& kind);             ///< speed of the last ball, energy
 std::string spin(const EngineKind& kind, double rate);  ///< errors of angular momentum, its direction, energy
 std::string free_fall(const EngineKind& kind);
-std::string pile(const EngineKind& kind);       ///< time of a step, depth, energy
 std::string cylinders(const EngineKind& kind);  ///< how many sleep, since when, depth
 std::string through_wall(const EngineKind& kind, double size, bool moving_wall);
 std::string past_post(const EngineKind& kind, double rate);
-std::string same_bits(const EngineKind& kind);  ///< twice; on several threads
+
+// A pile (resolution_pile.cpp).
+std::string pile(const EngineKind& kind);         ///< time of a step, depth, energy
+std::string two_threads(const EngineKind& kind);  ///< how many times faster than one
+std::string same_bits(const EngineKind& kind);    ///< twice; on several threads
 
 }  // namespace graze::bench

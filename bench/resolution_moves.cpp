@@ -1,11 +1,9 @@
-// Rows of what moves: slopes, bounces, spins, bullets, and a pile that comes to rest.
+// Rows of what moves: slopes, bounces, spins, what comes to rest, and bullets.
 #include "resolution_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "measure.hpp"
 #include "random.hpp"
 #include "resolution_run.hpp"
 #include "table.hpp"
@@ -120,38 +118,6 @@ std::string free_fall(const EngineKind& kind) {
   return printed("%.5f m", 100 - run.at(0).y);
 }
 
-namespace {
-
-std::vector<Thing> bin_of_boxes(int count) {
-  std::vector<Thing> things{floor_with()};
-  const double half = 10;
-  for (const double side : {-1.0, 1.0}) {
-    things.push_back(box({side * (half + 0.5), 20, 0}, {1, 40, 2 * half + 2}, 0));
-    things.push_back(box({0, 20, side * (half + 0.5)}, {2 * half + 2, 40, 1}, 0));
-  }
-  Random random(3);
-  for (int i = 0; i < count; ++i) {
-    const int x = i % 16, z = i / 16 % 16, y = i / 256;
-    Thing thing = box({(x - 7.5) * 1.23, 1 + y * 1.3, (z - 7.5) * 1.23});
-    thing.pose.translation += random.in_cube(0.05);
-    thing.pose.rotation = about(random.direction(), random.number(-0.3, 0.3));
-    things.push_back(thing);
-  }
-  return things;
-}
-
-}  // namespace
-
-std::string pile(const EngineKind& kind) {
-  constexpr int steps = 480;
-  Run run(kind, bin_of_boxes(5000));
-  const double start = processor_seconds();
-  run.steps(steps);
-  const double spent = processor_seconds() - start;
-  return printed("%.0f ms", spent / steps * 1e3) + ", " + millimetres(run.deepest()) + ", " +
-         joules(run.kinetic_energy());
-}
-
 std::string cylinders(const EngineKind& kind) {
   std::vector<Thing> things{floor_with()};
   for (int i = 0; i < 10; ++i) {
@@ -209,34 +175,6 @@ std::string past_post(const EngineKind& kind, double rate) {
     if (length(m.angular - rod.angular) < 1e-3 * rate) ++unnoticed;
   }
   return std::to_string(unnoticed);
-}
-
-namespace {
-
-std::uint64_t state_hash(const EngineKind& kind, std::size_t threads) {
-  Run run(kind, bin_of_boxes(300), {.threads = threads});
-  run.steps(3 * seconds);
-  std::uint64_t hash = 14695981039346656037u;  // Fowler, Noll and Vo
-  for (std::size_t i = 0; i < run.things().size(); ++i) {
-    const Moving m = run.moving(i);
-    unsigned char bytes[sizeof m];
-    std::memcpy(bytes, &m, sizeof m);
-    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 1099511628211u;
-  }
-  return hash;
-}
-
-}  // namespace
-
-std::string same_bits(const EngineKind& kind) {
-  const std::uint64_t first = state_hash(kind, 1);
-  std::string answer = first == state_hash(kind, 1) ? "yes" : "no";
-  if (kind.name.rfind("Graze", 0) != 0) return answer + "; -";
-#ifdef GRAZE_BENCH_TBB
-  return answer + (first == state_hash(kind, 2) && first == state_hash(kind, 4) ? "; yes" : "; no");
-#else
-  return answer + "; -";
-#endif
 }
 
 }  // namespace graze::bench

@@ -1,6 +1,7 @@
 // graze simulate: a scene played.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -10,10 +11,12 @@
 #include "graze/io/collide.hpp"
 #include "graze/io/file.hpp"
 #include "graze/io/picture.hpp"
+#include "graze/io/plane_simulate.hpp"
 #include "graze/io/simulate.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
+#include "simulate_summary.hpp"
 #include "thread_executor.hpp"
 
 namespace graze::cli {
@@ -23,7 +26,7 @@ namespace {
 struct SimulateArguments {
   SceneOptions scene;
   double seconds = 10, rate = 60;
-  std::vector<double> gravity{0, -9.81, 0};
+  std::vector<double> gravity;  ///< empty where nothing is said
   int threads = 1, sub_steps = 4;
   std::string precision = "double", out, svg, report = "text";
 };
@@ -61,48 +64,6 @@ void write_pictures(const std::string& file, const io::Scene& before, const io::
                            drawn(before, ", before") + below.substr(root) + "</svg>\n");
 }
 
-void print_as_json(const io::Scene& scene, const SimulateArguments& options, const io::SimulateSummary& s) {
-  const Json whole{
-      {"scene", scene.source},
-      {"seconds", static_cast<double>(s.steps) / options.rate},
-      {"steps", s.steps},
-      {"bodies", s.bodies},
-      {"joints", s.joints},
-      {"awake", s.awake},
-      {"milliseconds",
-       {{"collide", s.collide_ms},
-        {"prepare", s.prepare_ms},
-        {"solve", s.solve_ms},
-        {"continuous", s.continuous_ms},
-        {"whole", s.whole_ms},
-        {"slowest", s.slowest_ms}}},
-      {"subSteps", s.most_sub_steps},
-      {"deepest", {{"depth", s.deepest}, {"time", s.deepest_time}}},
-      {"energy", {{"kinetic", s.kinetic_energy}, {"potential", s.potential_energy}, {"first", s.first_energy}}},
-      {"notices", scene.notices}};
-  print(whole);
-}
-
-void print_as_text(const io::Scene& scene, const SimulateArguments& options, const io::SimulateSummary& s,
-                   double seconds) {
-  print_notes(scene.notices);
-  const double played = static_cast<double>(s.steps) / options.rate;
-  fmt::print("{}: {} and {}, {:.6g} s in {}, computed in {:.3g} s\n\n", scene.source, counted(s.bodies, "moving body"),
-             counted(s.joints, "joint"), played, counted(s.steps, "step"), seconds);
-  fmt::print(
-      "a step    {:.3g} ms: collide {:.3g}, prepare {:.3g}, solve {:.3g}, continuous {:.3g}; the slowest {:.3g}; "
-      "up to {}\n",
-      s.whole_ms, s.collide_ms, s.prepare_ms, s.solve_ms, s.continuous_ms, s.slowest_ms,
-      counted(static_cast<std::size_t>(s.most_sub_steps), "sub-step"));
-  if (s.deepest > 0)
-    fmt::print("deepest   {:.3g}, at {:.4g} s\n", s.deepest, s.deepest_time);
-  else
-    fmt::print("deepest   nothing overlapped\n");
-  fmt::print("energy    {:.6g} kinetic and {:.6g} potential; at the beginning {:.6g} in all\n", s.kinetic_energy,
-             s.potential_energy, s.first_energy);
-  fmt::print("awake     {} of {}\n", s.awake, s.bodies);
-}
-
 /// Options are named as they were given.
 [[noreturn]] void throw_renamed(const InvalidValue& e) {
   static constexpr std::pair<const char*, const char*> names[] = {
@@ -114,11 +75,66 @@ void print_as_text(const io::Scene& scene, const SimulateArguments& options, con
   throw e;
 }
 
+/// A scene of the plane is one file, and its motion has forms of its own.
+bool is_in_plane(const SimulateArguments& options) {
+  const auto& files = options.scene.files;
+  if (std::none_of(files.begin(), files.end(), [](const std::string& file) { return io::is_plane_scene(file); }))
+    return false;
+  if (files.size() > 1) throw InvalidValue("SCENE", "one .svg or .json alone", counted(files.size(), "file"));
+  const char* other = !options.svg.empty() ? "--svg" : !options.scene.colliders.empty() ? "--colliders" : nullptr;
+  if (other) throw InvalidValue(other, "a scene in space", "one of the plane");
+  return true;
+}
+
+/// Plays a scene into a file, if there is one, and tells what it took.
+template <class Frame, class AnyScene, class AnyRecording>
+void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateOptions& how, AnyRecording& recording,
+          Frame& last) {
+  const std::size_t frames = io::frame_count(how);
+  if (io::moving_bodies(scene).empty()) scene.notices.emplace_back("no body of the scene has a motion: nothing moves");
+  const auto begin = std::chrono::steady_clock::now();
+  Progress progress("simulating");
+  std::size_t done = 0;
+  const io::SimulateSummary summary = io::simulate(scene, how, [&](const Frame& frame) {
+    if (recording) recording->add(frame);
+    if (done + 1 == frames) last = frame;
+    progress(++done, frames);
+  });
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  progress.now("writing");
+  if (recording) recording->close();
+  if constexpr (requires { recording->notices(); })
+    if (recording)
+      for (std::string& text : recording->notices()) scene.notices.push_back(std::move(text));
+  scene.notices.insert(scene.notices.end(), summary.notices.begin(), summary.notices.end());
+  const SummaryOf of{scene.source, scene.notices, options.rate, took.count()};
+  options.report == "json" ? print_as_json(of, summary) : print_as_text(of, summary);
+}
+
+void run_in_plane(const SimulateArguments& options, io::SimulateOptions& how) {
+  io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
+  if (options.gravity.empty() && scene.gravity) how.gravity = {scene.gravity->x, scene.gravity->y, 0};
+  std::unique_ptr<io::PlaneRecording> recording;
+  if (!options.out.empty()) recording = io::record(options.out, scene, how.precision);
+  io::PlaneSimulationFrame last;
+  play(scene, options, how, recording, last);
+}
+
+void run_in_space(const SimulateArguments& options, const io::SimulateOptions& how) {
+  check_ending("--svg", options.svg, ".svg");
+  io::Scene scene = options.scene.load(true, true);
+  std::unique_ptr<io::Recording> recording;
+  if (!options.out.empty()) recording = io::record(options.out, scene, options.scene.only_file(), how.precision);
+  io::SimulationFrame last;
+  play(scene, options, how, recording, last);
+  if (!options.svg.empty()) write_pictures(options.svg, scene, moved_to(scene, last));
+}
+
 int run_simulate(const SimulateArguments& options) {
   io::SimulateOptions how;
   how.seconds = options.seconds;
   how.rate = options.rate;
-  how.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
+  if (!options.gravity.empty()) how.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
   how.sub_steps = options.sub_steps;
   how.precision = precision_of(options.precision);
   if (options.threads < 1 || options.threads > 1024)
@@ -127,34 +143,11 @@ int run_simulate(const SimulateArguments& options) {
   ThreadExecutor executor(static_cast<std::size_t>(options.threads));
   how.executor = &executor;
   try {
-    const std::size_t frames = io::frame_count(how);
-    check_ending("--svg", options.svg, ".svg");
-    io::Scene scene = options.scene.load(true, true);
-    if (io::moving_bodies(scene).empty())
-      scene.notices.emplace_back("no body of the scene has a motion: nothing moves");
-    std::unique_ptr<io::Recording> recording;
-    if (!options.out.empty()) recording = io::record(options.out, scene, options.scene.only_file(), how.precision);
-    const auto begin = std::chrono::steady_clock::now();
-    Progress progress("simulating");
-    std::size_t done = 0;
-    io::SimulationFrame last;
-    const io::SimulateSummary summary = io::simulate(scene, how, [&](const io::SimulationFrame& frame) {
-      if (recording) recording->add(frame);
-      if (done + 1 == frames) last = frame;
-      progress(++done, frames);
-    });
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    progress.now("writing");
-    if (recording) {
-      recording->close();
-      for (std::string& text : recording->notices()) scene.notices.push_back(std::move(text));
-    }
-    if (!options.svg.empty()) write_pictures(options.svg, scene, moved_to(scene, last));
-    for (const std::string& text : summary.notices) scene.notices.push_back(text);
-    if (options.report == "json")
-      print_as_json(scene, options, summary);
+    io::frame_count(how);  // refused before anything is read
+    if (is_in_plane(options))
+      run_in_plane(options, how);
     else
-      print_as_text(scene, options, summary, took.count());
+      run_in_space(options, how);
   } catch (const InvalidValue& e) {
     throw_renamed(e);
   }
@@ -169,7 +162,7 @@ Run add_simulate(CLI::App& app) {
   options->scene.add_to(*command);
   command->add_option("--seconds", options->seconds, "How long to play")->capture_default_str();
   command->add_option("--rate", options->rate, "Steps, and frames of the output, a second")->capture_default_str();
-  command->add_option("--gravity", options->gravity, "The acceleration of free fall: x,y,z")
+  command->add_option("--gravity", options->gravity, "The acceleration of free fall: x,y,z; of the plane x and y count")
       ->delimiter(',')
       ->expected(3)
       ->default_str("0,-9.81,0");
@@ -181,8 +174,10 @@ Run add_simulate(CLI::App& app) {
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))
       ->capture_default_str();
-  command->add_option("--out", options->out,
-                      "Write the motion: the scene with an animation (.gltf, .glb), or a line a frame (.jsonl)");
+  command->add_option(
+      "--out", options->out,
+      "Write the motion: the scene with an animation (.gltf, .glb; .svg of the plane), or a line a frame "
+      "(.jsonl)");
   command->add_option("--svg", options->svg, "Draw a picture of the scene before and after (.svg)");
   command->add_option("--report", options->report, "How to print the summary")
       ->check(CLI::IsMember({"text", "json"}))
@@ -190,7 +185,10 @@ Run add_simulate(CLI::App& app) {
   command->footer("Motions, materials, joints and filters are those of KHR_physics_rigid_bodies; a node that the "
                   "file's animation moves\n"
                   "follows it. Exit code: 0, or 2 when a file or an option cannot be used.\n\n"
-                  "Example:\n  graze simulate scene.gltf --seconds 20 --out moved.glb");
+                  "A scene of the plane is an SVG or JSON, as of graze collide, with masses, velocities and materials "
+                  "of its own;\ndocs/plane.md has them.\n\n"
+                  "Examples:\n  graze simulate scene.gltf --seconds 20 --out moved.glb\n"
+                  "  graze simulate examples/scenes/plane.svg --seconds 5 --out moved.svg");
   return [options] { return run_simulate(*options); };
 }
 

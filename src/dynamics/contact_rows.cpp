@@ -17,8 +17,8 @@ constexpr T period = T(5.5);
 template <class T>
 constexpr T damping_ratio = T(2);
 
-/// A point that bears nothing yet, and comes closer by this part of the smaller body's size in a sub-step, is stopped by a
-/// rigid row: a spring would leave a part of the speed, with which what is fast goes through.
+/// A point that bears nothing yet, and comes closer by this part of the smaller body's size in a sub-step, is stopped
+/// by a rigid row: a spring would leave a part of the speed, with which what is fast goes through.
 template <class T>
 constexpr T blow = T(0.005);
 

@@ -87,8 +87,8 @@ void SimulationParts<T, Space>::hold_back(T dt) {
     const std::uint32_t a = impact.a.index, b = impact.b.index;
     if (impact.trigger) continue;
     // Rows of contacts let bodies approach little; a body that slides fast is not held back by what it slides on. One
-    // that turns may come down beside the point that touches and is left: it goes on by as much as nobody asks about, or
-    // it would hang there.
+    // that turns may come down beside the point that touches and is left: it goes on by as much as nobody asks about,
+    // or it would hang there.
     T time = impact.hit.t;
     if (met<T, Space>(world.contacts(), a, b)) {
       const T unasked = unasked_motion<T> * least(bodies[a].size, bodies[b].size) / T(2);

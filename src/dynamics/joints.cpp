@@ -1,28 +1,9 @@
+// The rows of a joint where its bodies are, and how they are solved.
 #include "dynamics/joints.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-
-#include "graze/validate.hpp"
 
 namespace graze {
-
-namespace plane {
-
-namespace {
-
-template <class T>
-void check_frame(const Pose2<T>& frame, const std::string& path) {
-  detail::checked_point(frame.translation, path + ".translation");
-  const T square = frame.rotation.cosine * frame.rotation.cosine + frame.rotation.sine * frame.rotation.sine;
-  if (!std::isfinite(square) || !(square > T(0)))
-    validate::fail(path + ".rotation", "finite and not zero", static_cast<double>(square));
-}
-
-}  // namespace
-
-}  // namespace plane
 
 namespace {
 
@@ -61,177 +42,7 @@ Turning turned_by(const Mass& mass, const Turning& angular) {
   return mass.inertia * angular;
 }
 
-template <class T>
-T positive(T value, const std::string& path) {
-  if (!(value >= T(0)) || !std::isfinite(value))
-    validate::fail(path, "a finite number >= 0", static_cast<double>(value));
-  return value;
-}
-
-template <class T>
-T finite(T value, const std::string& path) {
-  if (!std::isfinite(value)) validate::fail(path, "a finite number", static_cast<double>(value));
-  return value;
-}
-
-int count(const std::array<bool, 3>& axes) { return int{axes[0]} + int{axes[1]} + int{axes[2]}; }
-
-template <class T>
-void check_limit(const JointLimit<T>& limit, const std::string& path) {
-  if (count(limit.axes) == 0) throw InvalidValue(path + ".axes", "at least one axis", "none");
-  if (!(limit.min <= limit.max)) validate::fail(path + ".min", "at most max", static_cast<double>(limit.min));
-  if (count(limit.axes) > 1 && limit.max < T(0))
-    validate::fail(path + ".max", "at least 0 of a limit with several axes", static_cast<double>(limit.max));
-  if (limit.stiffness) positive(*limit.stiffness, path + ".stiffness");
-  positive(limit.damping, path + ".damping");
-}
-
-template <class T>
-void check_drive(const JointDrive<T>& drive, const std::string& path) {
-  if (drive.axis > 2) throw InvalidValue(path + ".axis", "0, 1 or 2", std::to_string(drive.axis));
-  finite(drive.position_target, path + ".position_target");
-  finite(drive.velocity_target, path + ".velocity_target");
-  positive(drive.stiffness, path + ".stiffness");
-  positive(drive.damping, path + ".damping");
-  if (!(drive.max_force >= T(0)))
-    validate::fail(path + ".max_force", "a number >= 0", static_cast<double>(drive.max_force));
-}
-
-template <class T>
-void check_frames(const Joint<T>& joint) {
-  validate::point(joint.frame_a.translation, "joint.frame_a.translation");
-  validate::point(joint.frame_b.translation, "joint.frame_b.translation");
-  validate::rotation(joint.frame_a.rotation, "joint.frame_a.rotation");
-  validate::rotation(joint.frame_b.rotation, "joint.frame_b.rotation");
-}
-template <class T>
-void check_axes(const JointLimit<T>&, const Space<T>&, const std::string&) {}
-template <class T>
-void check_axes(const JointDrive<T>&, const Space<T>&, const std::string&) {}
-
-template <class T>
-void check_frames(const Joint<T, plane::Space<T>>& joint) {
-  plane::check_frame(joint.frame_a, "joint.frame_a");
-  plane::check_frame(joint.frame_b, "joint.frame_b");
-}
-/// In the plane bodies move along x and y and turn about z.
-template <class T>
-void check_axes(const JointLimit<T>& limit, const plane::Space<T>&, const std::string& path) {
-  const bool linear = limit.space == JointSpace::linear;
-  if (linear ? limit.axes[2] : limit.axes[0] || limit.axes[1])
-    throw InvalidValue(path + ".axes", linear ? "x and y, of a joint of the plane" : "z, of a joint of the plane",
-                       linear          ? "z"
-                       : limit.axes[0] ? "x"
-                                       : "y");
-}
-template <class T>
-void check_axes(const JointDrive<T>& drive, const plane::Space<T>&, const std::string& path) {
-  const bool linear = drive.space == JointSpace::linear;
-  if (linear == (drive.axis == 2))
-    throw InvalidValue(path + ".axis", linear ? "0 or 1, of a joint of the plane" : "2, of a joint of the plane",
-                       std::to_string(drive.axis));
-}
-
 }  // namespace
-
-template <class T, class Space>
-void check(const Joint<T, Space>& joint) {
-  check_frames(joint);
-  for (std::size_t i = 0; i < joint.limits.size(); ++i) {
-    const std::string path = "joint.limits[" + std::to_string(i) + "]";
-    check_limit(joint.limits[i], path);
-    check_axes(joint.limits[i], Space{}, path);
-  }
-  for (std::size_t i = 0; i < joint.drives.size(); ++i) {
-    const std::string path = "joint.drives[" + std::to_string(i) + "]";
-    check_drive(joint.drives[i], path);
-    check_axes(joint.drives[i], Space{}, path);
-  }
-}
-
-template <class T, class Space>
-void JointRows<T, Space>::prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step) {
-  joint_ = &joint;
-  step_ = step;
-  rows_.clear();
-  add_limits(joint.joint);
-  for (const JointDrive<T>& drive : joint.joint.drives) {
-    Row row{};
-    row.what = {drive.space == JointSpace::linear ? Measure::along : Measure::twist, drive.axis};
-    row.soft = true;
-    row.angle = drive.space == JointSpace::angular;
-    row.acceleration = drive.mode == DriveMode::acceleration;
-    row.target = drive.position_target;
-    row.target_speed = drive.velocity_target;
-    row.stiffness = drive.stiffness;
-    row.damping = drive.damping;
-    row.max_force = drive.max_force;
-    rows_.push_back(row);
-  }
-  const T scale = joint.impulse_step > T(0) ? step.h / joint.impulse_step : T(0);
-  if (joint.impulses.size() == rows_.size())
-    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].impulse = joint.impulses[i] * scale;
-}
-
-/// Axes that are held by any hard limit are locked together; what is left of the limits has bounds.
-template <class T, class Space>
-void JointRows<T, Space>::add_limits(const Joint<T, Space>& joint) {
-  std::array<bool, 3> linear{}, angular{};
-  const auto is_lock = [](const JointLimit<T>& l) {
-    return !l.stiffness && l.max == T(0) && (l.min == T(0) || (count(l.axes) > 1 && l.min <= T(0)));
-  };
-  for (const JointLimit<T>& l : joint.limits)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (is_lock(l) && l.axes[i]) (l.space == JointSpace::linear ? linear : angular)[i] = true;
-  for (std::uint8_t i = 0; i < 3; ++i)
-    if (linear[i]) rows_.push_back({{Measure::along, i}});
-  const std::uint8_t held = !angular[0] ? 0 : !angular[1] ? 1 : 2;  // of two locked angles, the axis that stays
-  for (std::uint8_t i = 0; i < 3; ++i)
-    if (angular[i])
-      rows_.push_back({{count(angular) == 3   ? Measure::locked_turn
-                        : count(angular) == 2 ? Measure::locked_swing
-                                              : Measure::twist,
-                        i, held}});
-  locked_ = rows_.size();
-  for (const JointLimit<T>& l : joint.limits) {
-    if (is_lock(l)) continue;
-    Row row{};
-    row.what.axes = l.axes;
-    row.angle = l.space == JointSpace::angular;
-    const int axes = count(l.axes);
-    const std::uint8_t first = l.axes[0] ? 0 : l.axes[1] ? 1 : 2, left = !l.axes[0] ? 0 : !l.axes[1] ? 1 : 2;
-    row.what.axis = axes == 2 && row.angle ? left : first;
-    if (row.angle)
-      row.what.measure = axes == 1 ? Measure::twist : axes == 2 ? Measure::swing : Measure::whole_turn;
-    else
-      row.what.measure = axes == 1 ? Measure::along : Measure::distance;
-    row.soft = l.stiffness.has_value();
-    row.stiffness = l.stiffness.value_or(T(0));
-    row.damping = l.damping;
-    row.max_force = std::numeric_limits<T>::infinity();
-    add_bounds(l, row);
-  }
-}
-
-template <class T, class Space>
-void JointRows<T, Space>::add_bounds(const JointLimit<T>& limit, const Row& row) {
-  const bool several = count(limit.axes) > 1;
-  if (limit.min == limit.max) {
-    rows_.push_back(row);
-    rows_.back().target = limit.min;
-    return;
-  }
-  // A turn has no end where its range is a whole one.
-  if (row.what.measure == Measure::twist && limit.max - limit.min >= T(2) * pi<T>) return;
-  const Side sides[] = {Side::lower, Side::upper};
-  const T bounds[] = {limit.min, limit.max};
-  for (int i = 0; i < 2; ++i) {
-    if (!std::isfinite(bounds[i]) || (i == 0 && several && bounds[i] <= T(0))) continue;
-    rows_.push_back(row);
-    rows_.back().side = sides[i];
-    rows_.back().target = bounds[i];
-  }
-}
 
 template <class T, class Space>
 void JointRows<T, Space>::measure(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b) {
@@ -435,20 +246,20 @@ void JointRows<T, Space>::solve_soft(Row& row, SolverBody<T, Space>& a, SolverBo
   push_free(row, impulse - row.impulse, a, b);
 }
 
-template <class T, class Space>
-void JointRows<T, Space>::store() const {
-  joint_->impulses.resize(rows_.size());
-  for (std::size_t i = 0; i < rows_.size(); ++i) joint_->impulses[i] = rows_[i].impulse;
-  joint_->impulse_step = step_.h;
-}
-
-template void check(const Joint<float>&);
-template void check(const Joint<double>&);
-template void check(const Joint<float, plane::Space<float>>&);
-template void check(const Joint<double, plane::Space<double>>&);
-template class JointRows<float, Space<float>>;
-template class JointRows<double, Space<double>>;
-template class JointRows<float, plane::Space<float>>;
-template class JointRows<double, plane::Space<double>>;
+#define GRAZE_JOINTS(T, Space)                                                                                         \
+  template void JointRows<T, Space>::refresh(const SolverBody<T, Space>&, const SolverBody<T, Space>&);                \
+  template void JointRows<T, Space>::warm_start(SolverBody<T, Space>&, SolverBody<T, Space>&) const;                   \
+  template void JointRows<T, Space>::arrive(SolverBody<T, Space>&, SolverBody<T, Space>&);                             \
+  template auto JointRows<T, Space>::wanted(const SolverBody<T, Space>&, const SolverBody<T, Space>&, bool)            \
+      const->std::array<T, most_locked>;                                                                               \
+  template void JointRows<T, Space>::push_locked(const std::array<T, most_locked>&, SolverBody<T, Space>&,             \
+                                                 SolverBody<T, Space>&);                                               \
+  template void JointRows<T, Space>::solve_loop(SolverBody<T, Space>&, SolverBody<T, Space>&, bool);                   \
+  template void JointRows<T, Space>::solve_free(SolverBody<T, Space>&, SolverBody<T, Space>&, bool);
+GRAZE_JOINTS(float, Space<float>)
+GRAZE_JOINTS(double, Space<double>)
+GRAZE_JOINTS(float, plane::Space<float>)
+GRAZE_JOINTS(double, plane::Space<double>)
+#undef GRAZE_JOINTS
 
 }  // namespace graze

@@ -84,6 +84,9 @@ auto FactoredRows<T, N>::solved(Rows v) const -> Rows {
   return v;
 }
 
+/// How many axes a limit has.
+inline int count(const std::array<bool, 3>& axes) { return int{axes[0]} + int{axes[1]} + int{axes[2]}; }
+
 /// The rows of a joint while a step is solved. Those of locked axes are solved by `JointSystem`, or, where the joint
 /// closes a loop, by themselves.
 template <class T, class Space = graze::Space<T>>

@@ -32,7 +32,22 @@ void write_body(JsonWriter& out, const std::string& name, const BodyState& body)
 }
 
 template <class T>
-std::string line_in(const Scene& scene, const std::vector<std::uint32_t>& moving, const SimulationFrame& frame) {
+void write_vector(JsonWriter& out, const char* key, const plane::Vec2d& v) {
+  out.key(key).open('[').number(static_cast<T>(v.x)).number(static_cast<T>(v.y)).close(']');
+}
+
+template <class T>
+void write_body(JsonWriter& out, const std::string& name, const PlaneBodyState& body) {
+  out.open('{').key("body").raw(quoted(name));
+  write_vector<T>(out, "translation", body.translation);
+  out.key("rotation").number(static_cast<T>(body.rotation));
+  write_vector<T>(out, "linear", body.linear);
+  out.key("angular").number(static_cast<T>(body.angular));
+  out.key("asleep").value(body.asleep).close('}');
+}
+
+template <class T, class AnyScene, class AnyFrame>
+std::string line_in(const AnyScene& scene, const std::vector<std::uint32_t>& moving, const AnyFrame& frame) {
   JsonWriter out;
   // Frames come more often than floats have digits for seconds.
   out.open('{').key("time").number(frame.time).key("bodies").open('[');
@@ -55,8 +70,22 @@ std::string line_in(const Scene& scene, const std::vector<std::uint32_t>& moving
 
 }  // namespace
 
+bool takes_lines(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (std::filesystem::exists(file, failed) && std::filesystem::is_other(file, failed)) return true;
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".jsonl";
+}
+
 std::string frame_line(const Scene& scene, const std::vector<std::uint32_t>& moving, const SimulationFrame& frame,
                        Precision precision) {
+  return precision == Precision::double_precision ? line_in<double>(scene, moving, frame)
+                                                  : line_in<float>(scene, moving, frame);
+}
+
+std::string frame_line(const PlaneScene& scene, const std::vector<std::uint32_t>& moving,
+                       const PlaneSimulationFrame& frame, Precision precision) {
   return precision == Precision::double_precision ? line_in<double>(scene, moving, frame)
                                                   : line_in<float>(scene, moving, frame);
 }

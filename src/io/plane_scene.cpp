@@ -26,8 +26,26 @@ std::vector<std::string> read_names(const JsonValue& json) {
   return out;
 }
 
+plane::Vec2d read_vector(const JsonValue& json) {
+  const Vec3d v = json.plane_vector<double>();
+  return {v.x, v.y};
+}
+
+PlaneMotion read_physics(const JsonValue& json) {
+  PlaneMotion motion;
+  if (const auto v = json.find("linear")) motion.linear = read_vector(*v);
+  if (const auto v = json.find("angular")) motion.angular = v->number<double>();
+  if (const auto v = json.find("mass")) motion.mass = v->number<double>();
+  if (const auto v = json.find("inertia")) motion.inertia = v->number<double>();
+  if (const auto v = json.find("gravityFactor")) motion.gravity_factor = v->number<double>();
+  if (const auto v = json.find("friction")) motion.friction = v->number<double>();
+  if (const auto v = json.find("restitution")) motion.restitution = v->number<double>();
+  return motion;
+}
+
 PlaneSceneBuilder::Role read_role(const JsonValue& json) {
   PlaneSceneBuilder::Role role;
+  role.physics = read_physics(json);
   if (const auto b = json.find("body")) role.body = b->string();
   if (const auto m = json.find("motion")) {
     const auto motion = motion_named(m->json().is_string() ? m->string() : "");
@@ -44,14 +62,11 @@ PlaneSceneBuilder::Role read_role(const JsonValue& json) {
 
 void read_collider(const JsonValue& json, std::size_t number, PlaneSceneBuilder& scene) {
   json.keys({"name", "shape", "translation", "rotation", "body", "motion", "trigger", "systems", "collideWith",
-             "notCollideWith"});
+             "notCollideWith", "linear", "angular", "mass", "inertia", "gravityFactor", "friction", "restitution"});
   std::string name = "collider " + std::to_string(number);
   if (const auto n = json.find("name")) name = n->string();
   plane::Pose2d pose;
-  if (const auto v = json.find("translation")) {
-    const Vec3d at = v->plane_vector<double>();
-    pose.translation = {at.x, at.y};
-  }
+  if (const auto v = json.find("translation")) pose.translation = read_vector(*v);
   if (const auto r = json.find("rotation")) pose.rotation = plane::Rot2d::from_angle(r->number<double>());
   scene.add(std::move(name), read_role(json), read_plane_shape<double>(json.at("shape")), pose);
 }
@@ -72,10 +87,12 @@ std::uint32_t PlaneSceneBuilder::body_of(const std::string& name, const Role& ro
     if (!made) {
       if (scene_.bodies[found->second].type != role.motion)
         throw InvalidValue("", "one motion of all that belongs to body " + role.body, "two");
+      if (!(scene_.bodies[found->second].motion == role.physics))
+        throw InvalidValue("", "one mass, velocity and material of all that belongs to body " + role.body, "two");
       return found->second;
     }
   }
-  scene_.bodies.push_back({role.body.empty() ? name : role.body, role.motion});
+  scene_.bodies.push_back({role.body.empty() ? name : role.body, role.motion, role.physics});
   return next;
 }
 
@@ -111,9 +128,10 @@ PlaneScene load_plane_json(const std::string& bytes, const std::string& source_n
     const Json json = parse_json(bytes);
     const JsonValue root(json, "");
     if (!json.is_object()) root.fail("one JSON object");
-    root.keys({"dimension", "bodies"});
+    root.keys({"dimension", "gravity", "bodies"});
     if (root.at("dimension").json() != 2) root.at("dimension").fail("2");
     PlaneSceneBuilder scene(source_name);
+    if (const auto gravity = root.find("gravity")) scene.set_gravity(read_vector(*gravity));
     std::size_t number = 0;
     for (const JsonValue& body : root.at("bodies").elements()) {
       try {

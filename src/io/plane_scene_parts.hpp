@@ -21,10 +21,12 @@ class PlaneSceneBuilder {
     MotionType motion = MotionType::fixed;
     bool trigger = false;
     std::vector<std::string> systems, collide_with, not_collide_with;
+    PlaneMotion physics;  ///< the same of all that is one body
   };
 
   /// Throws `InvalidValue` for more collision systems than bits, or for a body that moves in two ways.
   void add(std::string name, const Role& role, plane::Shaped shape, const plane::Pose2d& pose);
+  void set_gravity(const plane::Vec2d& gravity) { scene_.gravity = gravity; }
   void note(std::string sentence) { scene_.notices.push_back(std::move(sentence)); }
   std::size_t size() const { return scene_.colliders.size(); }
   PlaneScene take() { return std::move(scene_); }

@@ -32,15 +32,6 @@ class LineRecording final : public Recording {
   Precision precision_;
 };
 
-/// What is there and is no regular file, a pipe or a device, may have any name.
-bool is_lines(const std::filesystem::path& file) {
-  std::error_code failed;
-  if (std::filesystem::exists(file, failed) && std::filesystem::is_other(file, failed) && !is_gltf(file)) return true;
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending == ".jsonl";
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> moving_bodies(const Scene& scene) {
@@ -54,8 +45,8 @@ std::vector<std::uint32_t> moving_bodies(const Scene& scene) {
 
 std::unique_ptr<Recording> record(const std::filesystem::path& file, const Scene& scene,
                                   const std::filesystem::path& source, Precision precision) {
-  if (is_lines(file)) return std::make_unique<LineRecording>(file, scene, precision);
   if (is_gltf(file)) return record_animation(file, scene, source);
+  if (takes_lines(file)) return std::make_unique<LineRecording>(file, scene, precision);
   throw InvalidValue(file.string(), "a file name that ends in .gltf, .glb or .jsonl",
                      "\"" + file.extension().string() + "\"");
 }

@@ -1,8 +1,8 @@
 #include "graze/io/simulate.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "io/playing.hpp"
 #include "io/simulated_scene.hpp"
 
 namespace graze::io {
@@ -10,43 +10,14 @@ namespace graze::io {
 namespace {
 
 template <class T>
-SimulateSummary play(const Scene& scene, const SimulateOptions& options,
-                     const std::function<void(const SimulationFrame&)>& each) {
-  const std::size_t frames = frame_count(options);
+SimulateSummary play_in(const Scene& scene, const SimulateOptions& options,
+                        const std::function<void(const SimulationFrame&)>& each) {
+  frame_count(options);  // refused before anything is built
   SimulatedScene<T> simulated(scene, options);
-  SimulateSummary summary;
+  SimulateSummary summary = play(simulated, options, each);
   summary.bodies = moving_bodies(scene).size();
   summary.joints = simulated.joints();
   summary.notices = simulated.notices();
-  SimulationFrame frame = simulated.frame(0);
-  summary.first_energy = frame.kinetic_energy + frame.potential_energy;
-  each(frame);
-  for (std::size_t i = 1; i < frames; ++i) {
-    const double time = static_cast<double>(i) / options.rate;
-    simulated.step(time, 1 / options.rate);
-    frame = simulated.frame(time);
-    each(frame);
-    const StepReport<T> r = simulated.report();
-    summary.collide_ms += r.collide_ms;
-    summary.prepare_ms += r.prepare_ms;
-    summary.solve_ms += r.solve_ms;
-    summary.continuous_ms += r.continuous_ms;
-    summary.whole_ms += r.whole_ms;
-    summary.slowest_ms = std::max(summary.slowest_ms, r.whole_ms);
-    summary.most_sub_steps = std::max(summary.most_sub_steps, r.most_sub_steps);
-    if (const auto depth = static_cast<double>(r.deepest); depth > summary.deepest) {
-      summary.deepest = depth;
-      summary.deepest_time = static_cast<double>(i - 1) / options.rate;  // contacts are those that a step begins with
-    }
-  }
-  summary.steps = frames - 1;
-  if (summary.steps > 0)
-    for (double* ms :
-         {&summary.collide_ms, &summary.prepare_ms, &summary.solve_ms, &summary.continuous_ms, &summary.whole_ms})
-      *ms /= static_cast<double>(summary.steps);
-  summary.kinetic_energy = frame.kinetic_energy;
-  summary.potential_energy = frame.potential_energy;
-  summary.awake = simulated.awake();
   return summary;
 }
 
@@ -67,8 +38,8 @@ std::size_t frame_count(const SimulateOptions& options) {
 
 SimulateSummary simulate(const Scene& scene, const SimulateOptions& options,
                          const std::function<void(const SimulationFrame&)>& each) {
-  return options.precision == Precision::double_precision ? play<double>(scene, options, each)
-                                                          : play<float>(scene, options, each);
+  return options.precision == Precision::double_precision ? play_in<double>(scene, options, each)
+                                                          : play_in<float>(scene, options, each);
 }
 
 }  // namespace graze::io

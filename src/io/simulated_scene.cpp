@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/body_distribution.hpp"
+#include "io/frame_contacts.hpp"
 #include "io/scene_world.hpp"
 
 namespace graze::io {
@@ -283,34 +284,6 @@ std::size_t SimulatedScene<T>::awake() const {
   }));
 }
 
-/// Of two bodies all parts together, in the order in which they first meet.
-template <class T>
-void SimulatedScene<T>::add_contacts(SimulationFrame& frame) const {
-  const ContactArrays<T>& contacts = simulation_.world().contacts();
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
-  for (const ContactPair<T>& pair : contacts.pairs) {
-    ContactState found{body_of_part_[pair.a], body_of_part_[pair.b], 0, 0, 0};
-    for (const ContactManifold<T>& m : contacts.manifolds_of(pair))
-      for (const SolverPoint<T>& p : contacts.points_of(m)) {
-        const auto impulse = static_cast<double>(dot(p.impulse, m.normal));
-        if (!(impulse > 0) && p.distance > T(0)) continue;  // near, and not touched
-        ++found.points;
-        found.impulse += impulse;
-        found.depth = std::max(found.depth, -static_cast<double>(p.distance));
-      }
-    if (found.points == 0) continue;
-    const auto [at, first] = known.insert({{found.a, found.b}, frame.contacts.size()});
-    if (first) {
-      frame.contacts.push_back(found);
-      continue;
-    }
-    ContactState& all = frame.contacts[at->second];
-    all.points += found.points;
-    all.impulse += found.impulse;
-    all.depth = std::max(all.depth, found.depth);
-  }
-}
-
 template <class T>
 SimulationFrame SimulatedScene<T>::frame(double time) const {
   SimulationFrame frame;
@@ -325,7 +298,7 @@ SimulationFrame SimulatedScene<T>::frame(double time) const {
     }
     frame.bodies.push_back(state);
   }
-  add_contacts(frame);
+  frame.contacts = frame_contacts(simulation_.world().contacts(), body_of_part_);
   const StepReport<T> report = simulation_.simulation().report();
   frame.kinetic_energy = static_cast<double>(report.kinetic_energy);
   frame.potential_energy = static_cast<double>(report.potential_energy);

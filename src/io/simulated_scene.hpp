@@ -1,11 +1,10 @@
 // A scene as a simulation.
 #pragma once
 
-#include <map>
 #include <memory>
 
-#include "graze/io/simulate.hpp"
 #include "graze/capture.hpp"
+#include "graze/io/simulate.hpp"
 #include "io/collider_motion.hpp"
 
 namespace graze::io {
@@ -43,7 +42,6 @@ class SimulatedScene {
   void find_animated();
   Posed pose_of(const Part& part) const;
   void follow(double dt);
-  void add_contacts(SimulationFrame& frame) const;
 
   const Scene& scene_;
   CapturedSimulation<T> simulation_;

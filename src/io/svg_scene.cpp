@@ -56,6 +56,8 @@ class SvgReader {
     if (!root || local_name(*root) != "svg") throw InvalidValue("", "an <svg> element as the root", "none");
     Context context;
     context.map = {{1, 0}, {0, -1}, {}};  // the Y axis points up here
+    with(*root, "data-gravity",
+         [&](std::string_view text) { scene_.set_gravity(context.map.direction(vector_in(text))); });
     walk(*root, context);
     for (const std::string& element : skipped_)
       scene_.note("<" + element + "> elements are no shapes and were left out");
@@ -105,6 +107,12 @@ class SvgReader {
     return value;
   }
 
+  static Vec2d vector_in(std::string_view text) {
+    const std::vector<double> numbers = number_list(text);
+    if (numbers.size() != 2) throw InvalidValue("", "two numbers", std::to_string(numbers.size()));
+    return {numbers[0], numbers[1]};
+  }
+
   static bool yes(std::string_view text) {
     if (text == "true") return true;
     if (text != "false") throw InvalidValue("", "true or false", quoted(text));
@@ -138,11 +146,26 @@ class SvgReader {
       role.not_collide_with = words_of(text);
       role.collide_with.clear();
     });
+    add_physics(element, context);
     with(element, "data-tolerance", [&](std::string_view text) {
       const auto value = number_in(text);
       if (!value || !(*value > 0) || !std::isfinite(*value)) throw InvalidValue("", "a number > 0", quoted(text));
       context.tolerance = *value;
     });
+  }
+
+  /// Of a body that is played. Velocities are in the frame of the element, a turning as that of `rotate`.
+  static void add_physics(const XMLElement& element, Context& context) {
+    PlaneMotion& motion = context.role.physics;
+    with(element, "data-velocity",
+         [&](std::string_view text) { motion.linear = context.map.direction(vector_in(text)); });
+    if (element.Attribute("data-angular"))
+      motion.angular = std::copysign(1.0, cross(context.map.x, context.map.y)) * number(element, "data-angular", 0);
+    if (element.Attribute("data-mass")) motion.mass = number(element, "data-mass", 0);
+    if (element.Attribute("data-inertia")) motion.inertia = number(element, "data-inertia", 0);
+    motion.gravity_factor = number(element, "data-gravity-factor", motion.gravity_factor);
+    motion.friction = number(element, "data-friction", motion.friction);
+    motion.restitution = number(element, "data-restitution", motion.restitution);
   }
 
   static bool hidden(const XMLElement& element) {

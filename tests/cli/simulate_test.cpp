@@ -78,6 +78,33 @@ TEST_F(Simulate, DrawsBeforeAndAfter) {
   EXPECT_NE(picture.find("demo.gltf, after"), std::string::npos);
 }
 
+TEST_F(Simulate, PlaysScenesOfThePlane) {
+  const std::string scene = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg";
+  const auto after = [&](const std::string& options) {
+    const std::string out = file("a.jsonl");
+    EXPECT_EQ(run("simulate " + scene + " --out " + out + " " + options).code, 0) << options;
+    const std::string text = text_of(out);
+    return nlohmann::json::parse(text.substr(text.rfind('\n', text.size() - 2) + 1));
+  };
+  // The ghost falls freely, by g t^2 / 2 of the file's gravity, or of that which is asked for.
+  const auto fallen = [](const nlohmann::json& frame) {
+    return -120 - frame["bodies"][8]["translation"][1].get<double>();
+  };
+  EXPECT_EQ(after("--seconds 0")["bodies"][8]["body"], "ghost");
+  EXPECT_NEAR(fallen(after("--seconds 0.25")), 981 * 0.0625 / 2, 1e-6);
+  EXPECT_NEAR(fallen(after("--seconds 0.25 --gravity 0,-8,0 --threads 2")), 0.25, 1e-9);
+  const std::string picture = file("a.svg");
+  const Result played = run("simulate " + scene + " --seconds 0.5 --out " + picture);
+  EXPECT_EQ(played.code, 0);
+  EXPECT_NE(played.output.find("9 moving bodies"), std::string::npos) << played.output;
+  EXPECT_NE(text_of(picture).find("<animateTransform"), std::string::npos);
+  EXPECT_EQ(run("simulate " + scene + " --out " + file("a.glb")).output,
+            "graze: " + file("a.glb") +
+                ": expected a file name that ends in .svg or .jsonl, for a scene of the plane, got \".glb\"\n");
+  EXPECT_EQ(run("simulate " + scene + " --svg " + picture).output,
+            "graze: --svg: expected a scene in space, got one of the plane\n");
+}
+
 TEST_F(Simulate, SaysWhatIsWrong) {
   const auto refusal = [](const std::string& options) {
     const Result r = run("simulate " + demo + " " + options);

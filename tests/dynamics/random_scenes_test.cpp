@@ -40,9 +40,10 @@ void play(unsigned seed) {
   for (const BodyId body : scene.bodies()) weight += static_cast<double>(s.mass(body)) * g;
   // Nothing overlaps at the beginning, so nothing is pushed out that did not fall in before, and every blow and all
   // friction take energy: the sum may never be more than at the beginning, but for the ten-thousandth by which the
-  // energy of a free turning swings with its angular momentum exact (`free_motion.hpp`). Nor may it rise in between but for what
-  // rows that are warm started give back of a blow in the step after it, most where something heavy falls on something
-  // light: in a thousand scenes never as much as lifting all bodies by a seventh of the largest one's size would take.
+  // energy of a free turning swings with its angular momentum exact (`free_motion.hpp`). Nor may it rise in between but
+  // for what rows that are warm started give back of a blow in the step after it, most where something heavy falls on
+  // something light: in a thousand scenes never as much as lifting all bodies by a seventh of the largest one's size
+  // would take.
   const double first = energy_of(s.report()), rise = 0.15 * weight;
   double lowest = first;
   bool asleep = false;

@@ -73,6 +73,31 @@ TEST(JointScenes, DistanceIsNeverLonger) {
     ASSERT_LE(gap(played, frame, {3, 0, 0}, {0.5, 0.5, 0.5}), 1.001) << frame.time;
 }
 
+/// A hinge off the centre of mass is a pendulum of period 2 pi sqrt(I / m g d), I about the hinge, a little longer for
+/// a swing that is not small: (1 + a^2 / 16) of an amplitude a.
+TEST(JointScenes, AHingeOffTheCentreSwings) {
+  const double d = 0.5, amplitude = 0.3;
+  const Vec3d pivot{3, 0, 0}, socket{-d * std::sin(amplitude), d * std::cos(amplitude), 0};
+  const Played played(jointed({{"limits", {together, straight({0, 1})}}}, pivot, socket));
+  const double first = played.frames.front().potential_energy, deep = 2 * g * d * (1 - std::cos(amplitude));
+  std::vector<double> crossings;
+  double before = d * std::sin(amplitude);
+  for (const SimulationFrame& frame : played.frames) {
+    const BodyState& body = frame.bodies[0];
+    EXPECT_LE(gap(played, frame, pivot, socket), 1e-3) << frame.time;
+    EXPECT_NEAR(body.angular.x, 0, 1e-6);
+    EXPECT_NEAR(body.angular.y, 0, 1e-6);
+    EXPECT_NEAR(frame.kinetic_energy + frame.potential_energy, first, 0.01 * deep) << frame.time;
+    const double beside = body.pose.translation.x - pivot.x;
+    if ((beside < 0) != (before < 0)) crossings.push_back(frame.time - beside / (beside - before) / 60);
+    before = beside;
+  }
+  ASSERT_GE(crossings.size(), 3u);
+  const double period = 2 * pi * std::sqrt((1 / 6.0 + d * d) / (g * d)) * (1 + amplitude * amplitude / 16);
+  const double measured = 2 * (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
+  EXPECT_NEAR(measured / period, 1, 0.003);
+}
+
 TEST(JointScenes, AngularDriveReachesItsSpeed) {
   const Json drive{
       {"type", "angular"}, {"mode", "acceleration"}, {"axis", 0}, {"velocityTarget", pi / 2}, {"damping", 1}};

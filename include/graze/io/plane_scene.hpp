@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,22 @@
 
 namespace graze::io {
 
+/// How a body of the plane is moved, when the scene is played.
+struct PlaneMotion {
+  plane::Vec2d linear{};          ///< velocity of the origin of its first collider
+  double angular = 0;             ///< counter-clockwise with Y up
+  std::optional<double> mass;     ///< by default of its area
+  std::optional<double> inertia;  ///< by default that of its shape with its mass
+  double gravity_factor = 1, friction = 0.6, restitution = 0;
+
+  friend bool operator==(const PlaneMotion&, const PlaneMotion&) = default;
+};
+
 /// What moves as one. Its colliders never collide with each other.
 struct PlaneSceneBody {
   std::string name;                     ///< its name in the file; may be empty
   MotionType type = MotionType::fixed;  ///< whether it is fixed, or how it moves
+  PlaneMotion motion{};                 ///< how it is moved, when the scene is played
 };
 
 /// One shape of a body, at its pose in the world.
@@ -39,6 +52,7 @@ struct PlaneScene {
   std::vector<PlaneCollider> colliders;        ///< in the order of the file
   std::vector<std::string> notices;            ///< what was skipped, one sentence each
   std::vector<std::string> collision_systems;  ///< the names behind the filters' bits
+  std::optional<plane::Vec2d> gravity;         ///< where the file says one
 };
 
 /// Whether a file's ending is that of a scene of the plane: .svg or .json.

@@ -1,0 +1,18 @@
+// What playing a scene took, printed.
+#pragma once
+
+#include "graze/io/simulate.hpp"
+
+namespace graze::cli {
+
+/// What a summary is of: a scene's name and notes, steps a second, and how long it took to compute.
+struct SummaryOf {
+  const std::string& source;
+  const std::vector<std::string>& notices;
+  double rate, seconds;
+};
+
+void print_as_json(const SummaryOf& of, const io::SimulateSummary& summary);
+void print_as_text(const SummaryOf& of, const io::SimulateSummary& summary);
+
+}  // namespace graze::cli

@@ -1,0 +1,53 @@
+// A scene of the plane played: its bodies fall, collide, slide and rest, as `graze::plane::Simulation` moves them.
+//
+// Guarantee: frames are a function of the scene and the options alone, bit for bit, whatever executor runs the steps.
+// What the scene holds that no simulation can have (a body without area and without a mass, a restitution above 1)
+// throws `InvalidValue` that names the body; nothing is played then. Triggers push nothing and are left out.
+#pragma once
+
+#include "graze/io/plane_scene.hpp"
+#include "graze/io/simulate.hpp"
+
+namespace graze::io {
+
+/// A body of the plane at a time.
+struct PlaneBodyState {
+  plane::Vec2d translation{};  ///< of its first collider's origin
+  double rotation = 0;         ///< of its first collider, from -pi to pi
+  plane::Vec2d linear{};       ///< velocity of the centre of mass
+  double angular = 0;
+  bool asleep = false;
+};
+
+struct PlaneSimulationFrame {
+  double time = 0;
+  std::vector<PlaneBodyState> bodies;  ///< in the order of `moving_bodies`
+  std::vector<ContactState> contacts;
+  double kinetic_energy = 0, potential_energy = 0;
+};
+
+/// The bodies that are not static, in their order: indices into `PlaneScene::bodies`.
+GRAZE_API std::vector<std::uint32_t> moving_bodies(const PlaneScene& scene);
+
+/// Plays the scene and calls `each` for every frame, the first at time 0. Of the gravity of `options` x and y count,
+/// whatever the scene says of it. Throws `InvalidValue`, also for a capture, which holds no simulations of the plane.
+GRAZE_API SimulateSummary simulate(const PlaneScene& scene, const SimulateOptions& options,
+                                   const std::function<void(const PlaneSimulationFrame&)>& each);
+
+/// Takes frames in the order of time, as `Recording`.
+class GRAZE_API PlaneRecording {
+ public:
+  virtual ~PlaneRecording() = default;
+  /// Throws `InvalidValue` for a frame with another number of bodies, and when the file has no room.
+  virtual void add(const PlaneSimulationFrame& frame) = 0;
+  /// Writes what is left. Throws `InvalidValue` unless the whole file was written.
+  virtual void close() = 0;
+};
+
+/// By the end of the file's name: .svg, a picture that moves in any browser, or .jsonl, lines with as many digits as
+/// `precision` needs. Throws `InvalidValue` for another ending, or when `file` cannot be written. The scene must
+/// outlive the recording.
+GRAZE_API std::unique_ptr<PlaneRecording> record(const std::filesystem::path& file, const PlaneScene& scene,
+                                                 Precision precision = Precision::double_precision);
+
+}  // namespace graze::io
