@@ -134,7 +134,7 @@ std::span<const KeyedPair> World<T>::pairs() const {
 
 template <class T>
 const ContactArrays<T>& World<T>::contacts() const {
-  return parts_->manifolds->contacts();
+  return parts_->manifolds.contacts();
 }
 
 template <class T>
@@ -158,7 +158,7 @@ std::size_t World<T>::memory() const {
   return p.owned.size() * (sizeof(std::pair<Key, typename Parts::Owned>) + 4 * sizeof(void*)) +
          p.local.capacity() * sizeof(p.local[0]) + (p.arrays ? p.arrays->memory() : 0) +
          p.boxes.capacity() * sizeof(p.boxes[0]) + p.finder.memory() +
-         (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + (p.manifolds ? p.manifolds->memory() : 0) +
+         (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + p.manifolds.memory() +
          p.pairs.capacity() * sizeof(KeyedPair) + p.events.memory();
 }
 
@@ -173,7 +173,7 @@ Gathered<T> World<T>::gather(int root) const {
     together.alone([&] { all[to].assign(some.begin(), some.end()); });
     return together.exchange(all);
   };
-  const ContactArrays<T>& found = p.manifolds->contacts();
+  const ContactArrays<T>& found = p.manifolds.contacts();
   const auto pairs = gathered(std::span<const KeyedPair>(p.pairs));
   const auto manifolds = gathered(std::span<const ContactManifold<T>>(found.manifolds));
   const auto points = gathered(std::span<const SolverPoint<T>>(found.points));

@@ -1,6 +1,7 @@
 // What a world of many ranks holds on one of them, and the steps of its update.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <string>
 
@@ -17,7 +18,11 @@ constexpr float cost_of_pair = 2, cost_of_body = 1;
 template <class T>
 struct World<T>::Parts {
   Parts(MPI_Comm c, WorldSettings<T> s, Executor* e)
-      : comm(c), settings(std::move(s)), executor(e ? e : &serial), partition(c) {}
+      : comm(c),
+        settings(std::move(s)),
+        executor(e ? e : &serial),
+        partition(c),
+        manifolds(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
 
   /// A body that lives here.
   struct Owned {
@@ -27,7 +32,7 @@ struct World<T>::Parts {
   /// A body that stands here, lent or not.
   struct Local {
     Key key;
-    Body<T> body;
+    const Body<T>* body;  ///< among `owned` or `guests`
     bool lent;
   };
   /// A fixed body for the rank on which one that moves lives.
@@ -53,7 +58,9 @@ struct World<T>::Parts {
   void find_who_is_lent(ByRank<BodyRecord<T>>& to);
   void find_own_pairs(ByRank<Sent>& to);
   void take_pairs(const ByRank<Sent>& from);
-  void find_bounds_here();
+  void take_in(const BodyRecord<T>& record);
+  void find_own_bounds();
+  void find_all_bounds();
   std::vector<std::uint32_t> sort_local();
   std::uint32_t place_of(Key key) const;
 
@@ -67,12 +74,14 @@ struct World<T>::Parts {
   double drawn_imbalance = 1;
 
   // Of the last update.
-  std::vector<Local> local;  ///< sorted by key
+  std::vector<Local> local;    ///< sorted by key
+  std::deque<Body<T>> guests;  ///< the bodies of those that are lent
   std::unique_ptr<BodyArrays<T>> arrays;
-  std::vector<Aabb<T>> boxes;
+  std::vector<Aabb<T>> boxes, own_boxes;
   PairFinder<T> finder;
   std::vector<IdPair> candidates, mine;
-  std::unique_ptr<ManifoldFinder<T>> manifolds;
+  /// Kept for its storage. What it remembers is of other bodies by now, which only guides where it looks first.
+  ManifoldFinder<T> manifolds;
   std::vector<KeyedPair> pairs;
   KeyedEvents events;
   WorldReport report;

@@ -113,20 +113,46 @@ std::uint32_t World<T>::Parts::place_of(Key key) const {
   return static_cast<std::uint32_t>(found - local.begin());
 }
 
-/// Puts what stands here into arrays and finds their bounds.
 template <class T>
-void World<T>::Parts::find_bounds_here() {
+void World<T>::Parts::take_in(const BodyRecord<T>& record) {
+  local.push_back({record.key, &guests.emplace_back(body_of(record, shared)), true});
+}
+
+/// Puts the bodies that live here into arrays and finds their bounds.
+template <class T>
+void World<T>::Parts::find_own_bounds() {
+  local.clear();
+  guests.clear();
   arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  for (const Local& l : local) arrays->add(l.body);
+  for (const auto& [key, o] : owned) {
+    local.push_back({key, &o.body, false});
+    arrays->add(o.body);
+  }
+  own_boxes.resize(local.size());
+  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), own_boxes, *executor);
+  boxes = own_boxes;
+}
+
+/// The same of all that stand here, of which those that live here have their bounds.
+template <class T>
+void World<T>::Parts::find_all_bounds() {
+  arrays = std::make_unique<BodyArrays<T>>(settings.margin);
   boxes.resize(local.size());
-  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), boxes, *executor);
+  std::vector<std::uint32_t> lent;
+  auto own = own_boxes.begin();
+  for (std::uint32_t i = 0; i < local.size(); ++i) {
+    arrays->add(*local[i].body);
+    if (local[i].lent)
+      lent.push_back(i);
+    else
+      boxes[i] = *own++;
+  }
+  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), lent, boxes, *executor);
 }
 
 template <class T>
 void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
-  local.clear();
-  for (const auto& [key, o] : owned) local.push_back({key, o.body, false});
-  find_bounds_here();
+  find_own_bounds();
   if (to.size() == 1 || !partition.drawn()) return;
   const Aabb<double>& region = partition.region();
   const auto inside = [](const Vec3<double>& a, const Vec3<double>& b) { return a.x < b.x && a.y < b.y && a.z < b.z; };
@@ -138,7 +164,7 @@ void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
     partition.ranks_of_box(box, ranks);
     for (const int r : ranks)
       if (r != rank_of(comm))
-        to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, local[i].body, 0.0F, shared));
+        to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, *local[i].body, 0.0F, shared));
   }
 }
 
@@ -153,10 +179,11 @@ void World<T>::Parts::lend(Together& together) {
     for (const auto& some : from)
       for (const BodyRecord<T>& r : some) {
         check(r.key, false);
-        local.push_back({r.key, body_of(r, shared), true});
+        take_in(r);
       }
+    if (guests.empty()) return;
     sort_local();
-    find_bounds_here();
+    find_all_bounds();
   });
 }
 
@@ -181,8 +208,8 @@ void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
     if (!moving.lent) {
       mine.push_back(p);
     } else if (found_here(p)) {
-      const int home = partition.rank_of_point(converted<double>(moving.body.pose.translation));
-      to[static_cast<std::size_t>(home)].push_back({record_of(standing.key, standing.body, 0.0F, shared), moving.key});
+      const int home = partition.rank_of_point(converted<double>(moving.body->pose.translation));
+      to[static_cast<std::size_t>(home)].push_back({record_of(standing.key, *standing.body, 0.0F, shared), moving.key});
     }
   }
 }
@@ -190,13 +217,10 @@ void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
 /// Adds the pairs that other ranks found for bodies that live here, with the fixed bodies that are not here yet.
 template <class T>
 void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
-  bool any = false;
+  const std::size_t before = local.size();
   for (const auto& some : from)
-    for (const Sent& s : some) {
-      any = true;
-      local.push_back({s.standing.key, body_of(s.standing, shared), true});
-    }
-  if (!any) return;
+    for (const Sent& s : some) take_in(s.standing);
+  if (local.size() == before) return;
   const std::vector<std::uint32_t> place = sort_local();
   for (IdPair& p : mine) p = {place[p.a], place[p.b]};
   for (const auto& some : from)
@@ -206,7 +230,7 @@ void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
     }
   std::sort(mine.begin(), mine.end());
   mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-  find_bounds_here();
+  find_all_bounds();
 }
 
 /// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
@@ -222,17 +246,19 @@ void World<T>::Parts::find_pairs(Together& together) {
 
 template <class T>
 void World<T>::Parts::find_contacts() {
-  manifolds = std::make_unique<ManifoldFinder<T>>(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points));
-  manifolds->find(*arrays, mine, *executor);
+  manifolds.find(*arrays, mine, *executor);
   pairs.clear();
-  for (const ContactPair<T>& p : manifolds->contacts().pairs)
+  for (const ContactPair<T>& p : manifolds.contacts().pairs)
     pairs.push_back({local[p.a].key, local[p.b].key, p.overlap, p.first_manifold, p.manifold_count});
   // What each body cost is what its rank is charged for next time.
-  for (auto& [key, o] : owned) o.weight = cost_of_body;
-  for (const IdPair& p : mine)
-    for (const std::uint32_t i : {p.a, p.b})
-      if (const auto o = local[i].lent ? owned.end() : owned.find(local[i].key); o != owned.end())
-        o->second.weight += cost_of_pair / 2;
+  std::vector<float> costs(local.size(), cost_of_body);
+  for (const IdPair& p : mine) {
+    costs[p.a] += cost_of_pair / 2;
+    costs[p.b] += cost_of_pair / 2;
+  }
+  auto o = owned.begin();
+  for (std::size_t i = 0; i < local.size(); ++i)
+    if (!local[i].lent) (o++)->second.weight = costs[i];
 }
 
 template <class T>
@@ -251,7 +277,7 @@ void World<T>::update() {
   std::vector<std::uint8_t> triggers;
   together.alone([&] {
     p.find_contacts();
-    for (const ContactPair<T>& c : p.manifolds->contacts().pairs)
+    for (const ContactPair<T>& c : p.manifolds.contacts().pairs)
       triggers.push_back(p.arrays->triggers()[c.a] | p.arrays->triggers()[c.b]);
   });
   p.report.contacts = clock.lap();
