@@ -4,7 +4,8 @@
 //
 // Balls and boxes stand in a cube of a lattice, a little turned and out of place, so that each touches about three
 // others; from frame to frame every body moves by about 1e-3 of its size. Of ghosts and bytes the mean of the frames is
-// printed. With --corner all bodies fall into one corner over the frames, and the balance of each is printed. With
+// printed. With --corner all bodies fall into one corner over the frames and lie there for three more, and the balance
+// of each frame is printed, as the costs of the one before say. With
 // --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take turns
 // frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of the
 // machine is about the same in two updates that follow each other. The others sleep while one world works.
@@ -131,9 +132,9 @@ void run(const Options& options) {
   std::vector<double> clocks, clocks_of_one, ratios;
   Sums last;
   double ghosts = 0, bytes = 0;
-  // Two frames to find the borders, which are not counted.
-  const std::size_t first = options.corner ? 0 : 2;
-  for (std::size_t frame = 0; frame < options.frames + first; ++frame) {
+  // Two frames to find the borders, which are not counted; and three after the fall, in which all lies still.
+  const std::size_t first = options.corner ? 0 : 2, after = options.corner ? 3 : 0;
+  for (std::size_t frame = 0; frame < options.frames + first + after; ++frame) {
     for (const mpi::Key key : many.keys()) many.move(key, lattice.pose(key, frame));
     MPI_Barrier(MPI_COMM_WORLD);
     const double before = seconds();
@@ -150,16 +151,15 @@ void run(const Options& options) {
     meet_asleep();
     last = sums_of(many);
     if (options.corner && rank == 0)
-      std::printf("frame %zu: work %.3f of the mean before, bodies %.3f, borders drawn %llu times, %llu migrated\n",
-                  frame, many.report().imbalance, last.most_bodies / last.bodies * ranks,
+      std::printf("frame %zu: work %.3f, borders drawn %llu times, %llu migrated\n", frame, many.report().imbalance,
                   static_cast<unsigned long long>(many.report().partitions),
                   static_cast<unsigned long long>(many.report().migrated));
     if (frame < first) continue;
     clocks.push_back(clock);
     clocks_of_one.push_back(clock_of_one);
     ratios.push_back(clock / std::max(clock_of_one, 1e-9));
-    ghosts += last.ghosts / static_cast<double>(options.frames);
-    bytes += last.bytes / static_cast<double>(options.frames);
+    ghosts += last.ghosts / static_cast<double>(options.frames + after);
+    bytes += last.bytes / static_cast<double>(options.frames + after);
   }
   if (rank != 0) return;
   const double n = static_cast<double>(options.bodies);

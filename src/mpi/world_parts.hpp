@@ -2,12 +2,13 @@
 #pragma once
 
 #include <deque>
-#include <map>
+#include <memory>
 #include <string>
 
 #include "graze/pairs.hpp"
 #include "mpi/body_record.hpp"
 #include "mpi/keyed_events.hpp"
+#include "mpi/owned_bodies.hpp"
 #include "mpi/partition.hpp"
 
 namespace graze::mpi {
@@ -24,11 +25,6 @@ struct World<T>::Parts {
         partition(c),
         manifolds(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
 
-  /// A body that lives here.
-  struct Owned {
-    Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
-    float weight = cost_of_body;
-  };
   /// A body that stands here, lent or not.
   struct Local {
     Key key;
@@ -69,7 +65,7 @@ struct World<T>::Parts {
   SerialExecutor serial;
   Executor* executor;
   SharedShapes<T> shared;
-  std::map<Key, Owned> owned;
+  OwnedBodies<T> owned;
   Partition partition;
   double drawn_imbalance = 1;
 

@@ -37,8 +37,9 @@ Vec3<double> common_point(const Aabb<T>& a, const Aabb<T>& b) {
 /// Draws borders where there are none, or where the work is shared unevenly.
 template <class T>
 void World<T>::Parts::balance(Together& together) {
+  owned.settle();
   double sum = 0;
-  for (const auto& [key, o] : owned) sum += static_cast<double>(o.weight);
+  for (const auto& o : owned.settled()) sum += static_cast<double>(o.weight);
   double most = 0, all = 0;
   MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
   MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, comm);
@@ -48,7 +49,7 @@ void World<T>::Parts::balance(Together& together) {
   std::vector<Load> loads;
   together.alone([&] {
     loads.reserve(owned.size());
-    for (const auto& [key, o] : owned)
+    for (const auto& o : owned.settled())
       loads.push_back({converted<double>(o.body.pose.translation), static_cast<double>(o.weight)});
   });
   together.meet();
@@ -64,14 +65,12 @@ void World<T>::Parts::balance(Together& together) {
 template <class T>
 void World<T>::Parts::find_who_leaves(ByRank<BodyRecord<T>>& to) {
   if (!partition.drawn()) return;
-  for (auto i = owned.begin(); i != owned.end();) {
-    const int rank = partition.rank_of_point(converted<double>(i->second.body.pose.translation));
-    if (rank == rank_of(comm)) {
-      ++i;
-      continue;
-    }
-    to[static_cast<std::size_t>(rank)].push_back(record_of(i->first, i->second.body, i->second.weight, shared));
-    i = owned.erase(i);
+  const int here = rank_of(comm);
+  for (auto& o : owned.settled()) {
+    const int rank = partition.rank_of_point(converted<double>(o.body.pose.translation));
+    if (rank == here) continue;
+    to[static_cast<std::size_t>(rank)].push_back(record_of(o.key, o.body, o.weight, shared));
+    owned.remove(o);
     ++report.migrated;
   }
 }
@@ -86,8 +85,9 @@ void World<T>::Parts::migrate(Together& together) {
     for (const auto& some : from)
       for (const BodyRecord<T>& r : some) {
         check(r.key, false);
-        owned.emplace(r.key, Owned{body_of(r, shared), r.weight});
+        owned.add(r.key, body_of(r, shared), r.weight);
       }
+    owned.settle();
   });
 }
 
@@ -124,8 +124,8 @@ void World<T>::Parts::find_own_bounds() {
   local.clear();
   guests.clear();
   arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  for (const auto& [key, o] : owned) {
-    local.push_back({key, &o.body, false});
+  for (const auto& o : owned.settled()) {
+    local.push_back({o.key, &o.body, false});
     arrays->add(o.body);
   }
   own_boxes.resize(local.size());
@@ -256,9 +256,9 @@ void World<T>::Parts::find_contacts() {
     costs[p.a] += cost_of_pair / 2;
     costs[p.b] += cost_of_pair / 2;
   }
-  auto o = owned.begin();
+  auto o = owned.settled().begin();
   for (std::size_t i = 0; i < local.size(); ++i)
-    if (!local[i].lent) (o++)->second.weight = costs[i];
+    if (!local[i].lent) (o++)->weight = costs[i];
 }
 
 template <class T>
