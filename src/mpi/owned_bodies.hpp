@@ -15,11 +15,13 @@ namespace graze::mpi {
 template <class T>
 class OwnedBodies {
  public:
+  static constexpr double unknown = -1;
   struct Entry {
     Key key;
     Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
     float weight;
     bool gone = false;
+    double reach = unknown;  ///< how far from its origin it and its margin end, at most
   };
 
   Entry* find(Key key) {

@@ -110,6 +110,7 @@ void World<T>::set_shape(Key key, const Shape<T>& shape) {
   changed.shape = shape;
   record_of(key, changed, 0.0F, parts_->shared);
   parts_->owned.find(key)->body = std::move(changed);
+  parts_->owned.find(key)->reach = OwnedBodies<T>::unknown;
 }
 
 template <class T>
@@ -154,8 +155,8 @@ template <class T>
 std::size_t World<T>::memory() const {
   const Parts& p = *parts_;
   return p.owned.memory() + p.guests.size() * sizeof(Body<T>) + p.local.capacity() * sizeof(p.local[0]) +
-         (p.arrays ? p.arrays->memory() : 0) + (p.boxes.capacity() + p.own_boxes.capacity()) * sizeof(p.boxes[0]) +
-         p.finder.memory() + (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + p.manifolds.memory() +
+         (p.arrays ? p.arrays->memory() : 0) + p.boxes.capacity() * sizeof(p.boxes[0]) + p.finder.memory() +
+         (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + p.manifolds.memory() +
          p.pairs.capacity() * sizeof(KeyedPair) + p.events.memory();
 }
 

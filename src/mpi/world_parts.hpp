@@ -55,8 +55,8 @@ struct World<T>::Parts {
   void find_own_pairs(ByRank<Sent>& to);
   void take_pairs(const ByRank<Sent>& from);
   void take_in(const BodyRecord<T>& record);
-  void find_own_bounds();
-  void find_all_bounds();
+  bool is_far_from_borders(typename OwnedBodies<T>::Entry& o) const;
+  void find_bounds_here();
   std::vector<std::uint32_t> sort_local();
   std::uint32_t place_of(Key key) const;
 
@@ -73,7 +73,7 @@ struct World<T>::Parts {
   std::vector<Local> local;    ///< sorted by key
   std::deque<Body<T>> guests;  ///< the bodies of those that are lent
   std::unique_ptr<BodyArrays<T>> arrays;
-  std::vector<Aabb<T>> boxes, own_boxes;
+  std::vector<Aabb<T>> boxes;
   PairFinder<T> finder;
   std::vector<IdPair> candidates, mine;
   /// Kept for its storage. What it remembers is of other bodies by now, which only guides where it looks first.

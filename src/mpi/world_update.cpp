@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
+#include "graze/query.hpp"
 #include "graze/world/bounds.hpp"
 #include "mpi/world_parts.hpp"
 
@@ -118,54 +120,54 @@ void World<T>::Parts::take_in(const BodyRecord<T>& record) {
   local.push_back({record.key, &guests.emplace_back(body_of(record, shared)), true});
 }
 
-/// Puts the bodies that live here into arrays and finds their bounds.
+/// Puts what stands here into arrays and finds its bounds.
 template <class T>
-void World<T>::Parts::find_own_bounds() {
-  local.clear();
-  guests.clear();
+void World<T>::Parts::find_bounds_here() {
   arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  for (const auto& o : owned.settled()) {
-    local.push_back({o.key, &o.body, false});
-    arrays->add(o.body);
-  }
-  own_boxes.resize(local.size());
-  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), own_boxes, *executor);
-  boxes = own_boxes;
+  for (const Local& l : local) arrays->add(*l.body);
+  boxes.resize(local.size());
+  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), boxes, *executor);
 }
 
-/// The same of all that stand here, of which those that live here have their bounds.
+/// Whether a ball about a body's origin, which holds its bounds, is inside the region: that of most is, and spares the
+/// search for their bounds before all are here.
 template <class T>
-void World<T>::Parts::find_all_bounds() {
-  arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  boxes.resize(local.size());
-  std::vector<std::uint32_t> lent;
-  auto own = own_boxes.begin();
-  for (std::uint32_t i = 0; i < local.size(); ++i) {
-    arrays->add(*local[i].body);
-    if (local[i].lent)
-      lent.push_back(i);
-    else
-      boxes[i] = *own++;
+bool World<T>::Parts::is_far_from_borders(typename OwnedBodies<T>::Entry& o) const {
+  const Body<T>& body = o.body;
+  if (o.reach == OwnedBodies<T>::unknown) {
+    const Aabb<T> box = bounds(body.shape, Pose<T>{});
+    const T margin = settings.margin.value_or(contact_margin(body.shape, body.shape));
+    o.reach = length(converted<double>(greatest(-box.lower, box.upper))) + static_cast<double>(margin);
   }
-  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), lent, boxes, *executor);
+  const Vec3<double> at = converted<double>(body.pose.translation);
+  // Bounds are rounded outward in T: by some units in the last place of where they are and of how large they are.
+  constexpr double rounding = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  const double reach = o.reach + rounding * (max_abs(at) + o.reach);
+  const Aabb<double>& region = partition.region();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!(region.lower[axis] < at[axis] - reach && at[axis] + reach < region.upper[axis])) return false;
+  return true;
 }
 
 template <class T>
 void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
-  find_own_bounds();
-  if (to.size() == 1 || !partition.drawn()) return;
-  const Aabb<double>& region = partition.region();
-  const auto inside = [](const Vec3<double>& a, const Vec3<double>& b) { return a.x < b.x && a.y < b.y && a.z < b.z; };
-  std::vector<int> ranks;
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    const Aabb<double> box{converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)};
-    if (inside(region.lower, box.lower) && inside(box.upper, region.upper)) continue;
-    ranks.clear();
-    partition.ranks_of_box(box, ranks);
-    for (const int r : ranks)
-      if (r != rank_of(comm))
-        to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, *local[i].body, 0.0F, shared));
+  guests.clear();
+  local.clear();
+  if (to.size() > 1 && partition.drawn()) {
+    for (auto& o : owned.settled())
+      if (!is_far_from_borders(o)) local.push_back({o.key, &o.body, false});
+    find_bounds_here();
+    std::vector<int> ranks;
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      ranks.clear();
+      partition.ranks_of_box({converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)}, ranks);
+      for (const int r : ranks)
+        if (r != rank_of(comm))
+          to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, *local[i].body, 0.0F, shared));
+    }
+    local.clear();
   }
+  for (const auto& o : owned.settled()) local.push_back({o.key, &o.body, false});
 }
 
 /// What reaches into other regions is lent to their ranks.
@@ -173,7 +175,6 @@ template <class T>
 void World<T>::Parts::lend(Together& together) {
   ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
   together.alone([&] { find_who_is_lent(to); });
-  if (size_of(comm) == 1) return together.meet();
   const ByRank<BodyRecord<T>> from = together.exchange(to);
   together.alone([&] {
     for (const auto& some : from)
@@ -181,9 +182,8 @@ void World<T>::Parts::lend(Together& together) {
         check(r.key, false);
         take_in(r);
       }
-    if (guests.empty()) return;
-    sort_local();
-    find_all_bounds();
+    if (!guests.empty()) sort_local();
+    find_bounds_here();
   });
 }
 
@@ -230,7 +230,7 @@ void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
     }
   std::sort(mine.begin(), mine.end());
   mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-  find_all_bounds();
+  find_bounds_here();
 }
 
 /// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
