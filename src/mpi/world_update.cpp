@@ -182,7 +182,10 @@ void World<T>::Parts::lend(Together& together) {
         check(r.key, false);
         take_in(r);
       }
-    if (!guests.empty()) sort_local();
+    const auto by_key = [](const Local& a, const Local& b) { return a.key < b.key; };
+    const auto own = local.begin() + static_cast<std::ptrdiff_t>(owned.size());
+    std::sort(own, local.end(), by_key);
+    std::inplace_merge(local.begin(), own, local.end(), by_key);
     find_bounds_here();
   });
 }
