@@ -1,7 +1,8 @@
 // What ranks do together, step by step: each its own part, then messages from every rank to every other.
 //
 // Guarantee: no rank waits for one that has failed. What a rank's own part throws, and what came for it and does not
-// fit into its memory, is an error of the next exchange on every rank. Messages may have any length, and most have none.
+// fit into its memory, is an error of the next exchange on every rank. Messages may have any length, and most have
+// none.
 #pragma once
 
 #include <cstring>

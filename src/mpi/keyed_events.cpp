@@ -32,15 +32,30 @@ void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, const std::vecto
   events_.clear();
   auto last = touching_.begin();
   const auto miss = [&](const KeyedEvent& e) { judge(e.a, e.b).push_back({e.a, e.b, 0, 0, e.trigger}); };
+  auto was_apart = apart_.begin();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const KeyedPair& p = pairs[i];
+    while (was_apart != apart_.end() && *was_apart < std::pair(p.a, p.b)) ++was_apart;
     while (last != touching_.end() && keys_of(*last) < std::pair(p.a, p.b)) miss(*last++);
     if (last != touching_.end() && keys_of(*last) == std::pair(p.a, p.b))
       events_.push_back({p.a, p.b, EventKind::stay, (last++)->trigger});
-    else
+    // What was found here and did not touch, nobody else found: this rank knows by itself.
+    else if (was_apart == apart_.end() || *was_apart != std::pair(p.a, p.b))
       judge(p.a, p.b).push_back({p.a, p.b, 1, p.overlap, triggers[i]});
+    else if (p.overlap)
+      events_.push_back({p.a, p.b, EventKind::begin, triggers[i] != 0});
   }
   while (last != touching_.end()) miss(*last++);
+}
+
+/// Keeps the pairs that were found here and have no event: they are near and do not touch.
+void KeyedEvents::keep_apart(std::span<const KeyedPair> pairs) {
+  apart_.clear();
+  auto event = events_.begin();
+  for (const KeyedPair& p : pairs) {
+    while (event != events_.end() && keys_of(*event) < std::pair(p.a, p.b)) ++event;
+    if (event == events_.end() || keys_of(*event) != std::pair(p.a, p.b)) apart_.emplace_back(p.a, p.b);
+  }
 }
 
 /// The verdict goes to who found the pair, and on an end to who missed it.
@@ -71,9 +86,12 @@ void KeyedEvents::update(Together& together, std::span<const KeyedPair> pairs,
   });
   const ByRank<KeyedEvent> heard_of = together.exchange(verdicts);
   together.alone([&] {
+    const auto before = [](const KeyedEvent& e, const KeyedEvent& f) { return keys_of(e) < keys_of(f); };
+    const auto known = static_cast<std::ptrdiff_t>(events_.size());
     for (const std::vector<KeyedEvent>& some : heard_of) events_.insert(events_.end(), some.begin(), some.end());
-    std::sort(events_.begin(), events_.end(),
-              [](const KeyedEvent& e, const KeyedEvent& f) { return keys_of(e) < keys_of(f); });
+    std::sort(events_.begin() + known, events_.end(), before);
+    std::inplace_merge(events_.begin(), events_.begin() + known, events_.end(), before);
+    keep_apart(pairs);
     touching_.clear();
     std::copy_if(events_.begin(), events_.end(), std::back_inserter(touching_),
                  [](const KeyedEvent& e) { return e.kind != EventKind::end; });

@@ -15,14 +15,19 @@ class KeyedEvents {
   void update(Together& together, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers);
 
   const std::vector<KeyedEvent>& events() const { return events_; }
-  std::size_t memory() const { return (events_.capacity() + touching_.capacity()) * sizeof(KeyedEvent); }
+  std::size_t memory() const {
+    return (events_.capacity() + touching_.capacity()) * sizeof(KeyedEvent) +
+           apart_.capacity() * sizeof(std::pair<Key, Key>);
+  }
 
  private:
   struct Claim;
   void find_claims(std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers, ByRank<Claim>& claims);
+  void keep_apart(std::span<const KeyedPair> pairs);
 
   std::vector<KeyedEvent> events_;
-  std::vector<KeyedEvent> touching_;  ///< of the last update: all but the ends
+  std::vector<KeyedEvent> touching_;        ///< of the last update: all but the ends
+  std::vector<std::pair<Key, Key>> apart_;  ///< found here in the last update, and not touching
 };
 
 }  // namespace graze::mpi

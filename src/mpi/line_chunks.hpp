@@ -1,5 +1,5 @@
-// A file of lines or of records in parts that are handed out: a function of the file alone, so that a journal can name them by
-// number.
+// A file of lines or of records in parts that are handed out: a function of the file alone, so that a journal can name
+// them by number.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ double clamped(double x) { return std::clamp(x, -furthest, furthest); }
 
 }  // namespace
 
-Partition::Partition(MPI_Comm comm) : comm_(comm) {
+Partition::Partition(MPI_Comm comm) : comm_(comm), own_(rank_of(comm)) {
   float version = 0;
   Zoltan_Initialize(0, nullptr, &version);
   zoltan_ = Zoltan_Create(comm);
@@ -96,6 +96,11 @@ void Partition::draw(std::span<const Load> loads) {
 }
 
 int Partition::rank_of_point(const Vec3<double>& point) const {
+  // What stands on a border is left to Zoltan.
+  const Vec3<double>&lower = region_.lower, &upper = region_.upper;
+  if (drawn_ && lower.x < point.x && point.x < upper.x && lower.y < point.y && point.y < upper.y && lower.z < point.z &&
+      point.z < upper.z)
+    return own_;
   double place[3] = {clamped(point.x), clamped(point.y), clamped(point.z)};
   int process = 0, part = 0;
   check(Zoltan_LB_Point_PP_Assign(zoltan_, place, &process, &part), "find the rank of a point");

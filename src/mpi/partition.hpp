@@ -31,6 +31,7 @@ class Partition {
   void draw(std::span<const Load> loads);
   bool drawn() const { return drawn_; }
 
+  /// Costs next to nothing for a point that is inside the region of this rank.
   int rank_of_point(const Vec3<double>& point) const;
   /// Appends the ranks whose regions a box meets.
   void ranks_of_box(const Aabb<double>& box, std::vector<int>& out) const;
@@ -40,6 +41,7 @@ class Partition {
  private:
   Zoltan_Struct* zoltan_ = nullptr;
   MPI_Comm comm_;
+  int own_;
   std::span<const Load> loads_;  ///< while borders are drawn
   Aabb<double> region_ = Aabb<double>::everything();
   mutable std::vector<int> processes_, parts_;

@@ -76,7 +76,7 @@ void World<T>::add(Key key, const Body<T>& body) {
   Space<T>::checked(body.pose);
   Space<T>::check(body.linear, body.angular);
   record_of(key, body, 0.0F, parts_->shared);
-  parts_->owned.emplace(key, typename Parts::Owned{body});
+  parts_->owned.add(key, body, cost_of_body);
 }
 
 template <class T>
@@ -87,44 +87,43 @@ bool World<T>::contains(Key key) const {
 template <class T>
 void World<T>::remove(Key key) {
   parts_->check(key, true);
-  parts_->owned.erase(key);
+  parts_->owned.remove(key);
 }
 
 template <class T>
 void World<T>::move(Key key, const Pose<T>& pose) {
   parts_->check(key, true);
   Space<T>::checked(pose);
-  parts_->owned.at(key).body.pose = pose;
+  parts_->owned.find(key)->body.pose = pose;
 }
 
 template <class T>
 void World<T>::set_filter(Key key, const Filter& filter) {
   parts_->check(key, true);
-  parts_->owned.at(key).body.filter = filter;
+  parts_->owned.find(key)->body.filter = filter;
 }
 
 template <class T>
 void World<T>::set_shape(Key key, const Shape<T>& shape) {
   parts_->check(key, true);
-  Body<T> changed = parts_->owned.at(key).body;
+  Body<T> changed = parts_->owned.find(key)->body;
   changed.shape = shape;
   record_of(key, changed, 0.0F, parts_->shared);
-  parts_->owned.at(key).body = std::move(changed);
+  parts_->owned.find(key)->body = std::move(changed);
+  parts_->owned.find(key)->reach = OwnedBodies<T>::unknown;
 }
 
 template <class T>
 Body<T> World<T>::body(Key key) const {
   parts_->check(key, true);
-  Body<T> body = parts_->owned.at(key).body;
+  Body<T> body = parts_->owned.find(key)->body;
   body.pose = Space<T>::checked(body.pose);
   return body;
 }
 
 template <class T>
 std::vector<Key> World<T>::keys() const {
-  std::vector<Key> keys;
-  for (const auto& [key, o] : parts_->owned) keys.push_back(key);
-  return keys;
+  return parts_->owned.keys();
 }
 
 template <class T>
@@ -134,7 +133,7 @@ std::span<const KeyedPair> World<T>::pairs() const {
 
 template <class T>
 const ContactArrays<T>& World<T>::contacts() const {
-  return parts_->manifolds->contacts();
+  return parts_->manifolds.contacts();
 }
 
 template <class T>
@@ -155,10 +154,9 @@ const Aabb<double>& World<T>::region() const {
 template <class T>
 std::size_t World<T>::memory() const {
   const Parts& p = *parts_;
-  return p.owned.size() * (sizeof(std::pair<Key, typename Parts::Owned>) + 4 * sizeof(void*)) +
-         p.local.capacity() * sizeof(p.local[0]) + (p.arrays ? p.arrays->memory() : 0) +
-         p.boxes.capacity() * sizeof(p.boxes[0]) + p.finder.memory() +
-         (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + (p.manifolds ? p.manifolds->memory() : 0) +
+  return p.owned.memory() + p.guests.size() * sizeof(Body<T>) + p.local.capacity() * sizeof(p.local[0]) +
+         (p.arrays ? p.arrays->memory() : 0) + p.boxes.capacity() * sizeof(p.boxes[0]) + p.finder.memory() +
+         (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + p.manifolds.memory() +
          p.pairs.capacity() * sizeof(KeyedPair) + p.events.memory();
 }
 
@@ -173,7 +171,7 @@ Gathered<T> World<T>::gather(int root) const {
     together.alone([&] { all[to].assign(some.begin(), some.end()); });
     return together.exchange(all);
   };
-  const ContactArrays<T>& found = p.manifolds->contacts();
+  const ContactArrays<T>& found = p.manifolds.contacts();
   const auto pairs = gathered(std::span<const KeyedPair>(p.pairs));
   const auto manifolds = gathered(std::span<const ContactManifold<T>>(found.manifolds));
   const auto points = gathered(std::span<const SolverPoint<T>>(found.points));

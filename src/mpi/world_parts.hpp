@@ -1,12 +1,14 @@
 // What a world of many ranks holds on one of them, and the steps of its update.
 #pragma once
 
-#include <map>
+#include <deque>
+#include <memory>
 #include <string>
 
 #include "graze/pairs.hpp"
 #include "mpi/body_record.hpp"
 #include "mpi/keyed_events.hpp"
+#include "mpi/owned_bodies.hpp"
 #include "mpi/partition.hpp"
 
 namespace graze::mpi {
@@ -17,17 +19,16 @@ constexpr float cost_of_pair = 2, cost_of_body = 1;
 template <class T>
 struct World<T>::Parts {
   Parts(MPI_Comm c, WorldSettings<T> s, Executor* e)
-      : comm(c), settings(std::move(s)), executor(e ? e : &serial), partition(c) {}
+      : comm(c),
+        settings(std::move(s)),
+        executor(e ? e : &serial),
+        partition(c),
+        manifolds(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
 
-  /// A body that lives here.
-  struct Owned {
-    Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
-    float weight = cost_of_body;
-  };
   /// A body that stands here, lent or not.
   struct Local {
     Key key;
-    Body<T> body;
+    const Body<T>* body;  ///< among `owned` or `guests`
     bool lent;
   };
   /// A fixed body for the rank on which one that moves lives.
@@ -53,6 +54,8 @@ struct World<T>::Parts {
   void find_who_is_lent(ByRank<BodyRecord<T>>& to);
   void find_own_pairs(ByRank<Sent>& to);
   void take_pairs(const ByRank<Sent>& from);
+  void take_in(const BodyRecord<T>& record);
+  bool is_far_from_borders(typename OwnedBodies<T>::Entry& o) const;
   void find_bounds_here();
   std::vector<std::uint32_t> sort_local();
   std::uint32_t place_of(Key key) const;
@@ -62,17 +65,19 @@ struct World<T>::Parts {
   SerialExecutor serial;
   Executor* executor;
   SharedShapes<T> shared;
-  std::map<Key, Owned> owned;
+  OwnedBodies<T> owned;
   Partition partition;
   double drawn_imbalance = 1;
 
   // Of the last update.
-  std::vector<Local> local;  ///< sorted by key
+  std::vector<Local> local;    ///< sorted by key
+  std::deque<Body<T>> guests;  ///< the bodies of those that are lent
   std::unique_ptr<BodyArrays<T>> arrays;
   std::vector<Aabb<T>> boxes;
   PairFinder<T> finder;
   std::vector<IdPair> candidates, mine;
-  std::unique_ptr<ManifoldFinder<T>> manifolds;
+  /// Kept for its storage. What it remembers is of other bodies by now, which only guides where it looks first.
+  ManifoldFinder<T> manifolds;
   std::vector<KeyedPair> pairs;
   KeyedEvents events;
   WorldReport report;

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
+#include "graze/query.hpp"
 #include "graze/world/bounds.hpp"
 #include "mpi/world_parts.hpp"
 
@@ -37,8 +39,9 @@ Vec3<double> common_point(const Aabb<T>& a, const Aabb<T>& b) {
 /// Draws borders where there are none, or where the work is shared unevenly.
 template <class T>
 void World<T>::Parts::balance(Together& together) {
+  owned.settle();
   double sum = 0;
-  for (const auto& [key, o] : owned) sum += static_cast<double>(o.weight);
+  for (const auto& o : owned.settled()) sum += static_cast<double>(o.weight);
   double most = 0, all = 0;
   MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
   MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, comm);
@@ -48,7 +51,7 @@ void World<T>::Parts::balance(Together& together) {
   std::vector<Load> loads;
   together.alone([&] {
     loads.reserve(owned.size());
-    for (const auto& [key, o] : owned)
+    for (const auto& o : owned.settled())
       loads.push_back({converted<double>(o.body.pose.translation), static_cast<double>(o.weight)});
   });
   together.meet();
@@ -64,14 +67,12 @@ void World<T>::Parts::balance(Together& together) {
 template <class T>
 void World<T>::Parts::find_who_leaves(ByRank<BodyRecord<T>>& to) {
   if (!partition.drawn()) return;
-  for (auto i = owned.begin(); i != owned.end();) {
-    const int rank = partition.rank_of_point(converted<double>(i->second.body.pose.translation));
-    if (rank == rank_of(comm)) {
-      ++i;
-      continue;
-    }
-    to[static_cast<std::size_t>(rank)].push_back(record_of(i->first, i->second.body, i->second.weight, shared));
-    i = owned.erase(i);
+  const int here = rank_of(comm);
+  for (auto& o : owned.settled()) {
+    const int rank = partition.rank_of_point(converted<double>(o.body.pose.translation));
+    if (rank == here) continue;
+    to[static_cast<std::size_t>(rank)].push_back(record_of(o.key, o.body, o.weight, shared));
+    owned.remove(o);
     ++report.migrated;
   }
 }
@@ -86,8 +87,9 @@ void World<T>::Parts::migrate(Together& together) {
     for (const auto& some : from)
       for (const BodyRecord<T>& r : some) {
         check(r.key, false);
-        owned.emplace(r.key, Owned{body_of(r, shared), r.weight});
+        owned.add(r.key, body_of(r, shared), r.weight);
       }
+    owned.settle();
   });
 }
 
@@ -113,33 +115,59 @@ std::uint32_t World<T>::Parts::place_of(Key key) const {
   return static_cast<std::uint32_t>(found - local.begin());
 }
 
-/// Puts what stands here into arrays and finds their bounds.
+template <class T>
+void World<T>::Parts::take_in(const BodyRecord<T>& record) {
+  local.push_back({record.key, &guests.emplace_back(body_of(record, shared)), true});
+}
+
+/// Puts what stands here into arrays and finds its bounds.
 template <class T>
 void World<T>::Parts::find_bounds_here() {
   arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  for (const Local& l : local) arrays->add(l.body);
+  for (const Local& l : local) arrays->add(*l.body);
   boxes.resize(local.size());
   find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), boxes, *executor);
 }
 
+/// Whether a ball about a body's origin, which holds its bounds, is inside the region: that of most is, and spares the
+/// search for their bounds before all are here.
+template <class T>
+bool World<T>::Parts::is_far_from_borders(typename OwnedBodies<T>::Entry& o) const {
+  const Body<T>& body = o.body;
+  if (o.reach == OwnedBodies<T>::unknown) {
+    const Aabb<T> box = bounds(body.shape, Pose<T>{});
+    const T margin = settings.margin.value_or(contact_margin(body.shape, body.shape));
+    o.reach = length(converted<double>(greatest(-box.lower, box.upper))) + static_cast<double>(margin);
+  }
+  const Vec3<double> at = converted<double>(body.pose.translation);
+  // Bounds are rounded outward in T: by some units in the last place of where they are and of how large they are.
+  constexpr double rounding = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  const double reach = o.reach + rounding * (max_abs(at) + o.reach);
+  const Aabb<double>& region = partition.region();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!(region.lower[axis] < at[axis] - reach && at[axis] + reach < region.upper[axis])) return false;
+  return true;
+}
+
 template <class T>
 void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
+  guests.clear();
   local.clear();
-  for (const auto& [key, o] : owned) local.push_back({key, o.body, false});
-  find_bounds_here();
-  if (to.size() == 1 || !partition.drawn()) return;
-  const Aabb<double>& region = partition.region();
-  const auto inside = [](const Vec3<double>& a, const Vec3<double>& b) { return a.x < b.x && a.y < b.y && a.z < b.z; };
-  std::vector<int> ranks;
-  for (std::size_t i = 0; i < local.size(); ++i) {
-    const Aabb<double> box{converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)};
-    if (inside(region.lower, box.lower) && inside(box.upper, region.upper)) continue;
-    ranks.clear();
-    partition.ranks_of_box(box, ranks);
-    for (const int r : ranks)
-      if (r != rank_of(comm))
-        to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, local[i].body, 0.0F, shared));
+  if (to.size() > 1 && partition.drawn()) {
+    for (auto& o : owned.settled())
+      if (!is_far_from_borders(o)) local.push_back({o.key, &o.body, false});
+    find_bounds_here();
+    std::vector<int> ranks;
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      ranks.clear();
+      partition.ranks_of_box({converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)}, ranks);
+      for (const int r : ranks)
+        if (r != rank_of(comm))
+          to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, *local[i].body, 0.0F, shared));
+    }
+    local.clear();
   }
+  for (const auto& o : owned.settled()) local.push_back({o.key, &o.body, false});
 }
 
 /// What reaches into other regions is lent to their ranks.
@@ -147,15 +175,17 @@ template <class T>
 void World<T>::Parts::lend(Together& together) {
   ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
   together.alone([&] { find_who_is_lent(to); });
-  if (size_of(comm) == 1) return together.meet();
   const ByRank<BodyRecord<T>> from = together.exchange(to);
   together.alone([&] {
     for (const auto& some : from)
       for (const BodyRecord<T>& r : some) {
         check(r.key, false);
-        local.push_back({r.key, body_of(r, shared), true});
+        take_in(r);
       }
-    sort_local();
+    const auto by_key = [](const Local& a, const Local& b) { return a.key < b.key; };
+    const auto own = local.begin() + static_cast<std::ptrdiff_t>(owned.size());
+    std::sort(own, local.end(), by_key);
+    std::inplace_merge(local.begin(), own, local.end(), by_key);
     find_bounds_here();
   });
 }
@@ -181,8 +211,8 @@ void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
     if (!moving.lent) {
       mine.push_back(p);
     } else if (found_here(p)) {
-      const int home = partition.rank_of_point(converted<double>(moving.body.pose.translation));
-      to[static_cast<std::size_t>(home)].push_back({record_of(standing.key, standing.body, 0.0F, shared), moving.key});
+      const int home = partition.rank_of_point(converted<double>(moving.body->pose.translation));
+      to[static_cast<std::size_t>(home)].push_back({record_of(standing.key, *standing.body, 0.0F, shared), moving.key});
     }
   }
 }
@@ -190,13 +220,10 @@ void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
 /// Adds the pairs that other ranks found for bodies that live here, with the fixed bodies that are not here yet.
 template <class T>
 void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
-  bool any = false;
+  const std::size_t before = local.size();
   for (const auto& some : from)
-    for (const Sent& s : some) {
-      any = true;
-      local.push_back({s.standing.key, body_of(s.standing, shared), true});
-    }
-  if (!any) return;
+    for (const Sent& s : some) take_in(s.standing);
+  if (local.size() == before) return;
   const std::vector<std::uint32_t> place = sort_local();
   for (IdPair& p : mine) p = {place[p.a], place[p.b]};
   for (const auto& some : from)
@@ -222,17 +249,19 @@ void World<T>::Parts::find_pairs(Together& together) {
 
 template <class T>
 void World<T>::Parts::find_contacts() {
-  manifolds = std::make_unique<ManifoldFinder<T>>(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points));
-  manifolds->find(*arrays, mine, *executor);
+  manifolds.find(*arrays, mine, *executor);
   pairs.clear();
-  for (const ContactPair<T>& p : manifolds->contacts().pairs)
+  for (const ContactPair<T>& p : manifolds.contacts().pairs)
     pairs.push_back({local[p.a].key, local[p.b].key, p.overlap, p.first_manifold, p.manifold_count});
   // What each body cost is what its rank is charged for next time.
-  for (auto& [key, o] : owned) o.weight = cost_of_body;
-  for (const IdPair& p : mine)
-    for (const std::uint32_t i : {p.a, p.b})
-      if (const auto o = local[i].lent ? owned.end() : owned.find(local[i].key); o != owned.end())
-        o->second.weight += cost_of_pair / 2;
+  std::vector<float> costs(local.size(), cost_of_body);
+  for (const IdPair& p : mine) {
+    costs[p.a] += cost_of_pair / 2;
+    costs[p.b] += cost_of_pair / 2;
+  }
+  auto o = owned.settled().begin();
+  for (std::size_t i = 0; i < local.size(); ++i)
+    if (!local[i].lent) (o++)->weight = costs[i];
 }
 
 template <class T>
@@ -251,7 +280,7 @@ void World<T>::update() {
   std::vector<std::uint8_t> triggers;
   together.alone([&] {
     p.find_contacts();
-    for (const ContactPair<T>& c : p.manifolds->contacts().pairs)
+    for (const ContactPair<T>& c : p.manifolds.contacts().pairs)
       triggers.push_back(p.arrays->triggers()[c.a] | p.arrays->triggers()[c.b]);
   });
   p.report.contacts = clock.lap();

@@ -123,7 +123,8 @@ void compare(const std::string& folder) {
         mpi::nearest_of_chain<T>(scene.chain, scene.world, poses, static_cast<T>(least / 2));
     if (least > 0 && near.distance < std::numeric_limits<double>::infinity()) fail("what is beyond the limit");
   }
-  if (overlaps < 20 || own < 20) fail("poses in which too little happens: " + std::to_string(overlaps) + ", " + std::to_string(own));
+  if (overlaps < 20 || own < 20)
+    fail("poses in which too little happens: " + std::to_string(overlaps) + ", " + std::to_string(own));
 }
 
 template <class F>

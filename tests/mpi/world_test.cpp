@@ -35,7 +35,7 @@ bool same(const Vec3<T>& a, const Vec3<T>& b) {
 template <class T>
 struct Play {
   explicit Play(int s) : seed(s), random(static_cast<unsigned>(s)), many(MPI_COMM_WORLD, settings()) {
-    const auto allow = [this](BodyId a, BodyId b) { return (key_of(a) * 31 + key_of(b)) % 17 != 0; };
+    const auto allow = [](BodyId a, BodyId b) { return (key_of(a) * 31 + key_of(b)) % 17 != 0; };
     one = std::make_unique<World<T>>(WorldSettings<T>{.margin = {}, .allow = allow, .points_per_pair = {}});
     make_shared_shapes();
   }

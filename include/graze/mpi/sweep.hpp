@@ -43,8 +43,8 @@ struct SweepSettings {
   std::string kind;  ///< what the answers depend on beside the questions: the program's version, the precision
 };
 
-/// Appends the answer to a line, which is not blank, or to a record, to `out`; `number` counts them from 1. Returns whether the answer
-/// is an error. Called from one thread a rank.
+/// Appends the answer to a line, which is not blank, or to a record, to `out`; `number` counts them from 1. Returns
+/// whether the answer is an error. Called from one thread a rank.
 using LineAnswer = std::function<bool(std::string_view line, std::size_t number, std::string& out)>;
 
 /// What a sweep did.

@@ -1,0 +1,190 @@
+// A world on many ranks: ghosts, bytes and memory a body, balance, and what an update costs beside that of one world.
+//
+//   mpirun -n RANKS bench_mpi_world [--bodies N] [--frames N] [--corner] [--beside]
+//
+// Balls and boxes stand in a cube of a lattice, a little turned and out of place, so that each touches about three
+// others; from frame to frame every body moves by about 1e-3 of its size. Of ghosts and bytes the mean of the frames is
+// printed. With --corner all bodies fall into one corner over the frames and lie there for three more, and the balance
+// of each frame is printed, as the costs of the one before say. With
+// --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take turns
+// frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of the
+// machine is about the same in two updates that follow each other. The others sleep while one world works.
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "command_line.hpp"
+#include "graze/mpi/world.hpp"
+#include "graze/world.hpp"
+#include "random.hpp"
+#include "threads.hpp"
+
+namespace graze::bench {
+
+namespace {
+
+using T = double;
+
+struct Options {
+  std::size_t bodies = 100000, frames = 9;
+  bool corner = false, beside = false;
+};
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The bodies of the lattice by number: the same on every rank, and in every frame from themselves alone.
+class Lattice {
+ public:
+  explicit Lattice(const Options& options)
+      : options_(options),
+        side_(static_cast<std::uint64_t>(std::ceil(std::cbrt(static_cast<double>(options.bodies))))) {}
+
+  graze::Body<T> body(std::uint64_t number, std::size_t frame) const {
+    const Shape<T> shape = number % 2 == 0 ? Shape<T>(Sphere<T>(0.54)) : Shape<T>(Box<T>({0.94, 0.94, 0.94}));
+    return {shape, pose(number, frame)};
+  }
+  Pose<T> pose(std::uint64_t number, std::size_t frame) const {
+    Random still(number);
+    const Vec3d away = still.in_cube(0.05);
+    const Quatd turn = still.rotation();
+    Random now(number * 1000003 + frame);
+    Vec3d at{static_cast<double>(number % side_), static_cast<double>(number / side_ % side_),
+             static_cast<double>(number / side_ / side_)};
+    // What falls comes to lie on a heap in the corner, less than a third as wide and denser towards the corner.
+    if (options_.corner) {
+      const double part = std::min(1.0, static_cast<double>(frame) / static_cast<double>(options_.frames - 1));
+      const double reach = static_cast<double>(side_);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double fallen = 0.6 * reach * (at[axis] / reach) * (at[axis] / reach);
+        at[axis] += part * (fallen - at[axis]);
+      }
+    }
+    return {at + away + now.in_cube(1e-3), turn};
+  }
+  std::uint64_t side() const { return side_; }
+
+ private:
+  Options options_;
+  std::uint64_t side_;
+};
+
+/// Waits for all without a processor.
+void meet_asleep() {
+  MPI_Request all = MPI_REQUEST_NULL;
+  MPI_Ibarrier(MPI_COMM_WORLD, &all);
+  for (int there = 0; there == 0;) {
+    MPI_Test(&all, &there, MPI_STATUS_IGNORE);
+    if (there == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+struct Sums {
+  double bodies = 0, ghosts = 0, pairs = 0, bytes = 0, memory = 0, most_bodies = 0, partition = 0, exchange = 0,
+         broad = 0, contacts = 0, events = 0;
+};
+
+Sums sums_of(const mpi::World<T>& world) {
+  const mpi::WorldReport& r = world.report();
+  const auto d = [](std::uint64_t n) { return static_cast<double>(n); };
+  const double mine[] = {d(r.bodies), d(r.ghosts), d(r.pairs), d(r.bytes), d(world.memory())};
+  const double most[] = {d(r.bodies), r.partition, r.exchange, r.broad, r.contacts, r.events};
+  Sums s;
+  MPI_Allreduce(mine, &s.bodies, 5, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  MPI_Allreduce(most, &s.most_bodies, 6, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return s;
+}
+
+/// One world of all bodies, on rank 0.
+struct One {
+  explicit One(std::size_t threads) : executor(make_executor(threads)), world({}, executor.get()) {}
+  std::unique_ptr<Executor> executor;
+  World<T> world;
+  std::vector<BodyId> ids;
+};
+
+void run(const Options& options) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const Lattice lattice(options);
+  mpi::World<T> many(MPI_COMM_WORLD);
+  // In slabs, as a program would read them.
+  const std::uint64_t begin = options.bodies * static_cast<std::uint64_t>(rank) / static_cast<std::uint64_t>(ranks),
+                      end = options.bodies * static_cast<std::uint64_t>(rank + 1) / static_cast<std::uint64_t>(ranks);
+  for (std::uint64_t i = begin; i < end; ++i) many.add(i, lattice.body(i, 0));
+  std::unique_ptr<One> one;
+  if (options.beside && rank == 0) {
+    one = std::make_unique<One>(static_cast<std::size_t>(ranks));
+    for (std::uint64_t i = 0; i < options.bodies; ++i) one->ids.push_back(one->world.add(lattice.body(i, 0)));
+  }
+  std::vector<double> clocks, clocks_of_one, ratios;
+  Sums last;
+  double ghosts = 0, bytes = 0;
+  // Two frames to find the borders, which are not counted; and three after the fall, in which all lies still.
+  const std::size_t first = options.corner ? 0 : 2, after = options.corner ? 3 : 0;
+  for (std::size_t frame = 0; frame < options.frames + first + after; ++frame) {
+    for (const mpi::Key key : many.keys()) many.move(key, lattice.pose(key, frame));
+    MPI_Barrier(MPI_COMM_WORLD);
+    const double before = seconds();
+    many.update();
+    MPI_Barrier(MPI_COMM_WORLD);
+    const double clock = seconds() - before;
+    double clock_of_one = 0;
+    if (one) {
+      for (std::uint64_t i = 0; i < options.bodies; ++i) one->world.move(one->ids[i], lattice.pose(i, frame));
+      const double then = seconds();
+      one->world.update();
+      clock_of_one = seconds() - then;
+    }
+    meet_asleep();
+    last = sums_of(many);
+    if (options.corner && rank == 0)
+      std::printf("frame %zu: work %.3f, borders drawn %llu times, %llu migrated\n", frame, many.report().imbalance,
+                  static_cast<unsigned long long>(many.report().partitions),
+                  static_cast<unsigned long long>(many.report().migrated));
+    if (frame < first) continue;
+    clocks.push_back(clock);
+    clocks_of_one.push_back(clock_of_one);
+    ratios.push_back(clock / std::max(clock_of_one, 1e-9));
+    ghosts += last.ghosts / static_cast<double>(options.frames + after);
+    bytes += last.bytes / static_cast<double>(options.frames + after);
+  }
+  if (rank != 0) return;
+  const double n = static_cast<double>(options.bodies);
+  std::printf("%2d ranks, %zu bodies: pairs %.0f, ghosts %.0f (%.4f a body), bytes %.1f a body, memory %.0f a body, "
+              "update %.1f ms (partition %.1f, exchange %.1f, pairs %.1f, contacts %.1f, events %.1f)\n",
+              ranks, options.bodies, last.pairs, ghosts, ghosts / n, bytes / n, last.memory / n, 1e3 * median(clocks),
+              1e3 * last.partition, 1e3 * last.exchange, 1e3 * last.broad, 1e3 * last.contacts, 1e3 * last.events);
+  if (one)
+    std::printf("one world, %d threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n", ranks,
+                1e3 * median(clocks_of_one), static_cast<double>(one->world.memory()) / n, median(ratios));
+}
+
+}  // namespace
+
+}  // namespace graze::bench
+
+int main(int argc, char** argv) {
+  graze::bench::Options options;
+  graze::bench::CommandLine("Ghosts, bytes, memory and time of a world on many ranks; start it by mpirun")
+      .number("--bodies", options.bodies, "Bodies in all")
+      .number("--frames", options.frames, "Updates that are counted")
+      .flag("--corner", options.corner, "All bodies fall into one corner")
+      .flag("--beside", options.beside, "One world of as many threads beside it")
+      .read(argc, argv);
+  MPI_Init(&argc, &argv);
+  graze::bench::run(options);
+  MPI_Finalize();
+}

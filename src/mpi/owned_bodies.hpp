@@ -1,0 +1,83 @@
+// The bodies that live on one rank, in the order of their keys.
+//
+// Guarantee: a body is found in logarithmic time; those that come and go between two calls of `settle` cost that, and
+// one pass over all. References are good until the next `settle`.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "graze/mpi/world.hpp"
+
+namespace graze::mpi {
+
+template <class T>
+class OwnedBodies {
+ public:
+  static constexpr double unknown = -1;
+  struct Entry {
+    Key key;
+    Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
+    float weight;
+    bool gone = false;
+    double reach = unknown;  ///< how far from its origin it and its margin end, at most
+  };
+
+  Entry* find(Key key) {
+    const auto there = std::lower_bound(settled_.begin(), settled_.end(), key,
+                                        [](const Entry& e, Key wanted) { return e.key < wanted; });
+    if (there != settled_.end() && there->key == key && !there->gone) return &*there;
+    const auto came = came_.find(key);
+    return came == came_.end() ? nullptr : &came->second;
+  }
+  const Entry* find(Key key) const { return const_cast<OwnedBodies*>(this)->find(key); }
+  bool contains(Key key) const { return find(key) != nullptr; }
+
+  /// A key that is not here.
+  void add(Key key, Body<T> body, float weight) { came_.emplace(key, Entry{key, std::move(body), weight}); }
+  /// A key that is here.
+  void remove(Key key) {
+    if (came_.erase(key) == 0) remove(*find(key));
+  }
+  /// One of `settled`.
+  void remove(Entry& entry) {
+    entry.gone = true;
+    ++gone_;
+  }
+
+  /// Puts those that came among the others, and takes out those that went.
+  void settle() {
+    if (gone_ > 0) std::erase_if(settled_, [](const Entry& e) { return e.gone; });
+    gone_ = 0;
+    if (came_.empty()) return;
+    const auto middle = static_cast<std::ptrdiff_t>(settled_.size());
+    settled_.reserve(settled_.size() + came_.size());
+    for (auto& [key, entry] : came_) settled_.push_back(std::move(entry));
+    came_.clear();
+    std::inplace_merge(settled_.begin(), settled_.begin() + middle, settled_.end(),
+                       [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  }
+  /// All that are here when nothing came or went since `settle`.
+  std::vector<Entry>& settled() { return settled_; }
+
+  std::size_t size() const { return settled_.size() - gone_ + came_.size(); }
+  std::vector<Key> keys() const {
+    std::vector<Key> keys;
+    keys.reserve(size());
+    for (const Entry& e : settled_)
+      if (!e.gone) keys.push_back(e.key);
+    const auto middle = static_cast<std::ptrdiff_t>(keys.size());
+    for (const auto& [key, entry] : came_) keys.push_back(key);
+    std::inplace_merge(keys.begin(), keys.begin() + middle, keys.end());
+    return keys;
+  }
+  std::size_t memory() const { return settled_.capacity() * sizeof(Entry) + came_.size() * (sizeof(Entry) + 48); }
+
+ private:
+  std::vector<Entry> settled_;
+  std::map<Key, Entry> came_;
+  std::size_t gone_ = 0;
+};
+
+}  // namespace graze::mpi
