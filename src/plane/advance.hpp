@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "graze/plane/cast.hpp"
@@ -20,6 +21,13 @@ inline Pose2d moved(const Pose2d& pose, const Velocity<double>& velocity, double
   return out;
 }
 
+/// An upper bound of what turning adds to a height h below the reach R. By an angle w it becomes at most
+/// h cos w + sqrt(R² - h²) sin w, and sin w <= w, 1 - cos w <= w² / 2: with no sine computed, and exact to first order.
+struct Gain {
+  double rate = 0, bend = 0;  ///< rate t + bend t²
+  double most = 0;            ///< and no more than this
+};
+
 /// A convex piece and how it moves: of a compound's child, that turns with its body, the pose at any time.
 template <class T>
 struct Mover {
@@ -30,12 +38,13 @@ struct Mover {
   double reach;  ///< of the piece from the body's origin
 
   Pose2d at(double t) const { return compose(moved(body, velocity, t), in_body); }
-  /// How much further than `height` the piece may reach along a fixed direction once its body has turned by `angle`:
-  /// its points lie below that height and no further than `reach` from the body's origin.
-  double gain(double height, double angle) const {
-    if (angle == 0 || !(height < reach)) return 0;
-    const double away = std::acos(greatest(height / reach, -1.0));
-    return reach * std::cos(greatest(away - angle, 0.0)) - height;
+  /// Bounds how much further than `height` the piece reaches along a fixed direction while its body turns: its points
+  /// lie below that height and no further than `reach` from the body's origin.
+  Gain gain(double height) const {
+    const double speed = std::abs(velocity.angular);
+    if (speed == 0 || !(height < reach)) return {};
+    const double beside = std::sqrt((reach - height) * (reach + height));
+    return {speed * beside, speed * speed * greatest(-height, 0.0) / 2, reach - height};
   }
 };
 
@@ -46,16 +55,13 @@ struct WorldContact {
   Status status = Status::converged;
 };
 
-/// The longest time, up to `longest`, in which `closing` (which grows) stays below `gap`: by bisection to a double's
-/// digits.
-template <class F>
-double time_to_close(double gap, double longest, const F& closing) {
-  double low = 0, high = longest;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (closing(middle) < gap ? low : high) = middle;
-  }
-  return low;
+/// A time in which a gap is not closed by an approach and by what two bodies gain by turning; infinite where it never is.
+inline double time_to_close(double gap, double approach, const Gain& a, const Gain& b) {
+  const double rate = approach + a.rate + b.rate, bend = a.bend + b.bend, turning = a.most + b.most;
+  const double root = rate + std::sqrt(rate * rate + 4 * bend * gap);
+  const double bounded = root > 0 ? 2 * gap / root : std::numeric_limits<double>::infinity();
+  if (!(gap > turning)) return bounded;
+  return approach > 0 ? greatest(bounded, (gap - turning) / approach) : std::numeric_limits<double>::infinity();
 }
 
 /// What is nearest of two pieces at a time.
@@ -95,13 +101,9 @@ std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double
     const double approach = greatest(-dot(linear, normal), 0.0);
     const double height_a = dot(now.on_a - a.body.translation - a.velocity.linear * t, normal);
     const double height_b = -dot(now.on_a + normal * now.gap - b.body.translation - b.velocity.linear * t, normal);
-    const auto closing = [&](double time) {
-      return approach * time + a.gain(height_a, std::abs(a.velocity.angular) * time) +
-             b.gain(height_b, std::abs(b.velocity.angular) * time);
-    };
-    const double way = now.gap - (near - tolerance / 2), left_over = duration - t;
-    if (closing(left_over) < way) return {};
-    const double later = t + time_to_close(way, left_over, closing);
+    const double way = now.gap - (near - tolerance / 2);
+    const double later = t + time_to_close(way, approach, a.gain(height_a), b.gain(height_b));
+    if (!(later <= duration)) return {};
     if (later == t) return now.contact;
     t = later;
   }

@@ -6,26 +6,35 @@
 #include "plane/explain_motion.hpp"
 #include "plane/first_contact.hpp"
 #include "plane/leaves.hpp"
+#include "plane/ray_hit.hpp"
 #include "plane/sliding.hpp"
 
 namespace graze::plane {
 
 namespace {
 
+/// The contact of pieces that touch where they begin.
+template <class T>
+std::optional<WorldContact> contact_at_start(const Core<T>& a, const Core<T>& b, const Pose2d& pose_a,
+                                             const Pose2d& b_in_a, double size) {
+  const Nearest start = nearest(a, b, b_in_a, size);
+  const double gap = start.distance - a.radius - b.radius;
+  if (!(gap <= 0)) return {};
+  WorldContact out;
+  out.normal = rotate(pose_a.rotation, start.normal);
+  out.depth = start.status == Status::unbounded ? 0 : -gap;
+  out.point = transform(pose_a, start.a.point + start.normal * (a.radius + (out.depth > 0 ? gap / 2 : 0.0)));
+  return out;
+}
+
 /// The first contact of two convex pieces. With `steps`, those of the search are recorded there.
 template <class T>
 std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, double duration, double size, double near,
                                       std::vector<TraceStep>* steps = nullptr) {
   const Pose2d pose_a = a.at(0), pose_b = b.at(0), b_in_a = relative(pose_a, pose_b);
-  const Nearest start = nearest(a.core, b.core, b_in_a, size);
-  const double gap = start.distance - a.core.radius - b.core.radius;
-  if (gap <= 0) {
-    WorldContact out;
-    out.normal = rotate(pose_a.rotation, start.normal);
-    out.depth = start.status == Status::unbounded ? 0 : -gap;
-    out.point = transform(pose_a, start.a.point + start.normal * (a.core.radius + (out.depth > 0 ? gap / 2 : 0.0)));
-    return out;
-  }
+  const bool polygons = a.core.kind == CoreKind::polygon && b.core.kind == CoreKind::polygon;
+  if (!polygons || !surely_apart(a.core, b.core, b_in_a))
+    if (const auto touching = contact_at_start(a.core, b.core, pose_a, b_in_a, size)) return touching;
   if (a.velocity.angular != 0 || b.velocity.angular != 0) {
     const auto seen = [&](const Nearby& now) {
       if (steps) steps->push_back({now.contact.t, now.gap, {now.contact.normal.x, now.contact.normal.y, 0}});
@@ -163,16 +172,11 @@ struct WorldRay {
   /// The hit of one convex piece up to `until`.
   std::optional<RayHit<T>> meet(const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece, double until,
                                 double& t) const {
-    const Core<T> point = core_of(Circle<T>(T(0)));
     const Vec2d own = inverse_transform(at, origin), along = inverse_rotate(at.rotation, direction);
-    const Pose2d start{own, {}};
-    if (nearest(core, point, start, extent).distance - core.radius <= 0) {
-      t = 0;
-      return RayHit<T>{T(0), converted<T>(origin), converted<T>(-direction), piece};
-    }
-    const auto hit = first_contact(core, point, start, along, until, extent, near_enough(at, extent));
+    const auto hit = ray_hit(core, own, along, until, extent, near_enough(at, extent));
     if (!hit) return {};
     t = hit->t;
+    if (t == 0 && hit->normal == -along) return RayHit<T>{T(0), converted<T>(origin), converted<T>(-direction), piece};
     // By rounding across the ray at most: a surface that it grazes does not face along it.
     const Vec2d n = rotate(at.rotation, hit->normal);
     return RayHit<T>{static_cast<T>(t), converted<T>(origin + direction * t), converted<T>(n), piece, hit->status};

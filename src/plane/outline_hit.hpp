@@ -1,0 +1,56 @@
+// Where a ray first meets a rounded outline, piece by piece: its edges moved outward, and the discs about its vertices.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "graze/plane/vec2.hpp"
+
+namespace graze::plane {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A ray from the origin, with a unit direction, against a rounded outline: the first of its pieces.
+struct OutlineHit {
+  double t = never;
+  Vec2d normal{};
+};
+
+/// Whether a point surely lies further than `radius` above the line of an edge: `start` and `edge` seen from that point,
+/// with room for rounding, so that what lies nearer to the line is left to who measures it.
+inline bool surely_above(const Vec2d& start, const Vec2d& edge, double radius) {
+  const double above = -dot(right(edge), start);
+  return above > 0 && above * above * (1 - 0x1p-40) > radius * radius * length_squared(edge);
+}
+
+/// Tells whether an edge moved outward by `radius` is met first, from its front. Its ends are met within the rounding of the path: a ray
+/// through the vertex of two edges meets one of them.
+inline bool meet_edge(const Vec2d& start, const Vec2d& edge, double radius, const Vec2d& direction, OutlineHit& best) {
+  // What is seen from behind needs no root.
+  if (!(dot(right(edge), direction) < 0)) return false;
+  const double l = length(edge);
+  const Vec2d along = edge / l, n = right(along);
+  const double toward = -dot(n, direction), above = -dot(n, start) - radius;
+  if (!(toward > 0) || above < 0) return false;
+  const double t = above / toward;
+  if (!(t < best.t)) return false;
+  const double at = dot(direction * t - start, along);
+  const double slack = 8 * std::numeric_limits<double>::epsilon() * (t + length(start) + l + radius);
+  if (!(at >= -slack && at <= l + slack)) return false;
+  best = {t, n};
+  return true;
+}
+
+/// Tells whether the disc about a vertex is met first. One of no radius is met within the rounding of the path.
+inline bool meet_disc(const Vec2d& center, double radius, const Vec2d& direction, OutlineHit& best) {
+  const double along = dot(center, direction), across = cross(direction, center);
+  const double reach = radius > 0 ? radius : 8 * std::numeric_limits<double>::epsilon() * length(center);
+  const double under = (reach - across) * (reach + across);
+  if (!(along >= 0) || !(under >= 0)) return false;
+  const double t = radius > 0 ? along - std::sqrt(under) : along;
+  if (!(t < best.t)) return false;
+  best = {greatest(t, 0.0), normalized(direction * t - center, -direction)};
+  return true;
+}
+
+}  // namespace graze::plane
