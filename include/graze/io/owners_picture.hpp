@@ -16,6 +16,7 @@
 
 namespace graze::io {
 
+/// A drawing that many processes make together: each draws its own bodies, one gathers and writes it.
 class GRAZE_API OwnersPicture {
  public:
   /// A picture of what stands within `whole`, as seen against `direction` (towards the viewer; not zero), orthographic,
@@ -25,16 +26,17 @@ class GRAZE_API OwnersPicture {
   /// Draws a shape in the colour of its owner, paler where it does not move.
   void add(const Shaped& shape, const Posed& pose, bool fixed, std::uint32_t owner);
 
-  /// What was drawn here, as bytes for another process, and what another has drawn. Throws `InvalidValue` for bytes
-  /// that are none of `packed`.
+  /// What was drawn here, as bytes for another process.
   std::string packed() const;
+  /// Adds what another process has drawn. Throws `InvalidValue` for bytes that are none of `packed`.
   void add_packed(std::string_view bytes);
 
   /// Whose share is how large, in words, and where its region of space ends.
   struct Owner {
-    std::string words;
-    Aabbd region;
+    std::string words;  ///< its line in the legend
+    Aabbd region;       ///< its part of space, drawn as a frame
   };
+  /// The picture of all that was drawn and added, with a title and a legend of its owners, as SVG.
   std::string svg(const std::string& title, const std::vector<Owner>& owners) const;
 
  private:

@@ -23,7 +23,9 @@ struct PlaneMotion {
   double angular = 0;             ///< counter-clockwise with Y up
   std::optional<double> mass;     ///< by default of its area
   std::optional<double> inertia;  ///< by default that of its shape with its mass
-  double gravity_factor = 1, friction = 0.6, restitution = 0;
+  double gravity_factor = 1;      ///< how much of gravity it feels
+  double friction = 0.6;          ///< Coulomb's, of its material
+  double restitution = 0;         ///< from 0 to 1
 
   friend bool operator==(const PlaneMotion&, const PlaneMotion&) = default;
 };

@@ -15,15 +15,17 @@ struct PlaneBodyState {
   plane::Vec2d translation{};  ///< of its first collider's origin
   double rotation = 0;         ///< of its first collider, from -pi to pi
   plane::Vec2d linear{};       ///< velocity of the centre of mass
-  double angular = 0;
-  bool asleep = false;
+  double angular = 0;          ///< counter-clockwise with Y up
+  bool asleep = false;         ///< whether it rests until something wakes it
 };
 
+/// What a scene of the plane is like at a time.
 struct PlaneSimulationFrame {
-  double time = 0;
+  double time = 0;                     ///< since the start, in the units of gravity
   std::vector<PlaneBodyState> bodies;  ///< in the order of `moving_bodies`
-  std::vector<ContactState> contacts;
-  double kinetic_energy = 0, potential_energy = 0;
+  std::vector<ContactState> contacts;  ///< in the order of pairs
+  double kinetic_energy = 0;           ///< of all bodies that move
+  double potential_energy = 0;         ///< in the gravity of the scene, zero at its origin
 };
 
 /// The bodies that are not static, in their order: indices into `PlaneScene::bodies`.

@@ -16,9 +16,9 @@ namespace graze::io {
 
 /// A file's own content, or one of its tiles.
 struct ScenePart {
-  std::filesystem::path file;
-  Posed pose{};
-  bool tile = false;
+  std::filesystem::path file;  ///< what is read
+  Posed pose{};                ///< where its content stands in the scene
+  bool tile = false;           ///< one of the tiles, otherwise the file's own content
 };
 
 /// The parts of a scene: the file's own content first, then its tiles in the order of their nodes. Reads the file, and

@@ -17,7 +17,7 @@ namespace graze::mpi {
 /// Bodies whose poses a configuration says.
 template <class T>
 struct Chain {
-  std::vector<Shape<T>> links;
+  std::vector<Shape<T>> links;  ///< one for each pose of a configuration
   /// Of links that must not touch each other either, by number; neighbours at a joint usually do.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
@@ -27,7 +27,7 @@ struct NearestOfChain {
   /// Signed: negative where they overlap; infinite where nothing is within the limit; not a number where a pose is
   /// none.
   double distance = std::numeric_limits<double>::infinity();
-  std::uint32_t link = 0;
+  std::uint32_t link = 0;  ///< the link that is nearest
   /// The other of the two: a link, or behind all links the index of a body of the scene. No meaning without a distance.
   std::uint32_t other = 0;
 };

@@ -7,8 +7,10 @@
 
 namespace graze::plane {
 
+/// A `plane::World` whose calls are recorded.
 template <class T>
 using CapturedWorld = graze::CapturedWorld<T, Space<T>>;
+/// A `plane::Simulation` whose calls are recorded.
 template <class T>
 using CapturedSimulation = graze::CapturedSimulation<T, Space<T>>;
 
