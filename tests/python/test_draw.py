@@ -85,6 +85,15 @@ def test_a_simulation_shows_its_joints():
     assert on.of("line")
 
 
+def test_a_simulation_of_the_plane_shows_its_joints():
+    simulation = plane.Simulation()
+    a, b = simulation.add(plane.Box((1, 1))), simulation.add(plane.Box((1, 1)), (3, 0))
+    simulation.join_hinge(a, (1.5, 0), b, (-1.5, 0))
+    on = Everything(["joints"])
+    plane.draw(on, simulation)
+    assert on.of("line")
+
+
 def test_distances_and_the_plane():
     on = Everything()
     graze.draw(on, graze.distance(graze.Sphere(1), None, graze.Sphere(1), (4, 0, 0)))

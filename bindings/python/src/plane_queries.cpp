@@ -148,6 +148,7 @@ void add_plane(py::module_& m) {
   add_plane_queries(plane);
   add_plane_batches(plane);
   add_plane_world(plane);
+  add_plane_simulation(plane);
   add_plane_draw(plane);
 }
 

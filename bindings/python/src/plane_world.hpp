@@ -37,12 +37,15 @@ struct PlaneWords {
   static constexpr const char* vector_type = "(2,)f8";
   static constexpr const char* pose_row = "(x, y, cosine, sine), shape (n, 4)";
   static constexpr const char* turning_unit = "radians per unit of time, counter-clockwise";
+  static constexpr const char* measure = "a mass of its area";
+  static constexpr const char* hinge = "The origins of the frames stay one; a turn is free.";
+  static constexpr const char* joint_axes = "Linear axes are x and y of `frame_a`, the angular one is z.";
 
   static const plane::Shaped& value_of(const PlaneShapeObject& shape) { return *shape.shape; }
   static const plane::Vec2d& value_of(const Vector2& v) { return v.value; }
   static double value_of(double turning) { return turning; }
-  static py::object object_of(const plane::Vec2d& v) { return array_of(v); }
-  static py::object object_of(double turning) { return py::float_(turning); }
+  static py::array_t<double> object_of(const plane::Vec2d& v) { return array_of(v); }
+  static py::float_ object_of(double turning) { return py::float_(turning); }
   static plane::Velocity<double> velocity(const Vector2& linear, double angular);
   /// Throws `InvalidValue` that names the part.
   static plane::Pose2d pose_of_row(const double* p);

@@ -83,10 +83,13 @@ struct SpaceWords {
   static constexpr const char* vector_type = "(3,)f8";
   static constexpr const char* pose_row = "translation and quaternion, shape (n, 7)";
   static constexpr const char* turning_unit = "radians per unit of time about each axis";
+  static constexpr const char* measure = "a mass of its volume";
+  static constexpr const char* hinge = "A turn about the frames' x axis is free.";
+  static constexpr const char* joint_axes = "Axes are x, y and z of `frame_a`.";
 
   static const Shaped& value_of(const Shaped& shape) { return shape; }
   static const Vec3d& value_of(const python::Vector& v) { return v.value; }
-  static py::object object_of(const Vec3d& v) { return array_of(v); }
+  static py::array_t<double> object_of(const Vec3d& v) { return array_of(v); }
   static Velocity<double> velocity(const Vector& linear, const Turning& angular) {
     return {validate::point(linear.value, "linear"), validate::point(angular.value, "angular")};
   }

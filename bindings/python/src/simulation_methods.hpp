@@ -1,0 +1,370 @@
+// The methods of simulations, for space and the plane: written once over the words of `world.hpp`.
+#pragma once
+
+#include <pybind11/stl.h>
+
+#include "answers.hpp"
+#include "draw.hpp"
+#include "world.hpp"
+
+namespace graze::python {
+
+/// A simulation that raises RuntimeError where another call is in a step of it.
+template <class Words>
+class OwnSimulation {
+ public:
+  using Inner = Simulation<double, typename Words::Space>;
+  using Shapes = typename Words::Shapes;
+
+  explicit OwnSimulation(const SimulationSettings<double, typename Words::Space>& settings) : inner_(settings) {}
+  OwnSimulation(const OwnSimulation&) = delete;
+  OwnSimulation& operator=(const OwnSimulation&) = delete;
+
+  Alone::Reading<Inner> read() const { return {inner_, alone_}; }
+  Alone::Changing<Inner> change() { return {inner_, alone_}; }
+  /// The Python objects of the bodies' shapes, to be changed together with the bodies.
+  Shapes& shapes() { return shapes_; }
+  void step(double dt) {
+    const auto changed = change();
+    const py::gil_scoped_release free;
+    changed->step(dt);
+  }
+  WorldView<Words> view() const { return {inner_.world(), shapes_, alone_}; }
+
+ private:
+  Alone alone_;
+  Shapes shapes_;
+  Inner inner_;
+};
+
+/// Throws `InvalidValue` for a word that is none.
+Combine combine_of(const std::string& name, const char* path);
+
+/// What a simulation of space or the plane can be asked and told.
+template <class Words>
+class SimulationMethods {
+ public:
+  using Space = typename Words::Space;
+  using Shape = typename Words::Shape;
+  using Vector = typename Words::Vector;
+  using Turning = typename Words::Turning;
+  using Placement = typename Words::Placement;
+  using Pose = typename Space::Pose;
+  using Material = graze::Material<double, typename Space::Vec>;
+  using State = graze::State<double, Space>;
+  using Joint = graze::Joint<double, Space>;
+  using Own = OwnSimulation<Words>;
+  using Class = py::class_<Own>;
+
+  /// Defines the classes `Material`, `State` and `Simulation`, and `draw` of a simulation.
+  static Class add(py::module_& m, const char* doc) {
+    add_material(m);
+    py::class_<State>(m, "State", "A state of a simulation, to go back to.");
+    Class simulation(m, "Simulation", doc);
+    add_steps(simulation);
+    add_bodies(simulation);
+    add_motion(simulation);
+    add_joints(simulation);
+    m.def(
+        "draw",
+        [](const py::object& on, const Own& drawn) {
+          PythonDraw to(on);
+          draw(to, *drawn.read());
+        },
+        py::arg("on"), py::arg("simulation"), "As a world, with what sleeps told apart, and joints.");
+    return simulation;
+  }
+
+  /// A joint that needs no more than its frames, by the name of its method.
+  template <class Make>
+  static void add_joint(Class& simulation, const char* name, Make make, const char* doc) {
+    simulation.def(
+        name,
+        [make](Own& s, BodyId a, const Placement& frame_a, BodyId b, const Placement& frame_b, bool enable_collision) {
+          Joint joint = make(a, frame_a.value, b, frame_b.value);
+          joint.enable_collision = enable_collision;
+          return s.change()->add(joint);
+        },
+        py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("enable_collision") = false, doc);
+  }
+
+ private:
+  static py::object plain(double value) { return py::float_(value); }
+  template <class Vec>
+  static py::object plain(const Vec& value) {
+    return tuple_of(value);
+  }
+
+  static py::dict object_of(const StepReport<double, Space>& r) {
+    py::dict out;
+    out["awake"] = r.awake;
+    out["islands"] = r.islands;
+    out["contacts"] = r.contacts;
+    out["most_sub_steps"] = r.most_sub_steps;
+    out["stopped"] = r.stopped;
+    out["deepest"] = r.deepest;
+    out["mean_depth"] = r.mean_depth;
+    out["residual"] = r.residual;
+    out["kinetic_energy"] = r.kinetic_energy;
+    out["potential_energy"] = r.potential_energy;
+    out["momentum"] = plain(r.momentum);
+    out["angular_momentum"] = plain(r.angular_momentum);
+    out["milliseconds"] = r.whole_ms;
+    return out;
+  }
+
+  static void add_material(py::module_& m) {
+    const Material usual;
+    py::class_<Material>(m, "Material", R"(What a surface is made of.
+
+Frictions are Coulomb's coefficients >= 0, restitution is 0 to 1, rolling friction a length;
+combine modes: 'unset', 'average', 'minimum', 'maximum' or 'multiply'. surface_velocity: of a belt,
+in the body's frame. Raises ValueError for a combine mode that is none; for numbers that are none
+where a body gets the material.)")
+        .def(py::init([](double static_friction, double dynamic_friction, double restitution, double rolling_friction,
+                         const std::string& friction_combine, const std::string& restitution_combine,
+                         const Vector& surface_velocity) {
+               Material material;
+               material.static_friction = static_friction;
+               material.dynamic_friction = dynamic_friction;
+               material.restitution = restitution;
+               material.rolling_friction = rolling_friction;
+               material.friction_combine = combine_of(friction_combine, "friction_combine");
+               material.restitution_combine = combine_of(restitution_combine, "restitution_combine");
+               material.surface_velocity = surface_velocity.value;
+               return material;
+             }),
+             py::arg("static_friction") = usual.static_friction, py::arg("dynamic_friction") = usual.dynamic_friction,
+             py::arg("restitution") = usual.restitution, py::arg("rolling_friction") = usual.rolling_friction,
+             py::arg("friction_combine") = "unset", py::arg("restitution_combine") = "unset",
+             py::arg("surface_velocity") = Vector{});
+  }
+
+  static void add_steps(Class& simulation) {
+    using Settings = SimulationSettings<double, Space>;
+    const Settings usual;
+    simulation
+        .def(py::init([](const Vector& gravity, int sub_steps, bool sleep, bool continuous) {
+               Settings settings;
+               settings.gravity = gravity.value;
+               settings.sub_steps = sub_steps;
+               settings.most_sub_steps = greatest(settings.most_sub_steps, sub_steps);
+               settings.sleep = sleep;
+               settings.continuous = continuous;
+               return std::make_unique<Own>(settings);
+             }),
+             py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
+             py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
+        .def("step", &Own::step, py::arg("dt"),
+             R"(Moves everything by `dt` > 0 seconds.
+
+The interpreter's lock is released meanwhile; a use of this simulation by another thread then raises
+RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longer than a second.)")
+        .def_property_readonly(
+            "report", [](const Own& s) { return object_of(s.read()->report()); },
+            "What the last step did: a dictionary.")
+        .def_property_readonly("world", py::cpp_function(&Own::view, py::keep_alive<0, 1>()),
+                               "The WorldView of the last step, for questions and contacts.")
+        .def(
+            "set_gravity", [](Own& s, const Vector& gravity) { s.change()->set_gravity(gravity.value); },
+            py::arg("gravity"), "From the next step on.")
+        .def(
+            "save", [](const Own& s) { return s.read()->save(); }, "The State that `restore` goes back to.")
+        .def(
+            "restore", [](Own& s, const State& state) { s.change()->restore(state); }, py::arg("state"),
+            "Goes back, bit for bit. Raises ValueError where bodies or joints came or went in between.");
+  }
+
+  static void add_bodies(Class& simulation) {
+    const Dynamics usual;
+    simulation
+        .def(
+            "add",
+            [](Own& s, const Shape& shape, const Placement& pose, const Vector& linear, const Turning& angular,
+               std::optional<double> mass, double density, bool fixed, bool kinematic, double gravity_factor,
+               double linear_damping, double angular_damping, const Filter& filter, bool trigger,
+               const Material& material, bool may_sleep) {
+              const auto changed = s.change();
+              Body<double, Space> body{Words::value_of(shape),
+                                       pose.value,
+                                       Words::value_of(linear),
+                                       Words::value_of(angular),
+                                       filter,
+                                       fixed,
+                                       trigger,
+                                       false};
+              Dynamics dynamics;
+              dynamics.mass = mass;
+              dynamics.density = density;
+              dynamics.kinematic = kinematic;
+              dynamics.gravity_factor = gravity_factor;
+              dynamics.linear_damping = linear_damping;
+              dynamics.angular_damping = angular_damping;
+              dynamics.may_sleep = may_sleep;
+              const BodyId id = changed->add(std::move(body), dynamics, material);
+              s.shapes().keep(id.index, shape);
+              return id;
+            },
+            py::arg("shape"), py::arg("pose") = py::none(), py::arg("linear") = Vector{},
+            py::arg("angular") = Turning{}, py::arg("mass") = py::none(), py::arg("density") = usual.density,
+            py::arg("fixed") = false, py::arg("kinematic") = usual.kinematic,
+            py::arg("gravity_factor") = usual.gravity_factor, py::arg("linear_damping") = usual.linear_damping,
+            py::arg("angular_damping") = usual.angular_damping, py::arg("filter") = Filter{},
+            py::arg("trigger") = false, py::arg("material") = Material{}, py::arg("may_sleep") = usual.may_sleep,
+            (std::string("Adds a body, with ") + Words::measure +
+             R"( times `density` unless `mass` is given, and returns its BodyId.
+
+linear: velocity of the pose's origin in world axes, length per unit of time. angular:
+)" + Words::turning_unit +
+             R"(. fixed: never moves. kinematic: keeps the velocity
+that it is given; pushes and is not pushed. may_sleep: whether it sleeps with its island where
+nothing in it moves. Raises ValueError for a mass that is none, and a body with mass whose shape
+has no end.)")
+                .c_str())
+        .def(
+            "remove",
+            [](Own& s, BodyId id) {
+              s.change()->remove(id);
+              s.shapes().drop(id.index);
+            },
+            py::arg("body"), "Removes a body and its joints; what stood on it wakes.")
+        .def_property_readonly(
+            "poses",
+            [](const Own& s) {
+              static_assert(sizeof(Pose) == Words::pose_size * sizeof(double));
+              const auto inner = s.read();
+              const auto poses = inner->poses();
+              return py::array_t<double>({static_cast<py::ssize_t>(poses.size()), Words::pose_size},
+                                         reinterpret_cast<const double*>(poses.data()));
+            },
+            (std::string("Of all bodies, by index: rows of ") + Words::pose_row + " (a copy).").c_str())
+        .def(
+            "pose",
+            [](const Own& s, BodyId id) {
+              const auto inner = s.read();
+              return inner->poses()[index_of(inner->world(), id)];
+            },
+            py::arg("body"), "Where a body stands.")
+        .def(
+            "velocity",
+            [](const Own& s, BodyId id) {
+              const auto motion = s.read()->motion(id);
+              return py::make_tuple(Words::object_of(motion.linear), Words::object_of(motion.angular));
+            },
+            py::arg("body"), "(linear velocity of the centre of mass, angular velocity).")
+        .def(
+            "mass", [](const Own& s, BodyId id) { return s.read()->mass(id); }, py::arg("body"),
+            "Infinite for what is fixed or kinematic.")
+        .def(
+            "center_of_mass", [](const Own& s, BodyId id) { return Words::object_of(s.read()->motion(id).center); },
+            py::arg("body"), "In the world.")
+        .def(
+            "angular_momentum",
+            [](const Own& s, BodyId id) { return Words::object_of(s.read()->angular_momentum(id)); }, py::arg("body"),
+            "About the centre of mass.")
+        .def(
+            "asleep", [](const Own& s, BodyId id) { return s.read()->asleep(id); }, py::arg("body"),
+            "Whether a body is at rest, and not moved until something wakes it.")
+        .def(
+            "set_material", [](Own& s, BodyId id, const Material& material) { s.change()->set_material(id, material); },
+            py::arg("body"), py::arg("material"), "Another material for a body.");
+  }
+
+  static void add_motion(Class& simulation) {
+    simulation
+        .def(
+            "wake", [](Own& s, BodyId id) { s.change()->wake(id); }, py::arg("body"),
+            "Wakes a body and what touches it.")
+        .def(
+            "set_pose", [](Own& s, BodyId id, const Placement& pose) { s.change()->set_pose(id, pose.value); },
+            py::arg("body"), py::arg("pose"), "Puts a body elsewhere at once; its velocity stays.")
+        .def(
+            "set_velocity",
+            [](Own& s, BodyId id, const Vector& linear, const Turning& angular) {
+              s.change()->set_velocity(id, {Words::value_of(linear), Words::value_of(angular)});
+            },
+            py::arg("body"), py::arg("linear"), py::arg("angular") = Turning{},
+            "Of the pose's origin, and the turning about it.")
+        .def(
+            "move_to",
+            [](Own& s, BodyId id, const Placement& pose, double dt) { s.change()->move_to(id, pose.value, dt); },
+            py::arg("body"), py::arg("pose"), py::arg("dt"),
+            "Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.")
+        .def(
+            "apply_impulse",
+            [](Own& s, BodyId id, const Vector& impulse, const Vector& point) {
+              s.change()->apply_impulse(id, impulse.value, point.value);
+            },
+            py::arg("body"), py::arg("impulse"), py::arg("point"), "At a point of the world, at once.")
+        .def(
+            "apply_angular_impulse",
+            [](Own& s, BodyId id, const Turning& impulse) {
+              s.change()->apply_angular_impulse(id, Words::value_of(impulse));
+            },
+            py::arg("body"), py::arg("impulse"), "A turning blow, at once.")
+        .def(
+            "apply_force", [](Own& s, BodyId id, const Vector& force) { s.change()->apply_force(id, force.value); },
+            py::arg("body"), py::arg("force"), "On the centre of mass, throughout the next step.")
+        .def(
+            "apply_torque",
+            [](Own& s, BodyId id, const Turning& torque) { s.change()->apply_torque(id, Words::value_of(torque)); },
+            py::arg("body"), py::arg("torque"), "Throughout the next step.");
+  }
+
+  static void add_joints(Class& simulation) {
+    // The makers of joints of the space at hand are found by the type of their frames.
+    add_joint(
+        simulation, "fix",
+        [](BodyId a, const Pose& f, BodyId b, const Pose& g) { return fixed_joint<double>(a, f, b, g); },
+        "Two frames, each in its body, stay one. Returns a JointId.");
+    add_joint(
+        simulation, "join_hinge",
+        [](BodyId a, const Pose& f, BodyId b, const Pose& g) { return hinge_joint<double>(a, f, b, g); }, Words::hinge);
+    const double infinity = std::numeric_limits<double>::infinity();
+    simulation
+        .def(
+            "join_slider",
+            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max) {
+              return s.change()->add(slider_joint<double>(a, f.value, b, g.value, min, max));
+            },
+            py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("min") = -infinity,
+            py::arg("max") = infinity, "A way along the frames' x axis is free, from `min` to `max`.")
+        .def(
+            "join_distance",
+            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g, double min, double max) {
+              return s.change()->add(distance_joint<double>(a, f.value, b, g.value, min, max));
+            },
+            py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("min"), py::arg("max"),
+            "The origins of the frames stay from `min` to `max` apart.")
+        .def(
+            "join",
+            [](Own& s, BodyId a, const Placement& f, BodyId b, const Placement& g,
+               const std::vector<JointLimit<double>>& limits, const std::vector<JointDrive<double>>& drives,
+               bool enable_collision) {
+              return s.change()->add(Joint{a, b, f.value, g.value, limits, drives, enable_collision});
+            },
+            py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"),
+            py::arg("limits") = std::vector<JointLimit<double>>{},
+            py::arg("drives") = std::vector<JointDrive<double>>{}, py::arg("enable_collision") = false,
+            (std::string("Any joint: what is not limited is free.\n\nlimits: JointLimits, drives: JointDrives. ") +
+             Words::joint_axes + " Raises ValueError for limits and drives that are none.")
+                .c_str())
+        .def(
+            "joints", [](const Own& s) { return s.read()->joints(); }, "The JointIds of all joints, by index.")
+        .def(
+            "joint_impulses",
+            [](const Own& s, JointId id) {
+              const auto inner = s.read();
+              const auto impulses = inner->joint_impulses(id);
+              return py::array_t<double>(static_cast<py::ssize_t>(impulses.size()), impulses.data());
+            },
+            py::arg("joint"), "Of the last step: a number for each row of the joint.")
+        .def(
+            "remove_joint", [](Own& s, JointId id) { s.change()->remove(id); }, py::arg("joint"),
+            "Removes a joint; the bodies that it joined wake.");
+  }
+
+  using Dynamics = typename Rigid<Space>::Dynamics;
+};
+
+}  // namespace graze::python
