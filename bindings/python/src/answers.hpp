@@ -22,6 +22,7 @@ void add_queries(py::module_& m);
 void add_batches(py::module_& m);
 void add_world(py::module_& m);
 void add_simulation(py::module_& m);
+void add_replay(py::module_& m);
 void add_scenes(py::module_& m);
 void add_plane(py::module_& m);
 void add_draw(py::module_& m);

@@ -13,6 +13,7 @@ PYBIND11_MODULE(_graze, m) {
   add_world(m);
   add_draw(m);
   add_simulation(m);
+  add_replay(m);
   add_scenes(m);
   add_plane(m);
 }

@@ -22,6 +22,7 @@ limits and drives of joints are those of space.
 >>> round(float(simulation.pose(box).translation[1]), 2)
 0.5
 )");
+  SimulationMethods<PlaneWords>::add_captured(m);
 }
 
 }  // namespace graze::python

@@ -34,6 +34,7 @@ and filters are those of space.
 >>> world.points["distance"].round(12)
 array([-0.01, -0.01])
 )");
+  WorldMethods<PlaneWords>::add_captured(m);
 }
 
 }  // namespace graze::python

@@ -87,8 +87,7 @@ Combine combine_of(const std::string& name, const char* path) {
 
 void add_simulation(py::module_& m) {
   add_joint_parts(m);
-  using Methods = SimulationMethods<SpaceWords>;
-  auto simulation = Methods::add(m, R"(What happens next: bodies fall, collide, hang on joints and come to rest.
+  SimulationMethods<SpaceWords>::add(m, R"(What happens next: bodies fall, collide, hang on joints and come to rest.
 
 gravity: three numbers. sub_steps: of a step, a power of two. sleep: islands at rest cost nothing.
 continuous: what moves fast passes through nothing.
@@ -102,10 +101,7 @@ continuous: what moves fast passes through nothing.
 >>> round(float(simulation.pose(box).translation[1]), 2)
 0.5
 )");
-  Methods::add_joint(
-      simulation, "join_ball",
-      [](BodyId a, const Posed& f, BodyId b, const Posed& g) { return ball_joint<double>(a, f, b, g); },
-      "The origins of the frames stay one.");
+  SimulationMethods<SpaceWords>::add_captured(m);
 }
 
 }  // namespace graze::python

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "answers.hpp"
 #include "draw.hpp"
@@ -9,18 +10,18 @@
 
 namespace graze::python {
 
-/// A simulation that raises RuntimeError where another call is in a step of it.
-template <class Words>
+/// A simulation that raises RuntimeError where another call is in a step of it. `Inner` takes what changes it.
+template <class Words, class Inner = Simulation<double, typename Words::Space>>
 class OwnSimulation {
  public:
-  using Inner = Simulation<double, typename Words::Space>;
   using Shapes = typename Words::Shapes;
 
-  explicit OwnSimulation(const SimulationSettings<double, typename Words::Space>& settings) : inner_(settings) {}
+  template <class... Arguments>
+  explicit OwnSimulation(const Arguments&... arguments) : inner_(arguments...) {}
   OwnSimulation(const OwnSimulation&) = delete;
   OwnSimulation& operator=(const OwnSimulation&) = delete;
 
-  Alone::Reading<Inner> read() const { return {inner_, alone_}; }
+  Alone::Reading<Simulation<double, typename Words::Space>> read() const { return {asked(inner_), alone_}; }
   Alone::Changing<Inner> change() { return {inner_, alone_}; }
   /// The Python objects of the bodies' shapes, to be changed together with the bodies.
   Shapes& shapes() { return shapes_; }
@@ -29,7 +30,7 @@ class OwnSimulation {
     const py::gil_scoped_release free;
     changed->step(dt);
   }
-  WorldView<Words> view() const { return {inner_.world(), shapes_, alone_}; }
+  WorldView<Words> view() const { return {asked(inner_).world(), shapes_, alone_}; }
 
  private:
   Alone alone_;
@@ -53,14 +54,70 @@ class SimulationMethods {
   using Material = graze::Material<double, typename Space::Vec>;
   using State = graze::State<double, Space>;
   using Joint = graze::Joint<double, Space>;
-  using Own = OwnSimulation<Words>;
-  using Class = py::class_<Own>;
+  using Settings = SimulationSettings<double, Space>;
 
   /// Defines the classes `Material`, `State` and `Simulation`, and `draw` of a simulation.
-  static Class add(py::module_& m, const char* doc) {
+  static void add(py::module_& m, const char* doc) {
+    using Own = OwnSimulation<Words>;
     add_material(m);
     py::class_<State>(m, "State", "A state of a simulation, to go back to.");
-    Class simulation(m, "Simulation", doc);
+    py::class_<Own> simulation(m, "Simulation", doc);
+    const Settings usual;
+    simulation
+        .def(py::init([](const Vector& gravity, int sub_steps, bool sleep, bool continuous) {
+               return std::make_unique<Own>(settings(gravity, sub_steps, sleep, continuous));
+             }),
+             py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
+             py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
+        .def(
+            "save", [](const Own& s) { return s.read()->save(); }, "The State that `restore` goes back to.")
+        .def(
+            "restore", [](Own& s, const State& state) { s.change()->restore(state); }, py::arg("state"),
+            "Goes back, bit for bit. Raises ValueError where bodies or joints came or went in between.");
+    add_methods(m, simulation);
+  }
+
+  /// Defines the class `CapturedSimulation`, and `draw` of one.
+  static void add_captured(py::module_& m) {
+    using Own = OwnSimulation<Words, ToFile<CapturedSimulation<double, Space>>>;
+    py::class_<Own> simulation(
+        m, "CapturedSimulation",
+        R"(A Simulation whose calls are written to a file, which `graze.replay` and the program graze play.
+
+A frame is in the file when `step` returns. Shapes are those that the file holds: a convex hull is
+built anew from its vertices. Raises ValueError for a file that takes no bytes, and for what a file
+cannot hold: a shape with a support function in Python.)");
+    const Settings usual;
+    simulation
+        .def(py::init([](const std::filesystem::path& file, const Vector& gravity, int sub_steps, bool sleep,
+                         bool continuous) {
+               return std::make_unique<Own>(file, settings(gravity, sub_steps, sleep, continuous));
+             }),
+             py::arg("file"), py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
+             py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
+        .def(
+            "save", [](Own& s, std::size_t number) { s.change()->save(number); }, py::arg("number"),
+            "Keeps the state under a number from 0 to 15, instead of what was kept there; a replay does the same.")
+        .def(
+            "restore", [](Own& s, std::size_t number) { s.change()->restore(number); }, py::arg("number"),
+            "Goes back to what was kept. Raises ValueError where nothing was, and as Simulation.restore.");
+    add_methods(m, simulation);
+  }
+
+ private:
+  static Settings settings(const Vector& gravity, int sub_steps, bool sleep, bool continuous) {
+    Settings settings;
+    settings.gravity = gravity.value;
+    settings.sub_steps = sub_steps;
+    settings.most_sub_steps = greatest(settings.most_sub_steps, sub_steps);
+    settings.sleep = sleep;
+    settings.continuous = continuous;
+    return settings;
+  }
+
+  /// What all simulations have.
+  template <class Own>
+  static void add_methods(py::module_& m, py::class_<Own>& simulation) {
     add_steps(simulation);
     add_bodies(simulation);
     add_motion(simulation);
@@ -72,12 +129,11 @@ class SimulationMethods {
           draw(to, *drawn.read());
         },
         py::arg("on"), py::arg("simulation"), "As a world, with what sleeps told apart, and joints.");
-    return simulation;
   }
 
   /// A joint that needs no more than its frames, by the name of its method.
-  template <class Make>
-  static void add_joint(Class& simulation, const char* name, Make make, const char* doc) {
+  template <class Own, class Make>
+  static void add_joint(py::class_<Own>& simulation, const char* name, Make make, const char* doc) {
     simulation.def(
         name,
         [make](Own& s, BodyId a, const Placement& frame_a, BodyId b, const Placement& frame_b, bool enable_collision) {
@@ -88,7 +144,6 @@ class SimulationMethods {
         py::arg("a"), py::arg("frame_a"), py::arg("b"), py::arg("frame_b"), py::arg("enable_collision") = false, doc);
   }
 
- private:
   static py::object plain(double value) { return py::float_(value); }
   template <class Vec>
   static py::object plain(const Vec& value) {
@@ -140,21 +195,9 @@ where a body gets the material.)")
              py::arg("surface_velocity") = Vector{});
   }
 
-  static void add_steps(Class& simulation) {
-    using Settings = SimulationSettings<double, Space>;
-    const Settings usual;
+  template <class Own>
+  static void add_steps(py::class_<Own>& simulation) {
     simulation
-        .def(py::init([](const Vector& gravity, int sub_steps, bool sleep, bool continuous) {
-               Settings settings;
-               settings.gravity = gravity.value;
-               settings.sub_steps = sub_steps;
-               settings.most_sub_steps = greatest(settings.most_sub_steps, sub_steps);
-               settings.sleep = sleep;
-               settings.continuous = continuous;
-               return std::make_unique<Own>(settings);
-             }),
-             py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
-             py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
         .def("step", &Own::step, py::arg("dt"),
              R"(Moves everything by `dt` > 0 seconds.
 
@@ -167,15 +210,11 @@ RuntimeError. Raises ValueError for a step that is not finite, not > 0, or longe
                                "The WorldView of the last step, for questions and contacts.")
         .def(
             "set_gravity", [](Own& s, const Vector& gravity) { s.change()->set_gravity(gravity.value); },
-            py::arg("gravity"), "From the next step on.")
-        .def(
-            "save", [](const Own& s) { return s.read()->save(); }, "The State that `restore` goes back to.")
-        .def(
-            "restore", [](Own& s, const State& state) { s.change()->restore(state); }, py::arg("state"),
-            "Goes back, bit for bit. Raises ValueError where bodies or joints came or went in between.");
+            py::arg("gravity"), "From the next step on.");
   }
 
-  static void add_bodies(Class& simulation) {
+  template <class Own>
+  static void add_bodies(py::class_<Own>& simulation) {
     const Dynamics usual;
     simulation
         .def(
@@ -270,7 +309,8 @@ has no end.)")
             py::arg("body"), py::arg("material"), "Another material for a body.");
   }
 
-  static void add_motion(Class& simulation) {
+  template <class Own>
+  static void add_motion(py::class_<Own>& simulation) {
     simulation
         .def(
             "wake", [](Own& s, BodyId id) { s.change()->wake(id); }, py::arg("body"),
@@ -311,8 +351,14 @@ has no end.)")
             py::arg("body"), py::arg("torque"), "Throughout the next step.");
   }
 
-  static void add_joints(Class& simulation) {
+  template <class Own>
+  static void add_joints(py::class_<Own>& simulation) {
     // The makers of joints of the space at hand are found by the type of their frames.
+    if constexpr (Words::vector_size == 3)
+      add_joint(
+          simulation, "join_ball",
+          [](BodyId a, const Pose& f, BodyId b, const Pose& g) { return ball_joint<double>(a, f, b, g); },
+          "The origins of the frames stay one.");
     add_joint(
         simulation, "fix",
         [](BodyId a, const Pose& f, BodyId b, const Pose& g) { return fixed_joint<double>(a, f, b, g); },

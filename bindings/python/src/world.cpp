@@ -81,6 +81,7 @@ body's size. points_per_pair: at most so many points a pair. Raises ValueError.
 >>> [(kind, a.index, b.index) for kind, a, b, _ in world.events]
 [('begin', 0, 1)]
 )");
+  WorldMethods<SpaceWords>::add_captured(m);
 }
 
 }  // namespace graze::python

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "alone.hpp"
+#include "capture.hpp"
 
 namespace graze::python {
 
@@ -13,30 +14,37 @@ class WorldView {
   using World = graze::World<double, typename Words::Space>;
   using Shapes = typename Words::Shapes;
 
-  WorldView(const World& world, const Shapes& shapes, const Alone& alone)
-      : world_(&world), shapes_(&shapes), alone_(&alone) {}
+  WorldView(const World& world, const Shapes& shapes, const Alone& alone) : WorldView(shapes, alone) {
+    world_ = &world;
+  }
   Alone::Reading<World> read() const { return {*world_, *alone_}; }
   py::object shape(BodyId id) const;
 
+ protected:
+  /// Before there is a world.
+  WorldView(const Shapes& shapes, const Alone& alone) : shapes_(&shapes), alone_(&alone) {}
+
+  const World* world_ = nullptr;
+
  private:
-  const World* world_;
   const Shapes* shapes_;
   const Alone* alone_;
 };
 
-/// A world that Python made, and may change.
-template <class Words>
+/// A world that Python made, and may change. `Inner` takes what changes it.
+template <class Words, class Inner = graze::World<double, typename Words::Space>>
 class OwnWorld : public WorldView<Words> {
  public:
-  using World = typename WorldView<Words>::World;
   using Shapes = typename Words::Shapes;
 
-  explicit OwnWorld(WorldSettings<double> settings)
-      : WorldView<Words>(world_, shapes_, alone_), world_(std::move(settings)) {}
+  template <class... Arguments>
+  explicit OwnWorld(const Arguments&... arguments) : WorldView<Words>(shapes_, alone_), inner_(arguments...) {
+    this->world_ = &asked(inner_);
+  }
   OwnWorld(const OwnWorld&) = delete;
   OwnWorld& operator=(const OwnWorld&) = delete;
 
-  Alone::Changing<World> change() { return {world_, alone_}; }
+  Alone::Changing<Inner> change() { return {inner_, alone_}; }
   /// The Python objects of the bodies' shapes, to be changed together with the world.
   Shapes& shapes() { return shapes_; }
   void update(double duration) {
@@ -48,7 +56,7 @@ class OwnWorld : public WorldView<Words> {
  private:
   Alone alone_;
   Shapes shapes_;
-  World world_;
+  Inner inner_;
 };
 
 /// A body's place in the arrays of its world. Throws `InvalidValue` for one that is gone.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "answers.hpp"
 #include "world.hpp"
@@ -35,7 +36,6 @@ class WorldMethods {
   using Turning = typename Words::Turning;
   using Placement = typename Words::Placement;
   using View = WorldView<Words>;
-  using Own = OwnWorld<Words>;
 
   /// Defines the classes `WorldView` and `World`.
   static void add(py::module_& m, const char* view_doc, const char* world_doc) {
@@ -44,16 +44,37 @@ class WorldMethods {
     add_contacts(view);
     add_shape_questions(view);
     add_ray_questions(view);
+    using Own = OwnWorld<Words>;
     py::class_<Own, View> world(m, "World", world_doc);
-    world.def(py::init([](std::optional<double> margin, std::optional<std::size_t> points_per_pair) {
-                WorldSettings<double> settings;
-                settings.margin = margin;
-                settings.points_per_pair = points_per_pair;
-                return std::make_unique<Own>(std::move(settings));
-              }),
-              py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none());
+    world
+        .def(py::init([](std::optional<double> margin, std::optional<std::size_t> points_per_pair) {
+               return std::make_unique<Own>(settings(margin, points_per_pair));
+             }),
+             py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none())
+        .def("set_impulses", &set_impulses, py::arg("impulses"),
+             (std::string("What a solver has pushed at each of `points`, shape (n, ") +
+              std::to_string(Words::vector_size) +
+              ").\n\nThe next update carries it on to the points that are the same.")
+                 .c_str());
     add_changes(world);
-    add_updates(world);
+  }
+
+  /// Defines the class `CapturedWorld`.
+  static void add_captured(py::module_& m) {
+    using Own = OwnWorld<Words, ToFile<CapturedWorld<double, Space>>>;
+    py::class_<Own, View> world(
+        m, "CapturedWorld",
+        R"(A World whose calls are written to a file, which `graze.replay` and the program graze play.
+
+A frame is in the file when `update` returns. Shapes are those that the file holds: a convex hull is
+built anew from its vertices. Raises ValueError for a file that takes no bytes, and for what a file
+cannot hold: a shape with a support function in Python.)");
+    world.def(py::init([](const std::filesystem::path& file, std::optional<double> margin,
+                          std::optional<std::size_t> points_per_pair) {
+                return std::make_unique<Own>(file, settings(margin, points_per_pair));
+              }),
+              py::arg("file"), py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none());
+    add_changes(world);
   }
 
   /// Records of a solver's points. The fields of a contact point stand as in one by itself, and the impulse behind
@@ -73,7 +94,13 @@ class WorldMethods {
 
  private:
   using ViewClass = py::class_<View>;
-  using WorldClass = py::class_<Own, View>;
+
+  static WorldSettings<double> settings(std::optional<double> margin, std::optional<std::size_t> points_per_pair) {
+    WorldSettings<double> settings;
+    settings.margin = margin;
+    settings.points_per_pair = points_per_pair;
+    return settings;
+  }
 
   static py::dtype manifold_type() {
     using M = ContactManifold<double, Space>;
@@ -100,6 +127,7 @@ class WorldMethods {
     return out;
   }
 
+  template <class Own>
   static void move_all(Own& own, const std::vector<BodyId>& ids, const py::object& poses) {
     const Rows given = rows(poses, Words::pose_size, "poses");
     if (static_cast<std::size_t>(given.shape(0)) != ids.size())
@@ -109,7 +137,7 @@ class WorldMethods {
     // All are read and all handles looked at before any body moves: what throws has changed nothing.
     std::vector<typename Space::Pose> read(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      index_of(*world, ids[i]);
+      index_of(asked(*world), ids[i]);
       try {
         read[i] = Words::pose_of_row(given.data(static_cast<py::ssize_t>(i), 0));
       } catch (const InvalidValue& error) {
@@ -119,7 +147,7 @@ class WorldMethods {
     for (std::size_t i = 0; i < ids.size(); ++i) world->move(ids[i], read[i]);
   }
 
-  static void set_impulses(Own& own, const py::object& impulses) {
+  static void set_impulses(OwnWorld<Words>& own, const py::object& impulses) {
     const Rows given = rows(impulses, Words::vector_size, "impulses");
     const auto world = own.change();
     auto& points = world->contacts().points;
@@ -137,7 +165,8 @@ class WorldMethods {
     for (std::size_t i = 0; i < points.size(); ++i) points[i].impulse = read[i];
   }
 
-  static void add_changes(WorldClass& world) {
+  template <class Own>
+  static void add_changes(py::class_<Own, View>& world) {
     world
         .def(
             "add",
@@ -175,12 +204,13 @@ pass through. Raises ValueError for a pose or velocity that is not finite.)")
             "set_velocity",
             [](Own& w, BodyId id, const Vector& linear, const Turning& angular) {
               const auto changed = w.change();
-              const typename Space::Pose pose = changed->bodies().poses()[index_of(*changed, id)];
+              const auto& world = asked(*changed);
+              const typename Space::Pose pose = world.bodies().poses()[index_of(world, id)];
               changed->move(id, pose, Words::value_of(linear), Words::value_of(angular));
             },
             py::arg("body"), py::arg("linear"), py::arg("angular") = Turning{},
             "Other velocities for a body that stays where it is.")
-        .def("move_all", &move_all, py::arg("bodies"), py::arg("poses"),
+        .def("move_all", &move_all<Own>, py::arg("bodies"), py::arg("poses"),
              (std::string("Puts many bodies elsewhere: rows of ") + Words::pose_row +
               ".\n\nAll of them, or none where it raises ValueError.")
                  .c_str())
@@ -193,22 +223,13 @@ pass through. Raises ValueError for a pose or velocity that is not finite.)")
             py::arg("body"), py::arg("shape"), "Another shape for a body.")
         .def(
             "set_filter", [](Own& w, BodyId id, const Filter& filter) { w.change()->set_filter(id, filter); },
-            py::arg("body"), py::arg("filter"), "Another filter for a body.");
-  }
-
-  static void add_updates(WorldClass& world) {
-    world
+            py::arg("body"), py::arg("filter"), "Another filter for a body.")
         .def("update", &Own::update, py::arg("duration") = 0.0,
              R"(Finds what touches now, and what fast bodies would pass through within `duration`.
 
 The interpreter's lock is released meanwhile; a use of this world by another thread then raises
 RuntimeError, as does a change of it by a support function in Python while it is asked. Raises
-ValueError for a duration that is negative or not finite.)")
-        .def("set_impulses", &set_impulses, py::arg("impulses"),
-             (std::string("What a solver has pushed at each of `points`, shape (n, ") +
-              std::to_string(Words::vector_size) +
-              ").\n\nThe next update carries it on to the points that are the same.")
-                 .c_str());
+ValueError for a duration that is negative or not finite.)");
   }
 
   static void add_bodies(ViewClass& view) {
