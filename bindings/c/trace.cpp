@@ -59,6 +59,18 @@ GrazeTraceStep seen(const graze::TraceStep& step) {
   return out;
 }
 
+/// Corners as three numbers each, one behind the other.
+const double* corners(const std::vector<graze::Vec3d>& from) {
+  static_assert(sizeof(graze::Vec3d) == 3 * sizeof(double) && std::is_standard_layout_v<graze::Vec3d>);
+  return reinterpret_cast<const double*>(from.data());
+}
+
+GrazeTraceCut seen(const graze::TraceCut& cut) {
+  GrazeTraceCut out{{}, {}, corners(cut.left), cut.left.size()};
+  write(cut.from, out.from), write(cut.to, out.to);
+  return out;
+}
+
 template <class From, class To>
 void see(const std::vector<From>& from, std::vector<To>& to, const To*& first, size_t& count) {
   to.clear();
@@ -96,6 +108,9 @@ GrazeStatus graze_trace_view(GrazeTrace* trace, GrazeTraceView* view) {
     out.polytope = supports(told.polytope), out.polytope_count = told.polytope.size();
     out.triangles = same_array<GrazeTraceTriangle>(told.triangles), out.triangle_count = told.triangles.size();
     out.nodes = told.nodes, out.pieces = told.pieces;
+    out.face_a = corners(told.face_a), out.face_a_count = told.face_a.size();
+    out.face_b = corners(told.face_b), out.face_b_count = told.face_b.size();
+    see(told.cuts, t.cuts, out.cuts, out.cut_count);
     *view = out;
   });
 }

@@ -15,6 +15,7 @@ struct GrazeTrace {
   std::vector<GrazeTraceEpa> epa;
   std::vector<GrazeTraceSpan> spans;
   std::vector<GrazeTraceStep> steps;
+  std::vector<GrazeTraceCut> cuts;
 
   ~GrazeTrace() { tag = 0; }
 };

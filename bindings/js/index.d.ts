@@ -360,6 +360,12 @@ export interface TraceStep {
   distance: number;
   normal: Vec3;
 }
+/** One cut of a face by the plane through a side of the other: the side, and what is left. */
+export interface TraceCut {
+  from: Vec3;
+  to: Vec3;
+  left: Vec3[];
+}
 export interface Trace {
   /** "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement" */
   method: string;
@@ -376,6 +382,10 @@ export interface Trace {
   triangles: [number, number, number][];
   spans: TraceSpan[];
   steps: TraceStep[];
+  /** The faces that contacts stand on, and how they are laid over each other; empty where they stand on none. */
+  faceA: Vec3[];
+  faceB: Vec3[];
+  cuts: TraceCut[];
   nodes: number;
   pieces: number;
 }

@@ -274,6 +274,13 @@ typedef struct GrazeTraceStep {
   double normal[3];
 } GrazeTraceStep;
 
+// One cut of a face by the plane through a side of the other.
+typedef struct GrazeTraceCut {
+  double from[3], to[3];  // the side
+  const double *left;     // what is left, as corners of three numbers
+  size_t left_count;
+} GrazeTraceCut;
+
 typedef struct GrazeTraceTriangle {
   size_t corner[3];
 } GrazeTraceTriangle;
@@ -299,6 +306,11 @@ typedef struct GrazeTraceView {
   const GrazeTraceStep *steps;
   size_t step_count;
   size_t nodes, pieces;  // of a composite, that a ray visited
+  // The faces that contacts stand on, as corners of three numbers, and how they are laid over each other.
+  const double *face_a, *face_b;
+  size_t face_a_count, face_b_count;
+  const GrazeTraceCut *cuts;
+  size_t cut_count;
 } GrazeTraceView;
 
 typedef struct GrazeTrace GrazeTrace;

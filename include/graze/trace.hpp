@@ -62,6 +62,12 @@ struct TraceStep {
   Vec3d normal;     ///< unit, from A to B: of the plane that the step runs up to
 };
 
+/// One cut of the face of one shape by the plane through a side of the other's, upright on the contact plane.
+struct TraceCut {
+  Vec3d from, to;           ///< the side
+  std::vector<Vec3d> left;  ///< what is left of the face that is cut, counter-clockwise seen from B
+};
+
 /// Everything that one query did.
 struct Trace {
   std::string method;  ///< "closed form", "separating axes", "gjk", "gjk + epa", "slabs", "conservative advancement"
@@ -73,11 +79,16 @@ struct Trace {
   double rounding = 0;                                ///< of both cores together: how near to it counts as contact
   std::vector<TraceSupport> polytope;                 ///< EPA's final vertices
   std::vector<std::array<std::size_t, 3>> triangles;  ///< and its triangles
-  std::vector<TraceSpan> spans;                       ///< of a ray at a convex shape in closed form
-  std::vector<TraceStep> steps;                       ///< of casts, and of rays at what is known by its distance
-  std::size_t nodes = 0, pieces = 0;                  ///< of a composite's tree, that a ray visited
-  std::string winner;                                 ///< the axis or span that the answer stands on, if any
-  std::string reason;                                 ///< why it won, in one sentence
+  /// The faces that contacts stand on, where they stand on faces: an edge has two corners.
+  std::vector<Vec3d> face_a, face_b;
+  /// How the faces are laid over each other: what is left of A's after each cut along B's, or of B's along A's where
+  /// only B's is an edge. Empty where both are edges.
+  std::vector<TraceCut> cuts;
+  std::vector<TraceSpan> spans;       ///< of a ray at a convex shape in closed form
+  std::vector<TraceStep> steps;       ///< of casts, and of rays at what is known by its distance
+  std::size_t nodes = 0, pieces = 0;  ///< of a composite's tree, that a ray visited
+  std::string winner;                 ///< the axis or span that the answer stands on, if any
+  std::string reason;                 ///< why it won, in one sentence
 };
 
 }  // namespace graze

@@ -37,6 +37,11 @@ void draw_outline(DebugDraw& on, const std::vector<TraceSupport>& polygon, DrawM
     on.line(difference(polygon[i]), difference(polygon[(i + 1) % polygon.size()]), layer, meaning);
 }
 
+void draw_face(DebugDraw& on, const std::vector<Vec3d>& corners, DrawMeaning meaning) {
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    on.line(corners[i], corners[(i + 1) % corners.size()], layer, meaning);
+}
+
 void draw_simplex(DebugDraw& on, const std::vector<TraceSupport>& simplex) {
   for (std::size_t i = 0; i < simplex.size(); ++i) {
     on.point(difference(simplex[i]), layer, DrawMeaning::b);
@@ -81,6 +86,9 @@ void draw(DebugDraw& on, const TraceEpa& expansion) {
 void draw(DebugDraw& on, const Trace& trace) {
   if (!on.wants(layer)) return;
   for (const TraceAxis& axis : trace.axes) draw_axis(on, axis, axis.name == trace.winner);
+  draw_face(on, trace.face_a, DrawMeaning::a);
+  draw_face(on, trace.face_b, DrawMeaning::b);
+  if (!trace.cuts.empty()) draw_face(on, trace.cuts.back().left, DrawMeaning::contact);
   draw_outline(on, trace.difference, DrawMeaning::ruled_out);
   if (!trace.gjk.empty()) draw(on, trace.gjk.back());
   if (!trace.epa.empty()) draw(on, trace.epa.back());

@@ -51,6 +51,16 @@ std::string steps_text(const Trace& trace) {
   return out;
 }
 
+std::string cuts_text(const Trace& trace) {
+  if (trace.cuts.empty()) return "";
+  std::string out = fmt::format("\n  {:>3}  {:^29}  {:^29}  {:>7}\n", "cut", "along the side from", "to", "corners");
+  int number = 0;
+  for (const TraceCut& cut : trace.cuts)
+    out +=
+        fmt::format("  {:>3}  {}  {}  {:>7}\n", ++number, vector_text(cut.from), vector_text(cut.to), cut.left.size());
+  return out;
+}
+
 /// A number of a table, or the words for one that is none.
 std::string end_text(double t) { return std::isfinite(t) ? fmt::format("{:.6g}", t) : t < 0 ? "always" : "never"; }
 
@@ -174,7 +184,7 @@ std::string explanation_text(const Explanation& e) {
   out += contacts_text(e);
   out += fmt::format("\n  method    {}\n", e.trace.method);
   if (!e.trace.reason.empty()) out += fmt::format("  because   {}\n", e.trace.reason);
-  return out + ray_text(e.trace) + axes_text(e) + steps_text(e.trace);
+  return out + ray_text(e.trace) + axes_text(e) + cuts_text(e.trace) + steps_text(e.trace);
 }
 
 }  // namespace graze::io

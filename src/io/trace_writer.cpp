@@ -49,6 +49,26 @@ void write_steps(const std::vector<TraceStep>& steps, JsonWriter& out) {
   out.close(']');
 }
 
+void write_outline(const std::vector<Vec3d>& outline, JsonWriter& out) {
+  out.open('[');
+  for (const Vec3d& corner : outline) out.vector(corner);
+  out.close(']');
+}
+
+/// The faces that contacts stand on, and how they are laid over each other.
+void write_faces(const Trace& trace, JsonWriter& out) {
+  out.key("faces").open('{');
+  write_outline(trace.face_a, out.key("a"));
+  write_outline(trace.face_b, out.key("b"));
+  out.close('}').key("cuts").open('[');
+  for (const TraceCut& cut : trace.cuts) {
+    out.open('{').key("from").vector(cut.from).key("to").vector(cut.to);
+    write_outline(cut.left, out.key("left"));
+    out.close('}');
+  }
+  out.close(']');
+}
+
 /// Boxes and pieces of a composite that a ray came upon.
 void write_visits(const Trace& trace, JsonWriter& out) {
   if (trace.nodes == 0 && trace.pieces == 0) return;
@@ -70,6 +90,7 @@ void write_trace(const Trace& trace, JsonWriter& out) {
     out.close('}');
   }
   out.close(']');
+  if (!trace.face_a.empty()) write_faces(trace, out);
   if (!trace.spans.empty()) write_spans(trace.spans, out);
   if (!trace.steps.empty()) write_steps(trace.steps, out);
   write_visits(trace, out);

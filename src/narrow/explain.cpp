@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "narrow/core/segment_box.hpp"
+#include "narrow/explain_faces.hpp"
 #include "narrow/explain_search.hpp"
 #include "narrow/general.hpp"
 #include "narrow/pair_table.hpp"
@@ -239,7 +240,9 @@ void explain_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& 
              [&](const auto&... pair) { explain_ordered_distance(pair..., nearest, trace); });
   }
   explain_axes(a, pose_a, b, pose_b, trace);
-  if (!answer.points.empty()) explain_normal(a, pose_a, b, pose_b, answer.normal, trace);
+  if (answer.points.empty()) return;
+  explain_normal(a, pose_a, b, pose_b, answer.normal, trace);
+  explain_faces(a, pose_a, b, pose_b, answer, trace);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \

@@ -61,6 +61,19 @@ void expect_same(const Trace& cpp, const GrazeTraceView& c) {
   expect_same(cpp.polytope, c.polytope, c.polytope_count);
   ASSERT_EQ(cpp.triangles.size(), c.triangle_count);
   for (std::size_t i = 0; i < c.triangle_count; ++i) EXPECT_EQ(cpp.triangles[i][2], c.triangles[i].corner[2]);
+  const auto expect_corners = [](const std::vector<Vec3d>& corners, const double* seen, std::size_t count) {
+    ASSERT_EQ(corners.size(), count);
+    for (std::size_t i = 0; i < count; ++i)
+      EXPECT_EQ(corners[i], (Vec3d{seen[3 * i], seen[3 * i + 1], seen[3 * i + 2]}));
+  };
+  expect_corners(cpp.face_a, c.face_a, c.face_a_count);
+  expect_corners(cpp.face_b, c.face_b, c.face_b_count);
+  ASSERT_EQ(cpp.cuts.size(), c.cut_count);
+  for (std::size_t i = 0; i < c.cut_count; ++i) {
+    expect_same(cpp.cuts[i].from, c.cuts[i].from);
+    expect_same(cpp.cuts[i].to, c.cuts[i].to);
+    expect_corners(cpp.cuts[i].left, c.cuts[i].left, c.cuts[i].left_count);
+  }
   EXPECT_EQ(cpp.rounding, c.rounding);
   EXPECT_EQ(cpp.nodes, c.nodes);
   EXPECT_EQ(cpp.pieces, c.pieces);
@@ -148,6 +161,17 @@ TEST_F(ExplainedInC, ThePlaneTellsItsPolygons) {
   plane::cast(cpp_square, {}, {}, cpp_circle, at, plane::Velocity<double>{{-1, 0}, 0}, 2.0, {}, &cpp);
   compare(graze_plane_cast_explained_d(&standing, &moving, 2, GRAZE_SEPARATING_HIT, &yes, &blow, trace), cpp);
   graze_plane_shape_release_d(square), graze_plane_shape_release_d(circle);
+}
+
+TEST_F(ExplainedInC, ContactsTellTheFacesAndTheCuts) {
+  Trace cpp;
+  Manifolds<double> manifolds;
+  const Posed on{{0.5, 0.95, 0.25}, {}};
+  const GrazePosed c_on = std::bit_cast<GrazePosed>(on);
+  contacts(cpp_box, here, cpp_box, on, 0.0, manifolds, &cpp);
+  GrazeContactsd found;
+  compare(graze_contacts_explained_d(box, &c_here, box, &c_on, 0, buffer, &found, trace), cpp);
+  EXPECT_EQ(cpp.cuts.size(), 4u);
 }
 
 TEST_F(ExplainedInC, OfAnotherHandleIsRefused) {

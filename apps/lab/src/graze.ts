@@ -10,6 +10,7 @@ export interface GjkStep { simplex: Support[]; direction: Vec; found: Support; l
 export interface EpaStep { normal: Vec; faceDepth: number; foundDepth: number; faces: number; polygon?: Support[]; }
 export interface CastStep { t: number; distance: number; normal: Vec; }
 export interface Span { name: string; normal: Vec; span: [End, End]; }
+export interface Cut { from: Vec; to: Vec; left: Vec[]; }
 export interface Trace {
   method: string;
   winner?: string;
@@ -19,6 +20,8 @@ export interface Trace {
   epa: EpaStep[];
   steps?: CastStep[];
   spans?: Span[];
+  faces?: { a: Vec[]; b: Vec[] };
+  cuts?: Cut[];
   difference?: Support[];
   polytope?: { points: Support[]; triangles: [number, number, number][] };
   rounding?: number;

@@ -98,7 +98,7 @@ export function layouts(core) {
 
   return {
     u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, pose, id, distance, contactPoint, castHit, rayHit, motion,
-    inverseMass, filter, contacts, support, pair, several, struct,
+    inverseMass, filter, contacts, support, pair, several, struct, realVector,
     aabb: struct({ lower: vec3, upper: vec3 }),
     massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
     child: struct({ shape: u32, pose }),
@@ -169,12 +169,13 @@ export function layouts(core) {
       polygonCount: u32 }),
     traceSpan: struct({ name: u32, normal: realVector, enter: real, leave: real }),
     traceStep: struct({ t: real, distance: real, normal: realVector }),
+    traceCut: struct({ from: realVector, to: realVector, left: u32, leftCount: u32 }),
     traceTriangle: several(u32, 3),
     traceView: struct({
       method: u32, winner: u32, reason: u32, axes: u32, axisCount: u32, gjk: u32, gjkCount: u32, epa: u32,
       epaCount: u32, difference: u32, differenceCount: u32, rounding: real, polytope: u32, polytopeCount: u32,
       triangles: u32, triangleCount: u32, spans: u32, spanCount: u32, steps: u32, stepCount: u32, nodes: u32,
-      pieces: u32 }),
+      pieces: u32, faceA: u32, faceB: u32, faceACount: u32, faceBCount: u32, cuts: u32, cutCount: u32 }),
     planePose: struct({ translation: vec2, rotation: vec2 }),
     planeAabb: struct({ lower: vec2, upper: vec2 }),
     planeDistance: struct({ distance: num, normal: vec2, a: vec2, b: vec2, certainty, error: num }),

@@ -3,6 +3,7 @@
 export function traceReader(core, layout) {
   const all = (type, pointer, count, read = (x) => x) => layout.readAll(type, pointer, count).map(read);
   const points = (pointer, count) => all(layout.support, pointer, count);
+  const corners = (pointer, count) => all(layout.realVector, pointer, count);
   return (trace) => {
     const p = core.room(layout.traceView.size);
     core.check(core.exports.graze_trace_view(trace, p));
@@ -33,6 +34,12 @@ export function traceReader(core, layout) {
       triangles: all(layout.traceTriangle, view.triangles, view.triangleCount),
       spans: all(layout.traceSpan, view.spans, view.spanCount, (span) => ({ ...span, name: core.string(span.name) })),
       steps: all(layout.traceStep, view.steps, view.stepCount),
+      faceA: corners(view.faceA, view.faceACount),
+      faceB: corners(view.faceB, view.faceBCount),
+      cuts: all(layout.traceCut, view.cuts, view.cutCount, ({ leftCount, ...cut }) => ({
+        ...cut,
+        left: corners(cut.left, leftCount),
+      })),
       nodes: view.nodes,
       pieces: view.pieces,
     };

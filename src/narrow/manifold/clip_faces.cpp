@@ -167,6 +167,15 @@ void along_each_other(const FlatFace& a, const FlatFace& b, const Basis& basis, 
   to < 1 ? add(point_of_a(to), b[high]) : add(a[1], point_of_b(a[1]));
 }
 
+/// A cut along side `i` of the face that cuts, for show.
+TraceCut told_cut(const FlatFace& clip, std::size_t i, const FlatFace& subject, const Outline& left,
+                  const Basis& basis) {
+  const auto on = [&](const FlatFace& face, const Flat& p) { return basis.point(p, face.height(p)); };
+  TraceCut told{on(clip, clip[i]), on(clip, clip[i + 1 == clip.size() ? 0 : i + 1]), {}};
+  for (const Flat& p : left) told.left.push_back(on(subject, p));
+  return told;
+}
+
 double nearness(const FlatFace& a, const FlatFace& b) {
   return same_place * std::sqrt(least(a.shortest_edge_squared(), b.shortest_edge_squared()));
 }
@@ -197,7 +206,8 @@ std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFac
   return feature_id(fa.feature(basis.flat(on_a), near), fb.feature(basis.flat(on_b), near));
 }
 
-void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts) {
+void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts,
+                std::vector<TraceCut>* cuts) {
   if (a.vertices.size() < 2 || b.vertices.size() < 2) return;
   const Vec3d u = any_perpendicular(normal);
   const Basis basis{u, cross(normal, u), normal};
@@ -210,8 +220,10 @@ void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, d
   const FlatFace &subject = fb.size() == 2 ? fb : fa, &clip = fb.size() == 2 ? fa : fb;
   Outline one, other, *now = &one, *next = &other;
   for (std::size_t i = 0; i < subject.size(); ++i) one.push_back(subject[i]);
-  for (std::size_t i = 0; i < clip.size() && !now->empty(); ++i)
+  for (std::size_t i = 0; i < clip.size() && !now->empty(); ++i) {
     if (cut(*now, clip.edge(i), subject.size() > 2, along_rim * near + beside, *next)) std::swap(now, next);
+    if (cuts) cuts->push_back(told_cut(clip, i, subject, *now, basis));
+  }
   Outline& outline = *now;
   simplify(outline, near, [&](const Flat& p) { return fb.height(p) - fa.height(p); });
   for (const Flat& p : outline)

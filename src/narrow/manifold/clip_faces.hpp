@@ -6,6 +6,7 @@
 
 #include "graze/contact.hpp"
 #include "graze/shape/face.hpp"
+#include "graze/trace.hpp"
 #include "narrow/core/minkowski.hpp"
 #include "narrow/manifold/features.hpp"
 
@@ -34,8 +35,9 @@ Vec3d polygon_normal(const PlacedFace& face);
 /// vertices of one inside the other, and crossings of edges; for two edges that are about parallel, the ends of the
 /// stretch they run along each other, wherever they lie. Nothing when they cross in a point or do not meet: the closest
 /// points serve better then. An edge that runs along a rim may lie beside the face by `beside`, what the normal's
-/// rounding may do to where it is seen.
-void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts);
+/// rounding may do to where it is seen. Where somebody asks, `cuts` is told every cut.
+void clip_faces(const PlacedFace& a, const PlacedFace& b, const Vec3d& normal, double beside, FaceContacts& contacts,
+                std::vector<TraceCut>* cuts = nullptr);
 
 /// The number of the features of A and B that a pair of points lies on, as `clip_faces` names them. Faces of any kind.
 std::uint32_t feature_at(const PlacedFace& a, const Vec3d& on_a, const PlacedFace& b, const Vec3d& on_b,

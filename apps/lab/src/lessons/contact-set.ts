@@ -1,8 +1,8 @@
 import { ask, fewest, type ContactPoint } from "../graze.ts";
 import { digits } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
-import { add, quatAbout, scale, toWorld } from "../parts/vec.ts";
-import { box, sizeOf, type Body, type State, type Vec } from "../question.ts";
+import { add, quatAbout, scale } from "../parts/vec.ts";
+import { box, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [2.1, 0, 0], b: [1.5, 0, 0] };
@@ -11,24 +11,8 @@ const situation = (translation: Vec, rotation: Vec): State => ({
     b: { shape: box(1.8, 1.2, 1.6), translation, rotation } },
 });
 
-/** The face of a box whose outward normal is most along `direction`, to draw it. */
-function face(body: Body, direction: Vec): Vec[] {
-  const half = scale(sizeOf(body.shape), 0.5), candidates: { corners: Vec[]; along: number }[] = [];
-  for (let k = 0; k < 3; k++)
-    for (const s of [-1, 1]) {
-      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
-      const corner = (x: number, y: number): Vec => {
-        const p = [0, 0, 0];
-        p[k] = s * half[k]; p[i] = x * half[i]; p[j] = y * half[j];
-        return toWorld(body, p);
-      };
-      const normal = [0, 0, 0];
-      normal[k] = s;
-      const out = toWorld({ ...body, translation: [0, 0, 0] }, normal);
-      candidates.push({ corners: [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], along: out[0] * direction[0] + out[1] * direction[1] + out[2] * direction[2] });
-    }
-  return candidates.sort((p, q) => q.along - p.along)[0].corners;
-}
+const told = (before: number, after: number): string =>
+  before === after ? "The number of corners stays." : after === 0 ? "Nothing is left." : `Of ${before} corners it makes ${after}.`;
 const table = (points: ContactPoint[], now: number): Step["numbers"] => ({
   caption: "Points of contact", columns: ["point", "distance", "features"],
   rows: points.map((p, i) => ({ cells: [`${i + 1}`, p.distance, featureWords(p.feature)], key: `point-${i}`, mark: i === now ? "now" as const : undefined })),
@@ -41,7 +25,7 @@ export const contactSet: Lesson = {
   handles: (s) => [moveHandle(s, "a"), moveHandle(s, "b"), turnHandle(s, "b", arms.b), sizeHandle(s, "b")],
   drag: (s, id, to) => dragBody(s, id, to, arms),
   steps(state) {
-    const { q } = state, answer = ask(q), manifold = answer.manifolds?.[0], b = q.b!;
+    const { q } = state, answer = ask(q), manifold = answer.manifolds?.[0];
     const steps: Step[] = [{
       title: "An axis for the contacts",
       text: manifold ? `${answer.trace.reason ?? answer.trace.winner}. The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
@@ -54,18 +38,33 @@ export const contactSet: Lesson = {
       },
     }];
     if (!manifold) return steps;
-    const faceA = face(q.a, manifold.normal), faceB = face(b, scale(manifold.normal, -1));
-    steps.push({
+    const { faces, cuts = [] } = answer.trace;
+    if (faces) steps.push({
       title: "Reference and incident face",
-      text: "On each box the face that looks most along the normal. One of them is the reference face, the other the incident face, which is clipped by the planes through the sides of the reference face, side by side. What is left over the reference face and no further from it than the margin is the area of contact.",
+      text: "On each box the face that looks most along the normal. One of them is the reference face, here B's, the other the incident face, here A's, which is cut by the planes through the sides of the reference face, side by side. What is left in both and no further apart than the margin is the area of contact.",
       formula: ["k_A = max_i n*n_i", "k_B = max_i -n*n_i"],
       says: "The two faces that meet.",
       draw(d) {
         drawBodies(d, q, true);
-        d.polygon(faceA, "a", { wide: true });
-        d.polygon(faceB, "b", { wide: true });
+        d.polygon(faces.a, "a", { wide: true });
+        d.polygon(faces.b, "b", { wide: true });
       },
     });
+    cuts.forEach((cut, i) => steps.push({
+      title: `Cut ${i + 1} of ${cuts.length}`,
+      text: `The plane through ${i === 0 ? "one side" : "the next side"} of the reference face. Of the incident face what lies beyond it goes: a corner that is inside stays, and where an edge crosses the plane a new corner comes. ` + told(i === 0 ? faces!.a.length : cuts[i - 1].left.length, cut.left.length),
+      formula: ["t = d_1 / (d_1 - d_2)", "p = p_1 + t (p_2 - p_1)"],
+      numbers: { caption: "Corners that are left", columns: ["cut", "corners"], rows: cuts.slice(0, i + 1).map((c, k) => ({ cells: [`${k + 1}`, `${c.left.length}`], key: `cut-${k}`, mark: k === i ? "now" as const : undefined })) },
+      says: `After cut ${i + 1} the incident face has ${cut.left.length} corners.`,
+      draw(d) {
+        drawBodies(d, q, true);
+        d.polygon(faces!.b, "b", { ghost: true });
+        d.polygon(i === 0 ? faces!.a : cuts[i - 1].left, "a", { ghost: true });
+        if (cut.left.length > 0) d.polygon(cut.left, "a", { wide: true });
+        d.line(cut.from, cut.to, "b", { wide: true, key: `cut-${i}` });
+        cut.left.forEach((p) => d.point(p, "axis"));
+      },
+    }));
     manifold.points.forEach((p, i) => steps.push({
       title: `Point ${i + 1}: ${featureWords(p.feature)}`,
       text: `The name of a point says which feature of A and which of B it lies on. As long as these touch, the name stays and the solver starts with the impulse of the frame before. ` +
@@ -75,8 +74,10 @@ export const contactSet: Lesson = {
       says: `Point ${i + 1}: ${featureWords(p.feature)}, distance ${digits(p.distance, 4)}.`,
       draw(d) {
         drawBodies(d, q, true);
-        d.polygon(faceA, "a", { ghost: true });
-        d.polygon(faceB, "b", { ghost: true });
+        if (faces) {
+          d.polygon(faces.a, "a", { ghost: true });
+          d.polygon(faces.b, "b", { ghost: true });
+        }
         manifold.points.slice(0, i + 1).forEach((x, k) => d.point(x.a, k === i ? "touch" : "axis", { wide: k === i, key: `point-${k}` }));
       },
     }));
@@ -96,7 +97,7 @@ export const contactSet: Lesson = {
       },
     }, {
       title: "When faces say too little",
-      text: "Erleben's rules: if corners of one box lie inside the other, they are the contacts. If none does, two edges cross, and the nearest points of these edges are the contact. Only where clipping finds nothing as deep as the axis says does the library fall back to those nearest points.",
+      text: "Erleben's rules: if corners of one box lie inside the other, they are the contacts. If none does, two edges cross, and the nearest points of these edges are the contact. Only where cutting finds nothing as deep as the axis says does the library fall back to those nearest points.",
       numbers: table(manifold.points, -1),
       says: "The whole contact set.",
       draw(d) {
