@@ -117,6 +117,15 @@ def test_an_explanation_changes_no_bit():
         assert trace["method"]
 
 
+def test_an_explanation_of_contacts_tells_the_faces_and_the_cuts():
+    box = graze.Box((1, 1, 1))
+    [manifold], trace = graze.contacts(box, None, box, (0.25, 0.99, 0), trace=True)
+    assert len(trace["face_a"]) == len(trace["face_b"]) == len(trace["cuts"]) == 4
+    left = {tuple(np.round(corner, 9)) for corner in trace["cuts"][-1]["left"]}
+    assert left == {tuple(np.round(p.a, 9)) for p in manifold.points}
+    assert left == {(x, 0.5, z) for x in (-0.25, 0.5) for z in (-0.5, 0.5)}
+
+
 @pytest.mark.parametrize("name", SHAPES)
 def test_pickle_and_repr(name):
     shape = SHAPES[name]

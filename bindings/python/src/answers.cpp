@@ -20,6 +20,14 @@ py::list list_of(const List& list, F&& f) {
   return out;
 }
 
+py::list outline_of(const std::vector<TraceSupport>& points) {
+  return list_of(points, [](const TraceSupport& p) { return object_of(p); });
+}
+
+py::list corners_of(const std::vector<Vec3d>& corners) {
+  return list_of(corners, [](const Vec3d& p) { return tuple_of(p); });
+}
+
 std::string text_of(double value) { return validate::number(value); }
 
 std::string text_of(const Vec3d& v) { return "[" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + "]"; }
@@ -119,11 +127,12 @@ py::dict object_of(const Trace& trace) {
   });
   out["gjk"] = list_of(trace.gjk, [](const TraceGjk& step) {
     py::dict s;
-    s["simplex"] = list_of(step.simplex, [](const TraceSupport& v) { return object_of(v); });
+    s["simplex"] = outline_of(step.simplex);
     s["direction"] = tuple_of(step.direction);
     s["found"] = object_of(step.found);
     s["lower"] = step.lower;
     s["upper"] = step.upper;
+    if (!step.polygon.empty()) s["polygon"] = outline_of(step.polygon);
     return s;
   });
   out["epa"] = list_of(trace.epa, [](const TraceEpa& step) {
@@ -133,9 +142,12 @@ py::dict object_of(const Trace& trace) {
     s["found_depth"] = step.found_depth;
     s["found"] = object_of(step.found);
     s["faces"] = step.faces;
+    if (!step.polygon.empty()) s["polygon"] = outline_of(step.polygon);
     return s;
   });
-  out["polytope"] = list_of(trace.polytope, [](const TraceSupport& v) { return object_of(v); });
+  out["difference"] = outline_of(trace.difference);
+  out["rounding"] = trace.rounding;
+  out["polytope"] = outline_of(trace.polytope);
   out["triangles"] = list_of(trace.triangles, [](const auto& t) { return py::make_tuple(t[0], t[1], t[2]); });
   out["spans"] = list_of(trace.spans, [](const TraceSpan& span) {
     py::dict s;
@@ -151,6 +163,15 @@ py::dict object_of(const Trace& trace) {
     s["distance"] = step.distance;
     s["normal"] = tuple_of(step.normal);
     return s;
+  });
+  out["face_a"] = corners_of(trace.face_a);
+  out["face_b"] = corners_of(trace.face_b);
+  out["cuts"] = list_of(trace.cuts, [](const TraceCut& cut) {
+    py::dict c;
+    c["from"] = tuple_of(cut.from);
+    c["to"] = tuple_of(cut.to);
+    c["left"] = corners_of(cut.left);
+    return c;
   });
   out["nodes"] = trace.nodes;
   out["pieces"] = trace.pieces;
