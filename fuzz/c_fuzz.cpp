@@ -100,8 +100,10 @@ struct Calls {
   GrazePlaneWorldd* plane_world = nullptr;
   GrazeSimulationd* simulation = nullptr;
   GrazeStated* state = nullptr;
-  std::vector<GrazeBodyId> bodies, plane_bodies, simulated;
-  std::vector<GrazeJointId> joints;
+  GrazePlaneSimulationd* plane_simulation = nullptr;
+  GrazePlaneStated* plane_state = nullptr;
+  std::vector<GrazeBodyId> bodies, plane_bodies, simulated, plane_simulated;
+  std::vector<GrazeJointId> joints, plane_joints;
   int masses = 0;  ///< how often those of a shape were asked for
 
   explicit Calls(Bytes bytes) : in(bytes) {
@@ -110,6 +112,7 @@ struct Calls {
     require(graze_world_create_d(nullptr, nullptr, &world) == GRAZE_OK);
     require(graze_plane_world_create_d(nullptr, nullptr, &plane_world) == GRAZE_OK);
     require(graze_simulation_create_d(nullptr, nullptr, &simulation) == GRAZE_OK);
+    require(graze_plane_simulation_create_d(nullptr, nullptr, &plane_simulation) == GRAZE_OK);
     require(graze_shape_sphere_f(1, {0, 0, 0}, &small) == GRAZE_OK);
   }
   ~Calls() {
@@ -118,6 +121,8 @@ struct Calls {
     graze_shape_release_f(small);
     graze_state_destroy_d(state);
     graze_simulation_destroy_d(simulation);
+    graze_plane_state_destroy_d(plane_state);
+    graze_plane_simulation_destroy_d(plane_simulation);
     graze_world_destroy_d(world);
     graze_plane_world_destroy_d(plane_world);
     graze_buffer_destroy_d(buffer);
@@ -512,8 +517,62 @@ struct Calls {
       graze_plane_shape_release_d(known.shape);
   }
 
+  void change_plane_simulation() {
+    GrazePlaneBodyd b = graze_plane_body_default_d(plane_shape());
+    b.pose = graze_plane_pose_d((in.byte() - 128) / 32.0, (in.byte() - 128) / 32.0, in.byte() / 16.0);
+    b.fixed = in.byte() < 64;
+    GrazePlaneDynamicsd dynamics = graze_plane_dynamics_default_d();
+    dynamics.has_mass = dynamics.has_inertia = dynamics.has_center_of_mass = in.byte() < 128;
+    dynamics.mass = in.length();
+    dynamics.inertia = in.length();
+    GrazePlaneMateriald material = graze_plane_material_default_d();
+    material.restitution = in.number();
+    material.friction_combine = in.byte() % 6;
+    GrazeBodyId id;
+    GrazePlaneJointd joint;
+    GrazeJointId joint_id;
+    const GrazePose2d frame = graze_plane_pose_d(in.byte() / 64.0, 0, 0);
+    GrazePose2d pose;
+    switch (in.byte() % 8) {
+    case 0:
+    case 1:
+      if (plane_simulated.size() < 8 &&
+          told(graze_plane_simulation_add_d(in.maybe(plane_simulation), in.maybe(&b), in.maybe(&dynamics),
+                                            in.maybe(&material), in.maybe(&id))))
+        plane_simulated.push_back(id);
+      break;
+    case 2: told(graze_plane_simulation_remove_d(plane_simulation, body(plane_simulated))); break;
+    case 3:
+      if (told(graze_plane_joint_of_kind_d(in.choice<GrazeJointKind>(4), body(plane_simulated), in.maybe(&frame),
+                                           body(plane_simulated), &frame, in.maybe(&joint))) &&
+          plane_joints.size() < 4 &&
+          told(graze_plane_simulation_add_joint_d(plane_simulation, in.maybe(&joint), &joint_id)))
+        plane_joints.push_back(joint_id);
+      break;
+    case 4:
+      if (!plane_joints.empty())
+        told(graze_plane_simulation_remove_joint_d(plane_simulation, plane_joints[in.byte() % plane_joints.size()]));
+      break;
+    case 5:
+      if (plane_state == nullptr)
+        told(graze_plane_simulation_save_d(plane_simulation, in.maybe(&plane_state)));
+      else
+        told(graze_plane_simulation_restore_d(plane_simulation, in.maybe(plane_state)));
+      break;
+    case 6:
+      told(graze_plane_simulation_apply_impulse_d(plane_simulation, body(plane_simulated), {in.number(), in.number()},
+                                                  {in.number(), in.number()}));
+      break;
+    default: told(graze_plane_simulation_step_d(in.maybe(plane_simulation), in.byte() < 8 ? in.number() : 1.0 / 60));
+    }
+    told(graze_plane_simulation_pose_d(plane_simulation, body(plane_simulated), in.maybe(&pose)));
+    const GrazePlaneWorldd* borrowed;
+    if (told(graze_plane_simulation_world_d(plane_simulation, in.maybe(&borrowed))))
+      require(graze_plane_world_update_d(const_cast<GrazePlaneWorldd*>(borrowed), 0) == GRAZE_INVALID_VALUE);
+  }
+
   void run() {
-    for (int calls = 0; calls < 40 && !in.empty(); ++calls) switch (in.byte() % 13) {
+    for (int calls = 0; calls < 40 && !in.empty(); ++calls) switch (in.byte() % 14) {
       case 0:
       case 1:
       case 2: make_shape(); break;
@@ -526,6 +585,7 @@ struct Calls {
       case 9: change_world(); break;
       case 10: change_simulation(); break;
       case 11: change_plane_world(); break;
+      case 12: change_plane_simulation(); break;
       default: plane();
       }
   }

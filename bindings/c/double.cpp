@@ -22,11 +22,15 @@
 
 #include "c/worlds.inc"
 
-#include "c/simulations.inc"
+#include "c/joints.inc"
+
+#include "c/space_simulations.inc"
 
 #include "c/plane.inc"
 
 #include "c/plane_worlds.inc"
+
+#include "c/plane_simulations.inc"
 
 #include "c/draw.inc"
 

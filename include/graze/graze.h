@@ -212,7 +212,7 @@ typedef enum GrazeDriveMode GRAZE_AS_INT { GRAZE_DRIVE_FORCE = 0, GRAZE_DRIVE_AC
 typedef enum GrazeJointKind GRAZE_AS_INT {
   GRAZE_JOINT_FIXED = 0,  // the frames stay one
   GRAZE_JOINT_BALL = 1,   // the origins of the frames stay one
-  GRAZE_JOINT_HINGE = 2,  // a turn about the x axis is free
+  GRAZE_JOINT_HINGE = 2,  // a turn about the x axis is free; in the plane, about z
   GRAZE_JOINT_SLIDER = 3  // a way along the x axis is free
 } GrazeJointKind;
 
@@ -1438,6 +1438,147 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_d(const GrazePlaneWorldd *wor
 // Bytes that are held, shapes' own data apart.
 GRAZE_C_API GrazeStatus graze_plane_world_memory_d(const GrazePlaneWorldd *world, size_t *bytes);
 
+// Simulations of the plane (graze/plane/simulation.hpp): the functions of those of space. Limits and drives of joints
+// are the same; their axes are x and y to move along, and z to turn about.
+
+typedef struct GrazePlaneSimulationd GrazePlaneSimulationd;
+
+typedef struct GrazePlaneSimulationSettingsd {
+  GrazeVec2d gravity;
+  int32_t sub_steps;       // of a step, at least; a power of two
+  int32_t most_sub_steps;  // of an island that bears much; a power of two
+  bool sleep;              // islands at rest cost nothing and do not move
+  bool continuous;         // what moves fast passes through nothing
+  double longest_step;     // a longer step is refused
+} GrazePlaneSimulationSettingsd;
+
+GRAZE_C_API GrazePlaneSimulationSettingsd graze_plane_simulation_settings_default_d(void);
+
+// How a body is moved (graze/plane/dynamics.hpp). What it has not follows from the shape and the density.
+typedef struct GrazePlaneDynamicsd {
+  bool has_mass, has_center_of_mass, has_inertia;
+  double mass;  // > 0; INFINITY for a body that nothing pushes
+  GrazeVec2d center_of_mass;
+  double inertia;  // about the centre of mass
+  double density;  // mass per area
+  double gravity_factor;
+  double linear_damping, angular_damping;
+  bool kinematic;  // keeps the velocity that it is given: pushes and is not pushed
+  bool may_sleep;
+} GrazePlaneDynamicsd;
+
+GRAZE_C_API GrazePlaneDynamicsd graze_plane_dynamics_default_d(void);
+
+typedef struct GrazePlaneMateriald {
+  double static_friction, dynamic_friction;
+  double restitution;       // 0 to 1
+  double rolling_friction;  // a length
+  uint8_t friction_combine, restitution_combine;  // a GrazeCombine
+  GrazeVec2d surface_velocity;  // of a conveyor, in the body's frame
+} GrazePlaneMateriald;
+
+GRAZE_C_API GrazePlaneMateriald graze_plane_material_default_d(void);
+
+typedef struct GrazePlaneJointd {
+  GrazeBodyId a, b;              // a fixed body ties the other to the world
+  GrazePose2d frame_a, frame_b;  // each in its body's frame
+  const GrazeJointLimitd *limits;
+  size_t limit_count;
+  const GrazeJointDrived *drives;
+  size_t drive_count;
+  bool enable_collision;  // otherwise the two do not touch each other
+} GrazePlaneJointd;
+
+// A joint of that kind without drives; a ball is a hinge. Its limits are constants of the library.
+GRAZE_C_API GrazeStatus graze_plane_joint_of_kind_d(GrazeJointKind kind, GrazeBodyId a, const GrazePose2d *frame_a,
+                                                    GrazeBodyId b, const GrazePose2d *frame_b, GrazePlaneJointd *joint);
+
+// What a step did (graze/simulation.hpp); times by the clock in milliseconds.
+typedef struct GrazePlaneStepReportd {
+  size_t awake, islands, contacts, colors;
+  int32_t most_sub_steps;
+  size_t stopped;
+  double deepest, mean_depth, residual;
+  double kinetic_energy, potential_energy;
+  GrazeVec2d momentum;
+  double angular_momentum;
+  double collide_ms, prepare_ms, solve_ms, continuous_ms, whole_ms;
+} GrazePlaneStepReportd;
+
+// Everything that a simulation goes back to.
+typedef struct GrazePlaneStated GrazePlaneStated;
+
+// `settings` and `executor` may be null, as for a world.
+GRAZE_C_API GrazeStatus graze_plane_simulation_create_d(const GrazePlaneSimulationSettingsd *settings,
+                                                        const GrazeExecutor *executor,
+                                                        GrazePlaneSimulationd **simulation);
+GRAZE_C_API void graze_plane_simulation_destroy_d(GrazePlaneSimulationd *simulation);
+
+// `dynamics` and `material` may be null: the defaults.
+GRAZE_C_API GrazeStatus graze_plane_simulation_add_d(GrazePlaneSimulationd *simulation, const GrazePlaneBodyd *body,
+                                                     const GrazePlaneDynamicsd *dynamics,
+                                                     const GrazePlaneMateriald *material, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_remove_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_add_joint_d(GrazePlaneSimulationd *simulation,
+                                                           const GrazePlaneJointd *joint, GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_remove_joint_d(GrazePlaneSimulationd *simulation, GrazeJointId id);
+
+// Moves everything by `dt` > 0.
+GRAZE_C_API GrazeStatus graze_plane_simulation_step_d(GrazePlaneSimulationd *simulation, double dt);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_impulse_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                               GrazeVec2d impulse, GrazeVec2d point);
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_angular_impulse_d(GrazePlaneSimulationd *simulation,
+                                                                       GrazeBodyId id, double impulse);
+// Throughout the next step: a force on the centre of mass, and a torque.
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_force_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                             GrazeVec2d force);
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_torque_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                              double torque);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_velocity_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                              const GrazePlaneVelocityd *velocity);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_pose_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                          const GrazePose2d *pose);
+// Gives a kinematic body the velocity that takes it to `pose` in a step of `dt`.
+GRAZE_C_API GrazeStatus graze_plane_simulation_move_to_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                         const GrazePose2d *pose, double dt);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                              const GrazePlaneMateriald *material);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_d(GrazePlaneSimulationd *simulation, GrazeVec2d gravity);
+GRAZE_C_API GrazeStatus graze_plane_simulation_wake_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_pose_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                      GrazePose2d *pose);
+// All poses by index, valid until the simulation changes; at an index without a body any pose.
+GRAZE_C_API GrazeStatus graze_plane_simulation_poses_d(const GrazePlaneSimulationd *simulation,
+                                                       const GrazePose2d **poses, size_t *count);
+// The velocity of the centre of mass and the turning about it, and where that centre is in the world.
+GRAZE_C_API GrazeStatus graze_plane_simulation_motion_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                        GrazePlaneVelocityd *velocity, GrazeVec2d *center_of_mass);
+GRAZE_C_API GrazeStatus graze_plane_simulation_angular_momentum_d(const GrazePlaneSimulationd *simulation,
+                                                                  GrazeBodyId id, double *momentum);
+// Infinite for what is fixed or kinematic.
+GRAZE_C_API GrazeStatus graze_plane_simulation_mass_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                      double *mass);
+GRAZE_C_API GrazeStatus graze_plane_simulation_asleep_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                        bool *asleep);
+// The impulses of the last step, a number for each row of the joint, valid until the next step.
+GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_d(const GrazePlaneSimulationd *simulation,
+                                                                GrazeJointId id, const double **impulses,
+                                                                size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_simulation_report_d(const GrazePlaneSimulationd *simulation,
+                                                        GrazePlaneStepReportd *report);
+// The world of the simulation, which belongs to it: contacts, events and all questions.
+GRAZE_C_API GrazeStatus graze_plane_simulation_world_d(const GrazePlaneSimulationd *simulation,
+                                                       const GrazePlaneWorldd **world);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_save_d(const GrazePlaneSimulationd *simulation,
+                                                      GrazePlaneStated **state);
+// Goes back to a state of this simulation, between which and now no bodies or joints came or went.
+GRAZE_C_API GrazeStatus graze_plane_simulation_restore_d(GrazePlaneSimulationd *simulation,
+                                                         const GrazePlaneStated *state);
+GRAZE_C_API void graze_plane_state_destroy_d(GrazePlaneStated *state);
+
 // Debug draw (graze/draw.hpp) -----------------------------------------------------------------------------------------
 
 GRAZE_C_API GrazeStatus graze_shape_draw_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeDrawMeaning meaning,
@@ -1449,6 +1590,8 @@ GRAZE_C_API GrazeStatus graze_distance_draw_d(const GrazeDistanced *distance, co
 // sleeps told apart.
 GRAZE_C_API GrazeStatus graze_world_draw_d(const GrazeWorldd *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_simulation_draw_d(const GrazeSimulationd *simulation, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_simulation_draw_d(const GrazePlaneSimulationd *simulation,
+                                                      const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_d(const GrazePlaneWorldd *world, const GrazeDebugDraw *on);
 // Writes the centre and the size of all that is bounded to `on`.
 GRAZE_C_API GrazeStatus graze_world_draw_area_d(const GrazeWorldd *world, GrazeDebugDraw *on);
@@ -2347,6 +2490,129 @@ GRAZE_C_API GrazeStatus graze_plane_world_cast_all_f(const GrazePlaneWorldf *wor
                                                      const GrazePlaneBodyCastHitf **hits, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_world_memory_f(const GrazePlaneWorldf *world, size_t *bytes);
 
+typedef struct GrazePlaneSimulationf GrazePlaneSimulationf;
+
+typedef struct GrazePlaneSimulationSettingsf {
+  GrazeVec2f gravity;
+  int32_t sub_steps;
+  int32_t most_sub_steps;
+  bool sleep;
+  bool continuous;
+  float longest_step;
+} GrazePlaneSimulationSettingsf;
+
+GRAZE_C_API GrazePlaneSimulationSettingsf graze_plane_simulation_settings_default_f(void);
+
+typedef struct GrazePlaneDynamicsf {
+  bool has_mass, has_center_of_mass, has_inertia;
+  float mass;
+  GrazeVec2f center_of_mass;
+  float inertia;
+  float density;
+  float gravity_factor;
+  float linear_damping, angular_damping;
+  bool kinematic;
+  bool may_sleep;
+} GrazePlaneDynamicsf;
+
+GRAZE_C_API GrazePlaneDynamicsf graze_plane_dynamics_default_f(void);
+
+typedef struct GrazePlaneMaterialf {
+  float static_friction, dynamic_friction;
+  float restitution;
+  float rolling_friction;
+  uint8_t friction_combine, restitution_combine;
+  GrazeVec2f surface_velocity;
+} GrazePlaneMaterialf;
+
+GRAZE_C_API GrazePlaneMaterialf graze_plane_material_default_f(void);
+
+typedef struct GrazePlaneJointf {
+  GrazeBodyId a, b;
+  GrazePose2f frame_a, frame_b;
+  const GrazeJointLimitf *limits;
+  size_t limit_count;
+  const GrazeJointDrivef *drives;
+  size_t drive_count;
+  bool enable_collision;
+} GrazePlaneJointf;
+
+GRAZE_C_API GrazeStatus graze_plane_joint_of_kind_f(GrazeJointKind kind, GrazeBodyId a, const GrazePose2f *frame_a,
+                                                    GrazeBodyId b, const GrazePose2f *frame_b, GrazePlaneJointf *joint);
+
+typedef struct GrazePlaneStepReportf {
+  size_t awake, islands, contacts, colors;
+  int32_t most_sub_steps;
+  size_t stopped;
+  float deepest, mean_depth, residual;
+  float kinetic_energy, potential_energy;
+  GrazeVec2f momentum;
+  float angular_momentum;
+  float collide_ms, prepare_ms, solve_ms, continuous_ms, whole_ms;
+} GrazePlaneStepReportf;
+
+typedef struct GrazePlaneStatef GrazePlaneStatef;
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_create_f(const GrazePlaneSimulationSettingsf *settings,
+                                                        const GrazeExecutor *executor,
+                                                        GrazePlaneSimulationf **simulation);
+GRAZE_C_API void graze_plane_simulation_destroy_f(GrazePlaneSimulationf *simulation);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_add_f(GrazePlaneSimulationf *simulation, const GrazePlaneBodyf *body,
+                                                     const GrazePlaneDynamicsf *dynamics,
+                                                     const GrazePlaneMaterialf *material, GrazeBodyId *id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_remove_f(GrazePlaneSimulationf *simulation, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_add_joint_f(GrazePlaneSimulationf *simulation,
+                                                           const GrazePlaneJointf *joint, GrazeJointId *id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_remove_joint_f(GrazePlaneSimulationf *simulation, GrazeJointId id);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_step_f(GrazePlaneSimulationf *simulation, float dt);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_impulse_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                               GrazeVec2f impulse, GrazeVec2f point);
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_angular_impulse_f(GrazePlaneSimulationf *simulation,
+                                                                       GrazeBodyId id, float impulse);
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_force_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                             GrazeVec2f force);
+GRAZE_C_API GrazeStatus graze_plane_simulation_apply_torque_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                              float torque);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_velocity_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                              const GrazePlaneVelocityf *velocity);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_pose_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                          const GrazePose2f *pose);
+GRAZE_C_API GrazeStatus graze_plane_simulation_move_to_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                         const GrazePose2f *pose, float dt);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                              const GrazePlaneMaterialf *material);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_f(GrazePlaneSimulationf *simulation, GrazeVec2f gravity);
+GRAZE_C_API GrazeStatus graze_plane_simulation_wake_f(GrazePlaneSimulationf *simulation, GrazeBodyId id);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_pose_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                      GrazePose2f *pose);
+GRAZE_C_API GrazeStatus graze_plane_simulation_poses_f(const GrazePlaneSimulationf *simulation,
+                                                       const GrazePose2f **poses, size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_simulation_motion_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                        GrazePlaneVelocityf *velocity, GrazeVec2f *center_of_mass);
+GRAZE_C_API GrazeStatus graze_plane_simulation_angular_momentum_f(const GrazePlaneSimulationf *simulation,
+                                                                  GrazeBodyId id, float *momentum);
+GRAZE_C_API GrazeStatus graze_plane_simulation_mass_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                      float *mass);
+GRAZE_C_API GrazeStatus graze_plane_simulation_asleep_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                        bool *asleep);
+GRAZE_C_API GrazeStatus graze_plane_simulation_joint_impulses_f(const GrazePlaneSimulationf *simulation,
+                                                                GrazeJointId id, const float **impulses,
+                                                                size_t *count);
+GRAZE_C_API GrazeStatus graze_plane_simulation_report_f(const GrazePlaneSimulationf *simulation,
+                                                        GrazePlaneStepReportf *report);
+GRAZE_C_API GrazeStatus graze_plane_simulation_world_f(const GrazePlaneSimulationf *simulation,
+                                                       const GrazePlaneWorldf **world);
+
+GRAZE_C_API GrazeStatus graze_plane_simulation_save_f(const GrazePlaneSimulationf *simulation,
+                                                      GrazePlaneStatef **state);
+GRAZE_C_API GrazeStatus graze_plane_simulation_restore_f(GrazePlaneSimulationf *simulation,
+                                                         const GrazePlaneStatef *state);
+GRAZE_C_API void graze_plane_state_destroy_f(GrazePlaneStatef *state);
+
 GRAZE_C_API GrazeStatus graze_shape_draw_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeDrawMeaning meaning,
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
@@ -2354,6 +2620,8 @@ GRAZE_C_API GrazeStatus graze_plane_shape_draw_f(const GrazePlaneShapef *shape, 
 GRAZE_C_API GrazeStatus graze_distance_draw_f(const GrazeDistancef *distance, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_world_draw_f(const GrazeWorldf *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_simulation_draw_f(const GrazeSimulationf *simulation, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_simulation_draw_f(const GrazePlaneSimulationf *simulation,
+                                                      const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_f(const GrazePlaneWorldf *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_world_draw_area_f(const GrazeWorldf *world, GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_world_draw_area_f(const GrazePlaneWorldf *world, GrazeDebugDraw *on);

@@ -486,6 +486,66 @@ static void test_plane_world(void) {
   graze_plane_world_destroy_d(world), graze_plane_world_destroy_d(NULL), graze_buffer_destroy_d(buffer);
 }
 
+static void test_plane_simulation(void) {
+  GrazePlaneSimulationSettingsd settings = graze_plane_simulation_settings_default_d();
+  EXPECT(settings.gravity.y == -9.81 && settings.sub_steps == 4);
+  settings.longest_step = -1;
+  GrazePlaneSimulationd* simulation;
+  REFUSED(graze_plane_simulation_create_d(&settings, NULL, &simulation),
+          "longest_step: expected a finite number > 0, got -1");
+  OK(graze_plane_simulation_create_d(NULL, NULL, &simulation));
+  GrazePlaneShaped *ball, *ground;
+  OK(graze_plane_shape_circle_d(0.5, &ball));
+  OK(graze_plane_shape_box_d((GrazeVec2d){20, 1}, &ground));
+  GrazePlaneBodyd body = graze_plane_body_default_d(ground);
+  body.fixed = true;
+  body.pose = graze_plane_pose_d(0, -0.5, 0);
+  GrazeBodyId floor, id;
+  OK(graze_plane_simulation_add_d(simulation, &body, NULL, NULL, &floor));
+  body = graze_plane_body_default_d(ball);
+  body.pose = graze_plane_pose_d(0, 1.5, 0);
+  GrazePlaneDynamicsd dynamics = graze_plane_dynamics_default_d();
+  dynamics.has_inertia = true;
+  dynamics.inertia = -1;
+  EXPECT(graze_plane_simulation_add_d(simulation, &body, &dynamics, NULL, &id) == GRAZE_INVALID_VALUE);
+  dynamics.has_mass = true;
+  dynamics.mass = 2;
+  dynamics.inertia = 0.25;
+  OK(graze_plane_simulation_add_d(simulation, &body, &dynamics, NULL, &id));
+  for (int i = 0; i < 120; ++i) OK(graze_plane_simulation_step_d(simulation, 1.0 / 60));
+  GrazePose2d pose;
+  OK(graze_plane_simulation_pose_d(simulation, id, &pose));
+  EXPECT(fabs(pose.translation.y - 0.5) < 0.01);
+  bool asleep;
+  OK(graze_plane_simulation_asleep_d(simulation, id, &asleep));
+  EXPECT(asleep);
+  OK(graze_plane_simulation_apply_angular_impulse_d(simulation, id, 0.5));
+  double momentum;
+  OK(graze_plane_simulation_angular_momentum_d(simulation, id, &momentum));
+  EXPECT(fabs(momentum - 0.5) < 1e-6);
+
+  const GrazePose2d here = graze_plane_pose_d(0, 0, 0);
+  GrazePlaneJointd joint;
+  REFUSED(graze_plane_joint_of_kind_d((GrazeJointKind)9, floor, &here, id, &here, &joint),
+          "kind: expected an enumerator from 0 to 3, got 9");
+  OK(graze_plane_joint_of_kind_d(GRAZE_JOINT_HINGE, floor, &here, id, &here, &joint));
+  const GrazeJointLimitd about_x = {GRAZE_JOINT_ANGULAR, {true, false, false}, 0, 0, 0, 0};
+  joint.limits = &about_x;
+  GrazeJointId joint_id;
+  EXPECT(graze_plane_simulation_add_joint_d(simulation, &joint, &joint_id) == GRAZE_INVALID_VALUE);
+
+  const GrazePlaneWorldd* world;
+  OK(graze_plane_simulation_world_d(simulation, &world));
+  EXPECT(graze_plane_world_remove_d((GrazePlaneWorldd*)world, id) == GRAZE_INVALID_VALUE);  // the simulation's
+  graze_plane_world_destroy_d((GrazePlaneWorldd*)world);
+  OK(graze_plane_simulation_remove_d(simulation, id));
+  REFUSED(graze_plane_simulation_pose_d(simulation, id, &pose),
+          "id: expected a body of the simulation, got a body that is not there");
+  graze_plane_shape_release_d(ball), graze_plane_shape_release_d(ground);
+  graze_plane_simulation_destroy_d(simulation);
+  graze_plane_simulation_destroy_d(NULL), graze_plane_state_destroy_d(NULL);
+}
+
 /* What a renderer was told, by layers. */
 typedef struct Drawn {
   int points[9], lines[9], triangles[9], texts;
@@ -571,6 +631,7 @@ int main(void) {
   test_simulation();
   test_plane();
   test_plane_world();
+  test_plane_simulation();
   test_draw();
   if (failures > 0) fprintf(stderr, "%d expectations failed\n", failures);
   return failures > 0 ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -15,3 +15,5 @@
 #include "c/same_bits.inc"
 
 #include "c/same_bits_plane_worlds.inc"
+
+#include "c/same_bits_plane_simulations.inc"
