@@ -887,6 +887,172 @@ export declare namespace plane {
     pieceA: number;
     pieceB: number;
   }
+  interface Body extends PoseLike {
+    readonly shape: Shape;
+    readonly linear?: ArrayLike<number>;
+    /** Counter-clockwise, radians per unit of time. */
+    readonly angular?: number;
+    readonly filter?: Filter;
+    readonly fixed?: boolean;
+    readonly trigger?: boolean;
+    readonly fast?: boolean;
+  }
+  interface SolverPoint extends ContactPoint {
+    impulse: Vec2;
+  }
+  interface WorldPair {
+    /** Indices of bodies, a < b. */
+    a: number;
+    b: number;
+    overlap: boolean;
+    manifolds: { normal: Vec2; pieceA: number; pieceB: number; points: SolverPoint[] }[];
+  }
+  interface Impact {
+    a: BodyId;
+    b: BodyId;
+    trigger: boolean;
+    hit: CastHit;
+  }
+  /** Bodies, what touches, and questions about them, as in space. */
+  interface WorldQueries {
+    readonly size: number;
+    contains(id: BodyId): boolean;
+    bodyAt(index: number): BodyId | null;
+    pose(id: BodyId): Pose;
+    /** A share of the body's shape, to be disposed of. */
+    shape(id: BodyId): Shape;
+    /** All poses by index, four numbers each: where it is, and its turned X axis. No copy: valid until the next call. */
+    poses(): Scalars;
+    contacts(): WorldPair[];
+    points(): Rows<SolverPoint>;
+    events(): ContactEvent[];
+    impacts(): Impact[];
+    overlapping(shape: Shape, pose: PoseLike, filter?: QueryFilter): BodyId[];
+    overlapsAny(shape: Shape, pose: PoseLike, filter?: QueryFilter): boolean;
+    nearest(
+      shape: Shape, pose: PoseLike, most: number,
+      options?: QueryFilter & { limit?: number }): { body: BodyId; distance: Distance }[];
+    raycast(ray: Ray, filter?: QueryFilter): { body: BodyId; hit: RayHit } | null;
+    raycastAny(ray: Ray, filter?: QueryFilter): boolean;
+    raycastAll(ray: Ray, filter?: QueryFilter): { body: BodyId; hit: RayHit }[];
+    cast(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit } | null;
+    castAll(moving: Moving, options?: QueryFilter & CastOptions): { body: BodyId; hit: CastHit }[];
+    memory(): number;
+  }
+  interface World extends WorldQueries {}
+  class World extends Handle {
+    constructor(settings?: WorldSettings);
+    add(body: Body): BodyId;
+    remove(id: BodyId): void;
+    move(id: BodyId, pose: PoseLike, velocity?: { linear?: ArrayLike<number>; angular?: number }): void;
+    /** Four numbers each, as `poses` has them. Where one is refused none is moved. */
+    moveBatch(ids: readonly BodyId[], poses: Numbers | ArrayLike<number>): void;
+    setShape(id: BodyId, shape: Shape): void;
+    setFilter(id: BodyId, filter: Filter): void;
+    setFast(id: BodyId, fast: boolean): void;
+    /** Finds what touches now, and what fast bodies would pass through in `duration`. */
+    update(duration?: number): void;
+    findImpacts(duration: number): void;
+    reduce(most: number): void;
+  }
+  interface SimulationSettings {
+    readonly gravity?: ArrayLike<number>;
+    readonly subSteps?: number;
+    readonly mostSubSteps?: number;
+    readonly sleep?: boolean;
+    readonly continuous?: boolean;
+    readonly longestStep?: number;
+  }
+  interface Dynamics {
+    /** Absent: from the shape and `density`, a mass per area. */
+    readonly mass?: number;
+    readonly centerOfMass?: ArrayLike<number>;
+    /** About the centre of mass. */
+    readonly inertia?: number;
+    readonly density?: number;
+    readonly gravityFactor?: number;
+    readonly linearDamping?: number;
+    readonly angularDamping?: number;
+    readonly kinematic?: boolean;
+    readonly maySleep?: boolean;
+  }
+  interface Material {
+    readonly staticFriction?: number;
+    readonly dynamicFriction?: number;
+    readonly restitution?: number;
+    readonly rollingFriction?: number;
+    readonly frictionCombine?: Combine;
+    readonly restitutionCombine?: Combine;
+    readonly surfaceVelocity?: ArrayLike<number>;
+  }
+  /** Frames move along x and y and turn about z: limits and drives name those axes. */
+  interface Joint {
+    readonly a: BodyId;
+    readonly b: BodyId;
+    readonly frameA?: PoseLike;
+    readonly frameB?: PoseLike;
+    /** The limits of a joint with a name; a ball is a hinge, and a slider goes along x. `limits` come on top. */
+    readonly kind?: "fixed" | "ball" | "hinge" | "slider";
+    readonly limits?: readonly JointLimit[];
+    readonly drives?: readonly JointDrive[];
+    readonly enableCollision?: boolean;
+  }
+  interface StepReport {
+    awake: number;
+    islands: number;
+    contacts: number;
+    colors: number;
+    mostSubSteps: number;
+    stopped: number;
+    deepest: number;
+    meanDepth: number;
+    residual: number;
+    kineticEnergy: number;
+    potentialEnergy: number;
+    momentum: Vec2;
+    angularMomentum: number;
+    /** By the clock, in milliseconds. */
+    collideMs: number;
+    prepareMs: number;
+    solveMs: number;
+    continuousMs: number;
+    wholeMs: number;
+  }
+  /** Everything that a simulation goes back to. */
+  class State extends Handle {
+    private constructor();
+  }
+  class Simulation extends Handle {
+    constructor(settings?: SimulationSettings);
+    add(body: Body, dynamics?: Dynamics, material?: Material): BodyId;
+    remove(id: BodyId): void;
+    addJoint(joint: Joint): JointId;
+    removeJoint(id: JointId): void;
+    step(dt: number): void;
+    applyImpulse(id: BodyId, impulse: ArrayLike<number>, point: ArrayLike<number>): void;
+    applyAngularImpulse(id: BodyId, impulse: number): void;
+    applyForce(id: BodyId, force: ArrayLike<number>): void;
+    applyTorque(id: BodyId, torque: number): void;
+    setVelocity(id: BodyId, velocity: { linear?: ArrayLike<number>; angular?: number }): void;
+    setPose(id: BodyId, pose: PoseLike): void;
+    moveTo(id: BodyId, pose: PoseLike, dt: number): void;
+    setMaterial(id: BodyId, material: Material): void;
+    setGravity(gravity: ArrayLike<number>): void;
+    wake(id: BodyId): void;
+    pose(id: BodyId): Pose;
+    /** All poses by index, as those of a world. */
+    poses(): Scalars;
+    /** The velocity of the centre of mass, the turning about it, and where it is. */
+    motion(id: BodyId): { linear: Vec2; angular: number; center: Vec2 };
+    mass(id: BodyId): number;
+    asleep(id: BodyId): boolean;
+    jointImpulses(id: JointId): number[];
+    report(): StepReport;
+    /** Contacts, events and questions. It belongs to the simulation. */
+    readonly world: WorldQueries;
+    save(): State;
+    restore(state: State): void;
+  }
   function overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
   function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
   function contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
@@ -906,6 +1072,10 @@ export declare namespace plane {
   const draw: {
     shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
     explained(renderer: Renderer): Explained;
+    world(world: WorldQueries, renderer: Renderer): void;
+    simulation(simulation: Simulation, renderer: Renderer): void;
+    /** The centre and the size of all that is bounded. */
+    area(world: WorldQueries): { center: number[]; size: number };
   };
   interface Explained {
     overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
@@ -932,9 +1102,11 @@ export interface ReplayReport {
   difference: { frame: number; call: number; what: string } | null;
 }
 /** Plays a capture again, as `graze capture` or a program in C++ wrote it, in the scalar of this entry. `each` gets the
- * world after every frame, null of one in the plane; it can be asked until the function returns. Not in graze/queries. */
+ * world after every frame, and whether it is one of the plane; it can be asked until the function returns. Not in
+ * graze/queries. */
 export function replay(
-  bytes: ArrayBuffer | ArrayBufferView, each?: (world: WorldQueries | null, frame: number) => void): ReplayReport;
+  bytes: ArrayBuffer | ArrayBufferView,
+  each?: (world: WorldQueries | plane.WorldQueries, frame: number, plane: boolean) => void): ReplayReport;
 
 // --- The query protocol (graze/double alone) ---
 

@@ -448,6 +448,101 @@ export const checks = [
            new plane.HalfPlane().kind, circle.rounded(1).kind], ["chain", "polygon", "ellipse", "halfPlane", "circle"]);
   }],
 
+  ["worlds of the plane", ({ graze, double }) => {
+    for (const { plane, Numbers, InvalidValue } of [graze, double]) {
+      const world = new plane.World();
+      const box = new plane.Box([1, 1]), circle = new plane.Circle(0.5);
+      const ground = world.add({ shape: new plane.HalfPlane(), fixed: true });
+      const crate = world.add({ shape: box, translation: [3, 0.49], filter: { category: 2 } });
+      const ball = world.add({ shape: circle, translation: [-2, 3], linear: [0, -4], fast: true });
+      equal([world.size, world.contains(ball), world.bodyAt(1)], [3, true, crate], "bodies");
+      world.update(1);
+      const [pair] = world.contacts();
+      equal([pair.a, pair.b, pair.overlap, pair.manifolds[0].points.length], [0, 1, true, 2], "the crate on the ground");
+      close(pair.manifolds[0].points.map((p) => p.distance), [-0.01, -0.01], 1e-6, "depths");
+      close(pair.manifolds[0].normal, [0, 1], 0, "upwards");
+      equal([world.points().length, world.points().at(0).impulse], [2, [0, 0]], "points without a copy");
+      equal(world.events().map((e) => e.kind), ["begin"], "events");
+      equal(world.impacts().map((i) => [i.a.index, i.b.index]), [[0, 2]], "the ball would fall through the ground");
+      close(world.impacts()[0].hit.t, 2.5 / 4, 1e-5, "when");
+      world.move(ball, { translation: [-2, 5], rotation: 0.5 }, { linear: [1, 0], angular: 2 });
+      close(world.pose(ball).rotation, 0.5, 1e-6, "an angle");
+      close(Array.from(world.poses()).slice(8), [-2, 5, Math.cos(0.5), Math.sin(0.5)], 1e-6, "four numbers");
+      const poses = new Numbers(8);
+      poses.array.set([3, 2, 1, 0, -2, 6, 0, 1]);
+      world.moveBatch([crate, ball], poses);
+      close([world.pose(crate).translation, world.pose(ball).rotation], [[3, 2], Math.PI / 2], 1e-6, "moved together");
+      throws(() => world.moveBatch([crate], [0, 0, 0, 0]), "poses[0].rotation: expected a unit vector of cosine and sine, got [0, 0]", InvalidValue);
+      world.update();
+      equal(world.events().map((e) => [e.kind, e.pair]), [["end", -1]], "nothing touches any more");
+
+      const ray = { origin: [3, 5], direction: [0, -1] };
+      close(world.raycast(ray).hit.t, 2.5, 1e-6, "ray");
+      equal(world.raycastAll(ray).map((hit) => hit.body.index), [1, 0], "all on the way");
+      equal(world.raycast(ray, { mask: 1 }).body, ground, "filtered");
+      equal(world.raycastAny({ ...ray, length: 2 }), false, "short");
+      equal(world.overlapping(circle, { translation: [3, 2.9] }), [crate], "overlapping");
+      equal(world.overlapsAny(circle, { translation: [6, 2] }), false, "nothing there");
+      close(world.nearest(circle, { translation: [3, 4] }, 2).map((n) => n.distance.distance), [1, 3.5], 1e-6, "nearest");
+      const falling = { shape: circle, translation: [3, 4], linear: [0, -2] };
+      close(world.cast(falling).hit.t, 0.5, 1e-5, "cast");
+      equal(world.castAll(falling, { duration: 3 }).map((hit) => hit.body.index), [1, 0], "casts");
+      equal(world.cast(falling, { accept: (body) => body.index !== 1 }), null, "refused by the caller");
+      const kind = world.shape(crate);
+      equal(kind.kind, "box", "shape");
+      kind.dispose();
+      equal(world.slide, undefined, "sliding is in space");
+      let lines = 0;
+      plane.draw.world(world, { size: 5, line: () => ++lines });
+      ok(lines > 4, "drawn");
+      world.remove(crate);
+      equal(world.contains(crate), false, "removed");
+      world.dispose();
+      throws(() => world.update(), "world: expected a live object, got a disposed one", InvalidValue);
+    }
+  }],
+
+  ["simulations of the plane", ({ graze, double }) => {
+    for (const { plane, InvalidValue } of [graze, double]) {
+      const simulation = new plane.Simulation({ gravity: [0, -10] });
+      const floor = simulation.add({ shape: new plane.HalfPlane(), fixed: true });
+      const crate = simulation.add({ shape: new plane.Box([1, 1]), translation: [0, 2] }, { mass: 3, inertia: 0.5 }, { restitution: 0 });
+      equal([simulation.mass(crate), simulation.mass(floor)], [3, Infinity], "masses");
+      const start = simulation.save();
+      for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+      close(simulation.pose(crate).translation, [0, 0.5], 0.01, "at rest");
+      close(Array.from(simulation.poses()).slice(4), [0, 0.5, 1, 0], 0.01, "poses");
+      equal(simulation.world.contacts()[0].manifolds[0].points.length, 2, "points");
+      equal(simulation.asleep(crate), true, "asleep");
+      close(simulation.report().potentialEnergy, 3 * 10 * 0.5, 0.5, "energy");
+      const end = simulation.pose(crate);
+      simulation.restore(start);
+      for (let i = 0; i < 120; ++i) simulation.step(1 / 60);
+      equal(simulation.pose(crate), end, "the same bits again");
+
+      simulation.applyImpulse(crate, [3, 0], end.translation);
+      close(simulation.motion(crate).linear[0], 1, 1e-5, "pushed");
+      simulation.applyAngularImpulse(crate, 0.25);
+      close(simulation.motion(crate).angular, 0.5, 1e-5, "turned");
+      simulation.setVelocity(crate, { linear: [0, 1], angular: -1 });
+      close([simulation.motion(crate).linear, simulation.motion(crate).angular], [[0, 1], -1], 1e-6, "velocity");
+      throws(() => simulation.add({ shape: new plane.Box([1, 1]) }, { inertia: -1 }), "inertia: expected a number > 0 with a finite inverse, got -1", InvalidValue);
+
+      const hinge = simulation.addJoint({
+        a: floor, b: crate, kind: "hinge", frameA: { translation: [0, 5] }, frameB: { translation: [0, 1] },
+        drives: [{ space: "angular", axis: "z", velocityTarget: 1, damping: 10 }] });
+      simulation.setPose(crate, { translation: [0, 4] });
+      for (let i = 0; i < 60; ++i) simulation.step(1 / 60);
+      const { translation, rotation } = simulation.pose(crate);
+      close([translation[0] - Math.sin(rotation), translation[1] + Math.cos(rotation)], [0, 5], 0.02, "hinge");
+      ok(simulation.jointImpulses(hinge).length >= 2, "rows");
+      simulation.removeJoint(hinge);
+      simulation.remove(crate);
+      equal(simulation.world.size, 1, "bodies");
+      simulation.dispose(), start.dispose();
+    }
+  }],
+
   ["debug draw", ({ graze, queries }) => {
     const drawn = [];
     const renderer = {

@@ -101,6 +101,23 @@ test("the page's programs print what the page says", async () => {
   }
 });
 
+test("captures of the plane are played again", async () => {
+  for (const of of ["world", "simulation"]) {
+    const file = await readFile(new URL(`../../fuzz/corpus/capture/whole-plane-${of}`, import.meta.url));
+    const seen = [];
+    const report = double.replay(file, (world, frame, plane) => {
+      seen.push([frame, plane, world.size, world.poses().length / 4]);
+      const shape = world.shape(world.bodyAt(0));
+      assert.equal(shape.kind, "halfPlane");
+      shape.dispose();
+      double.plane.draw.world(world, { size: 3 });
+    });
+    assert.deepEqual([report.simulation, report.plane, report.difference], [of === "simulation", true, null]);
+    assert.equal(seen.length, report.frames);
+    assert.deepEqual(seen.at(-1), of === "world" ? [3, true, 3, 3] : [90, true, 4, 4]);
+  }
+});
+
 test("a capture is played again", async () => {
   const file = await readFile(new URL("../../fuzz/corpus/capture/whole-file", import.meta.url));
   const seen = [];

@@ -38,7 +38,7 @@ function drawnOn(core, layout, renderer, body) {
 }
 
 /** Drawing of a dimension's shapes and explanations. */
-export function drawings(core, layout, ask, { prefix, of, pose }) {
+export function drawings(core, layout, { prefix, of, pose, ask }) {
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
   return {
     shape(shape, at, renderer, meaning = "a") {
@@ -53,25 +53,32 @@ export function drawings(core, layout, ask, { prefix, of, pose }) {
   };
 }
 
-/** What is drawn in space on top of that. */
-export function spaceDrawings(core, layout, args, simulations, worlds, Handle) {
+/** Drawing of a dimension's worlds and simulations. */
+export function worldDrawings(core, layout, { prefix }, worlds, { Simulation }, Handle) {
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
-  const { Simulation } = simulations;
   return {
-    distance: (distance, renderer) =>
-      drawn(renderer, (on) =>
-        core.call("distance_draw", args.written(layout.distance, distance, "distance"), on)),
     world: (world, renderer) =>
-      drawn(renderer, (on) => core.call("world_draw", worlds.pointerOf(world), on)),
-    simulation: (simulation, renderer) =>
-      drawn(renderer, (on) => core.call("simulation_draw", Handle.pointer(simulation, "simulation", Simulation), on)),
+      drawn(renderer, (on) => core.call(`${prefix}world_draw`, worlds.pointerOf(world), on)),
+    simulation: (simulation, renderer) => {
+      const pointer = Handle.pointer(simulation, "simulation", Simulation);
+      drawn(renderer, (on) => core.call(`${prefix}simulation_draw`, pointer, on));
+    },
     area(world) {
       const on = core.room(layout.debugDraw.size);
       core.exports.graze_debug_draw_default(on);
-      core.call("world_draw_area", worlds.pointerOf(world), on);
+      core.call(`${prefix}world_draw_area`, worlds.pointerOf(world), on);
       const { center, size } = layout.debugDraw.read(on);
       return { center, size };
     },
+  };
+}
+
+/** What is drawn in space on top of that. */
+export function spaceDrawings(core, layout, args) {
+  return {
+    distance: (distance, renderer) =>
+      drawnOn(core, layout, renderer, (on) =>
+        core.call("distance_draw", args.written(layout.distance, distance, "distance"), on)),
     color(meaning) {
       const rgb = core.room(3);
       core.check(core.exports.graze_draw_color(named(meanings, meaning, "meaning"), rgb));

@@ -38,8 +38,11 @@ export function queriesEntry(scalar, address) {
   const Rows = rowsClass(core);
   const shapes = shapeClasses(core, layout, args, Handle);
   const { ask, plain } = spaceQuestions(core, layout, args, shapes);
-  const worlds = worldClasses(core, layout, args, shapes, ask, Rows, Handle);
-  const parts = { core, layout, args, Handle, shapes, ask, worlds };
+  const dimension = {
+    prefix: "", types: layout, args, of: shapes.of, Shape: shapes.classes.Shape, pose: args.pose, shown: (pose) => pose,
+    turning: args.vec3, numbersOf: shapes.numbersOf, ask };
+  const worlds = worldClasses(core, layout, dimension, Rows, Handle);
+  const parts = { core, layout, args, Rows, Handle, shapes, dimension, worlds };
   const names = {
     init: (source) => core.init(source),
     version: () => core.frame(() => core.string(core.exports.graze_version_string())),

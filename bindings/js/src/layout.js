@@ -77,17 +77,10 @@ export function layouts(core) {
   const vec2 = several(num, 2);
   const quat = several(num, 4);
   const mat3 = several(vec3, 3);
-  const pose = struct({ translation: vec3, rotation: quat });
   const id = struct({ index: u32, generation: u32 });
-  const distance = struct({ distance: num, normal: vec3, a: vec3, b: vec3, certainty, error: num });
-  const contactPoint = struct({ a: vec3, b: vec3, distance: num, feature: u32, weight: num });
-  const castHit = struct({ t: num, point: vec3, normal: vec3, depth: num, certainty, pieceA: u32, pieceB: u32 });
-  const rayHit = struct({ t: num, point: vec3, normal: vec3, piece: u32 });
   const motion = struct({ linear: vec3, angular: vec3, center: vec3 });
   const inverseMass = struct({ mass: num, inertia: mat3 });
   const filter = struct({ category: u64, mask: u64, group: i32 });
-  const manifold = (vector) =>
-    struct({ normal: vector, pieceA: u32, pieceB: u32, firstPoint: u32, pointCount: u32 });
   const contacts = struct({
     overlap: bool, certainty, error: num, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 });
   const support = struct({ a: several(real, 3), b: several(real, 3) });
@@ -96,58 +89,74 @@ export function layouts(core) {
   const realVector = several(real, 3);
   const pair = struct({ overlap: bool, firstManifold: u32, manifoldCount: u32 });
 
+  /** The structs of a number of dimensions: its vectors, its turnings and rotations, and what differs otherwise. */
+  const dimension = (vector, turning, rotation, { rayHitMembers, inertiaMembers }) => {
+    const pose = struct({ translation: vector, rotation });
+    const distance = struct({ distance: num, normal: vector, a: vector, b: vector, certainty, error: num });
+    const contactPoint = { a: vector, b: vector, distance: num, feature: u32, weight: num };
+    const castHit = struct({ t: num, point: vector, normal: vector, depth: num, certainty, pieceA: u32, pieceB: u32 });
+    const rayHit = struct({ t: num, point: vector, normal: vector, piece: u32, ...rayHitMembers });
+    return {
+      vector, turning, pose, distance, castHit, rayHit,
+      contactPoint: struct(contactPoint),
+      aabb: struct({ lower: vector, upper: vector }),
+      child: struct({ shape: u32, pose }),
+      closest: struct({ distance: num, point: vector, normal: vector, certainty, error: num }),
+      manifold: struct({ normal: vector, pieceA: u32, pieceB: u32, firstPoint: u32, pointCount: u32 }),
+      ray: struct({ origin: vector, direction: vector }),
+      velocity: struct({ linear: vector, angular: turning }),
+      moving: struct({ shape: u32, pose, linear: vector, angular: turning }),
+      body: struct({
+        shape: u32, pose, linear: vector, angular: turning, filter, fixed: bool, trigger: bool, fast: bool }),
+      solverPoint: struct({ ...contactPoint, impulse: vector }),
+      impact: struct({ a: id, b: id, trigger: bool, hit: castHit }),
+      bodyDistance: struct({ body: id, distance }),
+      bodyRayHit: struct({ body: id, hit: rayHit }),
+      bodyCastHit: struct({ body: id, hit: castHit }),
+      simulationSettings: struct({
+        gravity: vector, subSteps: i32, mostSubSteps: i32, sleep: bool, continuous: bool, longestStep: num }),
+      dynamics: struct({
+        hasMass: bool, hasCenterOfMass: bool, hasInertia: bool, mass: num, centerOfMass: vector, ...inertiaMembers,
+        density: num, gravityFactor: num, linearDamping: num, angularDamping: num, kinematic: bool, maySleep: bool }),
+      material: struct({
+        staticFriction: num, dynamicFriction: num, restitution: num, rollingFriction: num, frictionCombine: combine,
+        restitutionCombine: combine, surfaceVelocity: vector }),
+      joint: struct({
+        a: id, b: id, frameA: pose, frameB: pose, limits: u32, limitCount: u32, drives: u32, driveCount: u32,
+        enableCollision: bool }),
+      stepReport: struct({
+        awake: u32, islands: u32, contacts: u32, colors: u32, mostSubSteps: i32, stopped: u32, deepest: num,
+        meanDepth: num, residual: num, kineticEnergy: num, potentialEnergy: num, momentum: vector,
+        angularMomentum: turning, collideMs: num, prepareMs: num, solveMs: num, continuousMs: num, wholeMs: num }),
+    };
+  };
+  const ofSpace = dimension(vec3, vec3, quat, {
+    rayHitMembers: {}, inertiaMembers: { inertiaDiagonal: vec3, inertiaOrientation: quat } });
+
   return {
-    u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, pose, id, distance, contactPoint, castHit, rayHit, motion,
-    inverseMass, filter, contacts, support, pair, several, struct, realVector,
-    aabb: struct({ lower: vec3, upper: vec3 }),
+    u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, id, motion, inverseMass, filter, contacts, support, pair,
+    several, struct, realVector,
+    ...ofSpace,
+    plane: dimension(vec2, num, vec2, { rayHitMembers: { certainty }, inertiaMembers: { inertia: num } }),
     massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
-    child: struct({ shape: u32, pose }),
-    closest: struct({ distance: num, point: vec3, normal: vec3, certainty, error: num }),
-    pieceDistance: struct({ pieceA: u32, pieceB: u32, distance }),
-    manifold: manifold(vec3),
+    pieceDistance: struct({ pieceA: u32, pieceB: u32, distance: ofSpace.distance }),
     batchContacts: struct({
       pairs: u32, pairCount: u32, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
-    ray: struct({ origin: vec3, direction: vec3 }),
-    velocity: struct({ linear: vec3, angular: vec3 }),
-    moving: struct({ shape: u32, pose, linear: vec3, angular: vec3 }),
     bodies: struct({
       shapes: u32, shapeStride: u32, shapeCount: u32, translations: u32, translationStride: u32, rotations: u32,
       rotationStride: u32, poseCount: u32 }),
     worldSettings: struct({ hasMargin: bool, margin: num, allow: u32, user: u32, pointsPerPair: u32 }),
-    body: struct({
-      shape: u32, pose, linear: vec3, angular: vec3, filter, fixed: bool, trigger: bool, fast: bool }),
     queryFilter: struct({ filter, triggers: bool, accept: u32, user: u32 }),
     worldPair: struct({ a: u32, b: u32, overlap: bool, firstManifold: u32, manifoldCount: u32 }),
     worldContacts: struct({
       pairs: u32, pairCount: u32, manifolds: u32, manifoldCount: u32, points: u32, pointCount: u32 }),
-    solverPoint: struct({ a: vec3, b: vec3, distance: num, feature: u32, weight: num, impulse: vec3 }),
     contactEvent: struct({
       kind: enumeration(u8, ["begin", "stay", "end"]), trigger: bool, a: id, b: id, pair: i32 }),
-    impact: struct({ a: id, b: id, trigger: bool, hit: castHit }),
-    bodyDistance: struct({ body: id, distance }),
-    bodyRayHit: struct({ body: id, hit: rayHit }),
-    bodyCastHit: struct({ body: id, hit: castHit }),
-    simulationSettings: struct({
-      gravity: vec3, subSteps: i32, mostSubSteps: i32, sleep: bool, continuous: bool, longestStep: num }),
-    dynamics: struct({
-      hasMass: bool, hasCenterOfMass: bool, hasInertia: bool, mass: num, centerOfMass: vec3, inertiaDiagonal: vec3,
-      inertiaOrientation: quat, density: num, gravityFactor: num, linearDamping: num, angularDamping: num,
-      kinematic: bool, maySleep: bool }),
-    material: struct({
-      staticFriction: num, dynamicFriction: num, restitution: num, rollingFriction: num, frictionCombine: combine,
-      restitutionCombine: combine, surfaceVelocity: vec3 }),
     jointLimit: struct({
       space, axes: several(bool, 3), min: num, max: num, stiffness: num, damping: num }),
     jointDrive: struct({
       space, mode: enumeration(u8, ["force", "acceleration"]), axis: enumeration(u8, ["x", "y", "z"]),
       positionTarget: num, velocityTarget: num, stiffness: num, damping: num, maxForce: num }),
-    joint: struct({
-      a: id, b: id, frameA: pose, frameB: pose, limits: u32, limitCount: u32, drives: u32, driveCount: u32,
-      enableCollision: bool }),
-    stepReport: struct({
-      awake: u32, islands: u32, contacts: u32, colors: u32, mostSubSteps: i32, stopped: u32, deepest: num,
-      meanDepth: num, residual: num, kineticEnergy: num, potentialEnergy: num, momentum: vec3, angularMomentum: vec3,
-      collideMs: num, prepareMs: num, solveMs: num, continuousMs: num, wholeMs: num }),
     struckBody: struct({ motion, mass: inverseMass }),
     struckContact: struct({ point: vec3, normal: vec3, restitution: num, friction: num }),
     response: struct({
@@ -176,18 +185,6 @@ export function layouts(core) {
       epaCount: u32, difference: u32, differenceCount: u32, rounding: real, polytope: u32, polytopeCount: u32,
       triangles: u32, triangleCount: u32, spans: u32, spanCount: u32, steps: u32, stepCount: u32, nodes: u32,
       pieces: u32, faceA: u32, faceB: u32, faceACount: u32, faceBCount: u32, cuts: u32, cutCount: u32 }),
-    planePose: struct({ translation: vec2, rotation: vec2 }),
-    planeAabb: struct({ lower: vec2, upper: vec2 }),
-    planeDistance: struct({ distance: num, normal: vec2, a: vec2, b: vec2, certainty, error: num }),
-    planeClosest: struct({ distance: num, point: vec2, normal: vec2, certainty, error: num }),
-    planeContactPoint: struct({ a: vec2, b: vec2, distance: num, feature: u32, weight: num }),
-    planeManifold: manifold(vec2),
-    planeRay: struct({ origin: vec2, direction: vec2 }),
-    planeRayHit: struct({ t: num, point: vec2, normal: vec2, piece: u32, certainty }),
-    planeCastHit: struct({ t: num, point: vec2, normal: vec2, depth: num, certainty, pieceA: u32, pieceB: u32 }),
-    planeVelocity: struct({ linear: vec2, angular: num }),
-    planeMoving: struct({ shape: u32, pose: struct({ translation: vec2, rotation: vec2 }), linear: vec2, angular: num }),
-    planeChild: struct({ shape: u32, pose: struct({ translation: vec2, rotation: vec2 }) }),
     /** Structs one behind the other, as objects. */
     readAll: (type, pointer, count) => Array.from({ length: count }, (_, i) => type.read(pointer + i * type.size)),
   };

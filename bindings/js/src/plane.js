@@ -1,15 +1,18 @@
 // The same words in two dimensions.
 
-import { drawings } from "./draw.js";
+import { drawings, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
 import { questions } from "./questions.js";
 import { sides } from "./shapes.js";
+import { simulationClasses } from "./simulation.js";
+import { worldClasses } from "./world.js";
 
 const kinds = [
   "circle", "capsule", "box", "segment", "convex", "ellipse", "userConvex", "halfPlane", "polygon", "chain", "compound"];
 
-export function plane(core, layout, args, Handle) {
+export function plane(core, layout, args, numbersOf, Rows, Handle) {
   const { written, rows, answered } = args;
+  const types = layout.plane;
   const release = (pointer) => core.exports[`graze_plane_shape_release_${core.scalar}`](pointer);
   const made = (name, parameters) =>
     core.frame(() => {
@@ -21,7 +24,7 @@ export function plane(core, layout, args, Handle) {
   /** The rotation is an angle here and the turned X axis there, by the library's own sine and cosine. */
   const pose = (value, path) => {
     const [x, y] = value?.translation ?? [0, 0];
-    const p = core.room(layout.planePose.size);
+    const p = core.room(types.pose.size);
     core.exports[`graze_plane_pose_${core.scalar}`](p, x, y, value?.rotation ?? 0);
     if (value?.translation !== undefined) layout.vec2.write(p, value.translation, `${path}.translation`);
     return p;
@@ -40,7 +43,7 @@ export function plane(core, layout, args, Handle) {
     }
     bounds(at) {
       return core.frame(() =>
-        answered(layout.planeAabb, (p) => core.call("plane_shape_bounds", of(this), pose(at, "pose"), p)));
+        answered(types.aabb, (p) => core.call("plane_shape_bounds", of(this), pose(at, "pose"), p)));
     }
     rounded(rounding) {
       return new Shape(made("rounded", () => [of(this), rounding]));
@@ -107,13 +110,13 @@ export function plane(core, layout, args, Handle) {
     constructor(children) {
       super(
         made("compound", () => {
-          const { size, offset } = layout.planeChild;
+          const { size, offset } = types.child;
           const first = core.room(Math.max(1, children.length) * size);
           children.forEach((child, i) => {
             const path = `compound.children[${i}]`;
             const at = pose(child, path);
-            layout.planeChild.write(first + i * size, { shape: of(child.shape, `${path}.shape`) });
-            core.copy(at, first + i * size + offset.pose, layout.planePose.size);
+            types.child.write(first + i * size, { shape: of(child.shape, `${path}.shape`) });
+            core.copy(at, first + i * size + offset.pose, types.pose.size);
           });
           return [first, 0, children.length];
         }),
@@ -121,24 +124,28 @@ export function plane(core, layout, args, Handle) {
     }
   }
 
-  const ask = questions(core, {
-    prefix: "plane_", layout, args, of, pose, vector: layout.vec2, distance: layout.planeDistance,
-    closest: layout.planeClosest, manifold: layout.planeManifold, contactPoint: layout.planeContactPoint,
-    ray: layout.planeRay, rayHit: layout.planeRayHit, castHit: layout.planeCastHit, moving: layout.planeMoving });
+  const ask = questions(core, layout, { prefix: "plane_", types, args, of, pose });
   const angle = ({ translation, rotation }) => ({ translation, rotation: Math.atan2(rotation[1], rotation[0]) });
+  const dimension = {
+    prefix: "plane_", types, args, of, Shape, pose, shown: angle, turning: (value) => value, numbersOf, ask };
+  const worlds = worldClasses(core, layout, dimension, Rows, Handle);
+  const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
 
-  return {
+  const names = {
+    World: worlds.World, ...simulations,
     Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, HalfPlane, Polygon, Chain, Compound,
     ...ask.framed({
       ...ask.asked,
       contactMargin: (a, b) => answered(layout.num, (p) => ask.call("contact_margin", of(a, "a"), of(b, "b"), p)),
       poseAt(body, t) {
         const { linear, angular } = body;
-        const velocity = written(layout.planeVelocity, { linear, angular }, "velocity");
-        return angle(answered(layout.planePose, (p) => ask.call("pose_at", pose(body, "pose"), velocity, t, p)));
+        const velocity = written(types.velocity, { linear, angular }, "velocity");
+        return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose"), velocity, t, p)));
       },
     }),
     traced: ask.traced(),
-    draw: ask.framed(drawings(core, layout, ask, { prefix: "plane_", of, pose })),
+    draw: ask.framed({
+      ...drawings(core, layout, dimension), ...worldDrawings(core, layout, dimension, worlds, simulations, Handle) }),
   };
+  return { names, worlds };
 }

@@ -6,9 +6,8 @@ import { traceReader } from "./trace.js";
 const backFaces = ["hit", "ignored"];
 const separations = ["hit", "ignored"];
 
-/** The questions of a dimension, whose `words` are the names of its functions and structs. */
-export function questions(core, words) {
-  const { layout, args, of, pose, prefix } = words;
+/** The questions of a dimension: how its functions' names begin, its structs, and how its shapes and poses are given. */
+export function questions(core, layout, { prefix, types, args, of, pose }) {
   const { written, answered } = args;
   const call = (name, ...parameters) => core.call(`${prefix}${name}`, ...parameters);
   const two = (a, poseA, b, poseB) => [of(a, "a"), pose(poseA, "poseA"), of(b, "b"), pose(poseB, "poseB")];
@@ -39,9 +38,9 @@ export function questions(core, words) {
   };
 
   const pointsOf = (all, m) =>
-    layout.readAll(words.contactPoint, all.points + m.firstPoint * words.contactPoint.size, m.pointCount);
+    layout.readAll(types.contactPoint, all.points + m.firstPoint * types.contactPoint.size, m.pointCount);
   const manifolds = (all, first, count) =>
-    layout.readAll(words.manifold, all.manifolds + first * words.manifold.size, count).map((m) => ({
+    layout.readAll(types.manifold, all.manifolds + first * types.manifold.size, count).map((m) => ({
       normal: m.normal,
       pieceA: m.pieceA,
       pieceB: m.pieceB,
@@ -53,14 +52,14 @@ export function questions(core, words) {
     return { overlap, certainty, error, manifolds: manifolds(all, 0, manifoldCount) };
   };
 
-  const ray = ({ origin, direction }) => written(words.ray, { origin, direction }, "ray");
+  const ray = ({ origin, direction }) => written(types.ray, { origin, direction }, "ray");
   const length = (value) => value.length ?? Infinity;
   const moving = (body, path) => {
     const at = pose(body, path);
-    const p = core.room(words.moving.size);
+    const p = core.room(types.moving.size);
     const { linear, angular } = body;
-    words.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
-    core.copy(at, p + words.moving.offset.pose, words.moving.members.pose.size);
+    types.moving.write(p, { shape: of(body.shape, `${path}.shape`), linear, angular }, path);
+    core.copy(at, p + types.moving.offset.pose, types.moving.members.pose.size);
     return p;
   };
   const separating = (options) => named(separations, options?.separating ?? "hit", "separating");
@@ -73,23 +72,23 @@ export function questions(core, words) {
     overlap: (a, poseA, b, poseB) =>
       answered(layout.bool, (p) => call(`overlap${ending}`, ...two(a, poseA, b, poseB), p, ...trace)),
     distance: (a, poseA, b, poseB) =>
-      answered(words.distance, (p) => call(`distance${ending}`, ...two(a, poseA, b, poseB), p, ...trace)),
+      answered(types.distance, (p) => call(`distance${ending}`, ...two(a, poseA, b, poseB), p, ...trace)),
     contacts(a, poseA, b, poseB, margin = 0) {
       const p = core.room(layout.contacts.size);
       call(`contacts${ending}`, ...two(a, poseA, b, poseB), margin, room(), p, ...trace);
       return contactsAt(p);
     },
     closest(shape, at, point) {
-      const question = [of(shape), pose(at, "pose"), written(words.vector, point, "point")];
-      return answered(words.closest, (p) => call(`closest${ending}`, ...question, p, ...trace));
+      const question = [of(shape), pose(at, "pose"), written(types.vector, point, "point")];
+      return answered(types.closest, (p) => call(`closest${ending}`, ...question, p, ...trace));
     },
     raycast(shape, at, value, options) {
       const question = [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
-      return found(words.rayHit, (there, p) => call(`raycast${ending}`, ...question, there, p, ...trace));
+      return found(types.rayHit, (there, p) => call(`raycast${ending}`, ...question, there, p, ...trace));
     },
     cast(a, b, options) {
       const question = [moving(a, "a"), moving(b, "b"), options?.duration ?? 1, separating(options)];
-      return found(words.castHit, (there, p) => call(`cast${ending}`, ...question, there, p, ...trace));
+      return found(types.castHit, (there, p) => call(`cast${ending}`, ...question, there, p, ...trace));
     },
   });
 
@@ -119,18 +118,15 @@ export function questions(core, words) {
   };
 
   return {
-    asked: asked(""), framed, explaining, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length, moving,
-    separating, back };
+    asked: asked(""), framed, explaining, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length,
+    moving, separating, back, backs };
 }
 
 /** The questions that there are in space alone, on top of those of both dimensions. */
 export function spaceQuestions(core, layout, args, shapes) {
   const { of } = shapes;
   const { written, answered, pose } = args;
-  const ask = questions(core, {
-    prefix: "", layout, args, of, pose, vector: layout.vec3, distance: layout.distance, closest: layout.closest,
-    manifold: layout.manifold, contactPoint: layout.contactPoint, ray: layout.ray, rayHit: layout.rayHit,
-    castHit: layout.castHit, moving: layout.moving });
+  const ask = questions(core, layout, { prefix: "", types: layout, args, of, pose });
   const { call, two, yes, listed, room, found } = ask;
   const rayAt = (shape, at, ray, options) =>
     [of(shape), pose(at, "pose"), ask.ray(ray), ask.length(ray), ask.back(options)];

@@ -8,7 +8,7 @@ export function replayImports(core) {
   };
 }
 
-export function replays(core, layout, worlds) {
+export function replays(core, layout, worlds, planeWorlds) {
   return {
     replay: (bytes, each) =>
       core.frame(() => {
@@ -16,14 +16,17 @@ export function replays(core, layout, worlds) {
         const place = core.room(Math.max(1, from.length));
         new Uint8Array(core.memory().buffer).set(from, place);
         let pointer = 0;
-        const world = worlds.questionable({}, () => {
+        const there = () => {
           if (pointer === 0) throw new Error("graze: the world of a replay is there until its function returns");
           return pointer;
-        });
-        const key = core.keep((frame, at) => {
-          pointer = at;
+        };
+        const world = worlds.questionable({}, there);
+        const planeWorld = planeWorlds.questionable({}, there);
+        const key = core.keep((frame, ofSpace, ofPlane) => {
+          const flat = ofSpace === 0;
+          pointer = flat ? ofPlane : ofSpace;
           try {
-            each?.(at === 0 ? null : world, frame);
+            each?.(flat ? planeWorld : world, frame, flat);
           } finally {
             pointer = 0;
           }

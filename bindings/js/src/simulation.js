@@ -6,25 +6,31 @@ import { named } from "./layout.js";
 const axes = ["x", "y", "z"];
 const jointKinds = ["fixed", "ball", "hinge", "slider"];
 
-export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
-  const { written, answered, pose, vec3 } = args;
+/** The simulations of a dimension, whose turnings are written by `turning`. */
+export function simulationClasses(core, layout, dimension, worlds, Handle) {
+  const { prefix, types, args, pose, shown: shownPose, turning } = dimension;
+  const { written, answered } = args;
   const { idAt, bodyAt, questionable } = worlds;
-  const call = (name, ...parameters) => core.call(`simulation_${name}`, ...parameters);
+  const call = (name, ...parameters) => core.call(`${prefix}simulation_${name}`, ...parameters);
+  const vector = (value, path) => written(types.vector, value, path);
+  /** A pose in an array is all its numbers. */
+  const poseNumbers = types.pose.size / core.numberSize;
   /** The library's defaults, and what the caller says. */
   const settled = (type, name, value) => {
     const p = core.room(type.size);
-    core.exports[`graze_${name}_default_${core.scalar}`](p);
+    core.exports[`graze_${prefix}${name}_default_${core.scalar}`](p);
     type.write(p, value, name);
     return p;
   };
+  const inertia = types.dynamics.members.inertia === undefined ? "inertiaDiagonal" : "inertia";
   const dynamicsAt = (value = {}) =>
-    settled(layout.dynamics, "dynamics", {
+    settled(types.dynamics, "dynamics", {
       ...value,
       hasMass: value.mass !== undefined,
       hasCenterOfMass: value.centerOfMass !== undefined,
-      hasInertia: value.inertiaDiagonal !== undefined,
+      hasInertia: value[inertia] !== undefined,
     });
-  const materialAt = (value = {}) => settled(layout.material, "material", value);
+  const materialAt = (value = {}) => settled(types.material, "material", value);
 
   /** Structs one behind the other. */
   const several = (type, values, path) => {
@@ -43,29 +49,28 @@ export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
   const drive = (value) => ({
     mode: "force", positionTarget: 0, velocityTarget: 0, stiffness: 0, damping: 0, maxForce: Infinity, ...value });
   const jointAt = (value) => {
-    const p = core.room(layout.joint.size);
-    const frames = [value.frameA, value.frameB].map((frame) => ({
-      translation: frame?.translation ?? [0, 0, 0],
-      rotation: frame?.rotation ?? [0, 0, 0, 1],
-    }));
-    layout.joint.write(p, { a: value.a, b: value.b, frameA: frames[0], frameB: frames[1] }, "joint");
+    const p = core.room(types.joint.size);
+    const frameA = pose(value.frameA, "joint.frameA");
+    const frameB = pose(value.frameB, "joint.frameB");
+    types.joint.write(p, { a: value.a, b: value.b }, "joint");
+    core.copy(frameA, p + types.joint.offset.frameA, types.pose.size);
+    core.copy(frameB, p + types.joint.offset.frameB, types.pose.size);
     const own = (value.limits ?? []).map(limit);
     const size = layout.jointLimit.size;
     let count = 0;
     let first = 0;
     if (value.kind !== undefined) {
-      const held = core.room(layout.joint.size);
+      const held = core.room(types.joint.size);
       const kind = named(jointKinds, value.kind, "joint.kind");
-      core.call(
-        "joint_of_kind", kind, idAt(value.a, "joint.a"), pose(value.frameA, "joint.frameA"), idAt(value.b, "joint.b"),
-        pose(value.frameB, "joint.frameB"), held);
-      ({ limits: first, limitCount: count } = layout.joint.read(held));
+      const [a, b] = [idAt(value.a, "joint.a"), idAt(value.b, "joint.b")];
+      core.call(`${prefix}joint_of_kind`, kind, a, frameA, b, frameB, held);
+      ({ limits: first, limitCount: count } = types.joint.read(held));
     }
     const all = core.room(Math.max(1, count + own.length) * size);
     core.copy(first, all, count * size);
     own.forEach((bound, i) => layout.jointLimit.write(all + (count + i) * size, bound, `joint.limits[${i}]`));
     const drives = (value.drives ?? []).map(drive);
-    layout.joint.write(p, {
+    types.joint.write(p, {
       limits: all, limitCount: count + own.length, drives: several(layout.jointDrive, drives, "joint.drives"),
       driveCount: drives.length, enableCollision: value.enableCollision ?? false });
     return p;
@@ -74,7 +79,7 @@ export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
   class State extends Handle {
     constructor(pointer) {
       if (typeof pointer !== "number") throw new TypeError("graze: a State is made by Simulation.save");
-      super(pointer, (p) => core.exports[`graze_state_destroy_${core.scalar}`](p));
+      super(pointer, (p) => core.exports[`graze_${prefix}state_destroy_${core.scalar}`](p));
     }
   }
 
@@ -83,10 +88,10 @@ export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
       super(
         core.frame(() => {
           const result = core.room(4);
-          call("create", settled(layout.simulationSettings, "simulation_settings", settings), 0, result);
+          call("create", settled(types.simulationSettings, "simulation_settings", settings), 0, result);
           return core.data.getUint32(result, true);
         }),
-        (p) => core.exports[`graze_simulation_destroy_${core.scalar}`](p),
+        (p) => core.exports[`graze_${prefix}simulation_destroy_${core.scalar}`](p),
       );
       const world = () => core.frame(() => answered(layout.u32, (p) => call("world", at(this), p)));
       this.world = questionable({}, world);
@@ -109,19 +114,19 @@ export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
     }
     applyImpulse(id, impulse, point) {
       core.frame(() =>
-        call("apply_impulse", at(this), idAt(id, "body"), vec3(impulse, "impulse"), vec3(point, "point")));
+        call("apply_impulse", at(this), idAt(id, "body"), vector(impulse, "impulse"), vector(point, "point")));
     }
     applyAngularImpulse(id, impulse) {
-      core.frame(() => call("apply_angular_impulse", at(this), idAt(id, "body"), vec3(impulse, "impulse")));
+      core.frame(() => call("apply_angular_impulse", at(this), idAt(id, "body"), turning(impulse, "impulse")));
     }
     applyForce(id, force) {
-      core.frame(() => call("apply_force", at(this), idAt(id, "body"), vec3(force, "force")));
+      core.frame(() => call("apply_force", at(this), idAt(id, "body"), vector(force, "force")));
     }
     applyTorque(id, torque) {
-      core.frame(() => call("apply_torque", at(this), idAt(id, "body"), vec3(torque, "torque")));
+      core.frame(() => call("apply_torque", at(this), idAt(id, "body"), turning(torque, "torque")));
     }
     setVelocity(id, velocity) {
-      core.frame(() => call("set_velocity", at(this), idAt(id, "body"), written(layout.velocity, velocity, "velocity")));
+      core.frame(() => call("set_velocity", at(this), idAt(id, "body"), written(types.velocity, velocity, "velocity")));
     }
     setPose(id, to) {
       core.frame(() => call("set_pose", at(this), idAt(id, "body"), pose(to, "pose")));
@@ -133,28 +138,28 @@ export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
       core.frame(() => call("set_material", at(this), idAt(id, "body"), materialAt(material)));
     }
     setGravity(gravity) {
-      core.frame(() => call("set_gravity", at(this), vec3(gravity, "gravity")));
+      core.frame(() => call("set_gravity", at(this), vector(gravity, "gravity")));
     }
     wake(id) {
       core.frame(() => call("wake", at(this), idAt(id, "body")));
     }
     pose(id) {
-      return core.frame(() => answered(layout.pose, (p) => call("pose", at(this), idAt(id, "body"), p)));
+      return core.frame(() => shownPose(answered(types.pose, (p) => call("pose", at(this), idAt(id, "body"), p))));
     }
     poses() {
       return core.frame(() => {
         const first = core.room(4);
         const count = core.room(4);
         call("poses", at(this), first, count);
-        return core.numbers(core.data.getUint32(first, true), 7 * core.data.getUint32(count, true));
+        return core.numbers(core.data.getUint32(first, true), poseNumbers * core.data.getUint32(count, true));
       });
     }
     motion(id) {
       return core.frame(() => {
-        const velocity = core.room(layout.velocity.size);
-        const center = core.room(layout.vec3.size);
+        const velocity = core.room(types.velocity.size);
+        const center = core.room(types.vector.size);
         call("motion", at(this), idAt(id, "body"), velocity, center);
-        return { ...layout.velocity.read(velocity), center: layout.vec3.read(center) };
+        return { ...types.velocity.read(velocity), center: types.vector.read(center) };
       });
     }
     mass(id) {
@@ -172,7 +177,7 @@ export function simulationClasses(core, layout, args, shapes, worlds, Handle) {
       });
     }
     report() {
-      return core.frame(() => answered(layout.stepReport, (p) => call("report", at(this), p)));
+      return core.frame(() => answered(types.stepReport, (p) => call("report", at(this), p)));
     }
     save() {
       return new State(core.frame(() => answered(layout.u32, (p) => call("save", at(this), p))));

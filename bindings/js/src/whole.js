@@ -1,6 +1,6 @@
 // An entry with all parts: traces, blows, simulation and the plane on top of queries and worlds.
 
-import { drawings, spaceDrawings } from "./draw.js";
+import { drawings, spaceDrawings, worldDrawings } from "./draw.js";
 import { queriesEntry } from "./entry.js";
 import { replays } from "./replay.js";
 import { plane } from "./plane.js";
@@ -8,21 +8,24 @@ import { blows, simulationClasses } from "./simulation.js";
 
 export function wholeEntry(scalar, address) {
   const { names, parts } = queriesEntry(scalar, address);
-  const { core, layout, args, Handle, shapes, ask, worlds } = parts;
-  const simulations = simulationClasses(core, layout, args, shapes, worlds, Handle);
+  const { core, layout, args, Rows, Handle, shapes, dimension, worlds } = parts;
+  const { ask } = dimension;
+  const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
+  const ofPlane = plane(core, layout, args, shapes.numbersOf, Rows, Handle);
   return {
     core,
     names: {
       ...names,
       ...blows(core, layout, args, shapes),
       ...simulations,
-      ...replays(core, layout, worlds),
+      ...replays(core, layout, worlds, ofPlane.worlds),
       traced: ask.traced(),
       draw: ask.framed({
-        ...drawings(core, layout, ask, { prefix: "", of: shapes.of, pose: args.pose }),
-        ...spaceDrawings(core, layout, args, simulations, worlds, Handle),
+        ...drawings(core, layout, dimension),
+        ...worldDrawings(core, layout, dimension, worlds, simulations, Handle),
+        ...spaceDrawings(core, layout, args),
       }),
-      plane: plane(core, layout, args, Handle),
+      plane: ofPlane.names,
     },
   };
 }

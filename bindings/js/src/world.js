@@ -7,11 +7,13 @@ const integers = (value, path) => {
   throw new InvalidValue(`${path}: expected an integer >= 0 or a bigint, got ${shown(value)}`);
 };
 
-export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
-  const { of, numbersOf } = shapes;
-  const { Shape } = shapes.classes;
-  const { written, answered, pose } = args;
-  const release = `graze_shape_release_${core.scalar}`;
+/** The worlds of a dimension, whose poses are written by `pose` and shown by `shown` once they are read. */
+export function worldClasses(core, layout, dimension, Rows, Handle) {
+  const { prefix, types, args, of, Shape, pose, shown: shownPose, numbersOf, ask } = dimension;
+  const { written, answered } = args;
+  const release = `graze_${prefix}shape_release_${core.scalar}`;
+  /** A pose in an array is all its numbers. */
+  const poseNumbers = types.pose.size / core.numberSize;
 
   const idAt = (value, path) => {
     if (!Number.isInteger(value?.index) || !Number.isInteger(value?.generation))
@@ -26,12 +28,11 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
     });
   };
   const bodyAt = (body) => {
-    const p = core.room(layout.body.size);
-    const shape = of(body.shape, "body.shape");
-    const at = { translation: body.translation ?? [0, 0, 0], rotation: body.rotation ?? [0, 0, 0, 1] };
+    const p = core.room(types.body.size);
     const { linear, angular, fixed = false, trigger = false, fast = false } = body;
-    layout.body.write(p, { shape, pose: at, linear, angular, fixed, trigger, fast }, "body");
-    writeFilter(p + layout.body.offset.filter, body.filter ?? {}, "body.filter");
+    types.body.write(p, { shape: of(body.shape, "body.shape"), linear, angular, fixed, trigger, fast }, "body");
+    core.copy(pose(body, "body"), p + types.body.offset.pose, types.pose.size);
+    writeFilter(p + types.body.offset.filter, body.filter ?? {}, "body.filter");
     return p;
   };
   /** A last word of the caller's, as the two members of a struct; `key` is null where there is none. */
@@ -51,7 +52,7 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
       if (accept.key !== null) core.callbacks.delete(accept.key);
     }
   };
-  const call = (name, ...parameters) => core.call(`world_${name}`, ...parameters);
+  const call = (name, ...parameters) => core.call(`${prefix}world_${name}`, ...parameters);
   const yes = (name, ...parameters) => answered(layout.bool, (p) => call(name, ...parameters, p));
   /** An array that belongs to the world. */
   const own = (type, name, world) => {
@@ -75,21 +76,21 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
     bodyAt: (index) =>
       ask.found(layout.id, (there, p) => call("body_at", pointer(), index, there, p)),
     pose(id) {
-      const body = answered(layout.body, (p) => call("body", pointer(), idAt(id, "body"), p));
+      const body = answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p));
       core.exports[release](body.shape); // one more share, which was given to us
-      return body.pose;
+      return shownPose(body.pose);
     },
-    shape: (id) => new Shape(answered(layout.body, (p) => call("body", pointer(), idAt(id, "body"), p)).shape),
+    shape: (id) => new Shape(answered(types.body, (p) => call("body", pointer(), idAt(id, "body"), p)).shape),
     poses() {
-      const { first, count } = own(layout.pose, "poses", pointer());
-      return core.numbers(first, 7 * count);
+      const { first, count } = own(types.pose, "poses", pointer());
+      return core.numbers(first, poseNumbers * count);
     },
     contacts() {
       const p = core.room(layout.worldContacts.size);
       call("contacts", pointer(), p);
       const all = layout.worldContacts.read(p);
-      const points = layout.readAll(layout.solverPoint, all.points, all.pointCount);
-      const manifolds = layout.readAll(layout.manifold, all.manifolds, all.manifoldCount);
+      const points = layout.readAll(types.solverPoint, all.points, all.pointCount);
+      const manifolds = layout.readAll(types.manifold, all.manifolds, all.manifoldCount);
       return layout.readAll(layout.worldPair, all.pairs, all.pairCount).map((pair) => ({
         a: pair.a,
         b: pair.b,
@@ -106,47 +107,50 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
       const p = core.room(layout.worldContacts.size);
       call("contacts", pointer(), p);
       const { points, pointCount } = layout.worldContacts.read(p);
-      return new Rows(layout.solverPoint, () => points, pointCount);
+      return new Rows(types.solverPoint, () => points, pointCount);
     },
     events: () => read(own(layout.contactEvent, "events", pointer())),
-    impacts: () => read(own(layout.impact, "impacts", pointer())),
+    impacts: () => read(own(types.impact, "impacts", pointer())),
     overlapping: (shape, at, filter) =>
       filtered(filter, (f) => listed(layout.id, "overlapping", pointer(), of(shape), pose(at, "pose"), f)),
     overlapsAny: (shape, at, filter) =>
       filtered(filter, (f) => yes("overlaps_any", pointer(), of(shape), pose(at, "pose"), f)),
     nearest: (shape, at, most, options) =>
       filtered(options, (f) =>
-        listed(layout.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), most, options?.limit ?? Infinity, f)),
+        listed(types.bodyDistance, "nearest", pointer(), of(shape), pose(at, "pose"), most, options?.limit ?? Infinity, f)),
     raycast: (ray, options) =>
       filtered(options, (f) =>
-        ask.found(layout.bodyRayHit, (there, p) =>
-          call("raycast", pointer(), ask.ray(ray), ask.length(ray), f, ask.back(options), there, p))),
+        ask.found(types.bodyRayHit, (there, p) =>
+          call("raycast", pointer(), ask.ray(ray), ask.length(ray), f, ...ask.backs(options), there, p))),
     raycastAny: (ray, options) =>
-      filtered(options, (f) => yes("raycast_any", pointer(), ask.ray(ray), ask.length(ray), f, ask.back(options))),
+      filtered(options, (f) => yes("raycast_any", pointer(), ask.ray(ray), ask.length(ray), f, ...ask.backs(options))),
     raycastAll: (ray, options) =>
       filtered(options, (f) =>
-        listed(layout.bodyRayHit, "raycast_all", pointer(), ask.ray(ray), ask.length(ray), f, ask.back(options))),
+        listed(types.bodyRayHit, "raycast_all", pointer(), ask.ray(ray), ask.length(ray), f, ...ask.backs(options))),
     cast: (moving, options) =>
       filtered(options, (f) =>
-        ask.found(layout.bodyCastHit, (there, p) =>
+        ask.found(types.bodyCastHit, (there, p) =>
           call(
             "cast", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f, ask.separating(options), there, p))),
     castAll: (moving, options) =>
       filtered(options, (f) =>
         listed(
-          layout.bodyCastHit, "cast_all", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f,
+          types.bodyCastHit, "cast_all", pointer(), ask.moving(moving, "moving"), options?.duration ?? 1, f,
           ask.separating(options))),
+    memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
+  });
+  /** In space bodies slide along others, too. */
+  const slides = (pointer) => ({
     slide: (shape, at, motion, options) =>
       filtered(options, (f) => {
-        const end = core.room(layout.pose.size);
+        const end = core.room(types.pose.size);
         const left = core.room(layout.vec3.size);
-        const touched = ask.listed(layout.bodyCastHit, (buffer, first, count) =>
+        const touched = ask.listed(types.bodyCastHit, (buffer, first, count) =>
           call(
             "slide", pointer(), of(shape), pose(at, "pose"), args.vec3(motion, "motion"), options?.casts ?? 4, f, buffer, end,
             left, first, count));
-        return { end: layout.pose.read(end), left: layout.vec3.read(left), touched };
+        return { end: types.pose.read(end), left: layout.vec3.read(left), touched };
       }),
-    memory: () => answered(layout.u32, (p) => call("memory", pointer(), p)),
   });
   /** Where the world of each thing is that has those questions. */
   const pointers = new WeakMap();
@@ -157,7 +161,7 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
   };
   /** Gives `target` those questions as methods. */
   const questionable = (target, pointer) => {
-    const { size, ...methods } = asked(pointer);
+    const { size, ...methods } = { ...asked(pointer), ...(prefix === "" ? slides(pointer) : {}) };
     const framed = ask.framed({ size, ...methods });
     for (const name of Object.keys(methods)) Object.defineProperty(target, name, { value: framed[name] });
     Object.defineProperty(target, "size", { get: framed.size });
@@ -179,7 +183,7 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
           return core.data.getUint32(world, true);
         }),
         (pointer) => {
-          core.exports[`graze_world_destroy_${core.scalar}`](pointer);
+          core.exports[`graze_${prefix}world_destroy_${core.scalar}`](pointer);
           if (allow.key !== null) core.callbacks.delete(allow.key);
         },
       );
@@ -193,13 +197,13 @@ export function worldClasses(core, layout, args, shapes, ask, Rows, Handle) {
     }
     move(id, to, velocity) {
       core.frame(() => {
-        const v = velocity === undefined ? 0 : written(layout.velocity, velocity, "velocity");
+        const v = velocity === undefined ? 0 : written(types.velocity, velocity, "velocity");
         call("move", at(this), idAt(id, "body"), pose(to, "pose"), v);
       });
     }
     moveBatch(ids, poses) {
       core.frame(() => {
-        const { pointer, count } = numbersOf(poses, 7, "poses");
+        const { pointer, count } = numbersOf(poses, poseNumbers, "poses");
         if (ids.length !== count) throw new InvalidValue(`poses: expected ${ids.length} of them, got ${count}`);
         const size = layout.id.size;
         const first = core.room(Math.max(1, count) * size);
