@@ -34,15 +34,22 @@ bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   return dot(low - high, normal) > best.distance + slack;
 }
 
-/// Whether a triangle that pushes from its front alone would push along a direction that leads from its back. A
-/// sliver's normal is rounding, and along an edge the direction lies in the triangle's plane but for that: both push.
+/// Whether a triangle that pushes from its front alone, for this reason, would push along a direction that leads from
+/// its back. A sliver's normal is rounding, and along an edge the direction lies in the triangle's plane but for that:
+/// both push.
 template <class T>
-bool from_behind(const Part<T>& part, const Vec3<T>& outward) {
-  const auto* triangle = part.front_only ? part.shape.template as<Triangle<T>>() : nullptr;
+bool from_behind(const Part<T>& part, Pushes reason, const Vec3<T>& outward) {
+  const auto* triangle = part.pushes == reason ? part.shape.template as<Triangle<T>>() : nullptr;
   if (!triangle) return false;
   const Vec3<T> u = triangle->point(1) - triangle->point(0), v = triangle->point(2) - triangle->point(0);
   const T along = dot(rotate(part.pose.rotation, cross(u, v)), outward);
   return along < -same_normal<T> * max_abs(u) * max_abs(v);
+}
+
+/// The same of either of two pieces, the normal of whose contact leads from A to B.
+template <class T>
+bool from_behind(const Part<T>& a, const Part<T>& b, Pushes reason, const Vec3<T>& normal) {
+  return from_behind(a, reason, normal) || from_behind(b, reason, -normal);
 }
 
 template <class T>
@@ -125,6 +132,12 @@ T size_about_origin(const Shape<T>& shape) {
   });
 }
 
+template <class T>
+void name_pieces(Manifold<T>& manifold, const Part<T>& a, const Part<T>& b) {
+  manifold.piece_a = a.number;
+  manifold.piece_b = b.number;
+}
+
 /// What is found of the contacts of two shapes, piece by piece.
 template <class T>
 struct TouchingPieces {
@@ -161,13 +174,16 @@ struct TouchingPieces {
 
   /// The manifold of a pair of pieces, and their distance.
   void take(const Part<T>& pa, const Part<T>& pb, T distance, Manifold<T>& manifold) {
-    if (from_behind(pa, manifold.normal) || from_behind(pb, -manifold.normal)) return;
+    if (from_behind(pa, pb, Pushes::frontward, manifold.normal)) return;
     const bool nearest = distance < least_distance;
     least_distance = least(least_distance, distance);
     if (manifold.points.empty()) return;
     if (faces.passes_over(pa, pb, beside.empty())) return;
-    manifold.piece_a = pa.number;
-    manifold.piece_b = pb.number;
+    name_pieces(manifold, pa, pb);
+    if (from_behind(pa, pb, Pushes::outward, manifold.normal)) {
+      if (nearest && distance <= T(0)) instead = manifold;
+      return;
+    }
     Settled<T> settled = settle_normal<T>({a.shape, a.pose, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
                                           {b.shape, b.pose, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch},
                                           margin, manifold, distance);

@@ -14,10 +14,34 @@ T corner_rounding(T extent_a, T extent_b, const Vec3<T>& translation) {
   return T(64) * std::numeric_limits<T>::epsilon() * (extent_a + extent_b + max_abs(translation));
 }
 
+/// Whether a mesh bounds a body that `other`, seen from the mesh, is not within: the middle of what is lies in the
+/// mesh's bounds, and it is no wider than these. Not of a half-space, whose normal is right wherever it is met.
+template <class T>
+bool comes_from_outside(const Shape<T>& surface, const Shape<T>& other, const Pose<T>& seen) {
+  const auto* mesh = surface.template as<Mesh<T>>();
+  if (!mesh || !mesh->data().outward || other.template as<HalfSpace<T>>()) return false;
+  const Aabb<T>&box = mesh->data().tree.bounds(), of_other = bounds(other, seen);
+  const Vec3<T> center = of_other.center(), size = of_other.extent(), own = box.extent();
+  return !contains(box, {center, center}) || size.x > own.x || size.y > own.y || size.z > own.z;
+}
+
+/// A composite about to be opened where `other` meets it.
+template <class T>
+Part<T> met_by(const Part<T>& whole, const Shape<T>& other, const Pose<T>& seen) {
+  Part<T> met = whole;
+  met.pushes = one_sided(whole.shape)                         ? Pushes::frontward
+               : comes_from_outside(whole.shape, other, seen) ? Pushes::outward
+                                                                : Pushes::either_way;
+  return met;
+}
+
 /// Two meshes or height fields.
 template <class T>
-bool visit_triangle_pairs(const Part<T>& a, const Part<T>& b, const Nearness<T>& limit, const PairVisitor<T>& f) {
-  const Pose<T> b_in_a = relative(a.pose, b.pose);
+bool visit_triangle_pairs(const Part<T>& whole_a, const Part<T>& whole_b, const Nearness<T>& limit,
+                          const PairVisitor<T>& f) {
+  const Pose<T> b_in_a = relative(whole_a.pose, whole_b.pose);
+  const Part<T> a = met_by(whole_a, whole_b.shape, b_in_a);
+  const Part<T> b = met_by(whole_b, whole_a.shape, relative(whole_b.pose, whole_a.pose));
   const Mat3<T> rotation = rotation_matrix(b_in_a.rotation);
   bool whole = true;
   with_surface(a.shape, [&](const auto& surface_a) {
@@ -92,15 +116,16 @@ template <class T>
   });
 }
 
-/// The pieces of `opened`, a composite, that come near all of `other`; `is_a`: whether it is the first of the two.
+/// The pieces of `whole`, a composite, that come near all of `other`; `is_a`: whether it is the first of the two.
 template <class T>
-bool visit_pieces_near(const Part<T>& opened, const Part<T>& other, bool is_a, const Nearness<T>& limit,
+bool visit_pieces_near(const Part<T>& whole, const Part<T>& other, bool is_a, const Nearness<T>& limit,
                        const PairVisitor<T>& f) {
+  const Pose<T> seen = relative(whole.pose, other.pose);
+  const Part<T> opened = met_by(whole, other.shape, seen);
   const auto visit_piece = [&](const Shape<T>& shape, const Pose<T>& pose, std::uint32_t number) {
     const Part<T> piece = opened.piece(shape, pose, number);
     return is_a ? visit_convex_pairs(piece, other, limit, f) : visit_convex_pairs(other, piece, limit, f);
   };
-  const Pose<T> seen = relative(opened.pose, other.pose);
   const auto extent = [](const Shape<T>& shape) { return shape.visit([](const auto& c) { return c.core_extent(); }); };
   const T slack = corner_rounding(extent(opened.shape), extent(other.shape) + other.shape.rounding(), seen.translation);
   if (!other.shape.template as<HalfSpace<T>>()) {

@@ -13,6 +13,10 @@
 
 namespace graze {
 
+/// From where triangles push: from either side; from their front alone, as their surface was told; or from it alone
+/// because they bound a body that the other shape comes to from outside, whose inner side is not met.
+enum class Pushes : std::uint8_t { either_way, frontward, outward };
+
 /// A piece on its way to being convex, and the number that the outermost composite knows it by.
 template <class T>
 struct Part {
@@ -20,11 +24,11 @@ struct Part {
   const Pose<T>& pose;
   std::uint32_t number = 0;
   bool outermost = true;
-  bool front_only = false;              ///< a triangle that pushes from its front alone
+  Pushes pushes = Pushes::either_way;   ///< a triangle, or those of an opened surface
   const MeshPatch<T>* patch = nullptr;  ///< of its mesh, if it is a triangle of one
 
   Part piece(const Shape<T>& child, const Pose<T>& child_pose, std::uint32_t child_number) const {
-    return {child, child_pose, outermost ? child_number : number, false, one_sided(shape)};
+    return {child, child_pose, outermost ? child_number : number, false, pushes};
   }
 };
 

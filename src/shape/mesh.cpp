@@ -50,6 +50,20 @@ T longest_side(const MeshData<T>& data) {
   return longest;
 }
 
+/// Whether the volume that a closed mesh bounds by its windings is positive. About a point of its own, since far from
+/// the origin the sum would be lost.
+template <class T>
+bool leads_outward(const MeshData<T>& data) {
+  const Vec3d origin = converted<double>(data.points[data.triangles[0][0]]);
+  double volume = 0;
+  for (std::uint32_t i = 0; i < data.triangles.size(); ++i) {
+    const auto [a, b, c] = data.triangle(i);
+    const Vec3d u = converted<double>(a) - origin, v = converted<double>(b) - origin, w = converted<double>(c) - origin;
+    volume += dot(u, cross(v, w));
+  }
+  return volume > 0;
+}
+
 /// A point of each connected part: triangles are connected that share a point by its number.
 template <class T>
 std::vector<std::uint32_t> islands(std::size_t points, std::span<const typename Mesh<T>::Index> triangles) {
@@ -102,6 +116,7 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
   data->points = std::move(points);
   data->triangles = std::move(triangles);
   data->longest = longest_side(*data);
+  data->outward = data->closed && leads_outward(*data);
   data->islands = islands<T>(data->points.size(), data->triangles);
   std::vector<TreePiece<T>> pieces;
   pieces.reserve(data->triangles.size());

@@ -20,6 +20,7 @@ struct MeshData {
   T longest = T(0);                ///< side of all triangles
   double radius = 0;               ///< of a ball about the centre of the bounds, as rounded, that holds all of them
   bool closed = false;             ///< bounds a solid
+  bool outward = false;            ///< the same, and its fronts lead out of it: its volume is positive
   std::vector<bool> level;         ///< of each triangle: lies level with all around it
   Sides sides = Sides::both;
   bool solid = false;                  ///< its inside counts; then it is closed
