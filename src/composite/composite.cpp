@@ -170,6 +170,13 @@ struct TouchingPieces {
   }
 
  private:
+  static LeafInContext<T> in_context(const Part<T>& whole, const Part<T>& piece,
+                                     std::span<const PlacedRef<T>> beside) {
+    const auto* mesh = piece.pushes != Pushes::either_way ? whole.shape.template as<Mesh<T>>() : nullptr;
+    const bool of_body = mesh && mesh->data().outward;
+    return {whole.shape, whole.pose, piece.shape, piece.pose, beside, piece.number, piece.patch, of_body};
+  }
+
   static constexpr std::size_t few = 3;  ///< fewer triangles are asked as quickly one by one
 
   /// The manifold of a pair of pieces, and their distance.
@@ -184,9 +191,8 @@ struct TouchingPieces {
       if (nearest && distance <= T(0)) instead = manifold;
       return;
     }
-    Settled<T> settled = settle_normal<T>({a.shape, a.pose, pa.shape, pa.pose, beside.of_a, pa.number, pa.patch},
-                                          {b.shape, b.pose, pb.shape, pb.pose, beside.of_b, pb.number, pb.patch},
-                                          margin, manifold, distance);
+    Settled<T> settled = settle_normal(in_context(a, pa, beside.of_a), in_context(b, pb, beside.of_b), margin,
+                                       manifold, distance);
     if (nearest) instead = settled.instead;
     if (settled.manifold.points.empty()) return;
     if (faces.stand(pa, pb, settled.manifold) == FlatFaces<T>::Standing::on_known_face) return;

@@ -28,7 +28,7 @@ bool stands_clear(const LeafInContext<T>& self, const LeafInContext<T>& other, c
   if (is_ground(self.piece)) return true;
   const Vec3<T> face = face_along(self, outward);
   if (face == Vec3<T>{} || max_abs(face - outward) > same_normal<T>) return false;
-  const Vec3<T> middle = bounds(other.piece, other.pose).center();
+  const Vec3<T> middle = middle_of(other);
   if (dot(middle - point, outward) < T(0)) return false;
   const Aabb<T> sight{least(point, middle), greatest(point, middle)};
   const T noise = place_noise(point) + place_noise(middle);

@@ -13,12 +13,14 @@ namespace graze {
 
 namespace {
 
-/// The face normal of a triangle on the side where the other shape is, in the world; zero without area.
+/// The face normal of a triangle of a surface on the side where the other shape is, which of a body is the front; in
+/// the world, zero without area.
 template <class T>
-Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const LeafInContext<T>& other,
-                       const Vec3<T>& point) {
+Vec3<T> normal_towards(const LeafInContext<T>& self, const Triangle<T>& triangle, const Pose<T>& pose,
+                       const LeafInContext<T>& other, const Vec3<T>& point) {
   const Vec3<T> face = rotate(pose.rotation, face_normal(triangle));
-  return dot(face, bounds(other.piece, other.pose).center() - point) < T(0) ? -face : face;
+  if (self.of_body) return face;
+  return dot(face, middle_of(other) - point) < T(0) ? -face : face;
 }
 
 /// Whether a triangle can have nothing over it: it pushes to its front, and around it are only those of its own mesh.
@@ -40,14 +42,14 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
                                          const LeafInContext<T>& other, const Vec3<T>& point, const Vec3<T>& outward,
                                          T margin) {
   if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
-    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
+    const Vec3<T> face = normal_towards(self, *triangle, self.pose, other, point);
     if (face == Vec3<T>{}) return std::nullopt;
     if (lies_open(self, face)) return face;
     const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
     return over ? over->normal : face;
   }
   if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
-    const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
+    const Vec3<T> face = normal_towards(self, *triangle, neighbour.pose, other, point);
     if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
   }
   const bool beside_ground = is_ground(neighbour.shape);
@@ -136,6 +138,7 @@ template <class T>
 struct Correction {
   Vec3<T> normal;                             ///< outward
   std::optional<Distance<T>> least_way = {};  ///< from the piece to the other shape, if the normal is of that
+  bool elsewhere = false;                     ///< the contact is another piece's
 };
 
 template <class T>
@@ -165,6 +168,19 @@ void add_deepest(const LeafInContext<T>& self, bool of_a, const Distance<T>& d, 
     if (p.distance <= d.distance + noise) return;
   manifold.normal = of_a ? d.normal : -d.normal;
   manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
+}
+
+/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners: the skin bends there,
+/// and away from the triangle's plane. What goes further than the triangle beyond those is asked about by itself, and
+/// the triangle's own plane has nothing to do with it: a box that leans on a floor is as deep along its sides as the
+/// floor is wide.
+template <class T>
+bool is_on_ridge(const LeafInContext<T>& self, const Vec3<T>& point) {
+  if (!self.of_body) return false;
+  const Vec3<T> own = rotate(self.pose.rotation, face_normal(*self.piece.template as<Triangle<T>>()));
+  const auto faces = faces_around(self, point);
+  const bool bends = std::any_of(faces.begin(), faces.end(), [&](const Vec3<T>& f) { return !leads_along(f, own); });
+  return bends && !riser_around(self, point, own, Among::all);
 }
 
 /// A contact as one of its two pieces sees it.
@@ -207,7 +223,7 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
   const Vec3<T> point = contact.on_face || triangle ? standing_point<T>(contact.manifold.points, contact.side)
                                                     : place_on_solid(self, other, contact);
   if (open && lies_level(self)) {
-    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
+    const Vec3<T> face = normal_towards(self, *triangle, self.pose, other, point);
     if (lies_open(self, face)) return Correction<T>{face};
   }
   if (!contact.on_face) {
@@ -216,6 +232,7 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
     if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
     if (leans || (triangle && neighbour && !is_least_way(self, other, contact)))
       if (const auto least = least_way_out(self, other)) return least;
+    if (neighbour && is_on_ridge(self, point)) return Correction<T>{outward, {}, true};
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
@@ -258,7 +275,7 @@ std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const Leaf
   const T noise = own_noise(self, point);
   T apart = apart_along(self, other, right->normal);
   if (apart >= contact.distance - noise) return right;
-  const Vec3<T> to_middle = normalized(bounds(other.piece, other.pose).center() - point, contact.outward);
+  const Vec3<T> to_middle = normalized(middle_of(other) - point, contact.outward);
   for (const Vec3<T>& direction : {contact.outward, to_middle}) {
     const Vec3<T> own = leaning_least(self, direction);
     if (own == Vec3<T>{} || apart_along(self, other, own) <= apart + noise) continue;
@@ -279,7 +296,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
     if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || is_ground(self.piece) ||
-        !is_solid(other.piece))
+        !may_lie(other))
       continue;
     const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
     const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
@@ -294,7 +311,10 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const SeenContact<T> seen{sliver ? found : now, side, on_face ? face : outward, on_face, distance};
     const auto right = least_deep(self, other, seen, corrected(self, other, seen, margin));
-    if (right) {
+    if (right && right->elsewhere) {
+      now = between_same_pieces(now);
+      settled.instead = manifold;
+    } else if (right) {
       if (!sliver) found = now;
       now = laid_along(a, b, of_a, right->normal, margin, found);
       if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);

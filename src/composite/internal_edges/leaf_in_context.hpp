@@ -24,6 +24,7 @@ struct LeafInContext {
   std::span<const PlacedRef<T>> beside = {};
   std::uint32_t number = 0;             ///< of the piece, if the whole is a mesh
   const MeshPatch<T>* patch = nullptr;  ///< of the mesh, where the piece is one of its triangles
+  bool of_body = false;                 ///< a triangle of a mesh that bounds a body and is met from outside it
 };
 
 /// Whether a shape is a half-space: the normal of one is right wherever it is met.
@@ -36,6 +37,18 @@ bool is_ground(const Shape<T>& shape) {
 template <class T>
 bool is_solid(const Shape<T>& shape) {
   return !shape.template as<Triangle<T>>() && !is_ground(shape);
+}
+
+/// Whether a piece can lie on a surface: as a solid, or as part of the skin of one.
+template <class T>
+bool may_lie(const LeafInContext<T>& leaf) {
+  return leaf.of_body || is_solid(leaf.piece);
+}
+
+/// The middle of the body that a piece is of: of its own, or of the mesh that bounds one.
+template <class T>
+Vec3<T> middle_of(const LeafInContext<T>& leaf) {
+  return leaf.of_body ? bounds(leaf.whole, leaf.whole_pose).center() : bounds(leaf.piece, leaf.pose).center();
 }
 
 /// The normal of a half-space's plane in the world.

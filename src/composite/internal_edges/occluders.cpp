@@ -27,9 +27,9 @@ struct Sight {
 template <class T>
 Sight<T> sight_of(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                   const LeafInContext<T>& other) {
-  const Aabb<T> box = bounds(self.piece, self.pose), of_other = bounds(other.piece, other.pose);
-  const T size = least(max_abs(box.extent()), max_abs(of_other.extent()));
-  return {self, point, of_other.center(), outward, on_piece<T> * size + place_noise(point) + place_noise(box.extent())};
+  const Aabb<T> box = bounds(self.piece, self.pose);
+  const T size = least(max_abs(box.extent()), max_abs(bounds(other.piece, other.pose).extent()));
+  return {self, point, middle_of(other), outward, on_piece<T> * size + place_noise(point) + place_noise(box.extent())};
 }
 
 /// Whether the piece goes on above what may cover it, which then is the floor of a wall: at four times what counts as

@@ -129,9 +129,32 @@ std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T
   return found;
 }
 
+template <class T>
+FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>& self, const Vec3<T>& point) {
+  FixedVector<Vec3<T>, 16> faces;
+  const auto* mesh = self.whole.template as<Mesh<T>>();
+  if (!mesh) return faces;
+  const Vec3<T> local = inverse_transform(self.whole_pose, point);
+  const T noise = place_noise(point);
+  const Aabb<T> region = inflated(Aabb<T>{local, local}, reach_on(mesh->data(), noise));
+  const auto look = [&](std::uint32_t number) {
+    const std::array<Vec3<T>, 3> corners = mesh->data().triangle(number);
+    const auto& [a, b, c] = corners;
+    const T slack = on_piece<T> * max_abs(bounds_of(corners).extent()) + noise;
+    if (length(closest_point_on_triangle(a, b, c, local).point - local) > slack) return true;
+    const Vec3<T> face = rotate(self.whole_pose.rotation, face_normal(Triangle<T>(a, b, c)));
+    const bool known = std::any_of(faces.begin(), faces.end(), [&](const Vec3<T>& f) { return leads_along(f, face); });
+    if (face != Vec3<T>{} && !known) faces.push_back(face);
+    return !faces.full();
+  };
+  each_near(mesh->data(), region, self.patch, look);
+  return faces;
+}
+
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template bool piece_rises_above(const Shape<T>&, const Pose<T>&, const Vec3<T>&, const Vec3<T>&);                    \
-  template std::optional<Placed<T>> riser_around(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&, Among);
+  template std::optional<Placed<T>> riser_around(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&, Among);      \
+  template FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>&, const Vec3<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)
 #undef GRAZE_INSTANTIATE

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "composite/internal_edges/leaf_in_context.hpp"
+#include "graze/fixed_vector.hpp"
 
 namespace graze {
 
@@ -36,5 +37,10 @@ enum class Among { others, all };
 template <class T>
 std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                       Among among = Among::others);
+
+/// The directions that the fronts of a mesh's triangles have where they touch a point, in the world: each once, and no
+/// more than there is room for.
+template <class T>
+FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>& self, const Vec3<T>& point);
 
 }  // namespace graze
