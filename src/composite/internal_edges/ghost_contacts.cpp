@@ -230,9 +230,13 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
     std::optional<Placed<T>> neighbour = riser_around(self, point, outward);
     const bool leans = triangle && leans_over(self, point, outward);
     if (leans && !neighbour) neighbour = riser_around(self, furthest(self.piece, self.pose, outward), outward);
-    if (leans || (triangle && neighbour && !is_least_way(self, other, contact)))
+    // Where two skins cross, the least way out is that of edges which neither body has, and a face of one cuts through
+    // the flat of the other: what that reaches there has contacts of its own.
+    const bool skins = self.of_body && other.of_body;
+    if (!skins && (leans || (triangle && neighbour && !is_least_way(self, other, contact))))
       if (const auto least = least_way_out(self, other)) return least;
-    if (neighbour && is_on_ridge(self, point)) return Correction<T>{outward, {}, true};
+    const bool of_other = skins && face_along(other, -outward) != Vec3<T>{};
+    if (neighbour && (of_other || is_on_ridge(self, point))) return Correction<T>{outward, {}, true};
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
