@@ -1,5 +1,6 @@
 #include "composite/flat_faces.hpp"
 
+#include "composite/composite.hpp"
 #include "composite/internal_edges/face_contact.hpp"
 #include "composite/internal_edges/occluders.hpp"
 #include "composite/merge_manifolds.hpp"
@@ -10,11 +11,6 @@ namespace graze {
 
 namespace {
 
-/// A contact leans no further than this sine, two degrees, from the face that its body stands on: up to there the caps
-/// of cylinders and cones count as standing too (`contact.hpp`).
-template <class T>
-constexpr T standing_lean = T(0.035);
-
 template <class T>
 bool is_surface(const Shape<T>& shape) {
   return shape.template as<Mesh<T>>() || shape.template as<HeightField<T>>();
@@ -23,6 +19,18 @@ bool is_surface(const Shape<T>& shape) {
 template <class T>
 bool may_stand(const Shape<T>& shape) {
   return shape.convex() && is_solid(shape);
+}
+
+/// Whether a mesh bounds a body, whose front is its outside.
+template <class T>
+bool is_skin(const Shape<T>& shape) {
+  const auto* mesh = shape.template as<Mesh<T>>();
+  return mesh && mesh->data().outward;
+}
+
+template <class T>
+T width_of(const Shape<T>& shape) {
+  return max_abs(bounds(shape, Pose<T>{}).extent());
 }
 
 /// The half-space whose surface is the plane through `point`, `normal` (unit) leading out of it. That straight up is
@@ -85,11 +93,13 @@ T standing_noise(const Part<T>& body, const Vec3<T>& place) {
 template <class T>
 FlatFaces<T>::FlatFaces(const Part<T>& a, const Part<T>& b, T margin) : margin_(margin) {
   const auto floor = [](const Shape<T>& one, const Shape<T>& other) {
+    if (is_surface(one) && is_surface(other)) return is_skin(other) && width_of(one) >= width_of(other);
     if (is_surface(one)) return may_stand(other) || other.template as<Compound<T>>() != nullptr;
     return one.template as<Compound<T>>() && may_stand(other);
   };
   surface_is_a_ = floor(a.shape, b.shape);
   if (surface_is_a_ || floor(b.shape, a.shape)) surface_ = surface_is_a_ ? &a : &b;
+  if (surface_ && is_surface(a.shape) && is_surface(b.shape)) skin_ = surface_is_a_ ? &b : &a;
 }
 
 template <class T>
@@ -102,7 +112,7 @@ bool FlatFaces<T>::is_level_with(const Face& face, const Vec3<T>& normal, const 
 template <class T>
 bool FlatFaces<T>::passes_over(const Part<T>& a, const Part<T>& b, bool alone) const {
   if (faces_.empty() || !alone) return false;
-  const Part<T>&piece = surface_is_a_ ? a : b, &body = surface_is_a_ ? b : a;
+  const Part<T>&piece = piece_of(a, b), &body = body_of(a, b);
   const auto* mesh = surface_->shape.template as<Mesh<T>>();
   if (!mesh || !mesh->data().level[piece.number]) return false;
   const auto& triangle = *piece.shape.template as<Triangle<T>>();
@@ -114,15 +124,27 @@ bool FlatFaces<T>::passes_over(const Part<T>& a, const Part<T>& b, bool alone) c
 }
 
 template <class T>
+bool FlatFaces<T>::meets_plane(const Face& face, const Part<T>& body, Manifold<T>& manifold) const {
+  const Shape<T> below = HalfSpace<T>();
+  const Pose<T> pose = half_space_below(face.normal, face.point);
+  const Shape<T>&a = surface_is_a_ ? below : body.shape, &b = surface_is_a_ ? body.shape : below;
+  const Pose<T>&pose_a = surface_is_a_ ? pose : body.pose, &pose_b = surface_is_a_ ? body.pose : pose;
+  if (!skin_) {  // nothing is allocated for one
+    convex_contacts<T>(a, pose_a, b, pose_b, margin_, manifold);
+    return true;
+  }
+  Manifolds<T> found;
+  any_contacts<T>(a, pose_a, b, pose_b, margin_, found);
+  if (found.size() != 1) return false;
+  manifold = std::move(found[0]);
+  return true;
+}
+
+template <class T>
 bool FlatFaces<T>::rests_on(const Face& face, const Part<T>& body, Manifold<T>& manifold) const {
   // What has been let through is pushed to the other side.
   if (dot(bounds(body.shape, body.pose).center() - face.point, face.normal) <= T(0)) return false;
-  const Shape<T> below = HalfSpace<T>();
-  const Pose<T> pose = half_space_below(face.normal, face.point);
-  if (surface_is_a_)
-    convex_contacts<T>(below, pose, body.shape, body.pose, margin_, manifold);
-  else
-    convex_contacts<T>(body.shape, body.pose, below, pose, margin_, manifold);
+  if (!meets_plane(face, body, manifold)) return false;
   const auto side = surface_is_a_ ? &ContactPoint<T>::a : &ContactPoint<T>::b;
   std::optional<std::uint32_t> first;
   for (const ContactPoint<T>& point : manifold.points) {
@@ -134,14 +156,15 @@ bool FlatFaces<T>::rests_on(const Face& face, const Part<T>& body, Manifold<T>& 
   }
   if (!first) return false;
   (surface_is_a_ ? manifold.piece_a : manifold.piece_b) = *first;
-  (surface_is_a_ ? manifold.piece_b : manifold.piece_a) = body.number;
+  if (!skin_) (surface_is_a_ ? manifold.piece_b : manifold.piece_a) = body.number;
   return true;
 }
 
 template <class T>
 typename FlatFaces<T>::Standing FlatFaces<T>::stand(const Part<T>& a, const Part<T>& b, Manifold<T>& manifold) {
-  const Part<T>&piece = surface_is_a_ ? a : b, &body = surface_is_a_ ? b : a;
-  if (!surface_ || !may_stand(body.shape)) return Standing::on_piece;
+  if (!surface_) return Standing::on_piece;
+  const Part<T>&piece = piece_of(a, b), &body = body_of(a, b);
+  if (!skin_ && !may_stand(body.shape)) return Standing::on_piece;
   const Vec3<T> outward = surface_is_a_ ? manifold.normal : -manifold.normal;
   const LeafInContext<T> leaf{surface_->shape, surface_->pose, piece.shape, piece.pose};
   const Vec3<T> normal = face_along(leaf, outward, standing_lean<T>);

@@ -21,7 +21,8 @@ template <class T>
 class FlatFaces {
  public:
   /// Of A and B, whose pieces are asked about with this margin, the surface is a mesh or height field, or else a
-  /// compound, which the other is not; without that there are no faces.
+  /// compound, which the other is not; without that there are no faces. Of two meshes the larger is the surface, if the
+  /// other bounds a body.
   FlatFaces(const Part<T>& a, const Part<T>& b, T margin);
 
   /// Whether a pair of pieces needs no contact of its own, since the body stands on a face that the triangle is inside
@@ -48,8 +49,14 @@ class FlatFaces {
     return face.body == &body.shape && face.body_pose == body.pose;
   }
   bool rests_on(const Face& face, const Part<T>& body, Manifold<T>& manifold) const;
+  /// The contact of a body with the half-space below a face; false where a mesh has more than one, or none.
+  bool meets_plane(const Face& face, const Part<T>& body, Manifold<T>& manifold) const;
+  /// Of a pair of pieces that of the surface, and the body that may stand on it: a piece, or a whole mesh.
+  const Part<T>& piece_of(const Part<T>& a, const Part<T>& b) const { return surface_is_a_ ? a : b; }
+  const Part<T>& body_of(const Part<T>& a, const Part<T>& b) const { return skin_ ? *skin_ : surface_is_a_ ? b : a; }
 
   const Part<T>* surface_ = nullptr;
+  const Part<T>* skin_ = nullptr;  ///< the body, if it is a mesh
   bool surface_is_a_ = false;
   T margin_;
   SmallVector<Face, 4> faces_;

@@ -50,17 +50,17 @@ struct KnownSurface {
 };
 
 /// The corners of a triangle that lie furthest along a direction: one of a corner, two of an edge, three of a face.
-using Corners = std::vector<std::uint32_t>;
+using FeatureCorners = std::vector<std::uint32_t>;
 
 template <class T>
-Corners corners_along(const KnownSurface<T>& s, std::size_t t, const Vec3d& n, double sine) {
+FeatureCorners corners_along(const KnownSurface<T>& s, std::size_t t, const Vec3d& n, double sine) {
   double most = -std::numeric_limits<double>::infinity(), size = 0;
   const Vec3d origin = s.point(s.triangles[t][0]);
   for (const std::uint32_t c : s.triangles[t]) {
     most = std::max(most, dot(s.point(c) - origin, n));
     size = std::max(size, length(s.point(c) - origin));
   }
-  Corners corners;
+  FeatureCorners corners;
   for (const std::uint32_t c : s.triangles[t])
     if (dot(s.point(c) - origin, n) >= most - sine * size) corners.push_back(c);
   return corners;
@@ -74,7 +74,7 @@ bool has(const Range& range, std::uint32_t i) {
 /// The sine by which what lies around a feature rises highest above the plane through a place on it. `noise`: what the
 /// place may be off by, which is no rise.
 template <class T>
-double rise_around(const KnownSurface<T>& s, const Corners& feature, const Vec3d& place, const Vec3d& n,
+double rise_around(const KnownSurface<T>& s, const FeatureCorners& feature, const Vec3d& place, const Vec3d& n,
                    double noise = 0) {
   double most = -1;
   for (const auto& triangle : s.triangles) {
@@ -86,16 +86,16 @@ double rise_around(const KnownSurface<T>& s, const Corners& feature, const Vec3d
 }
 
 template <class T>
-double away_from(const KnownSurface<T>& s, const Corners& feature, const Vec3d& place) {
+double away_from(const KnownSurface<T>& s, const FeatureCorners& feature, const Vec3d& place) {
   const auto at = [&](std::size_t i) { return s.point(feature[std::min(i, feature.size() - 1)]); };
   return length(closest_point_on_triangle(at(0), at(1), at(2), place).point - place);
 }
 
 /// Whether a place on a feature is at one that bounds it, whose neighbours count there too.
 template <class T>
-bool at_the_rim(const KnownSurface<T>& s, const Corners& feature, const Vec3d& place) {
+bool at_the_rim(const KnownSurface<T>& s, const FeatureCorners& feature, const Vec3d& place) {
   for (std::size_t i = 0; feature.size() > 1 && i < feature.size(); ++i) {
-    const Corners rim = feature.size() == 3 ? Corners{feature[i], feature[(i + 1) % 3]} : Corners{feature[i]};
+    const FeatureCorners rim = feature.size() == 3 ? FeatureCorners{feature[i], feature[(i + 1) % 3]} : FeatureCorners{feature[i]};
     if (away_from(s, rim, place) < same_spot) return true;
   }
   return false;
@@ -166,7 +166,7 @@ ContactPoint<T> deepest_point(const Manifold<T>& m) {
 /// Whether a contact leads to the back of all that meets where it stands, and the surface lies between it and the
 /// middle of the body: it is from within, below what is met.
 template <class T>
-bool is_from_within(const Meeting<T>& meeting, const Corners& feature, const Vec3d& at, const Vec3d& n) {
+bool is_from_within(const Meeting<T>& meeting, const FeatureCorners& feature, const Vec3d& at, const Vec3d& n) {
   const KnownSurface<T>& s = meeting.surface;
   const Vec3d middle = meeting.place(bounds(meeting.body, meeting.pose).center());
   bool behind = true, covered = false;
@@ -208,7 +208,7 @@ bool expect_kept(const Meeting<T>& meeting, std::size_t t, Tally& tally) {
   // A contact may stand on a face of the body that leans over the edge; the least way out does not.
   const Distance<T> least = distance(piece, meeting.frame, meeting.body, meeting.pose);
   const Vec3d n = meeting.way(least.normal), at = meeting.place(least.a);
-  const Corners feature = corners_along(s, t, n, surely_inside);
+  const FeatureCorners feature = corners_along(s, t, n, surely_inside);
   const double rise = rise_around(s, feature, at, n);
   if (rise > maybe_same || is_from_within(meeting, feature, at, n)) return true;
   if (rise > surely_inside || feature.size() == 3 || away_from(s, feature, at) > same_spot / 4 ||
@@ -228,7 +228,7 @@ bool expect_kept(const Meeting<T>& meeting, std::size_t t, Tally& tally) {
 template <class T>
 bool is_right_on(const Meeting<T>& meeting, std::size_t t, const Vec3d& at, const Vec3d& n) {
   const KnownSurface<T>& s = meeting.surface;
-  const Corners feature = corners_along(s, t, n, maybe_same);
+  const FeatureCorners feature = corners_along(s, t, n, maybe_same);
   return away_from(s, {s.triangles[t].begin(), s.triangles[t].end()}, at) < same_spot &&
          dot(s.point(feature[0]) - at, n) < same_spot && rise_around(s, feature, at, n, meeting.noise()) < maybe_same;
 }
@@ -244,7 +244,7 @@ void expect_right(const Meeting<T>& meeting, const Manifold<T>& m) {
   const auto number = std::find(s.numbers.begin(), s.numbers.end(), m.piece_a);
   ASSERT_NE(number, s.numbers.end());
   const auto named = static_cast<std::size_t>(number - s.numbers.begin());
-  const Corners all(s.triangles[named].begin(), s.triangles[named].end());
+  const FeatureCorners all(s.triangles[named].begin(), s.triangles[named].end());
   bool right = false;
   if (away_from(s, all, at) < same_spot)
     right = is_right_on(meeting, named, at, n);

@@ -66,7 +66,7 @@ Shape<T> tiles(int from = 0) {
 }
 
 template <class T>
-struct Standing {
+struct StandingBody {
   Shape<T> shape;
   T height;
   Quat<T> turn;
@@ -74,7 +74,7 @@ struct Standing {
 };
 
 template <class T>
-std::vector<Standing<T>> bodies() {
+std::vector<StandingBody<T>> bodies() {
   return {{Box<T>({1, 1, 1}), T(0.5), {}, 4},
           {Shape<T>(Box<T>({T(0.8), T(0.8), T(0.8)}), T(0.1)), T(0.5), {}, 4},
           {Cylinder<T>(1, T(0.5)), T(0.5), {}, 8},
@@ -83,7 +83,7 @@ std::vector<Standing<T>> bodies() {
 
 /// A pose about two thousandths deep, leaning by up to two milliradians.
 template <class T>
-Pose<T> leaning(const Standing<T>& body, Random& random, const Quat<T>& yaw) {
+Pose<T> leaning(const StandingBody<T>& body, Random& random, const Quat<T>& yaw) {
   const double about = static_cast<double>(uniform(random, 0, 6.2831853f)),
                half = static_cast<double>(uniform(random, 0, 0.001f));
   const Quat<T> tilt =
@@ -114,7 +114,7 @@ TYPED_TEST(FlatFaces, HaveTheContactsOfAHalfSpaceUnderMilliradians) {
                                      tiles<T>()};
   const Shape<T> half_space = HalfSpace<T>();
   for (std::size_t f = 0; f < floors.size(); ++f)
-    for (const Standing<T>& body : bodies<T>())
+    for (const StandingBody<T>& body : bodies<T>())
       for (int i = 0; i < 60; ++i) {
         SCOPED_TRACE(::testing::Message() << "floor " << f << ", " << body.shape.name() << ", frame " << i);
         const Quat<T> yaw = i % 3 == 0 ? Quat<T>{} : normalized(Quat<T>{0, static_cast<T>(i), 0, 20});

@@ -11,6 +11,11 @@
 
 namespace graze {
 
+/// A contact leans no further than this sine, two degrees, from the face that its body stands on: up to there the caps
+/// of cylinders and cones count as standing too (`contact.hpp`).
+template <class T>
+inline constexpr T standing_lean = T(0.035);
+
 /// Where contacts stand on one of their sides: the middle of the deepest points, which of an edge's contact is inside
 /// the edge and not at an end of it.
 template <class T, class Points>

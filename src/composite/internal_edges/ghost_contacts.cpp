@@ -236,7 +236,8 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
     if (!skins && (leans || (triangle && neighbour && !is_least_way(self, other, contact))))
       if (const auto least = least_way_out(self, other)) return least;
     const bool of_other = skins && face_along(other, -outward) != Vec3<T>{};
-    if (neighbour && (of_other || is_on_ridge(self, point))) return Correction<T>{outward, {}, true};
+    const bool stands = face_along(self, outward, standing_lean<T>) != Vec3<T>{};
+    if (neighbour && (of_other || (!stands && is_on_ridge(self, point)))) return Correction<T>{outward, {}, true};
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
