@@ -170,14 +170,19 @@ void add_deepest(const LeafInContext<T>& self, bool of_a, const Distance<T>& d, 
   manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
 }
 
-/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners: the skin bends there,
-/// and away from the triangle's plane. What goes further than the triangle beyond those is asked about by itself, and
-/// the triangle's own plane has nothing to do with it: a box that leans on a floor is as deep along its sides as the
-/// floor is wide.
+/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners, where the skin bends away
+/// from the triangle's plane, and the other shape reaches right through the body behind that plane. What goes further
+/// than the triangle beyond the edge is asked about by itself, and the triangle's plane has nothing to do with it: a box
+/// that leans on a floor is as deep along its sides as the floor is wide.
 template <class T>
-bool is_on_ridge(const LeafInContext<T>& self, const Vec3<T>& point) {
-  if (!self.of_body) return false;
+bool is_on_ridge(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& point) {
+  if (!self.of_body || !self.beside.empty()) return false;
   const Vec3<T> own = rotate(self.pose.rotation, face_normal(*self.piece.template as<Triangle<T>>()));
+  const Vec3<T> from = furthest(other.piece, other.pose, -own) - self.whole_pose.translation;
+  const Vec3<T> local = rotate(conjugate(self.whole_pose.rotation), own);
+  const Aabb<T>& box = self.whole.template as<Mesh<T>>()->data().tree.bounds();
+  const Vec3<T> center = box.center(), half = box.extent() / T(2);
+  if (dot(from, own) > dot(center, local) - dot(half, abs(local))) return false;
   const auto faces = faces_around(self, point);
   const bool bends = std::any_of(faces.begin(), faces.end(), [&](const Vec3<T>& f) { return !leads_along(f, own); });
   return bends && !riser_around(self, point, own, Among::all);
@@ -237,7 +242,7 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
       if (const auto least = least_way_out(self, other)) return least;
     const bool of_other = skins && face_along(other, -outward) != Vec3<T>{};
     const bool stands = face_along(self, outward, standing_lean<T>) != Vec3<T>{};
-    if (neighbour && (of_other || (!stands && is_on_ridge(self, point)))) return Correction<T>{outward, {}, true};
+    if (neighbour && (of_other || (!stands && is_on_ridge(self, other, point)))) return Correction<T>{outward, {}, true};
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
