@@ -187,14 +187,11 @@ struct TouchingPieces {
     if (manifold.points.empty()) return;
     if (faces.passes_over(pa, pb, beside.empty())) return;
     name_pieces(manifold, pa, pb);
-    if (from_behind(pa, pb, Pushes::outward, manifold.normal)) {
-      if (nearest && distance <= T(0)) instead = manifold;
-      return;
-    }
     Settled<T> settled = settle_normal(in_context(a, pa, beside.of_a), in_context(b, pb, beside.of_b), margin,
                                        manifold, distance);
-    if (nearest) instead = settled.instead;
-    if (settled.manifold.points.empty()) return;
+    const bool behind = from_behind(pa, pb, Pushes::outward, settled.manifold.normal);
+    if (nearest) instead = behind && distance <= T(0) ? settled.manifold : settled.instead;
+    if (behind || settled.manifold.points.empty()) return;
     if (faces.stand(pa, pb, settled.manifold) == FlatFaces<T>::Standing::on_known_face) return;
     groups.add(settled.manifold);
   }

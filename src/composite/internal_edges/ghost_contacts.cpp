@@ -13,13 +13,11 @@ namespace graze {
 
 namespace {
 
-/// The face normal of a triangle of a surface on the side where the other shape is, which of a body is the front; in
-/// the world, zero without area.
+/// The face normal of a triangle on the side where the other shape is, in the world; zero without area.
 template <class T>
-Vec3<T> normal_towards(const LeafInContext<T>& self, const Triangle<T>& triangle, const Pose<T>& pose,
-                       const LeafInContext<T>& other, const Vec3<T>& point) {
+Vec3<T> normal_towards(const Triangle<T>& triangle, const Pose<T>& pose, const LeafInContext<T>& other,
+                       const Vec3<T>& point) {
   const Vec3<T> face = rotate(pose.rotation, face_normal(triangle));
-  if (self.of_body) return face;
   return dot(face, middle_of(other) - point) < T(0) ? -face : face;
 }
 
@@ -42,14 +40,14 @@ std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Pla
                                          const LeafInContext<T>& other, const Vec3<T>& point, const Vec3<T>& outward,
                                          T margin) {
   if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
-    const Vec3<T> face = normal_towards(self, *triangle, self.pose, other, point);
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (face == Vec3<T>{}) return std::nullopt;
     if (lies_open(self, face)) return face;
     const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
     return over ? over->normal : face;
   }
   if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
-    const Vec3<T> face = normal_towards(self, *triangle, neighbour.pose, other, point);
+    const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
     if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
   }
   const bool beside_ground = is_ground(neighbour.shape);
@@ -228,7 +226,7 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
   const Vec3<T> point = contact.on_face || triangle ? standing_point<T>(contact.manifold.points, contact.side)
                                                     : place_on_solid(self, other, contact);
   if (open && lies_level(self)) {
-    const Vec3<T> face = normal_towards(self, *triangle, self.pose, other, point);
+    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
     if (lies_open(self, face)) return Correction<T>{face};
   }
   if (!contact.on_face) {
