@@ -60,7 +60,8 @@ GRAZE_API void near_pieces(const Shape<T>& a, const Pose<T>& pose_a, const Shape
 
 /// Appends the manifolds of all points of contact that are up to `margin` >= 0 apart; a pair of convex shapes has at
 /// most one. Returns whether the shapes overlap (distance <= 0, whatever the margin). A surface that has `Sides::front`
-/// counts where it is met from the front.
+/// counts where it is met from the front, and a closed mesh from outside, unless the middle of the other shape is in the
+/// mesh's bounds and that is no wider than these: then either side of its skin pushes.
 ///
 /// A manifold stands on the normal of a face where that separates the shapes nearly as well as the best direction, and
 /// each of its points has its own true distance along that normal. The deepest of them is as deep as `distance` up to a
