@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "graze/error.hpp"
 #include "graze/io/file.hpp"
+#include "graze/io/plane_simulate.hpp"
 #include "graze/io/simulate.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -23,21 +24,16 @@ struct CaptureArguments {
   std::string precision = "double", out;
 };
 
-int run_capture(const CaptureArguments& options) {
-  io::SimulateOptions how;
-  how.seconds = options.seconds;
-  how.rate = options.rate;
-  how.sub_steps = options.sub_steps;
-  how.precision = precision_of(options.precision);
+/// Plays a scene, of space or of the plane, into the file.
+template <class Frame, class AnyScene>
+void capture(const AnyScene& scene, const CaptureArguments& options, io::SimulateOptions& how) {
   const std::size_t frames = io::frame_count(how);
-  const io::Scene scene = options.scene.load(true, true);
   io::check_writable(options.out);
   std::ofstream file(options.out, std::ios::binary);
   how.capture = &file;
   Progress progress("capturing");
   std::size_t done = 0;
-  const io::SimulateSummary summary =
-      io::simulate(scene, how, [&](const io::SimulationFrame&) { progress(++done, frames); });
+  const io::SimulateSummary summary = io::simulate(scene, how, [&](const Frame&) { progress(++done, frames); });
   file.close();
   if (!file) throw InvalidValue(options.out, "", "cannot be written to its end");
   print_notes(scene.notices);
@@ -45,6 +41,22 @@ int run_capture(const CaptureArguments& options) {
   fmt::print("{}: {} of {} and {}, {} bytes\n", options.out, counted(summary.steps, "frame"),
              counted(summary.bodies, "moving body"), counted(summary.joints, "joint"),
              std::filesystem::file_size(options.out));
+}
+
+int run_capture(const CaptureArguments& options) {
+  io::SimulateOptions how;
+  how.seconds = options.seconds;
+  how.rate = options.rate;
+  how.sub_steps = options.sub_steps;
+  how.precision = precision_of(options.precision);
+  io::frame_count(how);  // refused before anything is read
+  if (!options.scene.is_in_plane()) {
+    capture<io::SimulationFrame>(options.scene.load(true, true), options, how);
+    return 0;
+  }
+  const io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
+  if (scene.gravity) how.gravity = {scene.gravity->x, scene.gravity->y, 0};
+  capture<io::PlaneSimulationFrame>(scene, options, how);
   return 0;
 }
 
@@ -64,7 +76,8 @@ Run add_capture(CLI::App& app) {
   command->footer(
       "A program of your own captures with graze/capture.hpp. Exit code: 0, or 2 when a file or an option\n"
       "cannot be used.\n\n"
-      "Example:\n  graze capture scene.gltf --seconds 20 --out scene.capture && graze replay scene.capture");
+      "Examples:\n  graze capture scene.gltf --seconds 20 --out scene.capture && graze replay scene.capture\n"
+      "  graze capture examples/scenes/plane.svg --seconds 5 --out plane.capture");
   return [options] { return run_capture(*options); };
 }
 

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "graze/error.hpp"
+#include "graze/io/plane_scene.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 
@@ -34,6 +38,14 @@ io::Scene SceneOptions::load(bool animations, bool physics_only) const {
   io::Scene scene;
   for (const std::string& file : files) io::append(scene, io::load_scene(file, options));
   return scene;
+}
+
+bool SceneOptions::is_in_plane() const {
+  if (std::none_of(files.begin(), files.end(), [](const std::string& file) { return io::is_plane_scene(file); }))
+    return false;
+  if (files.size() > 1) throw InvalidValue("SCENE", "one .svg or .json alone", counted(files.size(), "file"));
+  if (!colliders.empty()) throw InvalidValue("--colliders", "a scene in space", "one of the plane");
+  return true;
 }
 
 namespace {

@@ -19,6 +19,8 @@ struct SceneOptions {
   /// All files in one scene, each at the origin, with their animations if these are asked for. With `physics_only` the
   /// meshes of files that have motions, and no colliders, do not collide. Throws `InvalidValue`.
   io::Scene load(bool animations = false, bool physics_only = false) const;
+  /// Whether it is a scene of the plane, which is one file alone. Throws `InvalidValue` for one among others.
+  bool is_in_plane() const;
   /// The file that something can be drawn into; empty when there are several.
   std::string only_file() const { return files.size() == 1 ? files[0] : ""; }
 };

@@ -75,17 +75,6 @@ void write_pictures(const std::string& file, const io::Scene& before, const io::
   throw e;
 }
 
-/// A scene of the plane is one file, and its motion has forms of its own.
-bool is_in_plane(const SimulateArguments& options) {
-  const auto& files = options.scene.files;
-  if (std::none_of(files.begin(), files.end(), [](const std::string& file) { return io::is_plane_scene(file); }))
-    return false;
-  if (files.size() > 1) throw InvalidValue("SCENE", "one .svg or .json alone", counted(files.size(), "file"));
-  const char* other = !options.svg.empty() ? "--svg" : !options.scene.colliders.empty() ? "--colliders" : nullptr;
-  if (other) throw InvalidValue(other, "a scene in space", "one of the plane");
-  return true;
-}
-
 /// Plays a scene into a file, if there is one, and tells what it took.
 template <class Frame, class AnyScene, class AnyRecording>
 void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateOptions& how, AnyRecording& recording,
@@ -112,6 +101,7 @@ void play(AnyScene& scene, const SimulateArguments& options, const io::SimulateO
 }
 
 void run_in_plane(const SimulateArguments& options, io::SimulateOptions& how) {
+  if (!options.svg.empty()) throw InvalidValue("--svg", "a scene in space", "one of the plane");
   io::PlaneScene scene = io::load_plane_scene(options.scene.files[0]);
   if (options.gravity.empty() && scene.gravity) how.gravity = {scene.gravity->x, scene.gravity->y, 0};
   std::unique_ptr<io::PlaneRecording> recording;
@@ -144,7 +134,7 @@ int run_simulate(const SimulateArguments& options) {
   how.executor = &executor;
   try {
     io::frame_count(how);  // refused before anything is read
-    if (is_in_plane(options))
+    if (options.scene.is_in_plane())
       run_in_plane(options, how);
     else
       run_in_space(options, how);
@@ -169,7 +159,7 @@ Run add_simulate(CLI::App& app) {
   command->add_option("--threads", options->threads, "Threads; the result is the same")->capture_default_str();
   command
       ->add_option("--substeps", options->sub_steps,
-                   "Sub-steps of a step, a power of two; where much weight half_space_slots, more are taken")
+                   "Sub-steps of a step, a power of two; where much weight rests on little, more are taken")
       ->capture_default_str();
   command->add_option("--precision", options->precision, "Compute in double or float")
       ->check(CLI::IsMember({"double", "float"}))

@@ -7,7 +7,7 @@ const package_ = fileURLToPath(new URL("../../bindings/js/dist/", import.meta.ur
 
 export default defineConfig({
   base: "./",
-  resolve: { alias: { "graze/double": `${package_}double.js` } },
+  resolve: { alias: { "graze/double": `${package_}double.js`, graze: `${package_}index.js` } },
   server: { fs: { allow: ["../.."] } },
   build: { target: "es2022", modulePreload: { polyfill: false }, assetsInlineLimit: 0, chunkSizeWarningLimit: 1200 },
 });

@@ -22,6 +22,11 @@ struct BytesInMemory {
   }
 };
 
+/// The frames of a capture that the caller has in memory.
+inline capture::FrameReader frames_of(const void* bytes, std::size_t size) {
+  return {BytesInMemory{static_cast<const char*>(given(bytes, "bytes")), size}, "bytes"};
+}
+
 inline GrazeReplayReport report_of(const ReplayReport& played) {
   GrazeReplayReport out{};
   out.simulation = played.simulation;

@@ -1,6 +1,8 @@
-// What the C interface has once for both scalars: the last error, the version, default filters.
+// What the C interface has once for both scalars: the last error, the version, default filters, heads of captures.
 #include <cstring>
 
+#include "c/arguments.hpp"
+#include "c/capture.hpp"
 #include "c/error.hpp"
 
 namespace graze::c {
@@ -33,5 +35,13 @@ const char* graze_version_string(void) { return GRAZE_VERSION_STRING; }
 GrazeFilter graze_filter_default(void) { return {1, ~std::uint64_t{0}, 0}; }
 
 GrazeQueryFilter graze_query_filter_default(void) { return {graze_filter_default(), false, nullptr, nullptr}; }
+
+GrazeStatus graze_capture_head(const void* bytes, std::size_t size, GrazeCaptureHead* head) {
+  return graze::c::guarded([&] {
+    graze::c::given(head, "head");
+    const auto from = graze::c::frames_of(bytes, size).head();
+    *head = {graze::capture::is_simulation(from.kind), graze::capture::is_of_plane(from.kind), from.single};
+  });
+}
 
 }  // extern "C"

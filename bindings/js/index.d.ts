@@ -1089,6 +1089,14 @@ export declare namespace plane {
 
 // --- Captures ---
 
+/** What a capture is of, and in which entry `replay` plays it. Throws `InvalidValue` for bytes that do not begin as a
+ * capture does. Not in graze/queries. */
+export function captureHead(bytes: ArrayBuffer | ArrayBufferView): {
+  /** Or of a world. */
+  simulation: boolean;
+  plane: boolean;
+  scalar: "float" | "double";
+};
 /** What a replay came to. */
 export interface ReplayReport {
   simulation: boolean;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "graze/plane/simulation.hpp"
+#include "graze/plane/capture.hpp"
 #include "io/frame_contacts.hpp"
 #include "io/playing.hpp"
 #include "io/single_plane_shape.hpp"
@@ -27,7 +27,10 @@ template <class T>
 class SimulatedPlaneScene {
  public:
   SimulatedPlaneScene(const PlaneScene& scene, const SimulateOptions& options)
-      : scene_(scene), simulation_(settings_of<T>(options), options.executor), moving_(moving_bodies(scene)) {
+      : scene_(scene),
+        captured_(options.capture, settings_of<T>(options), options.executor),
+        simulation_(captured_.simulation()),
+        moving_(moving_bodies(scene)) {
     std::vector<std::vector<const PlaneCollider*>> colliders(scene.bodies.size());
     for (const PlaneCollider& c : scene.colliders)
       if (!c.trigger) colliders[c.body].push_back(&c);
@@ -44,7 +47,7 @@ class SimulatedPlaneScene {
     }
   }
 
-  void step(double, double dt) { simulation_.step(static_cast<T>(dt)); }
+  void step(double, double dt) { captured_.step(static_cast<T>(dt)); }
   plane::StepReport<T> report() const { return simulation_.report(); }
   std::size_t awake() const {
     return static_cast<std::size_t>(std::count_if(
@@ -104,14 +107,15 @@ class SimulatedPlaneScene {
     plane::Material<T> material;
     material.static_friction = material.dynamic_friction = static_cast<T>(motion.friction);
     material.restitution = static_cast<T>(motion.restitution);
-    const BodyId id = simulation_.add(std::move(body), dynamics, material);
+    const BodyId id = captured_.add(std::move(body), dynamics, material);
     if (!ids_[b]) ids_[b] = id;
     body_of_.resize(std::max<std::size_t>(body_of_.size(), id.index + 1));
     body_of_[id.index] = b;
   }
 
   const PlaneScene& scene_;
-  plane::Simulation<T> simulation_;
+  plane::CapturedSimulation<T> captured_;
+  const plane::Simulation<T>& simulation_;  ///< what is played
   std::vector<std::uint32_t> moving_;
   std::vector<std::optional<BodyId>> ids_;  ///< by the scene's bodies: the first that is of it
   std::vector<std::uint32_t> body_of_;      ///< by the simulation's indices
@@ -138,7 +142,6 @@ std::vector<std::uint32_t> moving_bodies(const PlaneScene& scene) {
 
 SimulateSummary simulate(const PlaneScene& scene, const SimulateOptions& options,
                          const std::function<void(const PlaneSimulationFrame&)>& each) {
-  if (options.capture) throw InvalidValue("capture", "none of a scene of the plane", "one");
   return options.precision == Precision::double_precision ? play_in<double>(scene, options, each)
                                                           : play_in<float>(scene, options, each);
 }

@@ -60,6 +60,20 @@ TEST(CReplay, OfThePlaneToo) {
   EXPECT_EQ(seen.bodies, 2u);
 }
 
+TEST(CReplay, AHeadTellsWhatACaptureIsOf) {
+  const std::string file = captured_fall();
+  std::ostringstream flat;
+  plane::CapturedWorld<float> world(&flat);
+  GrazeCaptureHead head;
+  ASSERT_EQ(graze_capture_head(file.data(), file.size(), &head), GRAZE_OK);
+  EXPECT_TRUE(head.simulation && !head.plane && !head.single);
+  ASSERT_EQ(graze_capture_head(flat.str().data(), flat.str().size(), &head), GRAZE_OK);
+  EXPECT_TRUE(!head.simulation && head.plane && head.single);
+  EXPECT_EQ(graze_capture_head("graze capture", 13, &head), GRAZE_INVALID_VALUE);
+  EXPECT_STREQ(graze_last_error(), "bytes: expected a capture, got something else");
+  EXPECT_EQ(graze_capture_head(file.data(), file.size(), nullptr), GRAZE_INVALID_VALUE);
+}
+
 TEST(CReplay, RefusesWhatIsNoCaptureOfItsScalar) {
   const std::string file = captured_fall();
   GrazeReplayReport report;

@@ -16,9 +16,9 @@ TEST(CaptureProgram, AScenePlayedRunsAgainToTheSameBits) {
   const auto folder = std::filesystem::temp_directory_path() / "graze_capture_test";
   std::filesystem::create_directories(folder);
   const std::string file = (folder / "demo.capture").string();
-  const std::string demo = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/demo.gltf";
-  for (const char* precision : {"double", "float"}) {
-    const auto made = run("capture " + demo + " --seconds 0.5 --precision " + precision + " --out " + file);
+  const std::string scenes = std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/", demo = scenes + "demo.gltf";
+  for (const auto& [scene, precision] : {std::pair{demo, "double"}, {scenes + "plane.svg", "float"}, {demo, "float"}}) {
+    const auto made = run("capture " + scene + " --seconds 0.5 --precision " + precision + " --out " + file);
     ASSERT_EQ(made.code, 0) << made.output;
     EXPECT_NE(made.output.find("30 frames"), std::string::npos) << made.output;
     const auto again = run("replay -q --json --threads 2 " + file);
@@ -46,6 +46,7 @@ TEST(CaptureProgram, AScenePlayedRunsAgainToTheSameBits) {
   EXPECT_EQ(run("replay " + demo).code, 2);
   EXPECT_EQ(run("replay " + (folder / "none").string()).code, 2);
   EXPECT_EQ(run("capture " + demo + " --out " + (folder / "no/such/place").string()).code, 2);
+  EXPECT_EQ(run("capture " + demo + " " + scenes + "plane.svg --out " + file).code, 2);
   std::filesystem::remove_all(folder);
 }
 

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "graze/capture.hpp"
 #include "graze/error.hpp"
 #include "world/executors.hpp"
 
@@ -110,8 +111,21 @@ TEST(PlaySvg, WhatCannotBePlayedIsNamed) {
   EXPECT_THROW(drawn("", "data-gravity=\"10\""), InvalidValue);
   EXPECT_THROW(drawn(R"x(<circle r="1" data-velocity="1,2,3"/>)x"), InvalidValue);
   EXPECT_THROW(told(R"x({"shape": {"type": "plane"}, "mass": "much"})x"), InvalidValue);
-  std::ostringstream out;
-  EXPECT_THROW(simulate(drawn(""), {.capture = &out}, [](const PlaneSimulationFrame&) {}), InvalidValue);
+}
+
+TEST(PlaySvg, ACaptureRunsAgainToTheSameBits) {
+  const PlaneScene scene = drawn(R"x(<rect y="2" width="9" height="1"/><g class="dynamic" data-body="two">
+      <circle r="1"/><circle cx="1" r="1"/></g><polygon class="dynamic" points="0,-5 2,-5 2,-3 1,-4"/>)x");
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    std::stringstream file;
+    const SimulateSummary summary =
+        simulate(scene, {.seconds = 1, .precision = precision, .capture = &file}, [](const PlaneSimulationFrame&) {});
+    const ReplayReport report = replay(file, "scene.capture");
+    EXPECT_TRUE(report.plane && report.simulation);
+    EXPECT_EQ(report.single, precision == Precision::single_precision);
+    EXPECT_EQ(report.frames, summary.steps);
+    EXPECT_FALSE(report.difference);
+  }
 }
 
 TEST(PlaySvg, SameFramesOnAnyThreads) {

@@ -113,6 +113,7 @@ test("captures of the plane are played again", async () => {
       double.plane.draw.world(world, { size: 3 });
     });
     assert.deepEqual([report.simulation, report.plane, report.difference], [of === "simulation", true, null]);
+    assert.deepEqual(double.captureHead(file), { simulation: of === "simulation", plane: true, scalar: "double" });
     assert.equal(seen.length, report.frames);
     assert.deepEqual(seen.at(-1), of === "world" ? [3, true, 3, 3] : [90, true, 4, 4]);
   }
@@ -135,6 +136,9 @@ test("a capture is played again", async () => {
   assert.deepEqual(seen.map(([frame]) => frame), Array.from({ length: report.frames }, (_, i) => i + 1));
   assert.deepEqual([kinds[0], kinds.at(-1)], ["capsule", "ellipsoid"]); // as the run has it
   assert.throws(() => kept[0].poses(), /until its function returns/);
+  assert.deepEqual(graze.captureHead(file), { simulation: false, plane: false, scalar: "float" });
+  assert.deepEqual(double.captureHead(file), graze.captureHead(file));
+  assert.throws(() => graze.captureHead(new Uint8Array(30)), { name: "InvalidValue", message: /expected a capture/ });
   assert.equal(graze.replay(file.subarray(0, file.length - 1)).cut, true);
   assert.throws(() => double.replay(file), { message: "bytes: expected a capture of the function's scalar, got one in float" });
   assert.throws(() => graze.replay(new Uint8Array(3)), { name: "InvalidValue" });
@@ -150,6 +154,7 @@ test("every export is declared, and every declaration exported", async () => {
   const plane = Object.keys(double.plane);
   assert.deepEqual(plane.sort(), [...new Set(inPlane)].sort());
   assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain"].includes(name)));
-  const only = ["query", "explain", "traced", "draw", "replay", "response", "applyImpulse", "Simulation", "State", "plane"];
+  const only = [
+    "query", "explain", "traced", "draw", "captureHead", "replay", "response", "applyImpulse", "Simulation", "State", "plane"];
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });

@@ -343,7 +343,7 @@ await test("viewer: opens a capture, and scrubs through it", async () => {
   // Two seconds of examples/scenes/demo.gltf, by graze capture.
   await page.setInputFiles("input[type=file]", join(here, "tests/demo.capture"));
   await page.waitForSelector("[data-next]");
-  assert.ok((await page.textContent(".intro")).includes("120 frames, played again. It comes to the same bits."));
+  assert.ok((await page.textContent(".intro")).includes("A simulation in double: 120 frames, played again. It comes to the same bits."));
   const first = await shown(page);
   assert.deepEqual([first.frame, first.frames, first.bodies], [0, 120, 16]);
   await page.click("[data-next]");
@@ -367,6 +367,30 @@ await test("viewer: opens a capture, and scrubs through it", async () => {
   await page.setInputFiles("input[type=file]", { name: "damaged.capture", mimeType: "application/octet-stream", buffer: bytes });
   await page.waitForSelector(".trouble:not([hidden])");
   assert.match(await page.textContent(".trouble"), /frame \d+, from byte \d+: expected a frame as it was written, got other bytes/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+await test("viewer: opens captures of the plane, and in float", async () => {
+  const page = await scene("shapes");
+  const captures = [
+    ["whole-plane-simulation", "A simulation of the plane in double: 90 frames", 4], ["whole-plane-world", "A world of the plane in double: 3 frames", 3],
+    ["whole-file", "A world in float: ", 0]];
+  for (const [name, words, bodies] of captures) {
+    await page.click('nav a:text-is("Lessons")');
+    await page.click('nav a:text-is("Viewer")');
+    await page.waitForSelector("input[type=file]", { state: "attached" });
+    const buffer = readFileSync(join(here, "../../fuzz/corpus/capture", name));
+    await page.setInputFiles("input[type=file]", { name: `${name}.capture`, mimeType: "application/octet-stream", buffer });
+    await page.waitForSelector("[data-next]");
+    const said = await page.textContent(".intro");
+    assert.ok(said.includes(words) && said.includes("It comes to the same bits."), said);
+    await page.click('[aria-label="Last frame"]');
+    const last = await shown(page);
+    assert.equal(last.frame, last.frames - 1);
+    if (bodies) assert.equal(last.bodies, bodies);
+    if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `${name}.png`) });
+  }
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });

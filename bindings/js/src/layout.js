@@ -163,6 +163,7 @@ export function layouts(core) {
       approach: vec3, approachAlongNormal: num, approachTangential: vec3,
       atFault: enumeration(i32, ["neither", "a", "b", "both"]), effectiveMass: num, normalImpulse: num, sliding: vec3,
       stoppingImpulse: vec3, frictionLimit: num, frictionImpulse: vec3, impulse: vec3, a: motion, b: motion }),
+    captureHead: struct({ simulation: bool, plane: bool, single: bool }),
     replayReport: struct({
       simulation: bool, plane: bool, cut: bool, differs: bool, frame: u32, call: u32, what: several(u8, 128), frames: u32,
       calls: u32 }),

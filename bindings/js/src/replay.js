@@ -9,12 +9,24 @@ export function replayImports(core) {
 }
 
 export function replays(core, layout, worlds, planeWorlds) {
+  /** Where a copy of the caller's bytes is, and how many. */
+  const copied = (bytes) => {
+    const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
+    const place = core.room(Math.max(1, from.length));
+    new Uint8Array(core.memory().buffer).set(from, place);
+    return [place, from.length];
+  };
   return {
+    captureHead: (bytes) =>
+      core.frame(() => {
+        const head = core.room(layout.captureHead.size);
+        core.check(core.exports.graze_capture_head(...copied(bytes), head));
+        const { simulation, plane, single } = layout.captureHead.read(head);
+        return { simulation, plane, scalar: single ? "float" : "double" };
+      }),
     replay: (bytes, each) =>
       core.frame(() => {
-        const from = new Uint8Array(bytes.buffer ?? bytes, bytes.byteOffset ?? 0, bytes.byteLength);
-        const place = core.room(Math.max(1, from.length));
-        new Uint8Array(core.memory().buffer).set(from, place);
+        const from = copied(bytes);
         let pointer = 0;
         const there = () => {
           if (pointer === 0) throw new Error("graze: the world of a replay is there until its function returns");
@@ -33,7 +45,7 @@ export function replays(core, layout, worlds, planeWorlds) {
         });
         const p = core.room(layout.replayReport.size);
         try {
-          core.call("replay", place, from.length, core.exports.graze_js_frame(), key, p);
+          core.call("replay", ...from, core.exports.graze_js_frame(), key, p);
         } finally {
           core.callbacks.delete(key);
         }

@@ -32,7 +32,7 @@ struct PlaneSimulationFrame {
 GRAZE_API std::vector<std::uint32_t> moving_bodies(const PlaneScene& scene);
 
 /// Plays the scene and calls `each` for every frame, the first at time 0. Of the gravity of `options` x and y count,
-/// whatever the scene says of it. Throws `InvalidValue`, also for a capture, which holds no simulations of the plane.
+/// whatever the scene says of it. Throws `InvalidValue`.
 GRAZE_API SimulateSummary simulate(const PlaneScene& scene, const SimulateOptions& options,
                                    const std::function<void(const PlaneSimulationFrame&)>& each);
 

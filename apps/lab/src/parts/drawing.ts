@@ -44,6 +44,8 @@ export interface View {
   reach: number;
   /** In space: where the camera stands, seen from the centre. */
   from?: Vec;
+  /** In space: what is seen lies in the plane z = 0, is looked at from its front, and never turned. */
+  flat?: boolean;
 }
 
 export interface Stage {

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { graze, shapeOf } from "../graze.ts";
-import type { Shape } from "../question.ts";
+import type { Shape, Vec } from "../question.ts";
 
 export interface Solid {
   faces: THREE.BufferGeometry;
@@ -12,25 +12,43 @@ export interface Solid {
 
 /** Faces that meet at less than this angle, in radians, are the sampling of something smooth. */
 const crease = 0.5;
-/** How far a half-space is drawn. */
+/** How far a half-space is drawn, unless it is said. */
 const reach = 4;
 
 const geometry = (corners: number[]): THREE.BufferGeometry =>
   new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
 
-export function solidOfShape(shape: graze.Shape): Solid {
+/** A line of the plane as two triangles of a width. */
+function ribbon([fromX, fromY]: Vec, [toX, toY]: Vec, width: number): number[] {
+  const x = toX - fromX, y = toY - fromY, l = Math.hypot(x, y) || 1;
+  const side = [(-y / l) * (width / 2), (x / l) * (width / 2)];
+  const corner = (cx: number, cy: number, s: number): number[] => [cx + s * side[0], cy + s * side[1], 0];
+  const [a, b, c, d] = [corner(fromX, fromY, -1), corner(toX, toY, -1), corner(toX, toY, 1), corner(fromX, fromY, 1)];
+  return [...a, ...b, ...c, ...a, ...c, ...d];
+}
+
+/** What `draw` draws, half-spaces as far as `size`. */
+export function solidDrawn(draw: (on: graze.Renderer) => void, size = reach): Solid {
   const faces: number[] = [], edges: number[] = [];
-  graze.draw.shape(shape, {}, {
-    size: reach,
+  draw({
+    size,
     triangle: (a, b, c) => faces.push(...a, ...b, ...c),
     line: (from, to) => edges.push(...from, ...to),
   });
   return { faces: toCreasedNormals(geometry(faces), crease), edges: geometry(edges) };
 }
+/** The same of the plane, where a shape may be lines alone: those are as wide as a hundredth of `size`. */
+export function flatSolidDrawn(draw: (on: graze.Renderer) => void, size: number): Solid {
+  const solid = solidDrawn(draw, size);
+  if (solid.faces.getAttribute("position").count > 0) return solid;
+  const ends = Array.from(solid.edges.getAttribute("position").array), faces: number[] = [];
+  for (let i = 0; i < ends.length; i += 6) faces.push(...ribbon(ends.slice(i, i + 3), ends.slice(i + 3, i + 6), size / 100));
+  return { ...solid, faces: toCreasedNormals(geometry(faces), crease) };
+}
 /** Of a shape of the protocol. */
 export function solidOf(shape: Shape): Solid {
   const made = shapeOf(shape);
-  const solid = solidOfShape(made);
+  const solid = solidDrawn((on) => graze.draw.shape(made, {}, on));
   made.dispose();
   return solid;
 }

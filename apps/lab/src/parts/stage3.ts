@@ -41,6 +41,7 @@ export class Stage3 implements Stage, Drawing {
   private lit: string | null = null;
   private waiting = 0;
   private reach = 3;
+  private flat = false;
   private size: [number, number] = [600, 480];
   private readonly solids = new Map<string, Solid>();
 
@@ -99,7 +100,8 @@ export class Stage3 implements Stage, Drawing {
   look(view: View): void {
     this.reach = view.reach;
     const center = v3(view.center);
-    const from = v3(view.from ?? [0.55, 0.5, 1]).normalize();
+    const from = v3(view.flat ? [0, 0, 1] : (view.from ?? [0.55, 0.5, 1])).normalize();
+    this.lieFlat(view.flat ?? false);
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(from, (view.reach * 1.15) / Math.tan((20 * Math.PI) / 180));
     this.camera.near = view.reach / 200;
@@ -107,6 +109,13 @@ export class Stage3 implements Stage, Drawing {
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.request();
+  }
+  /** What lies in the plane is pushed about instead of turned. */
+  private lieFlat(flat: boolean): void {
+    this.flat = flat;
+    this.controls.enableRotate = !flat;
+    this.controls.mouseButtons.LEFT = flat ? THREE.MOUSE.PAN : THREE.MOUSE.ROTATE;
+    this.controls.touches.ONE = flat ? THREE.TOUCH.PAN : THREE.TOUCH.ROTATE;
   }
   light(key: string | null): void {
     if (key === this.lit) return;
@@ -260,7 +269,8 @@ export class Stage3 implements Stage, Drawing {
     (grid.material as THREE.Material).transparent = true;
     (grid.material as THREE.Material).opacity = 0.5;
     grid.userData.own = true;
-    grid.position.y = -0.001;
+    if (this.flat) grid.rotation.x = Math.PI / 2;
+    grid.position.set(0, this.flat ? 0 : -0.001, this.flat ? -this.reach / 100 : 0);
     this.drawn.add(grid);
   }
   private request(): void {
@@ -309,7 +319,10 @@ export class Stage3 implements Stage, Drawing {
       ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
     const offset = this.camera.position.clone().sub(this.controls.target);
     if (event.key === "+" || event.key === "-") offset.multiplyScalar(event.key === "+" ? 0.9 : 1.1);
-    else if (turns[event.key]) {
+    else if (turns[event.key] && this.flat) {
+      const [x, y] = turns[event.key];
+      this.controls.target.add(new THREE.Vector3(x, -y, 0).multiplyScalar(this.reach));
+    } else if (turns[event.key]) {
       const ball = new THREE.Spherical().setFromVector3(offset);
       ball.theta += turns[event.key][0];
       ball.phi = Math.max(0.05, Math.min(3.09, ball.phi + turns[event.key][1]));

@@ -24,16 +24,16 @@ export class CaptureRoom implements Room {
 
   constructor(name: string, captured: Captured) {
     this.captured = captured;
-    const { report, bodies, frames } = captured;
-    const kind = report.simulation ? "simulation" : "world";
+    const { report, scalar, bodies, frames } = captured;
+    const kind = `${report.simulation ? "simulation" : "world"}${report.plane ? " of the plane" : ""} in ${scalar}`;
     const end = report.difference
       ? `From frame ${report.difference.frame} on it comes to something else: call ${report.difference.call}, ${report.difference.what}.`
       : report.cut ? "It ends within a frame, which is left out." : "It comes to the same bits.";
     this.pairs.onPoint = (key) => this.stage.light(key);
     this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), bodies.map((_, i) => (moves(captured, i) ? "a" : "out")));
-    this.stage.look({ center: captured.center, reach: captured.size * 0.6 });
+    this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: report.plane });
     this.element = h("article", { class: "lesson" },
-      h("header", {}, h("h1", {}, name), h("p", { class: "intro" }, `A ${kind} of ${frames.length} frames, played again. ${end}`)),
+      h("header", {}, h("h1", {}, name), h("p", { class: "intro" }, `A ${kind}: ${frames.length} frames, played again. ${end}`)),
       h("div", { class: "board" },
         h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter),
         h("div", { class: "side" }, this.plot, this.pairs.element)));

@@ -197,7 +197,7 @@ export class SceneRoom implements Room {
   }
   private async file(file: File): Promise<void> {
     try {
-      if (file.name.endsWith(".capture")) this.onCapture(file.name, readCapture(await file.arrayBuffer()));
+      if (file.name.endsWith(".capture")) this.onCapture(file.name, await readCapture(await file.arrayBuffer()));
       else this.open(await openFile(file));
     } catch (error) {
       this.say((error as Error).message);

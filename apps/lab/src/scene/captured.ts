@@ -1,7 +1,7 @@
 // A capture played again: where each body was in every frame, and what touched.
 
 import { graze } from "../graze.ts";
-import { solidOfShape, type Solid } from "../parts/solid.ts";
+import { flatSolidDrawn, solidDrawn, type Solid } from "../parts/solid.ts";
 import type { Vec } from "../question.ts";
 
 export interface CapturedBody {
@@ -23,6 +23,7 @@ export interface CapturedFrame {
 }
 export interface Captured {
   report: graze.ReplayReport;
+  scalar: "float" | "double";
   bodies: CapturedBody[];
   frames: CapturedFrame[];
   center: Vec;
@@ -38,20 +39,47 @@ export function moves({ frames }: Captured, body: number): boolean {
   return poses.some((pose) => pose.some((x, i) => x !== poses[0][i]));
 }
 
-/** Throws what `graze.replay` does, and for a capture of the plane. */
-export function readCapture(bytes: ArrayBuffer): Captured {
+/** What plays a capture and draws it. */
+type Library = Pick<typeof graze, "replay" | "draw" | "plane">;
+
+/** The library in the scalar of a capture; float's, which nothing else here needs, is fetched when it is asked for. */
+async function libraryFor(bytes: ArrayBuffer): Promise<Library> {
+  if (graze.captureHead(bytes).scalar === "double") return graze;
+  const single = await import("graze");
+  await single.init();
+  return single;
+}
+
+/** Poses of the plane (place, cosine and sine of the turn) as poses of space. */
+function inSpace(poses: ArrayLike<number>): Float32Array {
+  const made = new Float32Array((poses.length / 4) * 7);
+  for (let i = 0; 4 * i < poses.length; i++) {
+    const [x, y, cosine, sine] = [0, 1, 2, 3].map((k) => poses[4 * i + k]), half = Math.atan2(sine, cosine) / 2;
+    made.set([x, y, 0, 0, 0, Math.sin(half), Math.cos(half)], 7 * i);
+  }
+  return made;
+}
+
+/** Throws what `graze.replay` does. */
+export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
+  const library = await libraryFor(bytes), { plane: flat, scalar } = graze.captureHead(bytes);
   const bodies: CapturedBody[] = [], frames: CapturedFrame[] = [];
   const known = new Map<string, number>();
   let area: { center: Vec; size: number } | null = null;
+  const solid = (shape: graze.Shape | graze.plane.Shape): Solid =>
+    flat
+      ? flatSolidDrawn((on) => library.plane.draw.shape(shape as graze.plane.Shape, {}, on), area!.size)
+      : solidDrawn((on) => library.draw.shape(shape as graze.Shape, {}, on), area!.size);
   /** The number of a body as it looks now: one that gets another shape is drawn as another. */
-  const place = (world: graze.WorldQueries, index: number, id: graze.BodyId): number => {
+  const place = (world: graze.WorldQueries | graze.plane.WorldQueries, index: number, id: graze.BodyId): number => {
     const shape = world.shape(id);
     try {
       const { lower, upper } = shape.bounds();
       const key = [index, id.generation, shape.kind, ...lower, ...upper].join();
       let at = known.get(key);
       if (at === undefined) {
-        at = bodies.push({ name: `body ${index}`, solid: solidOfShape(shape), flat: shape.kind === "halfSpace" }) - 1;
+        const endless = shape.kind === "halfSpace" || shape.kind === "halfPlane";
+        at = bodies.push({ name: `body ${index}`, solid: solid(shape), flat: endless }) - 1;
         known.set(key, at);
       }
       return at;
@@ -59,23 +87,22 @@ export function readCapture(bytes: ArrayBuffer): Captured {
       shape.dispose();
     }
   };
-  const report = graze.replay(bytes, (world) => {
-    if (!world) throw new Error("a capture of the plane: graze replay plays it");
-    const poses = world.poses(), there = new Map<number, number>();
+  const report = library.replay(bytes, (world) => {
+    area ??= flat ? library.plane.draw.area(world as graze.plane.WorldQueries) : library.draw.area(world as graze.WorldQueries);
+    const poses = flat ? inSpace(world.poses()) : Float32Array.from(world.poses()), there = new Map<number, number>();
     for (let i = 0; 7 * i < poses.length; i++) {
       const id = world.bodyAt(i);
       if (id) there.set(place(world, i, id), i);
     }
-    const all = world.poses(), kept = new Float32Array(7 * bodies.length);
-    for (const [body, i] of there) kept.set(all.subarray(7 * i, 7 * i + 7), 7 * body);
+    const kept = new Float32Array(7 * bodies.length);
+    for (const [body, i] of there) kept.set(poses.subarray(7 * i, 7 * i + 7), 7 * body);
     const pairs = world.contacts().map((pair): CapturedPair => ({
       a: `body ${pair.a}`, b: `body ${pair.b}`,
       points: pair.manifolds.flatMap((m) => m.points.map((p) => ({ at: p.a as Vec, normal: m.normal as Vec, distance: p.distance }))),
     }));
     const deepest = Math.max(0, ...pairs.flatMap((pair) => pair.points.map((p) => -p.distance)));
     frames.push({ poses: kept, there: new Set(there.keys()), pairs: pairs.slice(0, mostPairs), deepest });
-    area ??= graze.draw.area(world);
   });
   if (!area) throw new Error("the capture has no whole frame");
-  return { report, bodies, frames, ...(area as { center: Vec; size: number }) };
+  return { report, scalar, bodies, frames, ...(area as { center: Vec; size: number }) };
 }
