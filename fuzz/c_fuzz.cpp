@@ -1,4 +1,4 @@
-// Any bytes as calls of the C interface: wrong and missing handles, removed bodies, sizes, strides, enumerators and
+// Any bytes as calls of the C interface, half of the time captured and then played again to the same bits: wrong and missing handles, removed bodies, sizes, strides, enumerators and
 // numbers of all kinds, nulls wherever a pointer is taken. Every call ends with a status, and one that is refused
 // leaves a message.
 //
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "graze/graze.h"
@@ -89,8 +90,16 @@ const H* some(Bytes& in, const std::vector<H*>& handles, const void* other) {
   return handles.empty() ? nullptr : handles[b % handles.size()];
 }
 
+/// Keeps what a capture hands over.
+bool keep(void* user, const void* bytes, std::size_t size) {
+  static_cast<std::string*>(user)->append(static_cast<const char*>(bytes), size);
+  return true;
+}
+
 struct Calls {
   Bytes in;
+  const bool captured;
+  std::string files[4];  ///< the captures of the two worlds and the two simulations
   std::vector<GrazeShaped*> shapes;
   std::vector<GrazePlaneShaped*> plane_shapes;
   GrazeShapef* small = nullptr;
@@ -106,13 +115,17 @@ struct Calls {
   std::vector<GrazeJointId> joints, plane_joints;
   int masses = 0;  ///< how often those of a shape were asked for
 
-  explicit Calls(Bytes bytes) : in(bytes) {
+  explicit Calls(Bytes bytes) : in(bytes), captured(in.byte() % 2 == 1) {
     require(graze_buffer_create_d(&buffer) == GRAZE_OK);
     require(graze_trace_create(&trace) == GRAZE_OK);
-    require(graze_world_create_d(nullptr, nullptr, &world) == GRAZE_OK);
-    require(graze_plane_world_create_d(nullptr, nullptr, &plane_world) == GRAZE_OK);
-    require(graze_simulation_create_d(nullptr, nullptr, &simulation) == GRAZE_OK);
-    require(graze_plane_simulation_create_d(nullptr, nullptr, &plane_simulation) == GRAZE_OK);
+    require((captured ? graze_world_create_captured_d(nullptr, nullptr, &keep, &files[0], &world)
+                      : graze_world_create_d(nullptr, nullptr, &world)) == GRAZE_OK);
+    require((captured ? graze_plane_world_create_captured_d(nullptr, nullptr, &keep, &files[1], &plane_world)
+                      : graze_plane_world_create_d(nullptr, nullptr, &plane_world)) == GRAZE_OK);
+    require((captured ? graze_simulation_create_captured_d(nullptr, nullptr, &keep, &files[2], &simulation)
+                      : graze_simulation_create_d(nullptr, nullptr, &simulation)) == GRAZE_OK);
+    require((captured ? graze_plane_simulation_create_captured_d(nullptr, nullptr, &keep, &files[3], &plane_simulation)
+                      : graze_plane_simulation_create_d(nullptr, nullptr, &plane_simulation)) == GRAZE_OK);
     require(graze_shape_sphere_f(1, {0, 0, 0}, &small) == GRAZE_OK);
   }
   ~Calls() {
@@ -127,6 +140,11 @@ struct Calls {
     graze_plane_world_destroy_d(plane_world);
     graze_buffer_destroy_d(buffer);
     graze_trace_destroy(trace);
+    if (!captured) return;
+    for (const std::string& file : files) {
+      GrazeReplayReport report;
+      require(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report) == GRAZE_OK && !report.differs);
+    }
   }
   Calls(const Calls&) = delete;
   Calls& operator=(const Calls&) = delete;

@@ -10,7 +10,8 @@
 namespace {
 
 template <class Settings>
-void put_frames(std::ostream& out, graze::capture::Kind kind, bool single, std::string_view calls) {
+void put_frames(std::ostringstream& stream, graze::capture::Kind kind, bool single, std::string_view calls) {
+  const graze::CaptureSink out = graze::capture::sink_into(&stream);
   graze::capture::write_head(out, kind, single);
   graze::capture::Writing settings;
   settings(Settings{});

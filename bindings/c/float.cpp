@@ -4,6 +4,7 @@
 #include "c/draw.hpp"
 #include "c/gathered.hpp"
 #include "c/trace.hpp"
+#include "c/world_changes.hpp"
 #include "graze/graze.hpp"
 
 #define GRAZE_C_SCALAR float

@@ -550,7 +550,12 @@ export interface WorldSettings {
   readonly pointsPerPair?: number;
   /** A last word on a pair that its filters allow. */
   readonly allow?: (a: BodyId, b: BodyId) => boolean;
+  readonly capture?: Capture;
 }
+/** Gets all that changes a world or a simulation, a frame at a call: one behind the other they are what `replay` plays.
+ * What it throws is thrown by the call that ended the frame. What a file cannot hold is refused: functions (`allow`, a
+ * UserConvex), and `reduce`. Of a captured simulation 16 states at a time can be had. Not in graze/queries. */
+export type Capture = (bytes: Uint8Array) => void;
 export interface SolverPoint extends ContactPoint {
   impulse: Vec3;
 }
@@ -657,6 +662,7 @@ export class World extends Handle implements WorldQueries {
 // --- Simulation (not in graze/queries) ---
 
 export interface SimulationSettings {
+  readonly capture?: Capture;
   readonly gravity?: Vec3Like;
   readonly subSteps?: number;
   readonly mostSubSteps?: number;
@@ -956,6 +962,7 @@ export declare namespace plane {
     reduce(most: number): void;
   }
   interface SimulationSettings {
+    readonly capture?: Capture;
     readonly gravity?: ArrayLike<number>;
     readonly subSteps?: number;
     readonly mostSubSteps?: number;

@@ -22,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "graze/plane/simulation.hpp"
@@ -34,8 +35,11 @@ class CaptureWriter;
 template <class T, class Space>
 struct CapturedStates;
 
-/// A simulation whose calls are written to a stream, which must outlive it; with no stream it is only a simulation.
-/// What is said of the calls there holds here.
+/// Takes the bytes of a capture, one frame at a call, and says whether it could.
+using CaptureSink = std::function<bool(std::string_view bytes)>;
+
+/// A simulation whose calls are written to a stream, which must outlive it, or handed to a sink; with neither it is only
+/// a simulation. What is said of the calls there holds here.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedSimulation {
   using Vec = typename Space::Vec;
@@ -48,6 +52,8 @@ class GRAZE_API CapturedSimulation {
  public:
   /// Throws `InvalidValue` when the stream takes no more bytes, as all calls here do.
   explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings = {},
+                              Executor* executor = nullptr);
+  explicit CapturedSimulation(const CaptureSink& sink, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
   ~CapturedSimulation();
   CapturedSimulation(const CapturedSimulation&) = delete;
@@ -88,7 +94,7 @@ class GRAZE_API CapturedSimulation {
   std::unique_ptr<CaptureWriter<T, Space>> writer_;
 };
 
-/// A world whose calls are written to a stream; as `CapturedSimulation`.
+/// A world whose calls are written to a stream or a sink; as `CapturedSimulation`.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedWorld {
   using Vec = typename Space::Vec;
@@ -99,6 +105,7 @@ class GRAZE_API CapturedWorld {
  public:
   /// Throws `InvalidValue` for settings with a last word on pairs (`allow`), which a file cannot hold.
   explicit CapturedWorld(std::ostream* out, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
+  explicit CapturedWorld(const CaptureSink& sink, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
   ~CapturedWorld();
   CapturedWorld(const CapturedWorld&) = delete;
   CapturedWorld& operator=(const CapturedWorld&) = delete;

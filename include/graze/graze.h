@@ -401,6 +401,9 @@ typedef struct GrazeReplayReport {
   size_t frames, calls;  // that came out the same
 } GrazeReplayReport;
 
+// Takes bytes of a capture, a frame at a call; whether it could.
+typedef bool (*GrazeWriteFunction)(void *user, const void *bytes, size_t size);
+
 // ---------------------------------------------------------------------------------------------------------------------
 // Double
 // ---------------------------------------------------------------------------------------------------------------------
@@ -825,6 +828,11 @@ GRAZE_C_API GrazeBodyd graze_body_default_d(const GrazeShaped *shape);
 // points to is not.
 GRAZE_C_API GrazeStatus graze_world_create_d(const GrazeWorldSettingsd *settings, const GrazeExecutor *executor,
                                              GrazeWorldd **world);
+// The same, with every call that changes it handed to `write`, to be played by graze_replay_d (docs/capture.md). Refuses
+// what a file cannot hold: the caller's functions (`allow`, shapes of the caller's own), and changes of contacts.
+GRAZE_C_API GrazeStatus graze_world_create_captured_d(const GrazeWorldSettingsd *settings,
+                                                      const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                      void *user, GrazeWorldd **world);
 GRAZE_C_API void graze_world_destroy_d(GrazeWorldd *world);
 
 // The world of a simulation may be asked, but not changed, by the functions that follow.
@@ -1036,6 +1044,10 @@ typedef struct GrazeStated GrazeStated;
 // `settings` and `executor` may be null, as for a world.
 GRAZE_C_API GrazeStatus graze_simulation_create_d(const GrazeSimulationSettingsd *settings,
                                                   const GrazeExecutor *executor, GrazeSimulationd **simulation);
+// The same, with every call that changes it handed to `write`, as for a world. At most 16 of its states at a time.
+GRAZE_C_API GrazeStatus graze_simulation_create_captured_d(const GrazeSimulationSettingsd *settings,
+                                                           const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                           void *user, GrazeSimulationd **simulation);
 GRAZE_C_API void graze_simulation_destroy_d(GrazeSimulationd *simulation);
 
 // `dynamics` and `material` may be null: the defaults.
@@ -1324,6 +1336,9 @@ GRAZE_C_API GrazePlaneBodyd graze_plane_body_default_d(const GrazePlaneShaped *s
 // points to is not.
 GRAZE_C_API GrazeStatus graze_plane_world_create_d(const GrazeWorldSettingsd *settings, const GrazeExecutor *executor,
                                                    GrazePlaneWorldd **world);
+GRAZE_C_API GrazeStatus graze_plane_world_create_captured_d(const GrazeWorldSettingsd *settings,
+                                                            const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                            void *user, GrazePlaneWorldd **world);
 GRAZE_C_API void graze_plane_world_destroy_d(GrazePlaneWorldd *world);
 
 GRAZE_C_API GrazeStatus graze_plane_world_add_d(GrazePlaneWorldd *world, const GrazePlaneBodyd *body, GrazeBodyId *id);
@@ -1523,6 +1538,9 @@ typedef struct GrazePlaneStated GrazePlaneStated;
 GRAZE_C_API GrazeStatus graze_plane_simulation_create_d(const GrazePlaneSimulationSettingsd *settings,
                                                         const GrazeExecutor *executor,
                                                         GrazePlaneSimulationd **simulation);
+GRAZE_C_API GrazeStatus graze_plane_simulation_create_captured_d(const GrazePlaneSimulationSettingsd *settings,
+                                                                 const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                                 void *user, GrazePlaneSimulationd **simulation);
 GRAZE_C_API void graze_plane_simulation_destroy_d(GrazePlaneSimulationd *simulation);
 
 // `dynamics` and `material` may be null: the defaults.
@@ -1958,6 +1976,9 @@ GRAZE_C_API GrazeBodyf graze_body_default_f(const GrazeShapef *shape);
 
 GRAZE_C_API GrazeStatus graze_world_create_f(const GrazeWorldSettingsf *settings, const GrazeExecutor *executor,
                                              GrazeWorldf **world);
+GRAZE_C_API GrazeStatus graze_world_create_captured_f(const GrazeWorldSettingsf *settings,
+                                                      const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                      void *user, GrazeWorldf **world);
 GRAZE_C_API void graze_world_destroy_f(GrazeWorldf *world);
 
 GRAZE_C_API GrazeStatus graze_world_add_f(GrazeWorldf *world, const GrazeBodyf *body, GrazeBodyId *id);
@@ -2137,6 +2158,9 @@ typedef struct GrazeStatef GrazeStatef;
 
 GRAZE_C_API GrazeStatus graze_simulation_create_f(const GrazeSimulationSettingsf *settings,
                                                   const GrazeExecutor *executor, GrazeSimulationf **simulation);
+GRAZE_C_API GrazeStatus graze_simulation_create_captured_f(const GrazeSimulationSettingsf *settings,
+                                                           const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                           void *user, GrazeSimulationf **simulation);
 GRAZE_C_API void graze_simulation_destroy_f(GrazeSimulationf *simulation);
 
 GRAZE_C_API GrazeStatus graze_simulation_add_f(GrazeSimulationf *simulation, const GrazeBodyf *body,
@@ -2396,6 +2420,9 @@ GRAZE_C_API GrazePlaneBodyf graze_plane_body_default_f(const GrazePlaneShapef *s
 
 GRAZE_C_API GrazeStatus graze_plane_world_create_f(const GrazeWorldSettingsf *settings, const GrazeExecutor *executor,
                                                    GrazePlaneWorldf **world);
+GRAZE_C_API GrazeStatus graze_plane_world_create_captured_f(const GrazeWorldSettingsf *settings,
+                                                            const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                            void *user, GrazePlaneWorldf **world);
 GRAZE_C_API void graze_plane_world_destroy_f(GrazePlaneWorldf *world);
 
 GRAZE_C_API GrazeStatus graze_plane_world_add_f(GrazePlaneWorldf *world, const GrazePlaneBodyf *body, GrazeBodyId *id);
@@ -2567,6 +2594,9 @@ typedef struct GrazePlaneStatef GrazePlaneStatef;
 GRAZE_C_API GrazeStatus graze_plane_simulation_create_f(const GrazePlaneSimulationSettingsf *settings,
                                                         const GrazeExecutor *executor,
                                                         GrazePlaneSimulationf **simulation);
+GRAZE_C_API GrazeStatus graze_plane_simulation_create_captured_f(const GrazePlaneSimulationSettingsf *settings,
+                                                                 const GrazeExecutor *executor, GrazeWriteFunction write,
+                                                                 void *user, GrazePlaneSimulationf **simulation);
 GRAZE_C_API void graze_plane_simulation_destroy_f(GrazePlaneSimulationf *simulation);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_add_f(GrazePlaneSimulationf *simulation, const GrazePlaneBodyf *body,

@@ -18,8 +18,8 @@ class CaptureWriter {
 
  public:
   template <class Settings>
-  CaptureWriter(std::ostream& out, capture::Kind kind, const Settings& settings) : out_(out) {
-    capture::write_head(out, kind, std::is_same_v<T, float>);
+  CaptureWriter(const CaptureSink& sink, capture::Kind kind, const Settings& settings) : sink_(sink) {
+    capture::write_head(sink_, kind, std::is_same_v<T, float>);
     frame_(settings);
     write();
   }
@@ -58,22 +58,26 @@ class CaptureWriter {
 
  private:
   void write() {
-    capture::write_frame(out_, frame_.bytes);
+    capture::write_frame(sink_, frame_.bytes);
     frame_.bytes.clear();
   }
 
-  std::ostream& out_;
+  CaptureSink sink_;
   capture::Writing frame_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::vector<Shape> shapes_;
 };
 
 template <class T, class Space>
-CapturedSimulation<T, Space>::CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings,
+CapturedSimulation<T, Space>::CapturedSimulation(const CaptureSink& sink, const SimulationSettings<T, Space>& settings,
                                                  Executor* executor)
     : simulation_(settings, executor), states_(std::make_unique<CapturedStates<T, Space>>()) {
-  if (out) writer_ = std::make_unique<CaptureWriter<T, Space>>(*out, capture::kind_of<T, Space>(true), settings);
+  if (sink) writer_ = std::make_unique<CaptureWriter<T, Space>>(sink, capture::kind_of<T, Space>(true), settings);
 }
+template <class T, class Space>
+CapturedSimulation<T, Space>::CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings,
+                                                 Executor* executor)
+    : CapturedSimulation(capture::sink_into(out), settings, executor) {}
 template <class T, class Space>
 CapturedSimulation<T, Space>::~CapturedSimulation() = default;
 
@@ -170,9 +174,12 @@ void CapturedSimulation<T, Space>::step(T dt) {
 
 template <class T, class Space>
 CapturedWorld<T, Space>::CapturedWorld(std::ostream* out, const WorldSettings<T>& settings, Executor* executor)
+    : CapturedWorld(capture::sink_into(out), settings, executor) {}
+template <class T, class Space>
+CapturedWorld<T, Space>::CapturedWorld(const CaptureSink& sink, const WorldSettings<T>& settings, Executor* executor)
     : world_(settings, executor) {
   if (settings.allow) throw InvalidValue("settings.allow", "none: a file cannot hold a function", "a function");
-  if (out) writer_ = std::make_unique<CaptureWriter<T, Space>>(*out, capture::kind_of<T, Space>(false), settings);
+  if (sink) writer_ = std::make_unique<CaptureWriter<T, Space>>(sink, capture::kind_of<T, Space>(false), settings);
 }
 template <class T, class Space>
 CapturedWorld<T, Space>::~CapturedWorld() = default;

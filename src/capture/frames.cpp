@@ -19,9 +19,8 @@ std::uint64_t checksum(std::string_view bytes) {
   return value;
 }
 
-void put(std::ostream& out, std::string_view bytes) {
-  if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    throw InvalidValue("capture", "", "the stream takes no more bytes");
+void put(const CaptureSink& sink, std::string_view bytes) {
+  if (!sink(bytes)) throw InvalidValue("capture", "", "the stream takes no more bytes");
 }
 
 }  // namespace
@@ -86,19 +85,25 @@ const char* difference(const Outcome& then, const Outcome& now) {
   return nullptr;
 }
 
-void write_head(std::ostream& out, Kind kind, bool single) {
-  Writing head;
-  head(version, kind, single);
-  put(out, magic);
-  put(out, head.bytes);
+CaptureSink sink_into(std::ostream* out) {
+  if (!out) return {};
+  return [out](std::string_view bytes) {
+    out->write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
+    return out->good();
+  };
 }
 
-void write_frame(std::ostream& out, std::string_view bytes) {
+void write_head(const CaptureSink& sink, Kind kind, bool single) {
   Writing head;
-  head(std::uint64_t{bytes.size()}, checksum(bytes));
-  put(out, head.bytes);
-  put(out, bytes);
-  out.flush();
+  head(version, kind, single);
+  put(sink, std::string(magic) + head.bytes);
+}
+
+void write_frame(const CaptureSink& sink, std::string_view bytes) {
+  Writing frame;
+  frame(std::uint64_t{bytes.size()}, checksum(bytes));
+  frame.bytes += bytes;
+  put(sink, frame.bytes);
 }
 
 std::string FrameReader::take(std::uint64_t count) {

@@ -7,6 +7,7 @@
 #include <iosfwd>
 
 #include "capture/bytes.hpp"
+#include "graze/capture.hpp"
 
 namespace graze::capture {
 
@@ -105,9 +106,11 @@ Outcome outcome_of(const World<T, Space>& world);
 /// "other poses", the first part that differs; null for equal ones.
 const char* difference(const Outcome& then, const Outcome& now);
 
-/// Writes what comes before all frames, and frames. Throws `InvalidValue` when the stream takes no more.
-void write_head(std::ostream& out, Kind kind, bool single);
-void write_frame(std::ostream& out, std::string_view bytes);
+/// Puts each frame into the stream and through to where it leads; none for no stream.
+CaptureSink sink_into(std::ostream* out);
+/// Writes what comes before all frames, and frames. Throws `InvalidValue` when the sink takes no more.
+void write_head(const CaptureSink& sink, Kind kind, bool single);
+void write_frame(const CaptureSink& sink, std::string_view bytes);
 
 struct Head {
   Kind kind;

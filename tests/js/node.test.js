@@ -119,6 +119,59 @@ test("captures of the plane are played again", async () => {
   }
 });
 
+test("a run of JavaScript is captured", async () => {
+  const plane = graze.plane;
+  const ball = (library) => (library === plane ? new plane.Circle(0.5) : new graze.Sphere(0.5));
+  const floor = (library) => (library === plane ? new plane.HalfPlane() : new graze.HalfSpace());
+  for (const library of [graze, plane]) {
+    const at = (y) => (library === plane ? [0, y] : [0, y, 0]);
+    const parts = [];
+    const shapes = [ball(library), floor(library)];
+    const simulation = new library.Simulation({ capture: (bytes) => parts.push(bytes) });
+    const body = simulation.add({ shape: shapes[0], translation: at(2) });
+    simulation.add({ shape: shapes[1], fixed: true });
+    const states = [];
+    for (let i = 0; i < 60; i++) {
+      if (i === 20) states.push(simulation.save());
+      if (i === 40) simulation.restore(states[0]);
+      simulation.step(1 / 60);
+    }
+    states[0].dispose();
+    for (let i = 0; i < 16; i++) states[i] = simulation.save();
+    assert.throws(() => simulation.save(), { message: /at most 16 states/ });
+    const other = new library.Simulation();
+    assert.throws(() => other.restore(states[0]), { message: /^state: expected one of this simulation/ });
+    const end = simulation.pose(body).translation[1];
+    for (const it of [...states, simulation, other]) it.dispose();
+    const file = Buffer.concat(parts);
+    assert.deepEqual(graze.captureHead(file), { simulation: true, plane: library === plane, scalar: "float" });
+    let last;
+    const report = graze.replay(file, (world) => (last = world.pose(world.bodyAt(0)).translation[1]));
+    assert.deepEqual([report.frames, report.cut, report.difference], [61, false, null]); // with the saves behind the last step
+    assert.equal(last, end);
+
+    const calls = [];
+    const world = new library.World({ capture: (bytes) => calls.push(bytes) });
+    const moved = world.add({ shape: shapes[0], translation: at(0.4) });
+    world.add({ shape: shapes[1], fixed: true });
+    world.update();
+    world.moveBatch([moved], library === plane ? [0, 0.3, 1, 0] : [0, 0.3, 0, 0, 0, 0, 1]);
+    world.setFilter(moved, { group: 3 });
+    world.update(0.1);
+    assert.throws(() => world.reduce(1), { message: /not captured, got a captured one/ });
+    world.dispose();
+    const played = graze.replay(Buffer.concat(calls));
+    assert.deepEqual([played.simulation, played.frames, played.calls, played.difference], [false, 2, 8, null]);
+    for (const shape of shapes) shape.dispose();
+  }
+  let room = 1;
+  const full = new graze.Simulation({ capture: () => { if (room-- <= -1) throw new Error("full"); } });
+  assert.throws(() => full.step(0.01), /^Error: full$/);
+  full.dispose();
+  assert.throws(() => new queries.World({ capture() {} }), { message: /none in graze\/queries/ });
+  assert.throws(() => new graze.World({ capture() {}, allow: () => true }), { message: /settings.allow/ });
+});
+
 test("a capture is played again", async () => {
   const file = await readFile(new URL("../../fuzz/corpus/capture/whole-file", import.meta.url));
   const seen = [];

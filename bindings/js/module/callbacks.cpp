@@ -26,6 +26,7 @@ GRAZE_JS_IMPORT("text")
 void graze_js_call_text(std::uintptr_t key, const double* at, const char* words, int layer, int meaning);
 GRAZE_JS_IMPORT("frame")
 void graze_js_call_frame(std::uintptr_t key, std::size_t frame, const void* world, const void* plane_world);
+GRAZE_JS_IMPORT("write") bool graze_js_call_write(std::uintptr_t key, const void* bytes, std::size_t size);
 
 }  // extern "C"
 
@@ -51,6 +52,8 @@ void release(void* user) { graze_js_call_release(key_of(user)); }
 void frame(void* user, std::size_t number, const void* world, const void* plane_world) {
   graze_js_call_frame(key_of(user), number, world, plane_world);
 }
+
+bool write(void* user, const void* bytes, std::size_t size) { return graze_js_call_write(key_of(user), bytes, size); }
 
 /// Hands places on, one behind the other.
 template <class... Places>
@@ -84,6 +87,8 @@ GRAZE_JS_EXPORT("graze_js_allow") void* graze_js_allow() { return reinterpret_ca
 GRAZE_JS_EXPORT("graze_js_accept") void* graze_js_accept() { return reinterpret_cast<void*>(&accept); }
 
 GRAZE_JS_EXPORT("graze_js_frame") void* graze_js_frame() { return reinterpret_cast<void*>(&frame); }
+
+GRAZE_JS_EXPORT("graze_js_write") void* graze_js_write() { return reinterpret_cast<void*>(&write); }
 
 /// Makes a renderer hand everything to the function of JavaScript with that number.
 GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* on, std::uintptr_t key) {

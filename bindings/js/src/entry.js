@@ -2,7 +2,7 @@
 
 import { Core, handleClass, InvalidValue } from "./core.js";
 import { drawImports } from "./draw.js";
-import { replayImports } from "./replay.js";
+import { captureImports } from "./capture.js";
 import { layouts } from "./layout.js";
 import { argumentsOf, shapeClasses } from "./shapes.js";
 import { spaceQuestions } from "./questions.js";
@@ -25,7 +25,7 @@ function callbackImports(core) {
     },
     release: (key) => core.callbacks.delete(key),
     ...drawImports(core),
-    ...replayImports(core),
+    ...captureImports(core),
   };
 }
 

@@ -1,5 +1,6 @@
 // Bodies that fall, collide, rest and are tied together; and what one blow does.
 
+import { created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
 
@@ -85,14 +86,8 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
 
   class Simulation extends Handle {
     constructor(settings = {}) {
-      super(
-        core.frame(() => {
-          const result = core.room(4);
-          call("create", settled(types.simulationSettings, "simulation_settings", settings), 0, result);
-          return core.data.getUint32(result, true);
-        }),
-        (p) => core.exports[`graze_${prefix}simulation_destroy_${core.scalar}`](p),
-      );
+      const begin = () => settled(types.simulationSettings, "simulation_settings", settings);
+      super(...created(core, `${prefix}simulation`, begin, settings.capture));
       const world = () => core.frame(() => answered(layout.u32, (p) => call("world", at(this), p)));
       this.world = questionable({}, world);
     }

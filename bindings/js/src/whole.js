@@ -2,7 +2,7 @@
 
 import { drawings, spaceDrawings, worldDrawings } from "./draw.js";
 import { queriesEntry } from "./entry.js";
-import { replays } from "./replay.js";
+import { replays } from "./capture.js";
 import { plane } from "./plane.js";
 import { blows, simulationClasses } from "./simulation.js";
 

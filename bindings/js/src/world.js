@@ -1,5 +1,6 @@
 // Bodies, what touches, and questions about them.
 
+import { created } from "./capture.js";
 import { InvalidValue, shown } from "./core.js";
 
 const integers = (value, path) => {
@@ -172,21 +173,18 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
   class World extends Handle {
     constructor(settings = {}) {
       const allow = kept(settings.allow, "graze_js_allow");
-      super(
-        core.frame(() => {
-          const p = core.room(layout.worldSettings.size);
-          const { margin, pointsPerPair } = settings;
-          layout.worldSettings.write(p, {
-            hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 });
-          const world = core.room(4);
-          call("create", p, 0, world);
-          return core.data.getUint32(world, true);
-        }),
-        (pointer) => {
-          core.exports[`graze_${prefix}world_destroy_${core.scalar}`](pointer);
-          if (allow.key !== null) core.callbacks.delete(allow.key);
-        },
-      );
+      const begin = () => {
+        const p = core.room(layout.worldSettings.size);
+        const { margin, pointsPerPair } = settings;
+        layout.worldSettings.write(p, {
+          hasMargin: margin !== undefined, margin, pointsPerPair, allow: allow.function, user: allow.key ?? 0 });
+        return p;
+      };
+      const [pointer, release] = created(core, `${prefix}world`, begin, settings.capture);
+      super(pointer, (p) => {
+        release(p);
+        if (allow.key !== null) core.callbacks.delete(allow.key);
+      });
       questionable(this, () => Handle.pointer(this, "world", World));
     }
     add(body) {

@@ -1,11 +1,46 @@
-// Captures played again.
+// Captures: written while a world or a simulation is changed, and played again.
 
-/** What the module calls after each frame. */
-export function replayImports(core) {
+import { InvalidValue } from "./core.js";
+
+/** What the module calls with the bytes of each frame, and after each frame that is played. */
+export function captureImports(core) {
   return {
+    write: (key, bytes, size) =>
+      core.called(key, 0, (capture) => {
+        capture(new Uint8Array(core.memory().buffer, bytes >>> 0, size >>> 0).slice());
+        return 1;
+      }),
     frame: (key, frame, world, planeWorld) =>
       core.called(key, undefined, (each) => each(frame >>> 0, world >>> 0, planeWorld >>> 0)),
   };
+}
+
+/**
+ * The pointer of a new world or simulation, and what gives it back; `name` is that of its functions, `settings` writes
+ * what it begins with. A captured one where `capture` is a function.
+ */
+export function created(core, name, settings, capture) {
+  const key = capture === undefined ? null : core.keep(capture);
+  const end = () => core.callbacks.delete(key);
+  const make = () => {
+    const result = core.room(4);
+    if (key === null) core.call(`${name}_create`, settings(), 0, result);
+    else core.call(`${name}_create_captured`, settings(), 0, core.exports.graze_js_write(), key, result);
+    return core.data.getUint32(result, true);
+  };
+  const release = (pointer) => {
+    core.exports[`graze_${name}_destroy_${core.scalar}`](pointer);
+    end();
+    core.thrown = null; // nobody is there who could be told
+  };
+  try {
+    if (key !== null && core.exports[`graze_${name}_create_captured_${core.scalar}`] === undefined)
+      throw new InvalidValue("capture: expected none in graze/queries, got a function");
+    return [core.frame(make), release];
+  } catch (error) {
+    end();
+    throw error;
+  }
 }
 
 export function replays(core, layout, worlds, planeWorlds) {
