@@ -1129,3 +1129,45 @@ export function replay(
 export function query(line: string): string;
 /** The same with its trace, whatever the question says. */
 export function explain(line: string): string;
+
+/** A shape of the query protocol: its type, and under that name its measures. */
+export interface ProtocolShape {
+  type: string;
+  margin?: number;
+  [measures: string]: unknown;
+}
+/** A scene of the plane as `graze collide` and `graze simulate` read it as JSON (docs/plane.md). Y points up. */
+export interface PlaneScene {
+  dimension: 2;
+  gravity?: Vec2;
+  bodies: {
+    name: string;
+    shape: ProtocolShape;
+    translation: Vec2;
+    rotation?: number;
+    /** Shapes of the same body move as one. */
+    body?: string;
+    /** Or fixed. */
+    motion?: "kinematic" | "dynamic";
+    trigger?: boolean;
+    systems?: string[];
+    collideWith?: string[];
+    notCollideWith?: string[];
+    linear?: Vec2;
+    angular?: number;
+    mass?: number;
+    inertia?: number;
+    gravityFactor?: number;
+    friction?: number;
+    restitution?: number;
+  }[];
+}
+/** What of an element of a DOM is looked at: a browser's has all of it. */
+export interface DrawnElement {
+  readonly localName: string;
+  readonly attributes: Iterable<{ readonly name: string; readonly value: string }>;
+  readonly children: Iterable<DrawnElement>;
+}
+/** The scene that an `<svg>` element draws, read as `graze collide` reads a drawing. Throws `InvalidValue` that names the
+ * element. graze/double alone. */
+export function planeScene(svg: DrawnElement): PlaneScene;

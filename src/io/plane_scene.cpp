@@ -5,6 +5,7 @@
 #include "graze/io/file.hpp"
 #include "io/plane_question.hpp"
 #include "io/plane_scene_parts.hpp"
+#include "io/svg_scene.hpp"
 
 namespace graze::io {
 
@@ -121,6 +122,16 @@ void PlaneSceneBuilder::add(std::string name, const Role& role, plane::Shaped sh
 bool is_plane_scene(const std::filesystem::path& file) {
   const std::string ending = ending_of(file);
   return ending == ".svg" || ending == ".json";
+}
+
+PlaneScene load_plane_svg(const std::string& bytes, const std::string& source_name) {
+  XmlElement root;
+  try {
+    root = read_xml(bytes);
+  } catch (const InvalidValue& e) {
+    throw InvalidValue(source_name + ": " + e.path(), e.expectation(), e.found());
+  }
+  return read_svg(root, source_name);
 }
 
 PlaneScene load_plane_json(const std::string& bytes, const std::string& source_name) {

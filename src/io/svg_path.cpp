@@ -1,10 +1,10 @@
 #include "io/svg_path.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <string>
 
 #include "graze/validate.hpp"
+#include "io/parsed_number.hpp"
 #include "io/text_lines.hpp"
 
 namespace graze::io {
@@ -35,10 +35,9 @@ class Scanner {
     if (!at_number()) fail("a number");
     std::size_t from = at_;
     if (text_[from] == '+') ++from;
-    double value = 0;
-    const auto [end, error] = std::from_chars(text_.data() + from, text_.data() + text_.size(), value);
+    const auto [value, length, error] = parse_number(text_.substr(from));
     if (error != std::errc() || !std::isfinite(value)) fail("a finite number");
-    at_ = static_cast<std::size_t>(end - text_.data());
+    at_ = from + length;
     return value;
   }
   /// One digit of an arc's flags, which need no space after them.

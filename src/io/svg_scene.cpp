@@ -1,8 +1,5 @@
-// Scenes of the plane drawn in SVG.
-//
-// The library behind it, tinyxml2, expands no entities but the five of XML itself and refuses elements nested deeper
-// than it can walk; numbers of elements and points are bounded here.
-#include <tinyxml2.h>
+// Scenes of the plane drawn in SVG. Numbers of elements and points are bounded here.
+#include "io/svg_scene.hpp"
 
 #include <cmath>
 #include <limits>
@@ -20,7 +17,6 @@ namespace {
 
 using plane::Pose2d;
 using plane::Vec2d;
-using tinyxml2::XMLElement;
 
 constexpr std::size_t most_elements = 1000000;
 /// Cutting a solid polygon of n vertices takes up to n^2 steps; of all of a file together no more than this, which is
@@ -48,17 +44,13 @@ std::vector<std::string> words_of(std::string_view text) {
 
 class SvgReader {
  public:
-  SvgReader(const std::string& bytes, const std::string& name) : scene_(name) {
-    if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
-      throw InvalidValue("line " + std::to_string(document_.ErrorLineNum()), "an XML document",
-                         tinyxml2::XMLDocument::ErrorIDToName(document_.ErrorID()));
-    const XMLElement* root = document_.RootElement();
-    if (!root || local_name(*root) != "svg") throw InvalidValue("", "an <svg> element as the root", "none");
+  SvgReader(const XmlElement& root, const std::string& name) : scene_(name) {
+    if (root.name != "svg") throw InvalidValue("", "an <svg> element as the root", "none");
     Context context;
     context.map = {{1, 0}, {0, -1}, {}};  // the Y axis points up here
-    with(*root, "data-gravity",
+    with(root, "data-gravity",
          [&](std::string_view text) { scene_.set_gravity(context.map.direction(vector_in(text))); });
-    walk(*root, context);
+    walk(root, context);
     for (const std::string& element : skipped_)
       scene_.note("<" + element + "> elements are no shapes and were left out");
   }
@@ -66,32 +58,26 @@ class SvgReader {
   PlaneScene take() { return scene_.take(); }
 
  private:
-  static std::string local_name(const XMLElement& element) {
-    const std::string name = element.Name();
-    const std::size_t colon = name.find(':');
-    return colon == std::string::npos ? name : name.substr(colon + 1);
-  }
-
   /// Where an element stands, for errors: "line 12: <rect id=floor>".
-  static std::string place_of(const XMLElement& element) {
-    const char* id = element.Attribute("id");
-    return "line " + std::to_string(element.GetLineNum()) + ": <" + local_name(element) +
-           (id ? " id=" + quoted(id) : std::string()) + ">";
+  static std::string place_of(const XmlElement& element) {
+    const std::string* id = element.attribute("id");
+    return (element.line ? "line " + std::to_string(element.line) + ": <" : "<") + element.name +
+           (id ? " id=" + quoted(std::string_view(*id)) : std::string()) + ">";
   }
 
   /// Calls `f` with the value of an attribute; what it refuses is refused by the attribute's name.
   template <class F>
-  static void with(const XMLElement& element, const char* name, const F& f) {
-    const char* value = element.Attribute(name);
+  static void with(const XmlElement& element, const char* name, const F& f) {
+    const std::string* value = element.attribute(name);
     if (!value) return;
     try {
-      f(std::string_view(value));
+      f(std::string_view(*value));
     } catch (const InvalidValue& e) {
       throw InvalidValue(std::string(name) + (e.path().empty() ? "" : ", " + e.path()), e.expectation(), e.found());
     }
   }
 
-  static double number(const XMLElement& element, const char* name, double otherwise) {
+  static double number(const XmlElement& element, const char* name, double otherwise) {
     double out = otherwise;
     with(element, name, [&](std::string_view text) {
       if (text.ends_with("px")) text.remove_suffix(2);
@@ -101,7 +87,7 @@ class SvgReader {
     });
     return out;
   }
-  static double length_of(const XMLElement& element, const char* name, double otherwise = 0) {
+  static double length_of(const XmlElement& element, const char* name, double otherwise = 0) {
     const double value = number(element, name, otherwise);
     if (value < 0) throw InvalidValue(name, "a number >= 0", validate::number(value));
     return value;
@@ -120,7 +106,7 @@ class SvgReader {
   }
 
   /// The attributes that an element adds to what it was handed down.
-  static void add_attributes(const XMLElement& element, Context& context) {
+  static void add_attributes(const XmlElement& element, Context& context) {
     with(element, "transform", [&](std::string_view text) { context.map = context.map * read_transform(text); });
     PlaneSceneBuilder::Role& role = context.role;
     with(element, "class", [&](std::string_view text) {
@@ -142,7 +128,7 @@ class SvgReader {
       role.not_collide_with.clear();
     });
     with(element, "data-not-collide-with", [&](std::string_view text) {
-      if (element.Attribute("data-collide-with")) throw InvalidValue("", "none beside data-collide-with", "both");
+      if (element.attribute("data-collide-with")) throw InvalidValue("", "none beside data-collide-with", "both");
       role.not_collide_with = words_of(text);
       role.collide_with.clear();
     });
@@ -155,36 +141,35 @@ class SvgReader {
   }
 
   /// Of a body that is played. Velocities are in the frame of the element, a turning as that of `rotate`.
-  static void add_physics(const XMLElement& element, Context& context) {
+  static void add_physics(const XmlElement& element, Context& context) {
     PlaneMotion& motion = context.role.physics;
     with(element, "data-velocity",
          [&](std::string_view text) { motion.linear = context.map.direction(vector_in(text)); });
-    if (element.Attribute("data-angular"))
+    if (element.attribute("data-angular"))
       motion.angular = std::copysign(1.0, cross(context.map.x, context.map.y)) * number(element, "data-angular", 0);
-    if (element.Attribute("data-mass")) motion.mass = number(element, "data-mass", 0);
-    if (element.Attribute("data-inertia")) motion.inertia = number(element, "data-inertia", 0);
+    if (element.attribute("data-mass")) motion.mass = number(element, "data-mass", 0);
+    if (element.attribute("data-inertia")) motion.inertia = number(element, "data-inertia", 0);
     motion.gravity_factor = number(element, "data-gravity-factor", motion.gravity_factor);
     motion.friction = number(element, "data-friction", motion.friction);
     motion.restitution = number(element, "data-restitution", motion.restitution);
   }
 
-  static bool hidden(const XMLElement& element) {
-    const char *display = element.Attribute("display"), *style = element.Attribute("style");
-    if (display && std::string_view(display) == "none") return true;
+  static bool hidden(const XmlElement& element) {
+    const std::string *display = element.attribute("display"), *style = element.attribute("style");
+    if (display && *display == "none") return true;
     if (!style) return false;
     std::string plain;
-    for (const char c : std::string_view(style))
+    for (const char c : *style)
       if (!is_space(c)) plain += c;
     return (";" + plain + ";").find(";display:none;") != std::string::npos;
   }
 
-  /// As deep as the parser goes: 100 elements.
-  void walk(const XMLElement& element, Context context) {
+  void walk(const XmlElement& element, Context context) {
     if (++elements_ > most_elements)
       throw InvalidValue("", "at most " + std::to_string(most_elements) + " elements", "more");
     try {
       if (hidden(element)) return;
-      const std::string name = local_name(element);
+      const std::string& name = element.name;
       const bool group = name == "svg" || name == "g" || name == "a" || name == "switch";
       if (!group && !is_shape(name)) {
         // What is drawn and no shape is named; what only describes is not.
@@ -195,10 +180,9 @@ class SvgReader {
       add_attributes(element, context);
       if (!group) return add(element, name, context);
     } catch (const InvalidValue& e) {
-      throw e.path().starts_with("line ") ? e : e.below(place_of(element));
+      throw e.below(place_of(element));
     }
-    for (const XMLElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
-      walk(*child, context);
+    for (const XmlElement& child : element.children) walk(child, context);
   }
 
   static bool is_shape(const std::string& name) {
@@ -206,7 +190,7 @@ class SvgReader {
     return shapes.count(name) != 0;
   }
 
-  void add(const XMLElement& element, const std::string& name, const Context& context) {
+  void add(const XmlElement& element, const std::string& name, const Context& context) {
     const double margin = length_of(element, "data-margin");
     if (name == "rect") return add_rect(element, context, margin);
     if (name == "circle" || name == "ellipse") return add_ellipse(element, name, context, margin);
@@ -239,19 +223,19 @@ class SvgReader {
     if (!path.points.empty()) add_points(element, path, context, margin, solid);
   }
 
-  void put(const XMLElement& element, const Context& context, plane::Shaped shape, const Pose2d& pose) {
+  void put(const XmlElement& element, const Context& context, plane::Shaped shape, const Pose2d& pose) {
     for (const double v : {pose.translation.x, pose.translation.y})
       if (const char* expectation = validate::fault_of_coordinate(v))
         throw InvalidValue("position", expectation, validate::number(v));
-    const char* id = element.Attribute("id");
-    std::string name = id ? id : local_name(element) + " " + std::to_string(scene_.size());
+    const std::string* id = element.attribute("id");
+    std::string name = id ? *id : element.name + " " + std::to_string(scene_.size());
     scene_.add(std::move(name), context.role, std::move(shape), pose);
   }
 
-  void add_rect(const XMLElement& element, const Context& context, double margin) {
+  void add_rect(const XmlElement& element, const Context& context, double margin) {
     const double width = length_of(element, "width"), height = length_of(element, "height");
     const Vec2d corner{number(element, "x", 0), number(element, "y", 0)};
-    const bool has_x = element.Attribute("rx"), has_y = element.Attribute("ry");
+    const bool has_x = element.attribute("rx"), has_y = element.attribute("ry");
     double rx = has_x ? length_of(element, "rx") : length_of(element, "ry");
     double ry = has_y ? length_of(element, "ry") : rx;
     rx = std::min(rx, width / 2), ry = std::min(ry, height / 2);
@@ -276,7 +260,7 @@ class SvgReader {
         {context.map(center), turn});
   }
 
-  void add_ellipse(const XMLElement& element, const std::string& name, const Context& context, double margin) {
+  void add_ellipse(const XmlElement& element, const std::string& name, const Context& context, double margin) {
     const bool circle = name == "circle";
     const double rx = length_of(element, circle ? "r" : "rx"), ry = circle ? rx : length_of(element, "ry");
     const Vec2d center{number(element, "cx", 0), number(element, "cy", 0)};
@@ -288,7 +272,7 @@ class SvgReader {
   }
 
   /// A closed outline as a solid polygon or a closed chain, an open one as a chain; two points as a segment.
-  void add_points(const XMLElement& element, Subpath path, const Context& context, double margin, bool solid) {
+  void add_points(const XmlElement& element, Subpath path, const Context& context, double margin, bool solid) {
     std::vector<Vec2d>& points = path.points;
     const auto repeats = [](const Vec2d& p, const Vec2d& q) { return p == q; };
     points.erase(std::unique(points.begin(), points.end(), repeats), points.end());
@@ -314,7 +298,6 @@ class SvgReader {
     put(element, context, {plane::Chain<double>(points, path.closed, sides), margin}, pose);
   }
 
-  tinyxml2::XMLDocument document_;
   PlaneSceneBuilder scene_;
   std::set<std::string> skipped_;
   std::size_t elements_ = 0;
@@ -323,9 +306,9 @@ class SvgReader {
 
 }  // namespace
 
-PlaneScene load_plane_svg(const std::string& bytes, const std::string& source_name) {
+PlaneScene read_svg(const XmlElement& root, const std::string& source_name) {
   try {
-    return SvgReader(bytes, source_name).take();
+    return SvgReader(root, source_name).take();
   } catch (const InvalidValue& e) {
     throw InvalidValue(e.path().empty() ? source_name : source_name + ": " + e.path(), e.expectation(), e.found());
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graze/error.hpp"
+#include "io/parsed_number.hpp"
 
 namespace graze::io {
 
@@ -17,12 +18,11 @@ std::string quoted(std::string_view text) {
 
 std::optional<double> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [value, length, error] = parse_number(word);
   // Beyond a double's range the word is still a number: a huge one, or one that is zero but for its rounding.
-  if (error == std::errc::result_out_of_range && end == word.data() + word.size())
+  if (error == std::errc::result_out_of_range && length == word.size())
     return word.find("e-") == std::string_view::npos && word.find("E-") == std::string_view::npos ? HUGE_VAL : 0.0;
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  if (error != std::errc() || length != word.size()) return std::nullopt;
   return value;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "graze/error.hpp"
 #include "graze/plane/mass.hpp"
@@ -188,6 +189,60 @@ TEST(PlaneJson, BodiesOfTheProtocol) {
                             R"x({"dimension": 2, "bodies": [{"shape": {"type": "plane"}, "colour": 1}]})x",
                             R"x({"dimension": 2, "bodies": [{"shape": {"type": "box", "box": {"size": [-1, 1]}}}]})x"})
     EXPECT_THROW(load_plane_json(wrong, "t.json"), InvalidValue) << wrong;
+}
+
+/// Every word of a scene, and every number to the last bit but those of turns.
+void expect_same(const PlaneScene& a, const PlaneScene& b) {
+  EXPECT_EQ(a.gravity, b.gravity);
+  EXPECT_EQ(a.collision_systems.size(), b.collision_systems.size());
+  ASSERT_EQ(a.bodies.size(), b.bodies.size());
+  for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+    EXPECT_EQ(a.bodies[i].name, b.bodies[i].name);
+    EXPECT_EQ(a.bodies[i].type, b.bodies[i].type);
+    EXPECT_EQ(a.bodies[i].motion, b.bodies[i].motion);
+  }
+  const auto bits = [](const PlaneScene& scene, std::uint64_t mask) {
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < scene.collision_systems.size(); ++k)
+      if (mask >> k & 1) names.insert(scene.collision_systems[k]);
+    if (mask >> 63) names.insert("no system");
+    return names;
+  };
+  ASSERT_EQ(a.colliders.size(), b.colliders.size());
+  for (std::size_t i = 0; i < a.colliders.size(); ++i) {
+    const PlaneCollider &p = a.colliders[i], &q = b.colliders[i];
+    EXPECT_EQ(p.name, q.name);
+    EXPECT_EQ(p.body, q.body);
+    EXPECT_EQ(p.trigger, q.trigger);
+    EXPECT_EQ(bits(a, p.filter.category), bits(b, q.filter.category)) << p.name;
+    EXPECT_EQ(bits(a, p.filter.mask), bits(b, q.filter.mask)) << p.name;
+    EXPECT_EQ(p.shape.index(), q.shape.index());
+    EXPECT_EQ(p.shape.rounding(), q.shape.rounding());
+    EXPECT_EQ(p.pose.translation, q.pose.translation);
+    EXPECT_NEAR(p.pose.rotation.sine, q.pose.rotation.sine, 1e-15);
+    EXPECT_NEAR(p.pose.rotation.cosine, q.pose.rotation.cosine, 1e-15);
+    const auto box_p = plane::bounds(p.shape, {}), box_q = plane::bounds(q.shape, {});
+    EXPECT_TRUE(box_p.lower == box_q.lower && box_p.upper == box_q.upper) << p.name;
+  }
+}
+
+TEST(PlaneJson, AWrittenSceneIsReadAgain) {
+  const PlaneScene drawn = svg(R"x(<g data-systems="a b" data-collide-with="b"><circle r="1"/></g>
+      <rect id="&quot;r&quot;" width="3" height="2" rx="0.3" transform="rotate(30)" data-not-collide-with="a c"/>
+      <g class="dynamic" data-body="cart" data-mass="2" data-velocity="1 2" data-angular="3" data-friction="0.1">
+        <circle cx="9" r="1"/><ellipse cx="12" rx="2" ry="1"/></g>
+      <polygon class="kinematic" points="0 0 4 0 4 4 2 1" data-margin="0.25" data-restitution="0.5"/>
+      <polyline class="trigger" points="0,9 4,9 4,12" data-sides="one"/><line x2="4" data-inertia="3"/>)x");
+  expect_same(load_plane_json(to_json(drawn), "t.json"), drawn);
+  const PlaneScene told = load_plane_json(R"x({"dimension": 2, "gravity": [0, -3], "bodies": [
+      {"shape": {"type": "plane"}}, {"shape": {"type": "convex", "convex": {"points": [[0, 0], [1, 0], [0, 1]]}}},
+      {"name": "c", "rotation": 0.3, "shape": {"type": "capsule", "capsule": {"height": 1, "radiusBottom": 1, "radiusTop": 0.5}}},
+      {"body": "two", "shape": {"type": "compound", "compound": {"children": [{"shape": {"type": "box", "box":
+        {"size": [1, 2]}}, "translation": [3, 4], "rotation": 1}]}}}]})x",
+                                          "t.json");
+  expect_same(load_plane_json(to_json(told), "t.json"), told);
+  const PlaneScene example = load_plane_scene(std::string(GRAZE_SOURCE_DIR) + "/examples/scenes/plane.svg");
+  expect_same(load_plane_json(to_json(example), "t.json"), example);
 }
 
 TEST(PlaneCollide, FindsThePairsOfABruteForce) {

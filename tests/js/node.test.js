@@ -119,6 +119,26 @@ test("captures of the plane are played again", async () => {
   }
 });
 
+/** An element as a DOM has it. */
+const element = (localName, attributes = {}, ...children) => ({
+  localName, attributes: Object.entries(attributes).map(([name, value]) => ({ name, value })), children });
+
+test("a drawing is read as a scene of the plane", () => {
+  const drawing = element("svg", { "data-gravity": "0 10" },
+    element("g", { class: "dynamic", transform: "translate(3 4)" }, element("circle", { id: "ball", r: "2" })),
+    element("rect", { width: "4", height: "2", rx: "0.5", "data-systems": "ground" }));
+  assert.deepEqual(double.planeScene(drawing), {
+    dimension: 2, gravity: [0, -10], bodies: [
+      { name: "ball", shape: { type: "circle", circle: { radius: 2 } }, translation: [3, -4], motion: "dynamic" },
+      { name: "rect 1", shape: { type: "box", box: { size: [3, 1] }, margin: 0.5 }, translation: [2, -1], systems: ["ground"] }] });
+  assert.throws(() => double.planeScene(element("svg", {}, element("rect", { id: "r", width: "-1" }))), {
+    name: "InvalidValue", message: 'drawing: <rect id="r">.width: expected a number >= 0, got -1' });
+  assert.throws(() => double.planeScene(element("html")), { message: /expected an <svg> element as the root/ });
+  let deep = element("g");
+  for (let i = 0; i < 2000; i++) deep = element("g", {}, deep);
+  assert.throws(() => double.planeScene(element("svg", {}, deep)), { name: "InvalidValue" });
+});
+
 test("a run of JavaScript is captured", async () => {
   const plane = graze.plane;
   const ball = (library) => (library === plane ? new plane.Circle(0.5) : new graze.Sphere(0.5));
@@ -206,8 +226,8 @@ test("every export is declared, and every declaration exported", async () => {
   const inPlane = [...declarations.matchAll(/^  (?:class|function|const) (\w+)/gm)].map((m) => m[1]);
   const plane = Object.keys(double.plane);
   assert.deepEqual(plane.sort(), [...new Set(inPlane)].sort());
-  assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain"].includes(name)));
+  assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain", "planeScene"].includes(name)));
   const only = [
-    "query", "explain", "traced", "draw", "captureHead", "replay", "response", "applyImpulse", "Simulation", "State", "plane"];
+    "query", "explain", "planeScene", "traced", "draw", "captureHead", "replay", "response", "applyImpulse", "Simulation", "State", "plane"];
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });

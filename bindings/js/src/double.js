@@ -15,16 +15,27 @@ export const {
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
-const answered = (line, explained) =>
+/** What a function of the module answers to a text. */
+const answered = (name, text, ...more) =>
   core.frame(() => {
-    const bytes = encoder.encode(line);
+    const bytes = encoder.encode(text);
     const place = core.room(Math.max(1, bytes.length));
     new Uint8Array(core.memory().buffer).set(bytes, place);
     const count = core.room(4);
-    const answer = core.exports.graze_js_answer(place, bytes.length, explained, count);
+    const answer = core.exports[name](place, bytes.length, ...more, count);
     const { buffer } = core.memory();
     return decoder.decode(new Uint8Array(buffer, answer, core.data.getUint32(count, true)));
   });
 
-export const query = (line) => answered(line, 0);
-export const explain = (line) => answered(line, 1);
+export const query = (line) => answered("graze_js_answer", line, 0);
+export const explain = (line) => answered("graze_js_answer", line, 1);
+
+/** An element of a DOM as the module reads it. */
+const elements = ({ localName, attributes, children }) => [
+  localName, Object.fromEntries(Array.from(attributes, ({ name, value }) => [name, value])), Array.from(children, elements)];
+
+export function planeScene(root) {
+  const { error, ...scene } = JSON.parse(answered("graze_js_plane_scene", JSON.stringify(elements(root))));
+  if (error !== undefined) throw new InvalidValue(error);
+  return scene;
+}

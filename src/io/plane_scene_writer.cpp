@@ -1,0 +1,158 @@
+// Scenes of the plane as JSON.
+#include <cmath>
+
+#include "graze/error.hpp"
+#include "graze/io/plane_scene.hpp"
+#include "io/json_value.hpp"
+#include "io/json_writer.hpp"
+#include "io/plane_scene_parts.hpp"
+
+namespace graze::io {
+
+namespace {
+
+using plane::Vec2d;
+
+std::string text(const std::string& words) { return Json(words).dump(-1, ' ', false, Json::error_handler_t::replace); }
+JsonWriter& put(JsonWriter& out, const Vec2d& v) { return out.open('[').number(v.x).number(v.y).close(']'); }
+
+void write_shape(JsonWriter& out, const plane::Shaped& shape);
+
+void write_pose(JsonWriter& out, const plane::Pose2d& pose) {
+  put(out.key("translation"), pose.translation);
+  if (pose.rotation.sine != 0 || pose.rotation.cosine != 1)
+    out.key("rotation").number(std::atan2(pose.rotation.sine, pose.rotation.cosine));
+}
+
+/// The measures of a shape of each kind, as the query protocol has them.
+class Measures {
+ public:
+  explicit Measures(JsonWriter& out) : out_(out) {}
+
+  void operator()(const plane::Circle<double>& c) { key("radius").number(c.radius()); }
+  void operator()(const plane::Capsule<double>& c) {
+    key("height").number(2 * c.half_height());
+    key("radiusBottom").number(c.radius_bottom());
+    key("radiusTop").number(c.radius_top());
+  }
+  void operator()(const plane::Box<double>& b) { put(key("size"), b.half_extents() * 2.0); }
+  void operator()(const plane::Segment<double>& s) { points({s.a(), s.b()}); }
+  void operator()(const plane::ConvexPolygon<double>& p) { points({p.vertices().begin(), p.vertices().end()}); }
+  void operator()(const plane::Ellipse<double>& e) { put(key("radii"), e.radii()); }
+  void operator()(const plane::HalfPlane<double>&) {}
+  void operator()(const plane::Polygon<double>& p) { points(p.pieces().outline_vertices()); }
+  void operator()(const plane::Chain<double>& c) {
+    points(c.pieces().outline_vertices());
+    if (c.closed()) key("closed").value(true);
+    if (c.sides() == plane::ChainSides::one) key("sides").raw("\"one\"");
+  }
+  void operator()(const plane::Compound<double>& c) {
+    key("children").open('[');
+    for (const auto& child : c.children()) {
+      write_shape(out_.open('{').key("shape"), child.shape);
+      write_pose(out_, child.pose);
+      out_.close('}');
+    }
+    out_.close(']');
+  }
+  void operator()(const plane::UserConvex<double>&) {
+    throw InvalidValue("shape", "a shape that a file can hold", "one of the user's own");
+  }
+
+ private:
+  JsonWriter& key(const char* name) { return out_.key(name); }
+  void points(const std::vector<Vec2d>& all) {
+    key("points").open('[');
+    for (const Vec2d& p : all) put(out_, p);
+    out_.close(']');
+  }
+
+  JsonWriter& out_;
+};
+
+/// "circle": a shape's kind as the protocol calls it.
+const char* type_of(const plane::Shaped& shape) {
+  struct {
+    const char* operator()(const plane::Circle<double>&) { return "circle"; }
+    const char* operator()(const plane::Capsule<double>&) { return "capsule"; }
+    const char* operator()(const plane::Box<double>&) { return "box"; }
+    const char* operator()(const plane::Segment<double>&) { return "segment"; }
+    const char* operator()(const plane::ConvexPolygon<double>&) { return "convex"; }
+    const char* operator()(const plane::Ellipse<double>&) { return "ellipse"; }
+    const char* operator()(const plane::HalfPlane<double>&) { return "plane"; }
+    const char* operator()(const plane::Polygon<double>&) { return "polygon"; }
+    const char* operator()(const plane::Chain<double>&) { return "chain"; }
+    const char* operator()(const plane::Compound<double>&) { return "compound"; }
+    const char* operator()(const plane::UserConvex<double>&) { return ""; }
+  } name;
+  return shape.visit(name);
+}
+
+void write_shape(JsonWriter& out, const plane::Shaped& shape) {
+  const std::string type = type_of(shape);
+  out.open('{').key("type").raw(text(type));
+  out.key(type).open('{');
+  Measures measures(out);
+  shape.visit([&](const auto& concrete) { measures(concrete); });
+  out.close('}');
+  if (shape.rounding() > 0) out.key("margin").number(shape.rounding());
+  out.close('}');
+}
+
+/// How a body is moved, without what is so by default.
+void write_motion(JsonWriter& out, const PlaneSceneBody& body) {
+  const PlaneMotion &motion = body.motion, usual;
+  if (body.type != MotionType::fixed)
+    out.key("motion").raw(body.type == MotionType::dynamic ? "\"dynamic\"" : "\"kinematic\"");
+  if (!(motion.linear == usual.linear)) put(out.key("linear"), motion.linear);
+  const auto number = [&](const char* name, double value, double otherwise) {
+    if (value != otherwise) out.key(name).number(value);
+  };
+  number("angular", motion.angular, usual.angular);
+  if (motion.mass) out.key("mass").number(*motion.mass);
+  if (motion.inertia) out.key("inertia").number(*motion.inertia);
+  number("gravityFactor", motion.gravity_factor, usual.gravity_factor);
+  number("friction", motion.friction, usual.friction);
+  number("restitution", motion.restitution, usual.restitution);
+}
+
+/// The names behind the bits of a filter. The last bit is that of what belongs to no system.
+void write_filter(JsonWriter& out, const Filter& filter, const std::vector<std::string>& systems) {
+  constexpr std::uint64_t no_system = std::uint64_t(1) << 63;
+  const auto names = [&](const char* key, std::uint64_t bits) {
+    out.key(key).open('[');
+    for (std::size_t i = 0; i < systems.size(); ++i)
+      if (bits >> i & 1) out.raw(text(systems[i]));
+    out.close(']');
+  };
+  if (filter.category != no_system) names("systems", filter.category);
+  if (filter.mask & no_system) {
+    if (~filter.mask != 0) names("notCollideWith", ~filter.mask);
+  } else {
+    names("collideWith", filter.mask);
+  }
+}
+
+}  // namespace
+
+std::string to_json(const PlaneScene& scene) {
+  std::vector<std::size_t> colliders(scene.bodies.size());
+  for (const PlaneCollider& c : scene.colliders) ++colliders[c.body];
+  JsonWriter out;
+  out.open('{').key("dimension").raw("2");
+  if (scene.gravity) put(out.key("gravity"), *scene.gravity);
+  out.key("bodies").open('[');
+  for (const PlaneCollider& c : scene.colliders) {
+    const PlaneSceneBody& body = scene.bodies[c.body];
+    write_shape(out.open('{').key("name").raw(text(c.name)).key("shape"), c.shape);
+    write_pose(out, c.pose);
+    if (colliders[c.body] > 1 || body.name != c.name) out.key("body").raw(text(body.name));
+    write_motion(out, body);
+    if (c.trigger) out.key("trigger").value(true);
+    write_filter(out, c.filter, scene.collision_systems);
+    out.close('}');
+  }
+  return out.close(']').close('}').take();
+}
+
+}  // namespace graze::io
