@@ -91,7 +91,7 @@ const H* some(Bytes& in, const std::vector<H*>& handles, const void* other) {
 }
 
 /// Keeps what a capture hands over.
-bool keep(void* user, const void* bytes, std::size_t size) {
+bool keep_bytes(void* user, const void* bytes, std::size_t size) {
   static_cast<std::string*>(user)->append(static_cast<const char*>(bytes), size);
   return true;
 }
@@ -118,14 +118,15 @@ struct Calls {
   explicit Calls(Bytes bytes) : in(bytes), captured(in.byte() % 2 == 1) {
     require(graze_buffer_create_d(&buffer) == GRAZE_OK);
     require(graze_trace_create(&trace) == GRAZE_OK);
-    require((captured ? graze_world_create_captured_d(nullptr, nullptr, &keep, &files[0], &world)
+    require((captured ? graze_world_create_captured_d(nullptr, nullptr, &keep_bytes, &files[0], &world)
                       : graze_world_create_d(nullptr, nullptr, &world)) == GRAZE_OK);
-    require((captured ? graze_plane_world_create_captured_d(nullptr, nullptr, &keep, &files[1], &plane_world)
+    require((captured ? graze_plane_world_create_captured_d(nullptr, nullptr, &keep_bytes, &files[1], &plane_world)
                       : graze_plane_world_create_d(nullptr, nullptr, &plane_world)) == GRAZE_OK);
-    require((captured ? graze_simulation_create_captured_d(nullptr, nullptr, &keep, &files[2], &simulation)
+    require((captured ? graze_simulation_create_captured_d(nullptr, nullptr, &keep_bytes, &files[2], &simulation)
                       : graze_simulation_create_d(nullptr, nullptr, &simulation)) == GRAZE_OK);
-    require((captured ? graze_plane_simulation_create_captured_d(nullptr, nullptr, &keep, &files[3], &plane_simulation)
-                      : graze_plane_simulation_create_d(nullptr, nullptr, &plane_simulation)) == GRAZE_OK);
+    require((captured
+                 ? graze_plane_simulation_create_captured_d(nullptr, nullptr, &keep_bytes, &files[3], &plane_simulation)
+                 : graze_plane_simulation_create_d(nullptr, nullptr, &plane_simulation)) == GRAZE_OK);
     require(graze_shape_sphere_f(1, {0, 0, 0}, &small) == GRAZE_OK);
   }
   ~Calls() {

@@ -1141,9 +1141,9 @@ export interface PlaneScene {
   dimension: 2;
   gravity?: Vec2;
   bodies: {
-    name: string;
+    name?: string;
     shape: ProtocolShape;
-    translation: Vec2;
+    translation?: Vec2;
     rotation?: number;
     /** Shapes of the same body move as one. */
     body?: string;
@@ -1162,9 +1162,10 @@ export interface PlaneScene {
     restitution?: number;
   }[];
 }
-/** What of an element of a DOM is looked at: a browser's has all of it. */
+/** What of an element of a DOM is looked at: a browser's has all of it but the line, for messages. */
 export interface DrawnElement {
   readonly localName: string;
+  readonly line?: number;
   readonly attributes: Iterable<{ readonly name: string; readonly value: string }>;
   readonly children: Iterable<DrawnElement>;
 }

@@ -133,6 +133,8 @@ test("a drawing is read as a scene of the plane", () => {
       { name: "rect 1", shape: { type: "box", box: { size: [3, 1] }, margin: 0.5 }, translation: [2, -1], systems: ["ground"] }] });
   assert.throws(() => double.planeScene(element("svg", {}, element("rect", { id: "r", width: "-1" }))), {
     name: "InvalidValue", message: 'drawing: <rect id="r">.width: expected a number >= 0, got -1' });
+  assert.throws(() => double.planeScene({ ...drawing, children: [{ ...element("circle", { r: "x" }), line: 7 }] }), {
+    message: /^drawing: line 7: <circle>\.r: expected/ });
   assert.throws(() => double.planeScene(element("html")), { message: /expected an <svg> element as the root/ });
   let deep = element("g");
   for (let i = 0; i < 2000; i++) deep = element("g", {}, deep);

@@ -405,6 +405,58 @@ await test("viewer: opens captures of the plane, and in float", async () => {
   await page.context().close();
 });
 
+await test("viewer: a drawing of the plane is opened, dragged, shot at, and played", async () => {
+  const page = await scene("shapes");
+  const open = async (file) => {
+    await page.setInputFiles("input[type=file]", file);
+    await page.waitForTimeout(300);
+  };
+  await open(join(files, "plane.svg"));
+  assert.ok(!(await page.isVisible(".trouble")), await page.textContent(".trouble"));
+  const first = await shown(page);
+  assert.equal(first.bodies, 12); // the hammer's two shapes are one
+  assert.ok(first.pairs > 3, `${first.pairs} pairs`);
+  await page.selectOption('[data-body="0"]', { label: "ball" });
+  await page.selectOption('[data-body="1"]', { label: "wedge" });
+  const asked = JSON.parse(await page.inputValue("textarea"));
+  assert.equal(asked.dimension, 2);
+  const answer = JSON.parse(query(JSON.stringify({ ...asked, query: "distance", margin: undefined })));
+  assert.ok((await page.textContent(".words")).includes(String(Number(answer.distance.toPrecision(6))).replaceAll("-", "−")));
+  const before = await shown(page);
+  await drag(page, "move", 60, -40);
+  const after = await shown(page), moved = after.poses.findIndex((x, i) => x !== before.poses[i]);
+  assert.ok(after.poses[moved] > before.poses[moved] && after.poses[moved + 1] > before.poses[moved + 1], "right and up");
+  assert.ok(after.poses.every((x, i) => ![2, 3, 4].includes(i % 7) || x === 0), "a body left the plane");
+  await page.check("[data-broad-phase]");
+  await page.click('button:text-is("Shoot a ray")');
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  await page.mouse.click(picture.x + picture.width * 0.3, picture.y + 20);
+  await page.mouse.click(picture.x + picture.width * 0.31, picture.y + picture.height - 20);
+  assert.match(await page.textContent(".words h2"), /^The ray hits (?!nothing)/);
+  await page.click('button:text-is("Cast the body")');
+  await page.mouse.click(picture.x + picture.width * 0.6, picture.y + picture.height - 20);
+  assert.match(await page.textContent(".words h2"), /^ball meets (?!nothing)/);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-plane.png") });
+  for (let i = 0; i < 30; i++) await page.click("[data-step]");
+  const later = await shown(page);
+  assert.equal(later.frames, 30);
+  assert.ok(later.poses.every(Number.isFinite));
+  for (let i = 0; i < 29; i++) await page.click("[data-back]");
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-plane-played.png") });
+  const text = (name, content) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content) });
+  await open(text("flat.json", '{"dimension":2,"bodies":[{"shape":{"type":"plane"}},{"name":"disc","motion":"dynamic","translation":[0,3],"shape":{"type":"circle","circle":{"radius":1}}}]}'));
+  assert.equal((await shown(page)).bodies, 2);
+  await open(text("q.jsonl", '{"query":"distance","dimension":2,"a":{"shape":{"type":"box","box":{"size":[1,1]}}},"b":{"shape":{"type":"circle","circle":{"radius":1}},"translation":[1.2,0.4],"rotation":0.3}}\n'));
+  assert.equal((await shown(page)).pairs, 1);
+  for (const [name, content, words] of [["cut.svg", "<svg", /cut.svg: expected an XML document/], ["other.svg", "<html/>", /other.svg: .*<svg> element as the root/],
+    ["bad.svg", '<svg xmlns="http://www.w3.org/2000/svg"><circle id="c" r="-1"/></svg>', /bad.svg: drawing: line 1: <circle id="c">.r: expected a number >= 0/], ["deep.svg", `${"<g>".repeat(5000)}${"</g>".repeat(5000)}`, /nested at most 100 deep/]]) {
+    await open(text(name, content));
+    assert.match(await page.textContent(".trouble:not([hidden])"), words);
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 await test("viewer has no finding of axe, and fits a phone", async () => {
   for (const colorScheme of ["light", "dark"]) {
     const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });

@@ -15,13 +15,13 @@ using graze::io::XmlElement;
 
 std::string scene;  ///< the last one
 
-/// An element is [name, {attribute: value, ...}, [elements inside]], made by the package's own script.
+/// An element is [name, line, {attribute: value, ...}, [elements inside]], made by the package's own script.
 XmlElement element_of(const Json& json, int depth = 0) {
   if (depth > graze::io::most_xml_depth)
     throw graze::InvalidValue("", "elements nested at most 100 deep", "deeper ones");
-  XmlElement made{json.at(0).get<std::string>(), 0, {}, {}};
-  for (const auto& [name, value] : json.at(1).items()) made.attributes.emplace_back(name, value.get<std::string>());
-  for (const Json& child : json.at(2)) made.children.push_back(element_of(child, depth + 1));
+  XmlElement made{json.at(0).get<std::string>(), json.at(1).get<std::size_t>(), {}, {}};
+  for (const auto& [name, value] : json.at(2).items()) made.attributes.emplace_back(name, value.get<std::string>());
+  for (const Json& child : json.at(3)) made.children.push_back(element_of(child, depth + 1));
   return made;
 }
 

@@ -31,8 +31,8 @@ export const query = (line) => answered("graze_js_answer", line, 0);
 export const explain = (line) => answered("graze_js_answer", line, 1);
 
 /** An element of a DOM as the module reads it. */
-const elements = ({ localName, attributes, children }) => [
-  localName, Object.fromEntries(Array.from(attributes, ({ name, value }) => [name, value])), Array.from(children, elements)];
+const elements = ({ localName, line = 0, attributes, children }) => [
+  localName, line, Object.fromEntries(Array.from(attributes, ({ name, value }) => [name, value])), Array.from(children, elements)];
 
 export function planeScene(root) {
   const { error, ...scene } = JSON.parse(answered("graze_js_plane_scene", JSON.stringify(elements(root))));

@@ -9,7 +9,7 @@ import type { Meaning } from "./drawing.ts";
 export interface Looks {
   key: string;
   make: () => Solid;
-  /** Without an end: drawn to be seen through. */
+  /** Without an end, or a trigger: drawn to be seen through. */
   flat: boolean;
 }
 interface Batch { mesh: THREE.InstancedMesh; bodies: number[] }

@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import { graze, shapeOf } from "../graze.ts";
+import { graze, planeShapeOf, shapeOf } from "../graze.ts";
 import type { Shape, Vec } from "../question.ts";
 
 export interface Solid {
@@ -45,10 +45,13 @@ export function flatSolidDrawn(draw: (on: graze.Renderer) => void, size: number)
   for (let i = 0; i < ends.length; i += 6) faces.push(...ribbon(ends.slice(i, i + 3), ends.slice(i + 3, i + 6), size / 100));
   return { ...solid, faces: toCreasedNormals(geometry(faces), crease) };
 }
-/** Of a shape of the protocol. */
-export function solidOf(shape: Shape): Solid {
-  const made = shapeOf(shape);
-  const solid = solidDrawn((on) => graze.draw.shape(made, {}, on));
-  made.dispose();
-  return solid;
+/** Of a shape of the protocol, of space or of the plane. */
+export function solidOf(shape: Shape, flat = false, size = reach): Solid {
+  const made = flat ? planeShapeOf(shape) : shapeOf(shape);
+  try {
+    if (flat) return flatSolidDrawn((on) => graze.plane.draw.shape(made as graze.plane.Shape, {}, on), size);
+    return solidDrawn((on) => graze.draw.shape(made as graze.Shape, {}, on), size);
+  } finally {
+    made.dispose();
+  }
 }

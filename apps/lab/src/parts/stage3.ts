@@ -98,6 +98,7 @@ export class Stage3 implements Stage, Drawing {
   }
 
   look(view: View): void {
+    if (view.reach !== this.reach || (view.flat ?? false) !== this.flat) this.forget();
     this.reach = view.reach;
     const center = v3(view.center);
     const from = v3(view.flat ? [0, 0, 1] : (view.from ?? [0.55, 0.5, 1])).normalize();
@@ -116,6 +117,10 @@ export class Stage3 implements Stage, Drawing {
     this.controls.enableRotate = !flat;
     this.controls.mouseButtons.LEFT = flat ? THREE.MOUSE.PAN : THREE.MOUSE.ROTATE;
     this.controls.touches.ONE = flat ? THREE.TOUCH.PAN : THREE.TOUCH.ROTATE;
+  }
+  /** Half of the height that is seen at least. */
+  get seen(): number {
+    return this.reach;
   }
   light(key: string | null): void {
     if (key === this.lit) return;
@@ -169,7 +174,7 @@ export class Stage3 implements Stage, Drawing {
     const known = this.solids.get(key);
     if (known) return known;
     if (this.solids.size > 200) this.forget();
-    const made = solidOf(body.shape);
+    const made = solidOf(body.shape, this.flat, this.reach);
     this.solids.set(key, made);
     return made;
   }

@@ -10,10 +10,11 @@ import { Stage3 } from "../parts/stage3.ts";
 import { address } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { add, length, quatBetween, quatMultiply, rotate, scale, sub, unit } from "../parts/vec.ts";
-import type { Body, Question, Vec } from "../question.ts";
-import { Shapes, simulationOf, worldOf, type Scene } from "../scene/model.ts";
+import type { Question, State, Vec } from "../question.ts";
 import { readCapture, type Captured } from "../scene/captured.ts";
+import type { Scene } from "../scene/model.ts";
 import { openFile, sceneOfQuestion } from "../scene/open.ts";
+import { reached, reachOf, Run, type Hit, type Pair, type Place } from "../scene/run.ts";
 import { scenes } from "../scene/scenes.ts";
 import type { Room } from "./room.ts";
 
@@ -22,32 +23,43 @@ const frame = 1 / 60;
 const mostDrawn = 200;
 /** Ten seconds of states to step back to; fewer of large scenes. */
 const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
-/** Bodies that are deeper in each other than that are marked. */
-const visible = 1e-3;
-const deepest = (pair: graze.WorldPair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
+/** Bodies that are deeper in each other than that are marked: this part of what is seen. */
+const visible = 1 / 4000;
+/** Shapes of the plane that GJK's lesson draws. */
+const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
+const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
 const button = (label: string, act: () => void, more: Record<string, unknown> = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
+
+/** A ray or a body on its way, and what it met. */
+interface Shot {
+  kind: "ray" | "cast";
+  from: Vec;
+  to: Vec;
+  hit: Hit | null;
+  body?: number;
+  end?: Place;
+}
 
 export class SceneRoom implements Room {
   readonly element: HTMLElement;
   private readonly stage = new Stage3();
   private scene!: Scene;
-  private shapes = new Shapes();
-  private world: graze.World | null = null;
-  private simulation: graze.Simulation | null = null;
-  private ids: graze.BodyId[] = [];
+  private run!: Run;
   private states: graze.State[] = [];
   private energy: number[] = [];
   private depth: number[] = [];
   private selected: number[] = [];
-  private pull: { body: number; grip: Vec; to: Vec } | null = null;
-  private ray: { from: Vec; to: Vec; body: string } | null = null;
-  private shooting = false;
+  private pull: { body: number; to: Vec } | null = null;
+  /** What the next click is for; in the plane a ray has a click for its origin, too. */
+  private aim: { kind: "ray" | "cast"; from?: Vec } | null = null;
+  private shot: Shot | null = null;
+  private broadPhase = false;
   /** Of the file that is looked after, the timer; null when none is. */
   private watching: number | null = 0;
   private running = 0;
   private subSteps = 8;
-  private gravity = true;
+  private heavy = true;
   private times = { step: 0, draw: 0 };
   private readonly onCapture: (name: string, captured: Captured) => void;
   private readonly table = new Table();
@@ -129,9 +141,8 @@ export class SceneRoom implements Room {
   }
   /** For the tests. */
   get shown(): { bodies: number; pairs: number; frames: number; poses: number[]; deepest: number; times: { step: number; draw: number } } {
-    const at = this.questions();
-    return { bodies: this.scene.bodies.length, pairs: at.contacts().filter((p) => p.overlap).length, frames: this.energy.length,
-      poses: Array.from(at.poses()), deepest: this.depth.at(-1) ?? 0, times: this.times };
+    return { bodies: this.scene.bodies.length, pairs: this.run.contacts().filter((p) => p.overlap).length, frames: this.energy.length,
+      poses: Array.from(this.run.poses()), deepest: this.depth.at(-1) ?? 0, times: this.times };
   }
 
   // --- Scenes ---
@@ -139,11 +150,7 @@ export class SceneRoom implements Room {
   private close(): void {
     this.stop();
     this.forget();
-    this.simulation?.dispose();
-    this.world?.dispose();
-    this.simulation = this.world = null;
-    this.shapes.dispose();
-    this.shapes = new Shapes();
+    this.run?.dispose();
   }
   private forget(): void {
     for (const state of this.states) state.dispose();
@@ -160,33 +167,31 @@ export class SceneRoom implements Room {
     this.close();
     this.trouble.hidden = true;
     this.selected = [];
-    this.pull = this.ray = null;
+    this.pull = this.aim = this.shot = null;
     try {
+      this.run = new Run(scene);
       this.scene = scene;
-      const made = worldOf(scene, this.shapes);
-      this.world = made.world;
-      this.ids = made.ids;
     } catch (error) {
       this.say(`${scene.name}: ${(error as Error).message}`);
       this.scene = { name: "empty", bodies: [] };
-      this.world = new graze.World();
+      this.run = new Run(this.scene);
     }
-    const { bodies } = this.scene;
-    this.stage.crowd.set(bodies.map(({ shape }) => ({ key: JSON.stringify(shape), make: () => solidOf(shape), flat: shape.type === "plane" })), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
+    const { bodies } = this.scene, { flat } = this.run, whole = this.whole(), view = { ...(this.scene.view ?? whole), flat };
+    this.stage.look(view);
+    this.stage.crowd.set(bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, view.reach), flat: shape.type === "plane" || (trigger ?? false) })), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
     for (const [k, select] of this.chosen.entries())
       select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
     this.note.textContent = this.scene.note ?? "";
-    this.stage.look(this.scene.view ?? this.whole());
     this.show();
   }
   /** A view of everything. */
   private whole(): { center: Vec; reach: number } {
     let lower: Vec = [Infinity, Infinity, Infinity], upper: Vec = [-Infinity, -Infinity, -Infinity];
-    for (const body of this.scene.bodies) {
+    for (const [i, body] of this.scene.bodies.entries()) {
       if (body.shape.type === "plane") continue;
-      const bounds = this.shapes.of(body.shape).bounds({ translation: body.translation, rotation: unit(body.rotation) });
-      lower = lower.map((x, i) => Math.min(x, bounds.lower[i]));
-      upper = upper.map((x, i) => Math.max(x, bounds.upper[i]));
+      const bounds = this.run.bounds(i, true);
+      lower = lower.map((x, k) => Math.min(x, bounds.lower[k]));
+      upper = upper.map((x, k) => Math.max(x, bounds.upper[k]));
     }
     if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
     return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
@@ -224,28 +229,20 @@ export class SceneRoom implements Room {
     this.running = 0;
     this.play.textContent = "Play";
   }
-  private begin(): graze.Simulation {
-    if (!this.simulation) {
-      const made = simulationOf(this.scene, this.shapes, { gravity: this.gravity ? [0, -9.81, 0] : [0, 0, 0], subSteps: this.subSteps });
-      this.simulation = made.simulation;
-      this.ids = made.ids;
-      this.world?.dispose();
-      this.world = null;
-    }
-    return this.simulation;
+  private get gravity(): Vec {
+    return this.heavy ? (this.scene.gravity ?? [0, -9.81, 0]) : [0, 0, 0];
   }
   private step(): void {
     try {
-      const simulation = this.begin();
-      this.states.push(simulation.save());
+      this.run.play(this.subSteps, this.gravity);
+      this.states.push(this.run.save());
       if (this.states.length > mostStates(this.scene.bodies.length)) this.states.shift()!.dispose();
-      if (this.pull) this.tug(simulation, this.pull);
+      if (this.pull) this.run.pull(this.pull.body, this.pull.to);
       const start = performance.now();
-      simulation.step(frame);
+      const { energy, deepest: depth } = this.run.step(frame);
       this.times.step = performance.now() - start;
-      const report = simulation.report();
-      this.energy.push(report.kineticEnergy + report.potentialEnergy);
-      this.depth.push(report.deepest);
+      this.energy.push(energy);
+      this.depth.push(depth);
       this.show();
     } catch (error) {
       this.stop();
@@ -255,51 +252,63 @@ export class SceneRoom implements Room {
   private back(): void {
     this.stop();
     const state = this.states.pop();
-    if (!state || !this.simulation) return;
-    this.simulation.restore(state);
+    if (!state) return;
+    this.run.restore(state);
     state.dispose();
     this.energy.pop();
     this.depth.pop();
     this.show();
   }
-  /** A spring, critically damped at three hertz, from the grip on the body to the pointer. */
-  private tug(simulation: graze.Simulation, pull: { body: number; grip: Vec; to: Vec }): void {
-    const id = this.ids[pull.body], motion = simulation.motion(id), mass = simulation.mass(id), omega = 2 * Math.PI * 3;
-    const force = sub(scale(sub(pull.to, motion.center), omega * omega * mass), scale(motion.linear, 2 * omega * mass));
-    simulation.wake(id);
-    simulation.applyForce(id, force);
-  }
 
   // --- What is true now ---
 
-  private questions(): graze.WorldQueries {
-    return this.simulation ? this.simulation.world : this.world!;
-  }
-  private body(i: number): Body {
-    const pose = this.questions().pose(this.ids[i]);
-    return { shape: this.scene.bodies[i].shape, translation: pose.translation, rotation: pose.rotation };
-  }
   /** The question about the two selected bodies. */
   private question(): Question | null {
     if (this.selected.length !== 2) return null;
-    const [i, j] = this.selected;
-    return { query: "contacts", a: this.body(i), b: this.body(j), margin: 0.01 };
+    const [a, b] = this.selected.map((i) => this.run.asked(i));
+    return { query: "contacts", ...(this.run.flat ? { dimension: 2 as const } : {}), a, b, margin: 0.01 };
   }
 
   private pick(body: number | null, ray: { origin: Vec; direction: Vec }): void {
-    if (this.shooting) {
-      const hit = this.questions().raycast(ray);
-      this.shooting = false;
-      this.ray = hit ? { from: ray.origin, to: hit.hit.point, body: this.scene.bodies[hit.body.index]?.name ?? "" } : null;
-      this.info.replaceChildren(h("h2", {}, hit ? `The ray hits ${this.ray!.body}` : "The ray hits nothing"),
-        h("p", {}, hit ? `after ${digits(hit.hit.t, 6)}, at ${vector(hit.hit.point, 4)}, normal ${vector(hit.hit.normal, 3)}` : ""));
-      this.paint();
-      return;
-    }
+    if (this.aim) return this.shoot(this.aim, ray);
     if (body === null) this.selected = [];
     else if (this.selected.includes(body)) this.selected = this.selected.filter((x) => x !== body);
     else this.selected = [...this.selected, body].slice(-2);
     this.show();
+  }
+  private takeAim(kind: "ray" | "cast"): void {
+    const blind = kind === "cast" && this.selected.length === 0;
+    this.aim = blind ? null : { kind };
+    this.tellShot(kind === "ray" ? "Shoot a ray" : "Cast a body",
+      blind ? "Select the body first." : kind === "ray" && this.run.flat ? "Click where it begins, then where it shall go." : "Click where it shall go.");
+  }
+  /** The click that a ray or a cast waits for: a place in the plane, a line of sight in space. */
+  private shoot(aim: { kind: "ray" | "cast"; from?: Vec }, sight: { origin: Vec; direction: Vec }): void {
+    const place = this.run.flat ? add(sight.origin, scale(sight.direction, -sight.origin[2] / sight.direction[2])) : null;
+    if (aim.kind === "ray" && place && !aim.from) {
+      this.aim = { ...aim, from: place };
+      return;
+    }
+    this.aim = null;
+    const ray = place && aim.from ? { origin: aim.from, direction: sub(place, aim.from) } : sight;
+    this.shot = aim.kind === "ray" ? this.rayShot(ray) : this.castShot(place ?? this.run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin))));
+    const { kind, hit } = this.shot, name = hit && this.scene.bodies[hit.body].name;
+    this.tellShot(kind === "ray" ? `The ray hits ${name ?? "nothing"}` : `${this.scene.bodies[this.shot.body!].name} meets ${name ?? "nothing"} on its way`,
+      hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");
+    this.paint();
+  }
+  private rayShot(ray: { origin: Vec; direction: Vec }): Shot {
+    const hit = this.run.raycast(ray);
+    return { kind: "ray", from: ray.origin, to: hit?.point ?? add(ray.origin, ray.direction), hit };
+  }
+  /** The selected body, thrown twice as far as the place that was clicked. */
+  private castShot(target: Vec): Shot {
+    const [body] = this.selected, place = this.run.place(body), motion = scale(sub(target, place.translation), 2);
+    const hit = this.run.cast(body, motion), end = reached(place, motion, hit?.t ?? 1);
+    return { kind: "cast", from: place.translation, to: end.translation, hit, body, end };
+  }
+  private tellShot(title: string, words: string): void {
+    this.info.replaceChildren(h("h2", {}, title), h("p", {}, words));
   }
   private chooseBodies(): void {
     this.selected = [...new Set(this.chosen.filter((s) => s.value !== "").map((s) => Number(s.value)))];
@@ -308,28 +317,22 @@ export class SceneRoom implements Room {
   private drag(id: string, to: Vec, done: boolean): void {
     const i = this.selected[0], body = this.scene.bodies[i];
     if (!body) return;
-    const pose = this.questions().pose(this.ids[i]);
-    if (this.simulation && this.running && body.moves) {
-      this.pull = done ? null : { body: i, grip: pose.translation, to };
+    const aimed = this.run.flat ? [to[0], to[1], 0] : to, place = this.run.place(i);
+    if (this.running && body.moves) {
+      this.pull = done ? null : { body: i, to: aimed };
       return;
     }
-    const next = { translation: pose.translation as Vec, rotation: pose.rotation as Vec };
-    if (id === "move") next.translation = to;
-    else next.rotation = unit(quatMultiply(quatBetween(rotate(pose.rotation, [1, 0, 0]), sub(to, pose.translation)), pose.rotation));
-    if (this.simulation) {
-      this.simulation.setPose(this.ids[i], next);
-    } else {
-      Object.assign(body, next);
-      this.world!.move(this.ids[i], next);
-      this.world!.update();
-    }
+    const turn = (): Vec => unit(quatMultiply(quatBetween(rotate(place.rotation, [1, 0, 0]), sub(aimed, place.translation)), place.rotation));
+    const next = id === "move" ? { ...place, translation: aimed } : { ...place, rotation: turn() };
+    if (!this.run.played) Object.assign(body, next);
+    this.run.put(i, next);
     this.show();
   }
   private handles(): Handle[] {
     const i = this.selected[0];
-    if (i === undefined || !this.ids[i]) return [];
-    const { translation, rotation } = this.questions().pose(this.ids[i]), bounds = this.shapes.of(this.scene.bodies[i].shape);
-    const reach = this.scene.bodies[i].shape.type === "plane" ? 1 : Math.min(3, length(sub(bounds.bounds().upper, bounds.bounds().lower)) * 0.6 + 0.2);
+    if (i === undefined) return [];
+    const { translation, rotation } = this.run.place(i);
+    const reach = this.scene.bodies[i].shape.type === "plane" ? 1 : Math.min(this.stage.seen, reachOf(this.run.bounds(i)) * 1.2 + this.stage.seen / 20);
     const name = this.scene.bodies[i].name;
     return [
       { id: "move", label: `Move ${name}`, kind: "move", meaning: "a", at: this.pull?.to ?? translation },
@@ -339,11 +342,10 @@ export class SceneRoom implements Room {
 
   private show(): void {
     const start = performance.now();
-    const at = this.questions();
-    this.stage.crowd.move(at.poses());
+    this.stage.crowd.move(this.run.poses());
     this.chosen.forEach((select, k) => (select.value = String(this.selected[k] ?? "")));
     const special = new Map<number, Meaning>();
-    if (!this.simulation && this.scene.bodies.length <= mostDrawn) for (const pair of at.contacts()) if (deepest(pair) < -visible) for (const i of [pair.a, pair.b]) if (this.scene.bodies[i]?.moves) special.set(i, "touch");
+    if (!this.run.played && this.scene.bodies.length <= mostDrawn) for (const pair of this.run.contacts()) if (deepest(pair) < -visible * this.stage.seen) for (const i of [pair.a, pair.b]) if (this.scene.bodies[i]?.moves) special.set(i, "touch");
     this.selected.forEach((i, k) => special.set(i, k ? "b" : "made"));
     this.stage.crowd.paint(special);
     this.paint();
@@ -352,27 +354,31 @@ export class SceneRoom implements Room {
   }
   private paint(): void {
     // To copy thousands of contacts out of the module takes longer than to draw the bodies.
-    const few = this.scene.bodies.length <= mostDrawn, found = few ? this.questions().contacts() : [];
+    const few = this.scene.bodies.length <= mostDrawn, found = few ? this.run.contacts() : [];
     const marked = new Set(this.selected);
     this.stage.draw((d: Drawing) => {
       for (const pair of found)
         for (const manifold of pair.manifolds)
           for (const p of manifold.points) {
-            d.point(p.a as Vec, p.distance <= 0 ? "touch" : "axis", { key: `${pair.a} ${pair.b}` });
-            if (marked.has(pair.a) || marked.has(pair.b)) d.arrow(p.a as Vec, add(p.a as Vec, scale(manifold.normal as Vec, 0.4)), "axis", { key: `${pair.a} ${pair.b}` });
+            d.point(p.a, p.distance <= 0 ? "touch" : "axis", { key: `${pair.a} ${pair.b}` });
+            if (marked.has(pair.a) || marked.has(pair.b)) d.arrow(p.a, add(p.a, scale(manifold.normal, this.stage.seen / 10)), "axis", { key: `${pair.a} ${pair.b}` });
           }
-      if (this.pull) d.line(this.questions().pose(this.ids[this.pull.body]).translation, this.pull.to, "made", { wide: true });
-      if (this.ray) {
-        d.arrow(this.ray.from, this.ray.to, "made", { wide: true });
-        d.point(this.ray.to, "touch", { wide: true });
-      }
+      if (this.broadPhase && few) this.run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
+      if (this.pull) d.line(this.run.place(this.pull.body).translation, this.pull.to, "made", { wide: true });
+      if (this.shot) this.drawShot(d, this.shot);
     }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
+  private drawShot(d: Drawing, { from, to, hit, body, end }: Shot): void {
+    d.arrow(from, to, "made", { wide: true });
+    if (hit) d.point(hit.point, "touch", { wide: true });
+    if (hit) d.arrow(hit.point, add(hit.point, scale(hit.normal, this.stage.seen / 8)), "axis");
+    if (end) d.shape({ shape: this.scene.bodies[body!].shape, ...end }, "made", { ghost: true });
+  }
   private tell(): void {
-    const found = this.questions().contacts();
+    const found = this.run.contacts();
     const points = found.reduce((sum, p) => sum + p.manifolds.reduce((n, m) => n + m.points.length, 0), 0);
     this.counter.textContent = `${this.scene.bodies.length} bodies · ${found.length} pairs · ${points} contacts` +
-      (this.simulation ? ` · step ${digits(this.times.step, 3)} ms · drawing ${digits(this.times.draw, 3)} ms` : "");
+      (this.run.played ? ` · step ${digits(this.times.step, 3)} ms · drawing ${digits(this.times.draw, 3)} ms` : "");
     const name = (i: number): string => this.scene.bodies[i]?.name ?? String(i);
     this.pairs.show({
       caption: found.length > 30 ? `The first 30 of ${found.length} pairs` : "Pairs in contact", columns: ["pair", "points", "deepest"],
@@ -391,38 +397,46 @@ export class SceneRoom implements Room {
   private explain(): void {
     const q = this.question();
     if (!q) {
-      if (this.ray && this.selected.length === 0) return;
+      if (this.shot && this.selected.length === 0) return;
       const [i] = this.selected;
       this.info.replaceChildren(h("h2", {}, i === undefined ? "Select a body" : this.scene.bodies[i].name),
-        h("p", {}, i === undefined ? "Click one to move it, a second one to see why the two touch or do not." : `A ${this.scene.bodies[i].shape.type} at ${vector(this.questions().pose(this.ids[i]).translation, 4)}. Click another for the pair.`));
+        h("p", {}, i === undefined ? "Click one to move it, a second one to see why the two touch or do not." : `A ${this.scene.bodies[i].shape.type} at ${vector(this.run.place(i).translation, 4)}. Click another for the pair.`));
       this.table.show(undefined);
       return;
     }
     const [i, j] = this.selected, answer = ask(q), distance = ask({ ...q, query: "distance", margin: undefined } as Question);
-    const boxes = q.a.shape.type === "box" && q.b!.shape.type === "box";
-    const lesson = boxes ? "fifteen-axes" : "gjk-space";
-    const state = JSON.stringify({ q: boxes ? { query: "contacts", a: q.a, b: q.b } : { query: "distance", a: q.a, b: q.b } });
+    const { lesson, state } = this.lessonOf(q);
     this.info.replaceChildren(
       h("h2", {}, `${this.scene.bodies[i].name} and ${this.scene.bodies[j].name}`),
       h("p", {}, answer.error ?? distance.error ?? `${answer.overlap ? "They touch" : "They are apart"}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`),
-      h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: state }) }, "Step through this pair")));
+      lesson ? h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, "Step through this pair")) : "");
     this.asked.value = line(q);
     this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
       rows: (answer.manifolds ?? []).flatMap((m) => m.points.map((p) => ({ cells: [featureWords(p.feature), p.distance] }))) });
   }
 
+  /** The lesson that goes through a pair step by step, and the state in which it begins; none for what none draws. */
+  private lessonOf(q: Question): { lesson: string | null; state: State } {
+    const pair = { dimension: q.dimension, a: q.a, b: q.b };
+    const boxes = q.a.shape.type === "box" && q.b!.shape.type === "box";
+    if (!boxes && q.dimension === 2 && ![q.a, q.b!].every(({ shape }) => convexInPlane.includes(shape.type))) return { lesson: null, state: { q } };
+    if (boxes) return { lesson: q.dimension === 2 ? "separating-axes-plane" : "fifteen-axes", state: { q: { query: "contacts", ...pair } } };
+    return { lesson: q.dimension === 2 ? "gjk" : "gjk-space", state: { q: { query: "distance", ...pair } } };
+  }
+
   private page(): HTMLElement {
-    const chooser = h("input", { type: "file", class: "hidden", accept: ".gltf,.glb,.obj,.stl,.ply,.json,.jsonl,.capture", "aria-label": "Open a file",
+    const chooser = h("input", { type: "file", class: "hidden", accept: ".gltf,.glb,.obj,.stl,.ply,.svg,.json,.jsonl,.capture", "aria-label": "Open a file",
       onchange: (event: Event) => { const [file] = (event.target as HTMLInputElement).files ?? []; if (file) void this.chosenFile(file); } }) as HTMLInputElement;
     const again = (): void => { const { scene } = this; this.open(scenes[this.list.value]?.().name === scene.name ? scenes[this.list.value]() : scene); };
     return h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
         this.list, button("Open a file", () => chooser.click()), chooser,
-        button("Shoot a ray", () => { this.shooting = true; this.info.replaceChildren(h("h2", {}, "Shoot a ray"), h("p", {}, "Click where it shall go.")); }),
+        button("Shoot a ray", () => this.takeAim("ray")), button("Cast the body", () => this.takeAim("cast")),
         h("label", {}, "Sub-steps ", h("select", { onchange: (e: Event) => { this.subSteps = Number((e.target as HTMLSelectElement).value); again(); } },
           ...[8, 1, 2, 4, 16].map((n) => h("option", { value: n }, String(n))))),
-        h("label", {}, h("input", { type: "checkbox", checked: true, onchange: (e: Event) => { this.gravity = (e.target as HTMLInputElement).checked; this.simulation?.setGravity(this.gravity ? [0, -9.81, 0] : [0, 0, 0]); } }), " Gravity")),
+        h("label", {}, h("input", { type: "checkbox", checked: true, onchange: (e: Event) => { this.heavy = (e.target as HTMLInputElement).checked; this.run.setGravity(this.gravity); } }), " Gravity"),
+        h("label", {}, h("input", { type: "checkbox", "data-broad-phase": true, onchange: (e: Event) => { this.broadPhase = (e.target as HTMLInputElement).checked; this.paint(); } }), " Broad phase")),
       h("div", { class: "board" },
         h("div", { class: "picture" }, this.stage.element,
           h("div", { class: "timeline", role: "group", "aria-label": "Time" },

@@ -3,6 +3,7 @@
 import { graze } from "../graze.ts";
 import { flatSolidDrawn, solidDrawn, type Solid } from "../parts/solid.ts";
 import type { Vec } from "../question.ts";
+import { placesOfPlane } from "./run.ts";
 
 export interface CapturedBody {
   name: string;
@@ -50,16 +51,6 @@ async function libraryFor(bytes: ArrayBuffer): Promise<Library> {
   return single;
 }
 
-/** Poses of the plane (place, cosine and sine of the turn) as poses of space. */
-function inSpace(poses: ArrayLike<number>): Float32Array {
-  const made = new Float32Array((poses.length / 4) * 7);
-  for (let i = 0; 4 * i < poses.length; i++) {
-    const [x, y, cosine, sine] = [0, 1, 2, 3].map((k) => poses[4 * i + k]), half = Math.atan2(sine, cosine) / 2;
-    made.set([x, y, 0, 0, 0, Math.sin(half), Math.cos(half)], 7 * i);
-  }
-  return made;
-}
-
 /** Throws what `graze.replay` does. */
 export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
   const library = await libraryFor(bytes), { plane: flat, scalar } = graze.captureHead(bytes);
@@ -89,7 +80,7 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
   };
   const report = library.replay(bytes, (world) => {
     area ??= flat ? library.plane.draw.area(world as graze.plane.WorldQueries) : library.draw.area(world as graze.WorldQueries);
-    const poses = flat ? inSpace(world.poses()) : Float32Array.from(world.poses()), there = new Map<number, number>();
+    const poses = Float32Array.from(flat ? placesOfPlane(world.poses()) : world.poses()), there = new Map<number, number>();
     for (let i = 0; 7 * i < poses.length; i++) {
       const id = world.bodyAt(i);
       if (id) there.set(place(world, i, id), i);

@@ -4,8 +4,13 @@ import * as THREE from "three";
 import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { PLYLoader } from "three/examples/jsm/loaders/PLYLoader.js";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
+import type { graze } from "../graze.ts";
+import { three } from "../parts/vec.ts";
 import type { Question, Shape, Vec } from "../question.ts";
+import { filtersOf, type NamedFilter } from "./filters.ts";
 import { turned, type Scene, type SceneBody } from "./model.ts";
+import { readSvg, sceneOfPlane } from "./open-plane.ts";
+import { about } from "./run.ts";
 
 /** What is wrong with a file, in words for its owner. */
 export class Unreadable extends Error {}
@@ -107,14 +112,10 @@ function readGltf(gltf: Gltf, binary: ArrayBuffer | null, name: string): Scene {
     return { points, triangles };
   };
   const physics = gltf.extensions?.KHR_physics_rigid_bodies, shapes = gltf.extensions?.KHR_implicit_shapes?.shapes ?? [];
-  const systems = [...new Set((physics?.collisionFilters ?? []).flatMap((f) => [...(f.collisionSystems ?? []), ...(f.collideWithSystems ?? []), ...(f.notCollideWithSystems ?? [])]))].slice(0, 30);
-  const bits = (list: string[]): number => list.reduce((sum, s) => (systems.includes(s) ? sum + 2 ** (systems.indexOf(s) + 1) : sum), 0);
-  const whole = 2 ** (systems.length + 1) - 1;
-  const filterOf = (number: number | undefined): SceneBody["filter"] => {
-    const f = number === undefined ? undefined : physics?.collisionFilters?.[number];
-    if (!f) return undefined;
-    return { category: bits(f.collisionSystems ?? []) || 1, mask: f.collideWithSystems ? bits(f.collideWithSystems) : whole - bits(f.notCollideWithSystems ?? []) };
-  };
+  const named = (physics?.collisionFilters ?? []).map((f): NamedFilter => ({
+    systems: f.collisionSystems, collideWith: f.collideWithSystems, notCollideWith: f.notCollideWithSystems }));
+  const filter = filtersOf(named);
+  const filterOf = (number: number | undefined): SceneBody["filter"] => (number !== undefined && named[number] ? filter(named[number]) : undefined);
   const bodies: SceneBody[] = [], seen = new Set<number>();
   const anyCollider = nodes.some((n) => n.extensions?.KHR_physics_rigid_bodies?.collider || n.extensions?.KHR_physics_rigid_bodies?.trigger);
   const visit = (number: number, above: THREE.Matrix4, motionAbove: { mass?: number } | null): void => {
@@ -168,10 +169,23 @@ function readGlb(bytes: ArrayBuffer, name: string): Scene {
 
 /** A question as a scene of its two bodies. */
 export function sceneOfQuestion(q: Question): Scene {
-  const bodies = (["a", "b"] as const).filter((w) => q[w]).map((w): SceneBody => ({
-    ...q[w]!, name: w.toUpperCase(), translation: q[w]!.translation ?? [0, 0, 0], rotation: Array.isArray(q[w]!.rotation) ? (q[w]!.rotation as Vec) : turned, moves: w === "b", mass: undefined }));
-  if (bodies.length === 0 || q.dimension === 2) throw new Unreadable("expected a question about bodies in space");
-  return { name: `a question: ${q.query}`, bodies };
+  const bodies = (["a", "b"] as const).filter((w) => q[w]).map((w): SceneBody => {
+    const { translation, rotation } = q[w]!, turn = Array.isArray(rotation) ? rotation : rotation ? about(rotation) : turned;
+    return { ...q[w]!, name: w.toUpperCase(), translation: three(translation ?? [0, 0]), rotation: turn, moves: w === "b", mass: undefined };
+  });
+  if (bodies.length === 0) throw new Unreadable("expected a question about bodies");
+  return { name: `a question: ${q.query}`, bodies, ...(q.dimension === 2 ? { dimension: 2 as const } : {}) };
+}
+/** One question, the first of many, or a scene of the plane. */
+function readJson(text: string, name: string): Scene {
+  const whole = ((): unknown => {
+    try {
+      return JSON.parse(text);
+    } catch {
+      return JSON.parse(text.split("\n").find((l) => l.trim()) ?? "{}");
+    }
+  })();
+  return Array.isArray((whole as graze.PlaneScene).bodies) ? sceneOfPlane(whole as graze.PlaneScene, name) : sceneOfQuestion(whole as Question);
 }
 
 /** Reads what somebody dropped. Throws `Unreadable`, whose message names what is wrong. */
@@ -181,7 +195,8 @@ export async function openFile(file: File): Promise<Scene> {
     switch (kind) {
       case "gltf": return readGltf(JSON.parse(await file.text()) as Gltf, null, file.name);
       case "glb": return readGlb(await file.arrayBuffer(), file.name);
-      case "json": case "jsonl": return sceneOfQuestion(JSON.parse((await file.text()).split("\n").find((l) => l.trim()) ?? "{}") as Question);
+      case "json": case "jsonl": return readJson(await file.text(), file.name);
+      case "svg": return readSvg(await file.text(), file.name);
       case "stl": return { name: file.name, bodies: [still(file.name, fromGeometry(new STLLoader().parse(await file.arrayBuffer())))] };
       case "ply": return { name: file.name, bodies: [still(file.name, fromGeometry(new PLYLoader().parse(await file.arrayBuffer())))] };
       case "obj": {
@@ -192,7 +207,7 @@ export async function openFile(file: File): Promise<Scene> {
         if (bodies.length === 0) throw new Unreadable("the file has no faces");
         return { name: file.name, bodies };
       }
-      default: throw new Unreadable("expected .gltf, .glb, .obj, .stl, .ply, .jsonl or .capture");
+      default: throw new Unreadable("expected .gltf, .glb, .obj, .stl, .ply, .svg, .json, .jsonl or .capture");
     }
   } catch (error) {
     throw new Unreadable(`${file.name}: ${(error as Error).message}`);

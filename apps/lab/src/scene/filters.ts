@@ -1,0 +1,22 @@
+// Collision systems by their names, as scene files have them, and as the bits of filters.
+
+import type { SceneBody } from "./model.ts";
+
+export interface NamedFilter {
+  systems?: string[];
+  collideWith?: string[];
+  notCollideWith?: string[];
+}
+/** Bits of a number of JavaScript: the first is that of what belongs to no system. */
+const mostSystems = 30;
+
+/** What turns a file's filters into those of bodies. `all` is every filter of the file. */
+export function filtersOf(all: NamedFilter[]): (filter: NamedFilter) => SceneBody["filter"] {
+  const names = [...new Set(all.flatMap((f) => [...(f.systems ?? []), ...(f.collideWith ?? []), ...(f.notCollideWith ?? [])]))].slice(0, mostSystems);
+  const whole = 2 ** (names.length + 1) - 1;
+  const bits = (list: string[]): number => list.reduce((sum, s) => (names.includes(s) ? sum + 2 ** (names.indexOf(s) + 1) : sum), 0);
+  return ({ systems, collideWith, notCollideWith }) => {
+    if (!systems && !collideWith && !notCollideWith) return undefined;
+    return { category: bits(systems ?? []) || 1, mask: collideWith ? bits(collideWith) : whole - bits(notCollideWith ?? []) };
+  };
+}

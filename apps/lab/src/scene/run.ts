@@ -1,0 +1,255 @@
+// A scene as the library's objects: a world, and a simulation once it is played; of space or of the plane. Poses go in
+// and out as those of space, in the plane with z = 0, so that whoever shows them draws both alike.
+
+import { graze, planeShapeOf, poseOf, shapeOf } from "../graze.ts";
+import { add, length, scale, sub } from "../parts/vec.ts";
+import type { Body, Shape, Vec } from "../question.ts";
+import type { Scene, SceneBody } from "./model.ts";
+
+export interface Place {
+  translation: Vec;
+  rotation: Vec;
+}
+export interface Pair {
+  a: number;
+  b: number;
+  overlap: boolean;
+  manifolds: { normal: Vec; points: { a: Vec; b: Vec; distance: number }[] }[];
+}
+export interface Hit {
+  body: number;
+  t: number;
+  point: Vec;
+  normal: Vec;
+}
+
+/** What both dimensions' objects are asked and told here, with poses and vectors in their own words. */
+interface AnyQueries {
+  pose(id: graze.BodyId): { translation: Vec; rotation: Vec | number };
+  poses(): ArrayLike<number>;
+  contacts(): Pair[];
+  raycast(ray: object, options?: object): { body: graze.BodyId; hit: Omit<Hit, "body"> } | null;
+  cast(moving: object, options?: object): { body: graze.BodyId; hit: Omit<Hit, "body"> } | null;
+}
+interface AnyWorld extends AnyQueries {
+  add(body: object): graze.BodyId;
+  move(id: graze.BodyId, pose: object): void;
+  update(): void;
+  dispose(): void;
+}
+interface AnySimulation {
+  readonly world: AnyQueries;
+  add(body: object, dynamics: object, material: object): graze.BodyId;
+  addJoint(joint: object): unknown;
+  step(dt: number): void;
+  save(): graze.State;
+  restore(state: graze.State): void;
+  report(): { kineticEnergy: number; potentialEnergy: number; deepest: number };
+  setPose(id: graze.BodyId, pose: object): void;
+  setGravity(gravity: Vec): void;
+  wake(id: graze.BodyId): void;
+  applyForce(id: graze.BodyId, force: Vec): void;
+  motion(id: graze.BodyId): { linear: Vec; center: Vec };
+  mass(id: graze.BodyId): number;
+  dispose(): void;
+}
+type AnyShape = graze.Shape | graze.plane.Shape;
+interface Dimension {
+  world(): AnyWorld;
+  simulation(settings: object): AnySimulation;
+  shape(of: Shape): AnyShape;
+  draw(world: AnyQueries, on: graze.Renderer): void;
+  /** Numbers of a vector of space. */
+  vector(of: Vec): Vec;
+  turning(of: Vec): Vec | number;
+  pose(of: Place): { translation: Vec; rotation: Vec | number };
+  place(of: { translation: Vec; rotation: Vec | number }): Place;
+  places(poses: ArrayLike<number>): ArrayLike<number>;
+}
+
+const angleOf = ([, , z, w]: Vec): number => 2 * Math.atan2(z, w);
+/** The rotation about Z by an angle. */
+export const about = (angle: number): Vec => [0, 0, Math.sin(angle / 2), Math.cos(angle / 2)];
+
+const space: Dimension = {
+  world: () => new graze.World() as unknown as AnyWorld,
+  simulation: (settings) => new graze.Simulation(settings) as unknown as AnySimulation,
+  shape: shapeOf,
+  draw: (world, on) => graze.draw.world(world as unknown as graze.WorldQueries, on),
+  vector: (v) => v,
+  turning: (v) => v,
+  pose: (place) => ({ translation: place.translation, rotation: poseOf(place as Body).rotation! }),
+  place: (pose) => pose as Place,
+  places: (poses) => poses,
+};
+const plane: Dimension = {
+  world: () => new graze.plane.World() as unknown as AnyWorld,
+  simulation: (settings) => new graze.plane.Simulation(settings) as unknown as AnySimulation,
+  shape: planeShapeOf,
+  draw: (world, on) => graze.plane.draw.world(world as unknown as graze.plane.WorldQueries, on),
+  vector: ([x, y]) => [x, y],
+  turning: (v) => v[2],
+  pose: ({ translation: [x, y], rotation }) => ({ translation: [x, y], rotation: angleOf(rotation) }),
+  place: ({ translation: [x, y], rotation }) => ({ translation: [x, y, 0], rotation: about(rotation as number) }),
+  places: placesOfPlane,
+};
+
+/** Poses of the plane (place, and cosine and sine of the turn) as poses of space, of seven numbers each. */
+export function placesOfPlane(poses: ArrayLike<number>): Float64Array {
+  const made = new Float64Array((poses.length / 4) * 7);
+  for (let i = 0; 4 * i < poses.length; i++)
+    made.set([poses[4 * i], poses[4 * i + 1], 0, ...about(Math.atan2(poses[4 * i + 3], poses[4 * i + 2]))], 7 * i);
+  return made;
+}
+
+export class Run {
+  readonly flat: boolean;
+  private readonly scene: Scene;
+  private readonly own: Dimension;
+  private readonly shapes = new Map<string, AnyShape>();
+  private world: AnyWorld | null;
+  private simulation: AnySimulation | null = null;
+  private ids: graze.BodyId[];
+
+  /** Throws `InvalidValue` for what the library refuses. */
+  constructor(scene: Scene) {
+    this.scene = scene;
+    this.flat = scene.dimension === 2;
+    this.own = this.flat ? plane : space;
+    this.world = this.own.world();
+    try {
+      this.ids = scene.bodies.map((body) => this.world!.add(this.body(body)));
+      this.world.update();
+    } catch (error) {
+      this.dispose();
+      throw error;
+    }
+  }
+  dispose(): void {
+    this.simulation?.dispose();
+    this.world?.dispose();
+    for (const shape of this.shapes.values()) shape.dispose();
+  }
+
+  // --- What is true now ---
+
+  get played(): boolean {
+    return this.simulation !== null;
+  }
+  /** Seven numbers for each of the scene's bodies: translation and quaternion. */
+  poses(): ArrayLike<number> {
+    return this.own.places(this.questions().poses());
+  }
+  place(body: number): Place {
+    return this.own.place(this.questions().pose(this.ids[body]));
+  }
+  /** A body where it is now, as a question has it. */
+  asked(body: number): Body {
+    return { shape: this.scene.bodies[body].shape, ...this.own.pose(this.place(body)) };
+  }
+  contacts(): Pair[] {
+    return this.questions().contacts();
+  }
+  raycast(ray: { origin: Vec; direction: Vec }): Hit | null {
+    const { vector } = this.own;
+    return this.hit(this.questions().raycast({ origin: vector(ray.origin), direction: vector(ray.direction) }));
+  }
+  /** What a body would meet first on its way by `motion`, unturned; what it touches already and leaves is none. */
+  cast(body: number, motion: Vec): Hit | null {
+    const moving = { shape: this.shape(this.scene.bodies[body].shape), ...this.own.pose(this.place(body)), linear: this.own.vector(motion) };
+    const accept = (id: graze.BodyId): boolean => id.index !== this.ids[body].index;
+    return this.hit(this.questions().cast(moving, { accept, separating: "ignored" }));
+  }
+  /** The box around a body in its own frame, or around where it is now. */
+  bounds(body: number, placed = false): { lower: Vec; upper: Vec } {
+    const shape = this.shape(this.scene.bodies[body].shape) as graze.Shape;
+    const { lower, upper } = shape.bounds(placed ? (this.own.pose(this.place(body)) as graze.PoseLike) : undefined);
+    return { lower: [...lower, 0].slice(0, 3), upper: [...upper, 0].slice(0, 3) };
+  }
+  /** What the broad phase looks at: the box around each body, and those of its tree. */
+  drawBroadPhase(line: (from: Vec, to: Vec, leaf: boolean) => void): void {
+    this.own.draw(this.questions(), { layers: ["bounds", "tree"], line: (from, to, layer) => line(from, to, layer === "bounds") });
+  }
+
+  // --- What changes it ---
+
+  /** Puts a body somewhere else; contacts are found anew, while nothing is played. */
+  put(body: number, place: Place): void {
+    const pose = this.own.pose(place);
+    if (this.simulation) return this.simulation.setPose(this.ids[body], pose);
+    this.world!.move(this.ids[body], pose);
+    this.world!.update();
+  }
+  /** From here on the laws of motion hold. */
+  play(subSteps: number, gravity: Vec): void {
+    if (this.simulation) return;
+    const made = this.own.simulation({ gravity: this.own.vector(gravity), subSteps });
+    try {
+      const ids = this.scene.bodies.map((body) =>
+        made.add(this.body(body), body.moves ? { ...(body.mass ? { mass: body.mass } : {}), ...body.dynamics } : {}, body.material ?? {}));
+      for (const { a, b, kind, at } of this.scene.joints ?? []) {
+        // Where the joint is in the frame of a body: bodies with joints stand unturned in the scenes here.
+        const frame = (body: number): object => ({ translation: sub(at, this.scene.bodies[body].translation) });
+        made.addJoint({ a: ids[a], b: ids[b], kind, frameA: frame(a), frameB: frame(b) });
+      }
+      this.ids = ids;
+    } catch (error) {
+      made.dispose();
+      throw error;
+    }
+    this.simulation = made;
+    this.world!.dispose();
+    this.world = null;
+  }
+  setGravity(gravity: Vec): void {
+    this.simulation?.setGravity(this.own.vector(gravity));
+  }
+  step(dt: number): { energy: number; deepest: number } {
+    this.simulation!.step(dt);
+    const { kineticEnergy, potentialEnergy, deepest } = this.simulation!.report();
+    return { energy: kineticEnergy + potentialEnergy, deepest };
+  }
+  save(): graze.State {
+    return this.simulation!.save();
+  }
+  restore(state: graze.State): void {
+    this.simulation!.restore(state);
+  }
+  /** A spring, critically damped at three hertz, from the centre of mass to a place. */
+  pull(body: number, to: Vec): void {
+    const simulation = this.simulation!, id = this.ids[body], omega = 2 * Math.PI * 3;
+    const { linear, center } = simulation.motion(id), mass = simulation.mass(id);
+    const force = sub(scale(sub(to, center), omega * omega * mass), scale(linear, 2 * omega * mass));
+    simulation.wake(id);
+    simulation.applyForce(id, this.own.vector(force));
+  }
+
+  private questions(): AnyQueries {
+    return this.simulation?.world ?? this.world!;
+  }
+  private hit(found: { body: graze.BodyId; hit: Omit<Hit, "body"> } | null): Hit | null {
+    return found && { ...found.hit, body: found.body.index };
+  }
+  private shape(of: Shape): AnyShape {
+    const key = JSON.stringify(of);
+    let known = this.shapes.get(key);
+    if (!known) {
+      known = this.own.shape(of);
+      this.shapes.set(key, known);
+    }
+    return known;
+  }
+  private body(body: SceneBody): object {
+    const { own } = this;
+    return {
+      shape: this.shape(body.shape), ...own.pose(body), fixed: !body.moves, trigger: body.trigger ?? false,
+      ...(body.linear ? { linear: own.vector(body.linear) } : {}), ...(Array.isArray(body.angular) ? { angular: own.turning(body.angular) } : {}),
+      ...(body.filter ? { filter: body.filter } : {}),
+    };
+  }
+}
+
+/** How a body reaches a place by its motion in a unit of time. */
+export const reached = (place: Place, motion: Vec, t: number): Place => ({ ...place, translation: add(place.translation, scale(motion, t)) });
+/** Half of the diagonal of a box. */
+export const reachOf = ({ lower, upper }: { lower: Vec; upper: Vec }): number => length(sub(upper, lower)) / 2;
