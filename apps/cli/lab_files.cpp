@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 
 #include "graze/error.hpp"
-#include "graze/io/file.hpp"
 
 namespace graze::cli {
 
@@ -17,13 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_lab_file = std::size_t{64} << 20;
-
-std::string content_of(const fs::path& file) {
-  std::ifstream in = io::open_file(file);
-  std::string content{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw InvalidValue(file.string(), "", "cannot be read to its end");
-  return content;
-}
 
 std::string type_of(const fs::path& file) {
   constexpr std::array<std::pair<const char*, const char*>, 8> types{{{".html", "text/html; charset=utf-8"},
@@ -51,19 +41,12 @@ std::string in_address(const std::string& name) {
   return out;
 }
 
-/// Another time of writing or another size is another version: a large file is not read to see that nothing changed.
-std::string version_of(const fs::path& file) {
-  return fmt::format("\"{:x}-{:x}\"", fs::last_write_time(file).time_since_epoch().count(), fs::file_size(file));
-}
-
 LabAnswer refusal(int status, const std::string& why) { return {status, "text/plain; charset=utf-8", "", why + "\n"}; }
 
 }  // namespace
 
 LabFiles::LabFiles(const fs::path& lab, fs::path shown) : shown_(std::move(shown)) {
-  io::open_file(shown_);
-  if (!fs::is_regular_file(shown_)) throw InvalidValue(shown_.string(), "a regular file", "something else");
-  shown_path_ = "/file/" + shown_.filename().string();
+  shown_path_ = "/file/" + shown_.path().filename().string();
   std::error_code problem;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(lab, problem)) {
     // A link could lead out of the folder.
@@ -71,7 +54,7 @@ LabFiles::LabFiles(const fs::path& lab, fs::path shown) : shown_(std::move(shown
     if (entry.file_size() > largest_lab_file)
       throw InvalidValue(entry.path().string(), "a file of the lab", fmt::format("{} bytes", entry.file_size()));
     files_.emplace("/" + fs::relative(entry.path(), lab).generic_string(),
-                   File{type_of(entry.path()), content_of(entry.path())});
+                   File{type_of(entry.path()), bytes_of(entry.path())});
   }
   const auto index = files_.find("/index.html");
   if (index == files_.end())
@@ -95,16 +78,16 @@ LabAnswer LabFiles::answer(const LabRequest& request, int port) const {
 }
 
 LabAnswer LabFiles::shown_file(const LabRequest& request) const try {
-  if (!fs::is_regular_file(shown_)) return refusal(404, "The file is gone");
-  const std::string version = version_of(shown_);
-  if (request.if_none_match == version) return {304, type_of(shown_), version, ""};
-  return {200, type_of(shown_), version, content_of(shown_)};
+  if (!shown_.is_there()) return refusal(404, "The file is gone");
+  const std::string version = "\"" + shown_.version() + "\"", type = type_of(shown_.path());
+  if (request.if_none_match == version) return {304, type, version, ""};
+  return {200, type, version, shown_.content()};
 } catch (const std::exception&) {
   return refusal(404, "The file is gone");
 }
 
 std::string LabFiles::page() const {
-  return "/#/scene?file=" + in_address("file/" + in_address(shown_.filename().string()));
+  return "/#/scene?file=" + in_address("file/" + in_address(shown_.path().filename().string()));
 }
 
 fs::path find_lab(const std::string& given) {

@@ -1,4 +1,4 @@
-// What `graze view` gives away: the files of the built lab, and one file to look at.
+// What `graze view` gives away: the files of the built lab, and one file to look at, with what belongs to it.
 //
 // Guarantee: nothing else of the disk, whatever a request says: a request names an entry of a table that was made at the
 // start, or nothing. Answers only requests that the lab's own page makes, or the person who types its address. Safe from
@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
+
+#include "shown_file.hpp"
 
 namespace graze::cli {
 
@@ -46,7 +48,7 @@ class LabFiles {
   LabAnswer shown_file(const LabRequest& request) const;
 
   std::map<std::string, File, std::less<>> files_;  ///< by the paths that a request has
-  std::filesystem::path shown_;
+  ShownFile shown_;
   std::string shown_path_;
 };
 

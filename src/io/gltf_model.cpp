@@ -61,12 +61,9 @@ std::string percent_decoded(const std::string& uri) {
   return text;
 }
 
-/// A file named by a scene: one below the scene's folder, so that a scene cannot make us copy any other.
 std::optional<Bytes> resource(const std::filesystem::path& folder, const std::string& uri) {
-  const auto file = (folder / percent_decoded(uri)).lexically_normal();
-  const auto inner = file.lexically_relative(folder.lexically_normal());
-  if (inner.empty() || *inner.begin() == "..") return std::nullopt;
-  return read_bytes(file);
+  const auto file = file_below(folder, uri);
+  return file ? read_bytes(*file) : std::nullopt;
 }
 
 std::string base64(const Bytes& bytes) {
@@ -130,6 +127,14 @@ std::string words(std::initializer_list<std::size_t> values) {
 }
 
 }  // namespace
+
+std::optional<std::filesystem::path> file_below(const std::filesystem::path& folder, const std::string& uri) {
+  if (uri.starts_with("data:")) return std::nullopt;
+  const auto file = (folder / percent_decoded(uri)).lexically_normal();
+  const auto inner = file.lexically_relative(folder.lexically_normal());
+  if (inner.empty() || *inner.begin() == "..") return std::nullopt;
+  return file;
+}
 
 GltfModel::GltfModel() : json_{{"asset", {{"version", "2.0"}, {"generator", "graze"}}}} { shown_scene(); }
 
@@ -272,15 +277,15 @@ Json GltfModel::without_empty_lists() const {
   return json;
 }
 
-void GltfModel::save_text(const std::filesystem::path& file) const {
+std::string GltfModel::text() const {
   Json json = without_empty_lists();
   if (!data_.empty()) json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(data_);
-  write_file(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void GltfModel::save(const std::filesystem::path& file) const {
   if (std::string ending = file.extension().string(); ending.size() == 5 && (ending.back() | 0x20) == 'f')
-    return save_text(file);
+    return write_file(file, text());
   std::string text = without_empty_lists().dump(-1, ' ', false, Json::error_handler_t::replace);
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::string binary(data_.begin(), data_.end());

@@ -15,6 +15,10 @@
 
 namespace graze::io {
 
+/// The file that a scene in `folder` names: one below that folder, so that a scene cannot make us read any other; none for
+/// data in the address itself.
+std::optional<std::filesystem::path> file_below(const std::filesystem::path& folder, const std::string& uri);
+
 class GltfModel {
  public:
   /// Nothing but an empty scene.
@@ -39,7 +43,9 @@ class GltfModel {
   /// Adds a node to the scene that is shown.
   std::size_t add_root(Json node);
 
-  /// One file with everything in it: text when its name ends in .gltf, else binary.
+  /// The text of one file with everything in it.
+  std::string text() const;
+  /// The same as a file: text when its name ends in .gltf, else binary.
   void save(const std::filesystem::path& file) const;
 
   /// What could not be taken along, one sentence each.
@@ -48,7 +54,6 @@ class GltfModel {
  private:
   Json& shown_scene();
   Json without_empty_lists() const;
-  void save_text(const std::filesystem::path& file) const;
   void embed_buffers(const std::filesystem::path& folder, std::span<const unsigned char> chunk);
   void embed_images(const std::filesystem::path& folder);
 

@@ -174,6 +174,39 @@ TEST(View, GivesAwayNothingElse) {
   EXPECT_EQ(status_of(viewing.get("/")), 200) << "and goes on serving";
 }
 
+/// Four bytes of a buffer in a file of its own, and one more that the scene may not have.
+std::string scene_with_buffer(const std::string& uri) {
+  return R"({"asset": {"version": "2.0"}, "buffers": [{"uri": ")" + uri + R"(", "byteLength": 4}]})";
+}
+
+TEST(View, ASceneCarriesItsBuffersAndChangesWithThem) {
+  ViewFolder folder;
+  folder.scene = folder.root / "scene.gltf";
+  write_text(folder.scene, scene_with_buffer("parts/a%20b.bin"));
+  fs::create_directories(folder.root / "parts");
+  write_text(folder.root / "parts/a b.bin", "abcd");
+  const Viewing viewing(folder);
+  const std::string whole = viewing.get("/file/scene.gltf");
+  EXPECT_EQ(status_of(whole), 200);
+  EXPECT_NE(whole.find("base64,YWJjZA=="), std::string::npos) << whole;
+  EXPECT_GE(status_of(viewing.get("/file/parts/a%20b.bin")), 400) << "one file is enough";
+  const std::string version = header_of(whole, "ETag");
+  EXPECT_EQ(status_of(viewing.get("/file/scene.gltf", "If-None-Match: " + version + "\r\n")), 304);
+  write_text(folder.root / "parts/a b.bin", "efghi");
+  const std::string later = viewing.get("/file/scene.gltf", "If-None-Match: " + version + "\r\n");
+  EXPECT_EQ(status_of(later), 200);
+  // A buffer that is not of its length: the page is given the scene as it is, and says what is wrong with it.
+  EXPECT_NE(later.find("a%20b.bin"), std::string::npos);
+  for (const char* uri : {"../outside.bin", "/etc/passwd", "..%2foutside.bin", "parts/../../outside.bin"}) {
+    write_text(folder.root.parent_path() / "outside.bin", "SECR");
+    write_text(folder.scene, scene_with_buffer(uri));
+    const std::string answer = viewing.get("/file/scene.gltf");
+    EXPECT_NE(answer.find(uri), std::string::npos) << answer;
+    EXPECT_EQ(answer.find("base64"), std::string::npos) << uri;
+    fs::remove(folder.root.parent_path() / "outside.bin");
+  }
+}
+
 TEST(View, TalksToNoOtherSite) {
   const ViewFolder folder;
   const Viewing viewing(folder);

@@ -136,3 +136,43 @@ def test_what_is_wrong_is_said():
     with pytest.raises(RuntimeError, match="out of ink"):
         graze.draw(Throws(), box)
     assert graze.suggested_color("contact") == (193, 18, 31)
+
+
+def test_what_a_question_did_is_drawn_before_it_answers():
+    shapes = graze.Box((2, 2, 2)), None, graze.ConvexHull([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), (1.4, 0.2, 0.1)
+    for question in graze.overlap, graze.distance, graze.contacts:
+        on = Everything()
+        drawn, plain = question(*shapes, trace=on), question(*shapes)
+        assert type(drawn) is type(plain)
+        assert {layer for _, _, layer, _ in on.calls} >= {"trace"}
+    on = Everything()
+    answer, trace = graze.distance(*shapes, trace=True)
+    assert graze.distance(*shapes, trace=on).distance == answer.distance == graze.distance(*shapes).distance
+    assert trace["gjk"] and on.of("line")
+    # What moves: the ray and the cast.
+    on = Everything()
+    assert graze.raycast(graze.Sphere(1), None, (-3, 0, 0), (1, 0, 0), trace=on).t == 2
+    assert graze.cast(graze.Sphere(1), None, (0, 0, 0), graze.Sphere(1), (4, 0, 0), (-2, 0, 0), trace=on).t == pytest.approx(1)
+    assert graze.closest(graze.Sphere(1), None, (3, 0, 0), trace=on).distance == 2
+
+
+def test_in_the_plane_too():
+    on = Everything()
+    shapes = plane.Box((2, 2)), None, plane.ConvexPolygon([(0, 0), (1, 0), (0, 1)]), (1.4, 0.2)
+    assert plane.distance(*shapes, trace=on).distance == plane.distance(*shapes).distance
+    assert on.of("line") and all(len(p) == 3 and p[2] == 0 for _, places, _, _ in on.calls for p in places if not isinstance(p, str))
+    hit, trace = plane.raycast(plane.Circle(1), None, (-3, 0), (1, 0), trace=True)
+    assert hit.t == 2 and trace["method"]
+    moving = plane.Circle(1), None, (0, 0), plane.Circle(1), (1, 0), (1, 0)
+    assert plane.cast(*moving).t == 0 and plane.cast(*moving, ignore_separating=True) is None
+    assert plane.cast(*moving, trace=on).t == 0
+
+
+def test_flags_of_all_kinds_ask_for_a_trace():
+    shapes = graze.Sphere(1), None, graze.Sphere(1), (3, 0, 0)
+    for no in False, None, 0, np.bool_(False):
+        assert graze.distance(*shapes, trace=no).distance == 1
+    for yes in True, 1, np.bool_(True):
+        assert graze.distance(*shapes, trace=yes)[0].distance == 1
+    with pytest.raises(ValueError, match="size"):
+        graze.distance(*shapes, trace=type("Flat", (), {"size": 0}))

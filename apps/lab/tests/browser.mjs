@@ -338,6 +338,14 @@ await test("viewer: opens the project's scenes, and says what is wrong with a br
   await open(text("q.jsonl", '{"query":"overlap","a":{"shape":{"type":"sphere"}},"b":{"shape":{"type":"box"},"translation":[0.7,0,0]}}\n'));
   assert.equal((await shown(page)).bodies, 2);
   assert.equal((await shown(page)).pairs, 1);
+  // A triangle whose numbers lie in a file of their own.
+  const split = { asset: { version: "2.0" }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3" }], bufferViews: [{ buffer: 0, byteLength: 36 }], buffers: [{ byteLength: 36, uri: "parts/a%20b.bin" }] };
+  const numbersBeside = { name: "a b.bin", mimeType: "application/octet-stream", buffer: Buffer.from(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).buffer) };
+  await open([numbersBeside, text("split.gltf", JSON.stringify(split))]);
+  assert.equal((await shown(page)).bodies, 1);
+  await open(text("split.gltf", JSON.stringify(split)));
+  assert.match(await page.textContent(".trouble:not([hidden])"), /buffers\[0\]: lies in a b.bin: open it together/);
   for (const [name, content] of [["cut.gltf", "{"], ["empty.gltf", "{}"], ["bad.glb", "glTF"], ["nothing.obj", "# nothing"], ["x.stl", "solid"], ["picture.png", "x"],
     ["deep.gltf", '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]}'],
     ["far.gltf", '{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":99,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":4}],"buffers":[{"byteLength":3,"uri":"data:;base64,AAAA"}]}'],

@@ -1,5 +1,6 @@
 // The questions about one pair, one shape or one ray of the plane.
 #include "plane_convert.hpp"
+#include "traced.hpp"
 
 namespace graze::python {
 
@@ -7,13 +8,10 @@ namespace {
 
 using plane::Shaped;
 
-/// The answer, or (answer, trace) where that is asked for.
+/// As `traced`, for questions whose answers are the library's.
 template <class F>
-py::object answered(bool explain, F&& ask) {
-  if (!explain) return object_of_answer(ask(nullptr));
-  Trace trace;
-  py::object answer = object_of_answer(ask(&trace));
-  return py::make_tuple(answer, object_of(trace));
+py::object answered(const py::object& trace, const F& ask) {
+  return traced(trace, [&](Trace* t) { return object_of_answer(ask(t)); });
 }
 
 template <class Hit>
@@ -34,11 +32,13 @@ double finite(double value, const char* name) {
 void add_pairs(py::module_& m) {
   m.def(
       "overlap",
-      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, bool trace) {
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b,
+         const py::object& trace) {
         return answered(trace, [&](Trace* t) { return overlap(a, pose_a.value, b, pose_b.value, t); });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
-      R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace).
+      R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace); with a
+renderer as of draw for trace, what the question did is drawn through it.
 
 >>> from graze import plane
 >>> plane.overlap(plane.Box((2, 2)), None, plane.Circle(0.5), (1.4, 0))
@@ -46,7 +46,8 @@ True
 )");
   m.def(
       "distance",
-      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, bool trace) {
+      [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b,
+         const py::object& trace) {
         return answered(trace, [&](Trace* t) { return distance(a, pose_a.value, b, pose_b.value, t); });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
@@ -62,7 +63,7 @@ Negative where they overlap: minus the length of the shortest translation that s
   m.def(
       "contacts",
       [](const Shaped& a, const Placement2& pose_a, const Shaped& b, const Placement2& pose_b, double margin,
-         bool trace) {
+         const py::object& trace) {
         checked_limit(margin, "margin");
         return answered(trace, [&](Trace* t) {
           plane::Manifolds<double> manifolds;
@@ -86,7 +87,7 @@ Negative where they overlap: minus the length of the shortest translation that s
       py::arg("b"), "A margin with which a body at rest keeps its points: a hundredth of the smaller one's size.");
   m.def(
       "closest",
-      [](const Shaped& shape, const Placement2& pose, const Vector2& point, bool trace) {
+      [](const Shaped& shape, const Placement2& pose, const Vector2& point, const py::object& trace) {
         const plane::Vec2d p = checked(point.value, "point");
         return answered(trace, [&](Trace* t) { return closest(shape, pose.value, p, t); });
       },
@@ -97,12 +98,15 @@ Negative where they overlap: minus the length of the shortest translation that s
 void add_motion(py::module_& m) {
   m.def(
       "raycast",
-      [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length) {
-        return object_or_none(raycast(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
-                                      checked_limit(length, "length")));
+      [](const Shaped& shape, const Placement2& pose, const Vector2& origin, const Vector2& direction, double length,
+         const py::object& trace) {
+        return traced(trace, [&](Trace* t) {
+          return object_or_none(raycast(shape, pose.value, plane::Ray<double>{origin.value, direction.value},
+                                        checked_limit(length, "length"), t));
+        });
       },
       py::arg("shape"), py::arg("pose"), py::arg("origin"), py::arg("direction"),
-      py::arg("length") = std::numeric_limits<double>::infinity(),
+      py::arg("length") = std::numeric_limits<double>::infinity(), py::arg("trace") = false,
       R"(What a ray hits first within `length`: a RayHit, or None.
 
 direction need not be of unit length; t of the hit is a length.
@@ -114,17 +118,23 @@ direction need not be of unit length; t of the hit is a length.
   m.def(
       "cast",
       [](const Shaped& a, const Placement2& pose_a, const Vector2& linear_a, const Shaped& b, const Placement2& pose_b,
-         const Vector2& linear_b, double duration, double angular_a, double angular_b) {
+         const Vector2& linear_b, double duration, double angular_a, double angular_b, bool ignore_separating,
+         const py::object& trace) {
         const plane::Velocity<double> v{checked(linear_a.value, "linear_a"), finite(angular_a, "angular_a")};
         const plane::Velocity<double> w{checked(linear_b.value, "linear_b"), finite(angular_b, "angular_b")};
         finite(checked_limit(duration, "duration"), "duration");
-        return object_or_none(cast(a, pose_a.value, v, b, pose_b.value, w, duration));
+        const CastOptions options{ignore_separating ? Separating::ignored : Separating::hit};
+        return traced(trace, [&](Trace* t) {
+          return object_or_none(cast(a, pose_a.value, v, b, pose_b.value, w, duration, options, t));
+        });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("linear_a"), py::arg("b"), py::arg("pose_b"), py::arg("linear_b"),
       py::arg("duration") = 1.0, py::arg("angular_a") = 0.0, py::arg("angular_b") = 0.0,
+      py::arg("ignore_separating") = false, py::arg("trace") = false,
       R"(When two moving bodies first touch within `duration`: a CastHit, or None.
 
-Velocities in units of length and radians (counter-clockwise) per unit of time.
+Velocities in units of length and radians (counter-clockwise) per unit of time. ignore_separating: whether
+shapes that touch at the start and move apart do not count.
 
 >>> from graze import plane
 >>> plane.cast(plane.Box((2, 2)), None, (0, 0), plane.Circle(0.5), (9, 0), (-15, 0)).t

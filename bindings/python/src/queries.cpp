@@ -1,18 +1,16 @@
 // The questions about one pair, one shape or one ray.
 #include "answers.hpp"
 #include "shapes.hpp"
+#include "traced.hpp"
 
 namespace graze::python {
 
 namespace {
 
-/// The answer, or (answer, trace) where that is asked for.
+/// As `traced`, for questions whose answers are the library's.
 template <class F>
-py::object answered(bool explain, F&& ask) {
-  if (!explain) return object_of_answer(ask(nullptr));
-  Trace trace;
-  py::object answer = object_of_answer(ask(&trace));
-  return py::make_tuple(answer, object_of(trace));
+py::object answered(const py::object& trace, const F& ask) {
+  return traced(trace, [&](Trace* t) { return object_of_answer(ask(t)); });
 }
 
 double checked_limit(double limit, const char* name) {
@@ -29,12 +27,12 @@ void add_pairs(py::module_& m) {
   const auto pair = [](const char* text) { return std::string(text); };
   m.def(
       "overlap",
-      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, bool trace) -> py::object {
-        if (!trace) return py::bool_(overlap(a, pose_a.value, b, pose_b.value));
-        return answered(true, [&](Trace* t) { return overlap(a, pose_a.value, b, pose_b.value, t); });
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, const py::object& trace) {
+        return answered(trace, [&](Trace* t) { return overlap(a, pose_a.value, b, pose_b.value, t); });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
-      pair(R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace).
+      pair(R"(Whether two shapes touch: their distance is <= 0. With trace=True (answer, trace); with a
+renderer as of draw for trace, what the question did is drawn through it.
 
 >>> import graze
 >>> graze.overlap(graze.Box((2, 2, 2)), None, graze.Sphere(0.5), (1.4, 0, 0))
@@ -43,7 +41,7 @@ True
           .c_str());
   m.def(
       "distance",
-      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, bool trace) {
+      [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, const py::object& trace) {
         return answered(trace, [&](Trace* t) { return distance(a, pose_a.value, b, pose_b.value, t); });
       },
       py::arg("a"), py::arg("pose_a"), py::arg("b"), py::arg("pose_b"), py::arg("trace") = false,
@@ -86,7 +84,7 @@ Negative where they overlap: minus the length of the shortest translation that s
   m.def(
       "contacts",
       [](const Shaped& a, const Placement& pose_a, const Shaped& b, const Placement& pose_b, double margin,
-         bool trace) {
+         const py::object& trace) {
         checked_limit(margin, "margin");
         return answered(trace, [&](Trace* t) {
           Manifolds<double> manifolds;
@@ -114,7 +112,7 @@ Negative where they overlap: minus the length of the shortest translation that s
 void add_points_and_rays(py::module_& m) {
   m.def(
       "closest",
-      [](const Shaped& shape, const Placement& pose, const Vector& point, bool trace) {
+      [](const Shaped& shape, const Placement& pose, const Vector& point, const py::object& trace) {
         const Vec3d p = validate::point(point.value, "point");
         return answered(trace, [&](Trace* t) { return closest(shape, pose.value, p, t); });
       },
@@ -123,7 +121,7 @@ void add_points_and_rays(py::module_& m) {
   m.def(
       "raycast",
       [](const Shaped& shape, const Placement& pose, const Vector& origin, const Vector& direction, double length,
-         bool back_faces, bool trace) {
+         bool back_faces, const py::object& trace) {
         const Ray<double> ray{origin.value, direction.value};
         return answered(trace, [&](Trace* t) -> py::object {
           const auto hit = raycast(shape, pose.value, ray, checked_limit(length, "length"),
@@ -173,7 +171,7 @@ void add_casts(py::module_& m) {
       "cast",
       [](const Shaped& a, const Placement& pose_a, const Vector& linear_a, const Shaped& b, const Placement& pose_b,
          const Vector& linear_b, double duration, const Vector& angular_a, const Vector& angular_b,
-         bool ignore_separating, bool trace) {
+         bool ignore_separating, const py::object& trace) {
         const Velocity<double> v = velocity_of(linear_a, angular_a, "a"), w = velocity_of(linear_b, angular_b, "b");
         if (!(checked_limit(duration, "duration") <= largest_magnitude<double>))
           validate::fail("duration", "a finite number >= 0", duration);

@@ -13,7 +13,7 @@ import { add, length, quatBetween, quatMultiply, rotate, scale, sub, unit } from
 import type { Question, State, Vec } from "../question.ts";
 import { readCapture, type Captured } from "../scene/captured.ts";
 import type { Scene } from "../scene/model.ts";
-import { openFile, sceneOfQuestion } from "../scene/open.ts";
+import { kindOf, openFile, sceneOfQuestion } from "../scene/open.ts";
 import { reached, reachOf, Run, type Hit, type Pair, type Place } from "../scene/run.ts";
 import { scenes } from "../scene/scenes.ts";
 import type { Room } from "./room.ts";
@@ -88,8 +88,7 @@ export class SceneRoom implements Room {
     this.element.addEventListener("dragover", (event) => event.preventDefault());
     this.element.addEventListener("drop", (event) => {
       event.preventDefault();
-      const [file] = event.dataTransfer?.files ?? [];
-      if (file) void this.chosenFile(file);
+      void this.chosenFiles([...(event.dataTransfer?.files ?? [])]);
     });
     const key = values.scene && scenes[values.scene] ? values.scene : "shapes";
     this.list.value = key;
@@ -196,14 +195,17 @@ export class SceneRoom implements Room {
     if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
     return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
   }
-  private chosenFile(file: File): Promise<void> {
+  /** A scene, and with it the files of its buffers. */
+  private async chosenFiles(files: File[]): Promise<void> {
+    const scene = files.find((file) => kindOf(file) !== "bin") ?? files[0];
+    if (!scene) return;
     this.unwatch();
-    return this.file(file);
+    await this.file(scene, files);
   }
-  private async file(file: File): Promise<void> {
+  private async file(file: File, beside: File[] = []): Promise<void> {
     try {
-      if (file.name.endsWith(".capture")) this.onCapture(file.name, await readCapture(await file.arrayBuffer()));
-      else this.open(await openFile(file));
+      if (kindOf(file) === "capture") this.onCapture(file.name, await readCapture(await file.arrayBuffer()));
+      else this.open(await openFile(file, beside));
     } catch (error) {
       this.say((error as Error).message);
     }
@@ -425,8 +427,8 @@ export class SceneRoom implements Room {
   }
 
   private page(): HTMLElement {
-    const chooser = h("input", { type: "file", class: "hidden", accept: ".gltf,.glb,.obj,.stl,.ply,.svg,.json,.jsonl,.capture", "aria-label": "Open a file",
-      onchange: (event: Event) => { const [file] = (event.target as HTMLInputElement).files ?? []; if (file) void this.chosenFile(file); } }) as HTMLInputElement;
+    const chooser = h("input", { type: "file", multiple: true, class: "hidden", accept: ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture", "aria-label": "Open a file",
+      onchange: (event: Event) => void this.chosenFiles([...((event.target as HTMLInputElement).files ?? [])]) }) as HTMLInputElement;
     const again = (): void => { const { scene } = this; this.open(scenes[this.list.value]?.().name === scene.name ? scenes[this.list.value]() : scene); };
     return h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),

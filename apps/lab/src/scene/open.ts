@@ -78,20 +78,23 @@ function scaled(shape: Shape, scale: Vec, node: number): Shape {
   throw new Unreadable(`nodes[${node}]: a ${shape.type} scaled by ${scale.join(", ")}; graze collide reads it`);
 }
 
-function buffers(gltf: Gltf, binary: ArrayBuffer | null): ArrayBuffer[] {
-  return (gltf.buffers ?? []).map((b, i) => {
+/** The bytes of all buffers; those in files of their own are among `beside`, the files opened with the scene. */
+function buffers(gltf: Gltf, binary: ArrayBuffer | null, beside: File[]): Promise<ArrayBuffer[]> {
+  return Promise.all((gltf.buffers ?? []).map(async (b, i) => {
     if (b.uri === undefined && i === 0 && binary) return binary;
     const text = /^data:[^,]*;base64,(.*)$/.exec(b.uri ?? "")?.[1];
-    if (!text) throw new Unreadable(`buffers[${i}]: lies in another file; save the scene as .glb`);
-    return Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer as ArrayBuffer;
-  });
+    if (text) return Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer as ArrayBuffer;
+    const name = decodeURIComponent(b.uri ?? "").split("/").pop(), file = beside.find((f) => f.name === name);
+    if (!file) throw new Unreadable(`buffers[${i}]: lies in ${name || "no file"}: open it together with the scene, or by graze view`);
+    return file.arrayBuffer();
+  }));
 }
 const widths: Record<number, [number, (view: DataView, at: number) => number]> = {
   5121: [1, (v, at) => v.getUint8(at)], 5123: [2, (v, at) => v.getUint16(at, true)], 5125: [4, (v, at) => v.getUint32(at, true)], 5126: [4, (v, at) => v.getFloat32(at, true)] };
 
-function readGltf(gltf: Gltf, binary: ArrayBuffer | null, name: string): Scene {
+async function readGltf(gltf: Gltf, binary: ArrayBuffer | null, name: string, beside: File[]): Promise<Scene> {
   if (!gltf.asset?.version?.startsWith("2")) throw new Unreadable("asset.version: expected 2.0");
-  const data = buffers(gltf, binary), nodes = gltf.nodes ?? [];
+  const data = await buffers(gltf, binary, beside), nodes = gltf.nodes ?? [];
   const read = (number: number): Vec[] => {
     const accessor = gltf.accessors?.[number], view = accessor && gltf.bufferViews?.[accessor.bufferView ?? -1], wide = accessor && widths[accessor.componentType];
     if (!accessor || !view || !wide || !data[view.buffer]) throw new Unreadable(`accessors[${number}]: cannot be read`);
@@ -158,13 +161,13 @@ function readGltf(gltf: Gltf, binary: ArrayBuffer | null, name: string): Scene {
   return { name, bodies };
 }
 
-function readGlb(bytes: ArrayBuffer, name: string): Scene {
+function readGlb(bytes: ArrayBuffer, name: string, beside: File[]): Promise<Scene> {
   const view = new DataView(bytes);
   if (bytes.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Unreadable("not a .glb file");
   const length = view.getUint32(12, true);
   if (20 + length > bytes.byteLength) throw new Unreadable("the file ends too early");
   const gltf = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 20, length))) as Gltf;
-  return readGltf(gltf, 28 + length <= bytes.byteLength ? bytes.slice(28 + length) : null, name);
+  return readGltf(gltf, 28 + length <= bytes.byteLength ? bytes.slice(28 + length) : null, name, beside);
 }
 
 /** A question as a scene of its two bodies. */
@@ -188,13 +191,16 @@ function readJson(text: string, name: string): Scene {
   return Array.isArray((whole as graze.PlaneScene).bodies) ? sceneOfPlane(whole as graze.PlaneScene, name) : sceneOfQuestion(whole as Question);
 }
 
-/** Reads what somebody dropped. Throws `Unreadable`, whose message names what is wrong. */
-export async function openFile(file: File): Promise<Scene> {
-  const kind = file.name.toLowerCase().split(".").pop() ?? "";
+/** What a file's name says that it is: "gltf". */
+export const kindOf = (file: File): string => file.name.toLowerCase().split(".").pop() ?? "";
+
+/** Reads what somebody dropped; `beside` are the files that came with it. Throws `Unreadable`, whose message names what is
+ *  wrong. */
+export async function openFile(file: File, beside: File[] = []): Promise<Scene> {
   try {
-    switch (kind) {
-      case "gltf": return readGltf(JSON.parse(await file.text()) as Gltf, null, file.name);
-      case "glb": return readGlb(await file.arrayBuffer(), file.name);
+    switch (kindOf(file)) {
+      case "gltf": return await readGltf(JSON.parse(await file.text()) as Gltf, null, file.name, beside);
+      case "glb": return await readGlb(await file.arrayBuffer(), file.name, beside);
       case "json": case "jsonl": return readJson(await file.text(), file.name);
       case "svg": return readSvg(await file.text(), file.name);
       case "stl": return { name: file.name, bodies: [still(file.name, fromGeometry(new STLLoader().parse(await file.arrayBuffer())))] };
