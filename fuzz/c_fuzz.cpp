@@ -269,6 +269,9 @@ struct Calls {
     const GrazePieceDistanced* pieces;
     std::size_t count = 0;
     told(graze_near_pieces_d(a, pa, b, pb, in.length(), in.maybe(buffer), in.maybe(&pieces), in.maybe(&count)));
+    const GrazeVec3d* corners;
+    const auto feature = static_cast<std::uint16_t>(in.byte() << 8 | in.byte());
+    told(graze_feature_corners_d(a, in.byte(), feature, in.maybe(buffer), in.maybe(&corners), in.maybe(&count)));
     GrazeContactsd contacts;
     if (told(graze_contacts_reduced_d(a, pa, b, pb, in.length(), in.byte(), in.maybe(buffer), &contacts)))
       for (std::size_t i = 0; i < contacts.manifold_count; ++i)

@@ -275,6 +275,9 @@ export function contacts(
   a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number, most?: number): Contacts;
 /** A margin with which a body at rest keeps its points from frame to frame. */
 export function contactMargin(a: Shape, b: Shape): number;
+/** The corners of a feature in the shape's frame: one of a vertex, two of an edge, those of a face in order; none of what is
+ * round. `feature` is `point.feature >>> 16` for A and `point.feature & 0xffff` for B, `piece` that of the manifold. */
+export function featureCorners(shape: Shape, feature: number, piece?: number): Vec3[];
 export function closest(shape: Shape, pose: PoseLike, point: Vec3Like): Closest;
 export function raycast(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): RayHit | null;
 export function raycastAny(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): boolean;

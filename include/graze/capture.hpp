@@ -53,6 +53,7 @@ class GRAZE_API CapturedSimulation {
   /// Throws `InvalidValue` when the stream takes no more bytes, as all calls here do.
   explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
+  /// The same into a sink.
   explicit CapturedSimulation(const CaptureSink& sink, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
   ~CapturedSimulation();
@@ -105,6 +106,7 @@ class GRAZE_API CapturedWorld {
  public:
   /// Throws `InvalidValue` for settings with a last word on pairs (`allow`), which a file cannot hold.
   explicit CapturedWorld(std::ostream* out, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
+  /// The same into a sink.
   explicit CapturedWorld(const CaptureSink& sink, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
   ~CapturedWorld();
   CapturedWorld(const CapturedWorld&) = delete;

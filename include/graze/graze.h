@@ -638,6 +638,11 @@ GRAZE_C_API GrazeStatus graze_contacts_reduced_d(const GrazeShaped *a, const Gra
                                                  GrazeBufferd *buffer, GrazeContactsd *contacts);
 // A margin with which a body at rest keeps its points from frame to frame.
 GRAZE_C_API GrazeStatus graze_contact_margin_d(const GrazeShaped *a, const GrazeShaped *b, double *margin);
+// The corners of a feature in the shape's frame (graze/feature.hpp): one of a vertex, two of an edge, those of a face in
+// order; none of what is round. `feature` is the upper half of a contact point's for A, the lower half for B, and `piece`
+// that of the manifold. The corners live in the buffer.
+GRAZE_C_API GrazeStatus graze_feature_corners_d(const GrazeShaped *shape, uint32_t piece, uint16_t feature,
+                                                GrazeBufferd *buffer, const GrazeVec3d **corners, size_t *count);
 // The point of the shape's surface nearest to a point of the world.
 GRAZE_C_API GrazeStatus graze_closest_d(const GrazeShaped *shape, const GrazePosed *pose, GrazeVec3d point,
                                         GrazeClosestd *closest);
@@ -1824,6 +1829,8 @@ GRAZE_C_API GrazeStatus graze_contacts_reduced_f(const GrazeShapef *a, const Gra
                                                  const GrazePosef *pose_b, float margin, size_t most,
                                                  GrazeBufferf *buffer, GrazeContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_contact_margin_f(const GrazeShapef *a, const GrazeShapef *b, float *margin);
+GRAZE_C_API GrazeStatus graze_feature_corners_f(const GrazeShapef *shape, uint32_t piece, uint16_t feature,
+                                                GrazeBufferf *buffer, const GrazeVec3f **corners, size_t *count);
 GRAZE_C_API GrazeStatus graze_closest_f(const GrazeShapef *shape, const GrazePosef *pose, GrazeVec3f point,
                                         GrazeClosestf *closest);
 

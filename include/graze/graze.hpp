@@ -15,6 +15,7 @@
 #include "graze/dynamics.hpp"
 #include "graze/error.hpp"
 #include "graze/executor.hpp"
+#include "graze/feature.hpp"
 #include "graze/filter.hpp"
 #include "graze/free_motion.hpp"
 #include "graze/geometry.hpp"

@@ -137,6 +137,12 @@ export const checks = [
       equal(entry.within(box, {}, ball, { translation: [3, 0, 0] }, 2), true, "within");
       equal(entry.mayOverlap(box, {}, ball, {}), true, "may overlap");
       ok(entry.contactMargin(box, ball) > 0, "a margin");
+      for (const { a, feature } of entry.contacts(box, {}, box, { translation: [0.5, 1.75, 0.25] }).manifolds[0].points) {
+        const corners = entry.featureCorners(box, feature >>> 16);
+        ok(corners.length > 0 && corners.every((c) => c[1] === a[1]), "a feature of the upper face");
+      }
+      equal(entry.featureCorners(box, 3 * 2 ** 14 + 3).length, 4, "corners of a face");
+      equal(entry.featureCorners(ball, 1 << 14).length, 0, "corners of a ball");
       equal(entry.nearPieces(box, {}, ball, { translation: [2, 0, 0] }, 1)[0].distance.distance, 0.5, "piece");
       equal(entry.contacts(box, {}, box, { translation: [0, 1.75, 0] }).manifolds[0].points.length, 4, "points");
       equal(entry.contacts(box, {}, box, { translation: [0, 1.75, 0] }, 0, 2).manifolds[0].points.length, 2, "two points");

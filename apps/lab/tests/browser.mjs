@@ -307,6 +307,15 @@ await test("viewer: contacts are live while a body is dragged, and the pair is e
   assert.equal(await page.textContent(".words h2"), "light");
   const before = await shown(page);
   assert.ok(before.pairs >= 1);
+  await page.selectOption('[data-body="1"]', { label: "heavy" });
+  // What touches lights up with its row: another picture than without.
+  assert.match(await page.textContent(".numbers tbody th"), /(vertex|edge|face) .* of A × (vertex|edge|face) .* of B/);
+  const plain = await page.screenshot();
+  await page.hover(".numbers tbody tr:first-child");
+  await page.waitForTimeout(200);
+  assert.notDeepEqual(await page.screenshot(), plain);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-features.png") });
+  await page.selectOption('[data-body="1"]', "");
   await drag(page, "move", 200, 0);
   const after = await shown(page);
   assert.ok(after.poses[7] > before.poses[7] + 0.5, `${before.poses[7]} to ${after.poses[7]}`);

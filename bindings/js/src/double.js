@@ -7,8 +7,8 @@ const { names, core } = wholeEntry("d", () => new URL("./graze-double.wasm", imp
 export const {
   init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle,
   Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
-  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, closest, raycast, raycastAny,
-  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
+  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast,
+  raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
   BroadPhase, World, traced, draw, response, applyImpulse, Simulation, State, captureHead, replay,
   plane,
 } = names;

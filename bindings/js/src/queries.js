@@ -7,7 +7,7 @@ const { names } = queriesEntry("f", () => new URL("./graze-queries.wasm", import
 export const {
   init, version, memoryInUse, InvalidValue, Handle, Numbers, turned, Shape, Sphere, Capsule, Box, Rectangle,
   Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
-  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, closest, raycast, raycastAny,
-  raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
+  mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast,
+  raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
   BroadPhase, World,
 } = names;

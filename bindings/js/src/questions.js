@@ -1,5 +1,6 @@
 // Questions about two shapes, in space and in the plane.
 
+import { InvalidValue, shown } from "./core.js";
 import { named } from "./layout.js";
 import { traceReader } from "./trace.js";
 
@@ -146,6 +147,11 @@ export function spaceQuestions(core, layout, args, shapes) {
     nearPieces: (a, poseA, b, poseB, margin) =>
       listed(layout.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
     contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
+    featureCorners(shape, feature, piece = 0) {
+      if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
+        throw new InvalidValue(`feature: expected an integer from 0 to 65535, got ${shown(feature)}`);
+      return listed(layout.vec3, (...to) => call("feature_corners", of(shape), piece, feature, ...to));
+    },
     raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
     raycastAll: (...question) => listed(layout.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),
     castAll(a, b, options) {

@@ -25,11 +25,20 @@ const mostDrawn = 200;
 const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
 /** Bodies that are deeper in each other than that are marked: this part of what is seen. */
 const visible = 1 / 4000;
+/** Of the selected pair points are shown that are up to this far apart. */
+const near = 0.01;
 /** Shapes of the plane that GJK's lesson draws. */
 const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
 const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
 const button = (label: string, act: () => void, more: Record<string, unknown> = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
+
+/** A vertex, an edge or a face, to be lit up with the point that it belongs to. */
+function drawFeature(d: Drawing, corners: Vec[], meaning: Meaning, key: string): void {
+  if (corners.length === 1) d.point(corners[0], meaning, { key });
+  const ends = corners.length > 2 ? corners.length : corners.length - 1;
+  for (let i = 0; i < ends; i++) d.line(corners[i], corners[(i + 1) % corners.length], meaning, { key });
+}
 
 /** A ray or a body on its way, and what it met. */
 interface Shot {
@@ -55,6 +64,8 @@ export class SceneRoom implements Room {
   private aim: { kind: "ray" | "cast"; from?: Vec } | null = null;
   private shot: Shot | null = null;
   private broadPhase = false;
+  /** By corners, what the two selected bodies touch with at each point of the table. */
+  private features: [Vec[], Vec[]][] = [];
   /** Of the file that is looked after, the timer; null when none is. */
   private watching: number | null = 0;
   private running = 0;
@@ -80,7 +91,7 @@ export class SceneRoom implements Room {
     this.onCapture = onCapture;
     this.stage.onPick = (body, ray) => this.pick(body, ray);
     this.stage.onDrag = (id, to, done) => this.drag(id, to, done);
-    this.pairs.onPoint = (key) => this.stage.light(key);
+    this.pairs.onPoint = this.table.onPoint = (key) => this.stage.light(key);
     this.list = h("select", { "aria-label": "Scene", onchange: () => this.choose(this.list.value) },
       ...Object.entries(scenes).map(([key, make]) => h("option", { value: key }, make().name))) as HTMLSelectElement;
     this.play = button("Play", () => this.toggle(), { class: "accent", "data-play": true });
@@ -268,7 +279,7 @@ export class SceneRoom implements Room {
   private question(): Question | null {
     if (this.selected.length !== 2) return null;
     const [a, b] = this.selected.map((i) => this.run.asked(i));
-    return { query: "contacts", ...(this.run.flat ? { dimension: 2 as const } : {}), a, b, margin: 0.01 };
+    return { query: "contacts", ...(this.run.flat ? { dimension: 2 as const } : {}), a, b, margin: near };
   }
 
   private pick(body: number | null, ray: { origin: Vec; direction: Vec }): void {
@@ -357,6 +368,8 @@ export class SceneRoom implements Room {
   private paint(): void {
     // To copy thousands of contacts out of the module takes longer than to draw the bodies.
     const few = this.scene.bodies.length <= mostDrawn, found = few ? this.run.contacts() : [];
+    const [first, other] = this.selected;
+    this.features = other === undefined ? [] : this.run.features(first, other, near);
     const marked = new Set(this.selected);
     this.stage.draw((d: Drawing) => {
       for (const pair of found)
@@ -366,6 +379,8 @@ export class SceneRoom implements Room {
             if (marked.has(pair.a) || marked.has(pair.b)) d.arrow(p.a, add(p.a, scale(manifold.normal, this.stage.seen / 10)), "axis", { key: `${pair.a} ${pair.b}` });
           }
       if (this.broadPhase && few) this.run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
+      this.run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
+      this.features.forEach((of, i) => of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${i}`)));
       if (this.pull) d.line(this.run.place(this.pull.body).translation, this.pull.to, "made", { wide: true });
       if (this.shot) this.drawShot(d, this.shot);
     }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
@@ -414,7 +429,7 @@ export class SceneRoom implements Room {
       lesson ? h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, "Step through this pair")) : "");
     this.asked.value = line(q);
     this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
-      rows: (answer.manifolds ?? []).flatMap((m) => m.points.map((p) => ({ cells: [featureWords(p.feature), p.distance] }))) });
+      rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature), p.distance], key: `point ${k}` })) });
   }
 
   /** The lesson that goes through a pair step by step, and the state in which it begins; none for what none draws. */

@@ -2,7 +2,7 @@
 // and out as those of space, in the plane with z = 0, so that whoever shows them draws both alike.
 
 import { graze, planeShapeOf, poseOf, shapeOf } from "../graze.ts";
-import { add, length, scale, sub } from "../parts/vec.ts";
+import { add, length, scale, sub, toWorld } from "../parts/vec.ts";
 import type { Body, Shape, Vec } from "../question.ts";
 import type { Scene, SceneBody } from "./model.ts";
 
@@ -59,6 +59,7 @@ interface Dimension {
   simulation(settings: object): AnySimulation;
   shape(of: Shape): AnyShape;
   draw(world: AnyQueries, on: graze.Renderer): void;
+  drawSimulation(simulation: AnySimulation, on: graze.Renderer): void;
   /** Numbers of a vector of space. */
   vector(of: Vec): Vec;
   turning(of: Vec): Vec | number;
@@ -76,6 +77,7 @@ const space: Dimension = {
   simulation: (settings) => new graze.Simulation(settings) as unknown as AnySimulation,
   shape: shapeOf,
   draw: (world, on) => graze.draw.world(world as unknown as graze.WorldQueries, on),
+  drawSimulation: (simulation, on) => graze.draw.simulation(simulation as unknown as graze.Simulation, on),
   vector: (v) => v,
   turning: (v) => v,
   pose: (place) => ({ translation: place.translation, rotation: poseOf(place as Body).rotation! }),
@@ -87,6 +89,7 @@ const plane: Dimension = {
   simulation: (settings) => new graze.plane.Simulation(settings) as unknown as AnySimulation,
   shape: planeShapeOf,
   draw: (world, on) => graze.plane.draw.world(world as unknown as graze.plane.WorldQueries, on),
+  drawSimulation: (simulation, on) => graze.plane.draw.simulation(simulation as unknown as graze.plane.Simulation, on),
   vector: ([x, y]) => [x, y],
   turning: (v) => v[2],
   pose: ({ translation: [x, y], rotation }) => ({ translation: [x, y], rotation: angleOf(rotation) }),
@@ -169,6 +172,23 @@ export class Run {
   /** What the broad phase looks at: the box around each body, and those of its tree. */
   drawBroadPhase(line: (from: Vec, to: Vec, leaf: boolean) => void): void {
     this.own.draw(this.questions(), { layers: ["bounds", "tree"], line: (from, to, layer) => line(from, to, layer === "bounds") });
+  }
+
+  /** From the bodies of each joint to its anchors, and how far these are apart; there are joints while it is played. */
+  drawJoints(line: (from: Vec, to: Vec, gap: boolean) => void): void {
+    if (!this.simulation || !this.scene.joints?.length) return;
+    this.own.drawSimulation(this.simulation, { layers: ["joints"], line: (from, to, _, meaning) => line(from, to, meaning === "gap") });
+  }
+  /** What two bodies touch with at each point of contact, by corners in the world: of the first, and of the other. What is
+   *  round has none, and the plane names the ends of sides. */
+  features(a: number, b: number, margin: number): [Vec[], Vec[]][] {
+    if (this.flat) return [];
+    const [shapeA, shapeB] = [a, b].map((i) => this.shape(this.scene.bodies[i].shape) as graze.Shape);
+    const [poseA, poseB] = [a, b].map((i) => space.pose(this.place(i)) as graze.PoseLike);
+    const corners = (shape: graze.Shape, pose: graze.PoseLike, feature: number, piece: number): Vec[] =>
+      graze.featureCorners(shape, feature, piece).map((p) => toWorld(pose as Body, p));
+    return graze.contacts(shapeA, poseA, shapeB, poseB, margin).manifolds.flatMap((m) =>
+      m.points.map(({ feature }): [Vec[], Vec[]] => [corners(shapeA, poseA, feature >>> 16, m.pieceA), corners(shapeB, poseB, feature & 0xffff, m.pieceB)]));
   }
 
   // --- What changes it ---
