@@ -5,6 +5,7 @@
 //   LAB_URL=http://...                a server that runs already
 //   GRAZE=build/release/bin/graze     the native program answers the questions, else the npm package in Node
 //   ONLY=text                         the tests whose names contain it
+//   JOBS=number                       how many run at once
 //   SCREENSHOTS=folder                pictures of every lesson, light, dark and as a phone shows it
 
 import assert from "node:assert/strict";
@@ -77,15 +78,22 @@ async function visit(hash, options = {}) {
   await frame(page);
   return page;
 }
-async function test(name, body) {
-  if (process.env.ONLY && !name.includes(process.env.ONLY)) return;
-  const start = performance.now();
-  try {
-    await body();
-    console.log(`ok    ${name} (${Math.round(performance.now() - start)} ms)`);
-  } catch (error) {
-    failed++;
-    console.log(`FAIL  ${name}\n      ${String(error.message).split("\n").join("\n      ")}`);
+/** Tests wait for frames most of the time: several pages at once take a fraction of it. */
+const atOnce = Number(process.env.JOBS ?? 4);
+const tests = [];
+function test(name, body) {
+  if (!process.env.ONLY || name.includes(process.env.ONLY)) tests.push({ name, body });
+}
+async function runTests() {
+  for (let next = tests.shift(); next; next = tests.shift()) {
+    const start = performance.now();
+    try {
+      await next.body();
+      console.log(`ok    ${next.name} (${Math.round(performance.now() - start)} ms)`);
+    } catch (error) {
+      failed++;
+      console.log(`FAIL  ${next.name}\n      ${String(error.message).split("\n").join("\n      ")}`);
+    }
   }
 }
 const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -103,10 +111,10 @@ const numbers = (page) =>
 const home = await visit("");
 const lessons = await home.$$eval(".lessons a", (list) => list.map((a) => a.getAttribute("href")));
 await home.context().close();
-await test("the list has every lecture", () => assert.ok(lessons.length >= 14, `${lessons.length} lessons`));
+test("the list has every lecture", () => assert.ok(lessons.length >= 14, `${lessons.length} lessons`));
 
 for (const lesson of lessons) {
-  await test(`${lesson} runs to its end, and its examples too`, async () => {
+  test(`${lesson} runs to its end, and its examples too`, async () => {
     const page = await visit(lesson);
     const { steps } = await shown(page);
     assert.ok(steps >= 2, `${steps} steps`);
@@ -137,7 +145,7 @@ for (const lesson of lessons) {
     await page.context().close();
   });
 
-  await test(`${lesson} is restored by its permalink, and by undo`, async () => {
+  test(`${lesson} is restored by its permalink, and by undo`, async () => {
     const page = await visit(lesson);
     const before = JSON.stringify((await shown(page)).state);
     const example = await page.$(".example");
@@ -158,7 +166,7 @@ for (const lesson of lessons) {
     await other.context().close();
   });
 
-  await test(`${lesson} has no finding of axe`, async () => {
+  test(`${lesson} has no finding of axe`, async () => {
     for (const colorScheme of ["light", "dark"]) {
       const page = await visit(lesson, { bypassCSP: true, colorScheme });
       await page.click('[aria-label^="Last"]');
@@ -200,7 +208,7 @@ async function drag(page, id, dx, dy) {
 const number = (text) => Number(text.replaceAll("−", "-"));
 
 for (const id of ["separating-axes-plane", "fifteen-axes"])
-  await test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
+  test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
     const page = await visit(`#/lesson/${id}`);
     await page.click('[aria-label^="Last"]');
     const before = await page.textContent(".numbers");
@@ -218,7 +226,7 @@ for (const id of ["separating-axes-plane", "fifteen-axes"])
     await page.context().close();
   });
 
-await test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
+test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
   const page = await visit("#/lesson/gjk");
   await page.focus('[data-handle="move-b"]');
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
@@ -238,7 +246,7 @@ await test("GJK: every iteration's bounds are those of the trace, by keyboard to
   await page.context().close();
 });
 
-await test("touch: a finger drags a body", async () => {
+test("touch: a finger drags a body", async () => {
   const page = await visit("#/lesson/spheres", { hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   const before = (await shown(page)).state.q.b.translation;
   const session = await page.context().newCDPSession(page);
@@ -253,7 +261,7 @@ await test("touch: a finger drags a body", async () => {
   await page.context().close();
 });
 
-await test("a page is no wider than a phone", async () => {
+test("a page is no wider than a phone", async () => {
   for (const hash of ["", ...lessons]) {
     const page = await visit(hash, { viewport: { width: 360, height: 740 } });
     const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -262,7 +270,7 @@ await test("a page is no wider than a phone", async () => {
   }
 });
 
-await test("an address that makes no sense shows the lesson as it starts", async () => {
+test("an address that makes no sense shows the lesson as it starts", async () => {
   const start = await visit("#/lesson/gjk");
   for (const bad of ["#/lesson/gjk?s=nonsense", "#/lesson/gjk?s=[1]&step=-4", "#/lesson/gjk?step=1e99&s=%7B%22q%22%3A3%7D"]) {
     const page = await visit(bad);
@@ -280,7 +288,7 @@ const scene = (name) => visit(`#/scene?scene=${name}`);
 const files = join(here, "../../examples/scenes");
 
 for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "slope"])
-  await test(`scene ${name}: steps forward, back, and forward again`, async () => {
+  test(`scene ${name}: steps forward, back, and forward again`, async () => {
     const page = await scene(name);
     const before = await shown(page);
     await page.click("[data-step]");
@@ -301,7 +309,7 @@ for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "
     await page.context().close();
   });
 
-await test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
+test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
   await page.selectOption('[data-body="0"]', { label: "light" });
   assert.equal(await page.textContent(".words h2"), "light");
@@ -332,7 +340,7 @@ await test("viewer: contacts are live while a body is dragged, and the pair is e
   await page.context().close();
 });
 
-await test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
+test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
   const page = await scene("shapes");
   const open = async (file) => {
     await page.setInputFiles("input[type=file]", file);
@@ -366,7 +374,7 @@ await test("viewer: opens the project's scenes, and says what is wrong with a br
   await page.context().close();
 });
 
-await test("viewer: opens a capture, and scrubs through it", async () => {
+test("viewer: opens a capture, and scrubs through it", async () => {
   const page = await scene("shapes");
   const bytes = capturedHeap();
   await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: bytes });
@@ -398,7 +406,7 @@ await test("viewer: opens a capture, and scrubs through it", async () => {
   await page.context().close();
 });
 
-await test("viewer: opens captures of the plane, and in float", async () => {
+test("viewer: opens captures of the plane, and in float", async () => {
   const page = await scene("shapes");
   const captures = [
     ["whole-plane-simulation", "A simulation of the plane in double: 90 frames", 4], ["whole-plane-world", "A world of the plane in double: 3 frames", 3],
@@ -422,7 +430,7 @@ await test("viewer: opens captures of the plane, and in float", async () => {
   await page.context().close();
 });
 
-await test("viewer: a drawing of the plane is opened, dragged, shot at, and played", async () => {
+test("viewer: a drawing of the plane is opened, dragged, shot at, and played", async () => {
   const page = await scene("shapes");
   const open = async (file) => {
     await page.setInputFiles("input[type=file]", file);
@@ -474,7 +482,7 @@ await test("viewer: a drawing of the plane is opened, dragged, shot at, and play
   await page.context().close();
 });
 
-await test("viewer has no finding of axe, and fits a phone", async () => {
+test("viewer has no finding of axe, and fits a phone", async () => {
   for (const colorScheme of ["light", "dark"]) {
     const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });
     await page.click("[data-step]");
@@ -487,7 +495,7 @@ await test("viewer has no finding of axe, and fits a phone", async () => {
   }
 });
 
-await test("a still page draws nothing, and uses no other address", async () => {
+test("a still page draws nothing, and uses no other address", async () => {
   const page = await scene("tower");
   await page.waitForTimeout(500);
   const frames = await page.evaluate(() => new Promise((done) => {
@@ -500,6 +508,7 @@ await test("a still page draws nothing, and uses no other address", async () => 
   await page.context().close();
 });
 
+await Promise.all(Array.from({ length: atOnce }, runTests));
 await browser.close();
 server.close();
 console.log(failed ? `${failed} failed` : "all passed");

@@ -34,6 +34,8 @@ export class Stage3 implements Stage, Drawing {
   private readonly observer: ResizeObserver;
   private readonly stopTheme: () => void;
   private drawn = new THREE.Group();
+  /** Pictures that are no longer seen. */
+  private left: THREE.Group[] = [];
   private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look }>();
   private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
   private picks: THREE.Object3D[] = [];
@@ -91,6 +93,7 @@ export class Stage3 implements Stage, Drawing {
     this.observer.disconnect();
     this.controls.dispose();
     this.clear();
+    this.discard();
     this.crowd.dispose();
     this.forget();
     this.renderer.dispose();
@@ -235,15 +238,24 @@ export class Stage3 implements Stage, Drawing {
   // --- Frames ---
 
   private clear(): void {
-    this.drawn.traverse((object) => {
-      const mesh = object as THREE.Mesh;
-      (mesh.material as THREE.Material | undefined)?.dispose();
-      if (mesh.userData.own) mesh.geometry.dispose();
-    });
-    this.drawn.clear();
+    this.left.push(this.drawn);
+    this.scene.remove(this.drawn);
+    this.drawn = new THREE.Group();
+    this.scene.add(this.drawn);
     this.lines.clear();
     this.texts = [];
     this.picks = [];
+  }
+  /** What was drawn before goes once the next picture is there: its materials' programs, which take tens of milliseconds to
+   *  compile, live as long as somebody uses them. */
+  private discard(): void {
+    for (const group of this.left)
+      group.traverse((object) => {
+        const mesh = object as THREE.Mesh;
+        (mesh.material as THREE.Material | undefined)?.dispose();
+        if (mesh.userData.own) mesh.geometry.dispose();
+      });
+    this.left = [];
   }
   private redraw(): void {
     if (!this.last) return;
@@ -283,6 +295,7 @@ export class Stage3 implements Stage, Drawing {
     this.waiting = requestAnimationFrame(() => {
       this.waiting = 0;
       this.renderer.render(this.scene, this.camera);
+      this.discard();
       this.handles.place();
       this.texts.forEach(({ at }, i) => {
         const [x, y] = this.pixel(at);
