@@ -482,6 +482,46 @@ test("viewer: a drawing of the plane is opened, dragged, shot at, and played", a
   await page.context().close();
 });
 
+test("viewer: a glTF's bodies of several colliders move as one, and its joints hold", async () => {
+  const page = await scene("shapes");
+  const collider = (shape, more = {}) => ({ ...more, extensions: { KHR_physics_rigid_bodies: { collider: { geometry: { shape } } } } });
+  const half = Math.SQRT1_2;
+  const gltf = {
+    asset: { version: "2.0" }, extensionsUsed: ["KHR_implicit_shapes", "KHR_physics_rigid_bodies"],
+    extensions: {
+      KHR_implicit_shapes: { shapes: [{ type: "box", box: { size: [1, 1, 1] } }, { type: "sphere", sphere: { radius: 0.5 } }, { type: "cylinder" }] },
+      KHR_physics_rigid_bodies: { physicsJoints: [{ limits: [{ linearAxes: [0, 1, 2], min: 0, max: 0 }, { angularAxes: [1, 2], min: 0, max: 0 }] }] },
+    },
+    scenes: [{ nodes: [0, 3, 6, 7] }],
+    nodes: [
+      // A dumbbell of two balls that turns as it flies, far from the rest.
+      { name: "dumbbell", translation: [0, 50, 0], children: [1, 2], extensions: { KHR_physics_rigid_bodies: { motion: { mass: 2, angularVelocity: [0, 1, 0], gravityFactor: 0 } } } },
+      collider(1, { translation: [-1, 0, 0] }), collider(1, { translation: [1, 0, 0] }),
+      // A pendulum that hangs from the world by a hinge about Z: its arm points along X at first.
+      { name: "pendulum", translation: [11, 5, 0], children: [4, 5], extensions: { KHR_physics_rigid_bodies: { motion: { mass: 1 } } } },
+      collider(0),
+      { translation: [-1, 0, 0], rotation: [0, -half, 0, half], extensions: { KHR_physics_rigid_bodies: { joint: { connectedNode: 6, joint: 0 } } } },
+      { translation: [10, 5, 0], rotation: [0, -half, 0, half] },
+      // Scaled unevenly: no cylinder any more.
+      collider(2, { name: "oval", translation: [-9, 0, 0], scale: [2, 1, 1] }),
+    ],
+  };
+  await page.setInputFiles("input[type=file]", { name: "joined.gltf", mimeType: "model/gltf+json", buffer: Buffer.from(JSON.stringify(gltf)) });
+  await page.waitForTimeout(300);
+  assert.ok(!(await page.isVisible(".trouble")), await page.textContent(".trouble"));
+  assert.deepEqual(await page.$$eval('[data-body="0"] option', (list) => list.map((o) => o.textContent)), ["no body", "dumbbell", "pendulum", "oval"]);
+  for (let i = 0; i < 30; i++) await page.click("[data-step]");
+  const { poses } = await shown(page), at = (i) => poses.slice(7 * i, 7 * i + 3);
+  // A second of half a second at one radian each: the first ball, whose frame the body has, has turned about the middle.
+  const [x, y, z] = at(0), angle = 30 / 60;
+  assert.ok(Math.hypot(x + Math.cos(angle), y - 50, z - Math.sin(angle)) < 1e-3, `${[x, y, z]}`);
+  const [px, py, pz] = at(1);
+  assert.ok(Math.abs(Math.hypot(px - 10, py - 5) - 1) < 1e-3 && Math.abs(pz) < 1e-3, `${[px, py, pz]} is not on the circle about the hinge`);
+  assert.ok(py < 4.5, `it hangs at ${py}`);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("viewer has no finding of axe, and fits a phone", async () => {
   for (const colorScheme of ["light", "dark"]) {
     const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });

@@ -3,7 +3,7 @@
 import type { graze } from "../graze.ts";
 import type { Body, Shape, Vec } from "../question.ts";
 
-/** Poses and velocities are those of space in the plane too, with z = 0 and turns about Z. */
+/** Poses and velocities are those of space in the plane too, with z = 0 and turns about Z. Velocities are of the origin. */
 export interface SceneBody extends Body {
   name: string;
   shape: Shape;
@@ -12,10 +12,23 @@ export interface SceneBody extends Body {
   /** Moves by the laws of motion; else it stands. */
   moves: boolean;
   mass?: number;
-  dynamics?: { inertia?: number; gravityFactor?: number; kinematic?: boolean };
+  /** Velocities are of the centre of mass, as glTF has them, which the shapes decide. */
+  aboutCenter?: boolean;
+  dynamics?: graze.Dynamics | graze.plane.Dynamics;
   trigger?: boolean;
   filter?: { category: number; mask: number };
   material?: graze.Material | graze.plane.Material;
+}
+/** Ties two bodies, or one to the world where the other is null. */
+export interface SceneJoint {
+  a: number | null;
+  b: number | null;
+  /** The joint's frame on either, in the world, when the scene begins. */
+  frames: [{ translation: Vec; rotation: Vec }, { translation: Vec; rotation: Vec }];
+  kind?: "ball" | "hinge" | "fixed" | "slider";
+  limits?: graze.JointLimit[];
+  drives?: graze.JointDrive[];
+  enableCollision?: boolean;
 }
 export interface Scene {
   name: string;
@@ -23,7 +36,7 @@ export interface Scene {
   /** Of the plane, whose shapes are those of the protocol there; of space where nothing is said. */
   dimension?: 2;
   gravity?: Vec;
-  joints?: { a: number; b: number; kind: "ball" | "hinge" | "fixed" | "slider"; at: Vec }[];
+  joints?: SceneJoint[];
   view?: { center: Vec; reach: number; from?: Vec };
   note?: string;
 }

@@ -2,7 +2,7 @@
 // and out as those of space, in the plane with z = 0, so that whoever shows them draws both alike.
 
 import { graze, planeShapeOf, poseOf, shapeOf } from "../graze.ts";
-import { add, length, scale, sub, toWorld } from "../parts/vec.ts";
+import { add, cross, inverse, length, quatMultiply, scale, sub, toLocal, toWorld } from "../parts/vec.ts";
 import type { Body, Shape, Vec } from "../question.ts";
 import type { Scene, SceneBody } from "./model.ts";
 
@@ -46,6 +46,7 @@ interface AnySimulation {
   restore(state: graze.State): void;
   report(): { kineticEnergy: number; potentialEnergy: number; deepest: number };
   setPose(id: graze.BodyId, pose: object): void;
+  setVelocity(id: graze.BodyId, velocity: object): void;
   setGravity(gravity: Vec): void;
   wake(id: graze.BodyId): void;
   applyForce(id: graze.BodyId, force: Vec): void;
@@ -66,6 +67,11 @@ interface Dimension {
   pose(of: Place): { translation: Vec; rotation: Vec | number };
   place(of: { translation: Vec; rotation: Vec | number }): Place;
   places(poses: ArrayLike<number>): ArrayLike<number>;
+}
+
+/** What a place in the world is for who stands at `frame`. */
+export function seenFrom(frame: Place, { translation, rotation }: Place): Place {
+  return { translation: toLocal(frame as Body, translation), rotation: quatMultiply(inverse(frame.rotation) as Vec, rotation) };
 }
 
 const angleOf = ([, , z, w]: Vec): number => 2 * Math.atan2(z, w);
@@ -207,10 +213,16 @@ export class Run {
     try {
       const ids = this.scene.bodies.map((body) =>
         made.add(this.body(body), body.moves ? { ...(body.mass ? { mass: body.mass } : {}), ...body.dynamics } : {}, body.material ?? {}));
-      for (const { a, b, kind, at } of this.scene.joints ?? []) {
-        // Where the joint is in the frame of a body: bodies with joints stand unturned in the scenes here.
-        const frame = (body: number): object => ({ translation: sub(at, this.scene.bodies[body].translation) });
-        made.addJoint({ a: ids[a], b: ids[b], kind, frameA: frame(a), frameB: frame(b) });
+      for (const [i, { aboutCenter, translation, linear = [0, 0, 0], angular }] of this.scene.bodies.entries()) {
+        if (!aboutCenter || !Array.isArray(angular)) continue;
+        const arm = sub(translation, made.motion(ids[i]).center);
+        made.setVelocity(ids[i], { linear: this.own.vector(add(linear, cross(angular, arm))), angular: this.own.turning(angular) });
+      }
+      for (const { a, b, frames, ...joint } of this.scene.joints ?? []) {
+        const world = a === null || b === null ? this.anchor(made) : null;
+        const id = (body: number | null): graze.BodyId => (body === null ? world! : ids[body]);
+        const frame = (body: number | null, of: Place): object => this.own.pose(body === null ? of : seenFrom(this.scene.bodies[body], of));
+        made.addJoint({ ...joint, a: id(a), b: id(b), frameA: frame(a, frames[0]), frameB: frame(b, frames[1]) });
       }
       this.ids = ids;
     } catch (error) {
@@ -244,6 +256,11 @@ export class Run {
     simulation.applyForce(id, this.own.vector(force));
   }
 
+  /** A body at the origin that stands and meets nobody: the world, for joints. */
+  private anchor(simulation: AnySimulation): graze.BodyId {
+    const point: Shape = this.flat ? { type: "circle", circle: { radius: 0 } } : { type: "sphere", sphere: { radius: 0 } };
+    return simulation.add({ shape: this.shape(point), fixed: true, filter: { category: 0, mask: 0 } }, {}, {});
+  }
   private questions(): AnyQueries {
     return this.simulation?.world ?? this.world!;
   }

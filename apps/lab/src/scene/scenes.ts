@@ -1,10 +1,12 @@
 // The scenes to choose from. Lengths in metres, masses in kilograms.
 
 import { box, sphere, type Shape, type Vec } from "../question.ts";
-import { turned, type Scene, type SceneBody } from "./model.ts";
+import { turned, type Scene, type SceneBody, type SceneJoint } from "./model.ts";
 
 const body = (name: string, shape: Shape, translation: Vec, more: Partial<SceneBody> = {}): SceneBody => ({
   name, shape, translation, rotation: turned, moves: true, ...more });
+const joint = (kind: SceneJoint["kind"], a: number, b: number, at: Vec): SceneJoint => ({
+  a, b, kind, frames: [{ translation: at, rotation: turned }, { translation: at, rotation: turned }] });
 const floor = (size = 20): SceneBody => body("floor", box(size, 1, size), [0, -0.5, 0], { moves: false });
 const about = (axis: Vec, angle: number): Vec => [...axis.map((x) => x * Math.sin(angle / 2)), Math.cos(angle / 2)];
 const range = <T>(count: number, make: (i: number) => T): T[] => Array.from({ length: count }, (_, i) => make(i));
@@ -32,7 +34,7 @@ export const scenes: Record<string, () => Scene> = {
   domino: () => ({ name: "Dominoes", view: { center: [0, 1, 0], reach: 6 }, bodies: [floor(), ...range(18, (i) => body(`domino ${i + 1}`, box(0.2, 1.6, 0.8), [i * 0.6 - 5.2, 0.8, 0], i ? {} : { angular: [0, 0, -2.5] }))] }),
   cradle: () => ({ name: "Newton's cradle", view: { center: [0, 1.6, 0], reach: 3.5 }, note: "Restitution 1, passed on through bodies that touch.",
     bodies: [body("beam", box(5, 0.2, 0.2), [0, 3.2, 0], { moves: false }), ...range(5, (i) => body(`ball ${i + 1}`, sphere(0.4), [(i - 2) * 0.8, 1, 0], { mass: 1, material: { restitution: 1, staticFriction: 0, dynamicFriction: 0, restitutionCombine: "maximum" }, ...(i ? {} : { linear: [-3.5, 0, 0] }) }))],
-    joints: range(5, (i) => ({ a: 0, b: i + 1, kind: "ball" as const, at: [(i - 2) * 0.8, 3.2, 0] })) }),
+    joints: range(5, (i) => joint("ball", 0, i + 1, [(i - 2) * 0.8, 3.2, 0])) }),
   slope: () => ({ name: "Friction on a slope", view: { center: [0, 1.5, 0], reach: 4.5 }, note: "30°: a coefficient of 0.6 holds, 0.5 slides.",
     bodies: [body("slope", box(10, 0.4, 5), [0, 1, 0], { moves: false, rotation: about([0, 0, 1], Math.PI / 6), material: { staticFriction: 1, dynamicFriction: 1 } }),
       ...[0.7, 0.6, 0.5, 0.2].map((mu, i) => body(`μ = ${mu}`, box(0.7, 0.7, 0.7), [2.1 - 0.275, 2.6, (i - 1.5) * 1.1], { rotation: about([0, 0, 1], Math.PI / 6), material: { staticFriction: mu, dynamicFriction: mu, frictionCombine: "minimum" } }))] }),
