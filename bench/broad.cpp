@@ -29,6 +29,7 @@
 
 #include "command_line.hpp"
 #include "graze/broad_phase.hpp"
+#include "graze/pair_changes.hpp"
 #include "graze/pairs.hpp"
 #include "random.hpp"
 
@@ -100,6 +101,29 @@ Contender structure(const char* name, std::unique_ptr<BroadPhase<float>> (*make)
             else
               state->broad->moved_pairs(state->pairs);
             return state->pairs.size();
+          },
+          [state] { return state->broad->memory(); }};
+}
+
+/// Tells what began and what ended; counts the pairs that there are by that.
+Contender changes() {
+  struct State {
+    std::unique_ptr<PairChanges<float>> broad;
+    std::vector<IdPair> begun, ended;
+    std::size_t pairs = 0;
+  };
+  auto state = std::make_shared<State>();
+  return {"tree changes",
+          [state](const Boxes& boxes) {
+            state->broad = std::make_unique<PairChanges<float>>();
+            state->pairs = 0;
+            for (std::uint32_t i = 0; i < boxes.size(); ++i) state->broad->insert(i, boxes[i]);
+          },
+          [state](const Boxes& boxes, const std::vector<std::uint32_t>& moved) {
+            for (const std::uint32_t i : moved) state->broad->move(i, boxes[i]);
+            state->broad->find(state->begun, state->ended);
+            state->pairs += state->begun.size() - state->ended.size();
+            return state->pairs;
           },
           [state] { return state->broad->memory(); }};
 }
@@ -326,6 +350,7 @@ int run(int argc, char** argv) {
                                pair_finder_in_double(),
                                structure("dynamic tree", make_dynamic_tree<float>),
                                structure("dynamic tree moved", make_dynamic_tree<float>, Asked::moved),
+                               changes(),
                                structure("sort+sweep", make_sort_and_sweep<float>),
                                structure("sweep+prune", make_sweep_and_prune<float>),
                                structure("hashed grid", make_hashed_grid<float>),

@@ -23,6 +23,7 @@
 #include "graze/joint.hpp"
 #include "graze/mass.hpp"
 #include "graze/material.hpp"
+#include "graze/pair_changes.hpp"
 #include "graze/pairs.hpp"
 #include "graze/plane/batch.hpp"
 #include "graze/plane/blows.hpp"

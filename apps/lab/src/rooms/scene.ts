@@ -10,11 +10,13 @@ import { Stage3 } from "../parts/stage3.ts";
 import { address } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { add, length, quatBetween, quatMultiply, rotate, scale, sub, unit } from "../parts/vec.ts";
-import type { Question, State, Vec } from "../question.ts";
+import type { Question, Vec } from "../question.ts";
 import { readCapture, type Captured } from "../scene/captured.ts";
 import type { Scene } from "../scene/model.ts";
 import { kindOf, openFile, sceneOfQuestion } from "../scene/open.ts";
-import { reached, reachOf, Run, type Hit, type Pair, type Place } from "../scene/run.ts";
+import { drawFeature, lessonOf } from "../scene/pair.ts";
+import { reachOf, Run, type Pair } from "../scene/run.ts";
+import { castBody, drawShot, shootRay, type Shot } from "../scene/shots.ts";
 import { scenes } from "../scene/scenes.ts";
 import type { Room } from "./room.ts";
 
@@ -27,28 +29,9 @@ const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
 const visible = 1 / 4000;
 /** Of the selected pair points are shown that are up to this far apart. */
 const near = 0.01;
-/** Shapes of the plane that GJK's lesson draws. */
-const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
 const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
 const button = (label: string, act: () => void, more: Record<string, unknown> = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
-
-/** A vertex, an edge or a face, to be lit up with the point that it belongs to. */
-function drawFeature(d: Drawing, corners: Vec[], meaning: Meaning, key: string): void {
-  if (corners.length === 1) d.point(corners[0], meaning, { key });
-  const ends = corners.length > 2 ? corners.length : corners.length - 1;
-  for (let i = 0; i < ends; i++) d.line(corners[i], corners[(i + 1) % corners.length], meaning, { key });
-}
-
-/** A ray or a body on its way, and what it met. */
-interface Shot {
-  kind: "ray" | "cast";
-  from: Vec;
-  to: Vec;
-  hit: Hit | null;
-  body?: number;
-  end?: Place;
-}
 
 export class SceneRoom implements Room {
   readonly element: HTMLElement;
@@ -304,21 +287,11 @@ export class SceneRoom implements Room {
     }
     this.aim = null;
     const ray = place && aim.from ? { origin: aim.from, direction: sub(place, aim.from) } : sight;
-    this.shot = aim.kind === "ray" ? this.rayShot(ray) : this.castShot(place ?? this.run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin))));
+    this.shot = aim.kind === "ray" ? shootRay(this.run, ray) : castBody(this.run, this.selected[0], place ?? this.run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin))));
     const { kind, hit } = this.shot, name = hit && this.scene.bodies[hit.body].name;
     this.tellShot(kind === "ray" ? `The ray hits ${name ?? "nothing"}` : `${this.scene.bodies[this.shot.body!].name} meets ${name ?? "nothing"} on its way`,
       hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");
     this.paint();
-  }
-  private rayShot(ray: { origin: Vec; direction: Vec }): Shot {
-    const hit = this.run.raycast(ray);
-    return { kind: "ray", from: ray.origin, to: hit?.point ?? add(ray.origin, ray.direction), hit };
-  }
-  /** The selected body, thrown twice as far as the place that was clicked. */
-  private castShot(target: Vec): Shot {
-    const [body] = this.selected, place = this.run.place(body), motion = scale(sub(target, place.translation), 2);
-    const hit = this.run.cast(body, motion), end = reached(place, motion, hit?.t ?? 1);
-    return { kind: "cast", from: place.translation, to: end.translation, hit, body, end };
   }
   private tellShot(title: string, words: string): void {
     this.info.replaceChildren(h("h2", {}, title), h("p", {}, words));
@@ -382,14 +355,8 @@ export class SceneRoom implements Room {
       this.run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
       this.features.forEach((of, i) => of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${i}`)));
       if (this.pull) d.line(this.run.place(this.pull.body).translation, this.pull.to, "made", { wide: true });
-      if (this.shot) this.drawShot(d, this.shot);
+      if (this.shot) drawShot(d, this.shot, this.scene, this.stage.seen);
     }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
-  }
-  private drawShot(d: Drawing, { from, to, hit, body, end }: Shot): void {
-    d.arrow(from, to, "made", { wide: true });
-    if (hit) d.point(hit.point, "touch", { wide: true });
-    if (hit) d.arrow(hit.point, add(hit.point, scale(hit.normal, this.stage.seen / 8)), "axis");
-    if (end) d.shape({ shape: this.scene.bodies[body!].shape, ...end }, "made", { ghost: true });
   }
   private tell(): void {
     const found = this.run.contacts();
@@ -422,7 +389,7 @@ export class SceneRoom implements Room {
       return;
     }
     const [i, j] = this.selected, answer = ask(q), distance = ask({ ...q, query: "distance", margin: undefined } as Question);
-    const { lesson, state } = this.lessonOf(q);
+    const { lesson, state } = lessonOf(q);
     this.info.replaceChildren(
       h("h2", {}, `${this.scene.bodies[i].name} and ${this.scene.bodies[j].name}`),
       h("p", {}, answer.error ?? distance.error ?? `${answer.overlap ? "They touch" : "They are apart"}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`),
@@ -430,15 +397,6 @@ export class SceneRoom implements Room {
     this.asked.value = line(q);
     this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
       rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature), p.distance], key: `point ${k}` })) });
-  }
-
-  /** The lesson that goes through a pair step by step, and the state in which it begins; none for what none draws. */
-  private lessonOf(q: Question): { lesson: string | null; state: State } {
-    const pair = { dimension: q.dimension, a: q.a, b: q.b };
-    const boxes = q.a.shape.type === "box" && q.b!.shape.type === "box";
-    if (!boxes && q.dimension === 2 && ![q.a, q.b!].every(({ shape }) => convexInPlane.includes(shape.type))) return { lesson: null, state: { q } };
-    if (boxes) return { lesson: q.dimension === 2 ? "separating-axes-plane" : "fifteen-axes", state: { q: { query: "contacts", ...pair } } };
-    return { lesson: q.dimension === 2 ? "gjk" : "gjk-space", state: { q: { query: "distance", ...pair } } };
   }
 
   private page(): HTMLElement {
