@@ -340,6 +340,30 @@ test("viewer: contacts are live while a body is dragged, and the pair is explain
   await page.context().close();
 });
 
+test("viewer: a body's material counts from the next step on", async () => {
+  const slid = async (friction) => {
+    const page = await scene("slope");
+    await page.selectOption('[data-body="0"]', { label: "μ = 0.2" });
+    if (friction !== undefined) {
+      await page.fill('[data-material] label:has-text("Friction") input', String(friction));
+      await page.dispatchEvent('[data-material] label:has-text("Friction") input', "change");
+    }
+    const before = (await shown(page)).poses.slice(-7);
+    for (let i = 0; i < 15; i++) await page.click("[data-step]");
+    const after = (await shown(page)).poses.slice(-7);
+    assert.deepEqual(page.trouble, []);
+    if (friction === undefined) {
+      await page.fill('[data-material] label:has-text("Restitution") input', "2");
+      await page.dispatchEvent('[data-material] label:has-text("Restitution") input', "change");
+      assert.match(await page.textContent(".trouble:not([hidden])"), /restitution: expected a number from 0 to 1, got 2/);
+    }
+    await page.context().close();
+    return Math.hypot(...[0, 1, 2].map((k) => after[k] - before[k]));
+  };
+  const smooth = await slid(undefined), rough = await slid(1);
+  assert.ok(smooth > rough + 0.03, `${smooth} m, and ${rough} m where it is rough`); // both fall a little at first
+});
+
 test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
   const page = await scene("shapes");
   const open = async (file) => {

@@ -59,6 +59,7 @@ export class SceneRoom implements Room {
   private readonly table = new Table();
   private readonly pairs = new Table();
   private readonly info = h("div", { class: "words", "aria-live": "polite" });
+  private readonly materials = h("div", { class: "choices", "data-material": true });
   private readonly plot = h("div", { class: "plot" });
   private readonly counter = h("p", { class: "counter" });
   private readonly note = h("p", { class: "intro" });
@@ -293,6 +294,25 @@ export class SceneRoom implements Room {
       hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");
     this.paint();
   }
+  /** How rough and how bouncy the first selected body is. */
+  private tellMaterial(): void {
+    const [i] = this.selected, body = this.scene.bodies[i];
+    this.materials.replaceChildren();
+    if (!body) return;
+    const { staticFriction = 0.6, dynamicFriction = staticFriction, restitution = 0 } = body.material ?? {};
+    const field = (label: string, value: number, most: number, set: (x: number) => graze.Material): HTMLElement =>
+      h("label", {}, `${label} `, h("input", { type: "number", min: 0, max: most, step: 0.05, value,
+        onchange: (event: Event) => {
+          try {
+            this.run.setMaterial(i, { ...body.material, ...set(Number((event.target as HTMLInputElement).value)) });
+            this.trouble.hidden = true;
+          } catch (error) {
+            this.say((error as Error).message);
+          }
+        } }));
+    this.materials.append(
+      field("Friction", dynamicFriction, 10, (x) => ({ staticFriction: x, dynamicFriction: x })), field("Restitution", restitution, 1, (x) => ({ restitution: x })));
+  }
   private tellShot(title: string, words: string): void {
     this.info.replaceChildren(h("h2", {}, title), h("p", {}, words));
   }
@@ -379,6 +399,7 @@ export class SceneRoom implements Room {
     this.explain();
   }
   private explain(): void {
+    this.tellMaterial();
     const q = this.question();
     if (!q) {
       if (this.shot && this.selected.length === 0) return;
@@ -417,7 +438,7 @@ export class SceneRoom implements Room {
           h("div", { class: "timeline", role: "group", "aria-label": "Time" },
             button("Step back", () => this.back(), { "data-back": true }), this.play, button("One step", () => { this.stop(); this.step(); }, { "data-step": true }), button("Start again", again)),
           this.counter, this.trouble),
-        h("div", { class: "side" }, h("div", { class: "choices" }, ...this.chosen), this.info, this.table.element, this.plot, this.pairs.element,
+        h("div", { class: "side" }, h("div", { class: "choices" }, ...this.chosen), this.info, this.materials, this.table.element, this.plot, this.pairs.element,
           h("details", {}, h("summary", {}, "The pair as a question"), this.asked,
             h("p", { class: "actions" }, button("Ask it", () => {
               try {

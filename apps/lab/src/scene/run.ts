@@ -47,6 +47,7 @@ interface AnySimulation {
   report(): { kineticEnergy: number; potentialEnergy: number; deepest: number };
   setPose(id: graze.BodyId, pose: object): void;
   setVelocity(id: graze.BodyId, velocity: object): void;
+  setMaterial(id: graze.BodyId, material: object): void;
   setGravity(gravity: Vec): void;
   wake(id: graze.BodyId): void;
   applyForce(id: graze.BodyId, force: Vec): void;
@@ -232,6 +233,12 @@ export class Run {
     this.simulation = made;
     this.world!.dispose();
     this.world = null;
+  }
+  /** From here on, and when the scene is begun anew. */
+  setMaterial(body: number, material: graze.Material | graze.plane.Material): void {
+    this.simulation?.setMaterial(this.ids[body], material);
+    this.simulation?.wake(this.ids[body]);
+    this.scene.bodies[body].material = material;
   }
   setGravity(gravity: Vec): void {
     this.simulation?.setGravity(this.own.vector(gravity));
