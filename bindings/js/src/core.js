@@ -10,7 +10,8 @@ export class InvalidValue extends RangeError {
 const arenaSize = 1 << 16;
 const text = new TextDecoder();
 
-/** What is not the library's: the few things that the C++ runtime asks of its host. */
+/** What is not the library's: the few things that the C++ runtime asks of its host. Memory may have grown since JavaScript
+ * last looked at it. */
 function hostImports(core) {
   const unsupported = () => 52; // WASI's ENOSYS
   const system = {
@@ -18,13 +19,13 @@ function hostImports(core) {
       throw new Error(`graze: the module ended with ${code}`);
     },
     clock_time_get(_clock, _precision, result) {
-      core.data.setBigUint64(result, BigInt(Math.round(performance.now() * 1e6)), true);
+      core.memory().setBigUint64(result, BigInt(Math.round(performance.now() * 1e6)), true);
       return 0;
     },
     // Sizes of nothing: two numbers, both zero.
     environ_sizes_get(count, size) {
-      core.data.setUint32(count, 0, true);
-      core.data.setUint32(size, 0, true);
+      core.memory().setUint32(count, 0, true);
+      core.memory().setUint32(size, 0, true);
       return 0;
     },
     environ_get: () => 0,
