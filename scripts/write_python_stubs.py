@@ -28,7 +28,8 @@ from numpy.typing import ArrayLike, NDArray
 '''
 POSE_LIKE = 'PoseLike = Union["Pose", tuple[ArrayLike, ArrayLike], ArrayLike, None]\n'
 MARK = "# Written by scripts/write_python_stubs.py from the module: do not edit what follows.\n"
-PLANE_CLASSES = ["WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedSimulation"]
+PLANE_CLASSES = [
+    "WorldView", "World", "CapturedWorld", "Material", "State", "Simulation", "CapturedState", "CapturedSimulation"]
 # What pybind11 calls things, and what they are called in Python.
 NAMES = [
     (r"\bgraze\.(_graze|plane)\.", ""),

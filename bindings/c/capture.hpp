@@ -1,9 +1,7 @@
-// Captures for C: where they go, the states that they hold, and what a replay came to.
+// Captures for C: where they go, and what a replay came to.
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <memory>
 
 #include "c/arguments.hpp"
 #include "capture/play.hpp"
@@ -15,33 +13,6 @@ inline CaptureSink sink_of(GrazeWriteFunction write, void* user) {
   given(write, "write");
   return [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()); };
 }
-
-/// Which numbers of a captured simulation's states belong to a handle.
-using TakenNumbers = std::shared_ptr<std::array<bool, CapturedSimulation<double>::most_states>>;
-
-/// The number of a kept state, free again when the handle that has it ends; or none.
-struct StateNumber {
-  TakenNumbers of;
-  std::size_t number = 0;
-
-  StateNumber() = default;
-  /// Throws `InvalidValue` where all are taken.
-  explicit StateNumber(const TakenNumbers& taken) : of(taken) {
-    const auto free = std::find(taken->begin(), taken->end(), false);
-    if (free == taken->end())
-      validate::fail("simulation", "at most 16 states of a captured simulation at a time", "one more");
-    *free = true;
-    number = static_cast<std::size_t>(free - taken->begin());
-  }
-  StateNumber(StateNumber&& other) noexcept : of(std::move(other.of)), number(other.number) {}
-  StateNumber& operator=(StateNumber&& other) noexcept {
-    std::swap(of, other.of), std::swap(number, other.number);
-    return *this;
-  }
-  ~StateNumber() {
-    if (of) (*of)[number] = false;
-  }
-};
 
 /// Bytes of the caller's, from the first to the last.
 struct BytesInMemory {

@@ -6,6 +6,7 @@
 #include "c/trace.hpp"
 #include "c/world_changes.hpp"
 #include "graze/graze.hpp"
+#include "state_number.hpp"
 
 #define GRAZE_C_SCALAR double
 #define GRAZE_C_TAG 0x67720d00u

@@ -45,22 +45,28 @@ def test_a_captured_simulation_is_the_same_and_plays_again(tmp_path, words, begi
     }  # fmt: skip
 
 
-def test_states_are_kept_by_numbers(tmp_path):
+@pytest.mark.parametrize("words", [graze, plane])
+def test_states_are_kept_in_the_file(words, tmp_path):
     file = tmp_path / "back.capture"
-    simulation = graze.CapturedSimulation(file)
-    drop(simulation)
+    simulation = words.CapturedSimulation(file)
+    drop(simulation) if words is graze else simulation.add(plane.Circle(0.5), (0, 3))
     for _ in range(10):
         simulation.step(STEP)
-    simulation.save(3)
+    state = simulation.save()
     simulation.step(STEP)
     once = simulation.poses
-    simulation.restore(3)
+    simulation.restore(state)
     simulation.step(STEP)
     assert np.array_equal(simulation.poses, once)
-    with pytest.raises(ValueError):
-        simulation.restore(4)
-    with pytest.raises(ValueError):
-        simulation.save(16)
+    other = words.CapturedSimulation(tmp_path / "other.capture")
+    with pytest.raises(ValueError, match="state: expected one of this simulation"):
+        other.restore(state)
+    # Sixteen at a time: one that is gone makes room for another.
+    more = [simulation.save() for _ in range(15)]
+    with pytest.raises(ValueError, match="at most 16 states"):
+        simulation.save()
+    more.pop()
+    more.append(simulation.save())
     assert graze.replay(file)["difference"] is None
 
 

@@ -6,6 +6,7 @@
 
 #include "graze/capture.hpp"
 #include "graze/error.hpp"
+#include "state_number.hpp"
 
 namespace graze::python {
 
@@ -28,6 +29,26 @@ class ToFile : private CaptureFile, public Captured {
   template <class Settings>
   ToFile(const std::filesystem::path& file, const Settings& settings)
       : CaptureFile(file), Captured(&stream(), settings) {}
+};
+
+/// A captured simulation, whose states are things of Python's.
+template <class Space>
+class SimulationToFile : public ToFile<CapturedSimulation<double, Space>> {
+ public:
+  using ToFile<CapturedSimulation<double, Space>>::ToFile;
+
+  StateNumber save() {
+    StateNumber kept(states_);
+    CapturedSimulation<double, Space>::save(kept.number);
+    return kept;
+  }
+  void restore(const StateNumber& state) {
+    state.check(states_);
+    CapturedSimulation<double, Space>::restore(state.number);
+  }
+
+ private:
+  TakenNumbers states_ = std::make_shared<TakenNumbers::element_type>();
 };
 
 // What is asked, where changes may go through a capture.

@@ -55,6 +55,10 @@ class SimulationMethods {
   using State = graze::State<double, Space>;
   using Joint = graze::Joint<double, Space>;
   using Settings = SimulationSettings<double, Space>;
+  /// Of this space: each module has a class of its own.
+  struct CapturedState {
+    StateNumber kept;
+  };
 
   /// Defines the classes `Material`, `State` and `Simulation`, and `draw` of a simulation.
   static void add(py::module_& m, const char* doc) {
@@ -79,7 +83,8 @@ class SimulationMethods {
 
   /// Defines the class `CapturedSimulation`, and `draw` of one.
   static void add_captured(py::module_& m) {
-    using Own = OwnSimulation<Words, ToFile<CapturedSimulation<double, Space>>>;
+    py::class_<CapturedState>(m, "CapturedState", "A state of a captured simulation, to go back to.");
+    using Own = OwnSimulation<Words, SimulationToFile<Space>>;
     py::class_<Own> simulation(
         m, "CapturedSimulation",
         R"(A Simulation whose calls are written to a file, which `graze.replay` and the program graze play.
@@ -96,11 +101,11 @@ cannot hold: a shape with a support function in Python.)");
              py::arg("file"), py::arg("gravity") = Vector{usual.gravity}, py::arg("sub_steps") = usual.sub_steps,
              py::arg("sleep") = usual.sleep, py::arg("continuous") = usual.continuous)
         .def(
-            "save", [](Own& s, std::size_t number) { s.change()->save(number); }, py::arg("number"),
-            "Keeps the state under a number from 0 to 15, instead of what was kept there; a replay does the same.")
+            "save", [](Own& s) { return CapturedState{s.change()->save()}; },
+            "The state that `restore` goes back to, as a replay will. There are at most 16 at a time: ValueError.")
         .def(
-            "restore", [](Own& s, std::size_t number) { s.change()->restore(number); }, py::arg("number"),
-            "Goes back to what was kept. Raises ValueError where nothing was, and as Simulation.restore.");
+            "restore", [](Own& s, const CapturedState& state) { s.change()->restore(state.kept); }, py::arg("state"),
+            "Goes back, bit for bit. Raises ValueError for a state of another simulation, and as Simulation.restore.");
     add_methods(m, simulation);
   }
 
