@@ -1,6 +1,6 @@
-// Any bytes as calls of the C interface, half of the time captured and then played again to the same bits: wrong and missing handles, removed bodies, sizes, strides, enumerators and
-// numbers of all kinds, nulls wherever a pointer is taken. Every call ends with a status, and one that is refused
-// leaves a message.
+// Any bytes as calls of the C interface, half of the time captured and then played again to the same bits: wrong and
+// missing handles, removed bodies, sizes, strides, enumerators and numbers of all kinds, nulls wherever a pointer is
+// taken. Every call ends with a status, and one that is refused leaves a message.
 //
 // Handles that were released and memory that is not there are the caller's mistakes, which nobody can tell.
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The file that `graze view` shows, as one file whatever it refers to, and its versions.
 //
-// Guarantee: reads that file and, for a .gltf, what its buffers and pictures name below its own folder; nothing else. Safe
-// from any thread.
+// Guarantee: reads that file and, for a .gltf, what its buffers and pictures name below its own folder; nothing else.
+// Safe from any thread.
 #pragma once
 
 #include <filesystem>

@@ -1102,7 +1102,7 @@ export declare namespace plane {
 /** What a capture is of, and in which entry `replay` plays it. Throws `InvalidValue` for bytes that do not begin as a
  * capture does. Not in graze/queries. */
 export function captureHead(bytes: ArrayBuffer | ArrayBufferView): {
-  /** Or of a world. */
+  /** Of a simulation, or of a world. */
   simulation: boolean;
   plane: boolean;
   scalar: "float" | "double";
@@ -1150,7 +1150,7 @@ export interface PlaneScene {
     rotation?: number;
     /** Shapes of the same body move as one. */
     body?: string;
-    /** Or fixed. */
+    /** Absent: fixed. */
     motion?: "kinematic" | "dynamic";
     trigger?: boolean;
     systems?: string[];

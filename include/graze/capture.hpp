@@ -35,11 +35,11 @@ class CaptureWriter;
 template <class T, class Space>
 struct CapturedStates;
 
-/// Takes the bytes of a capture, one frame at a call, and says whether it could.
+/// A function that takes the bytes of a capture, the head and then a frame at a call, and says whether it could.
 using CaptureSink = std::function<bool(std::string_view bytes)>;
 
-/// A simulation whose calls are written to a stream, which must outlive it, or handed to a sink; with neither it is only
-/// a simulation. What is said of the calls there holds here.
+/// A simulation whose calls are written to a stream, which must outlive it, or handed to a sink; with neither it is
+/// only a simulation. What is said of the calls there holds here.
 template <class T, class Space = graze::Space<T>>
 class GRAZE_API CapturedSimulation {
   using Vec = typename Space::Vec;
@@ -53,7 +53,7 @@ class GRAZE_API CapturedSimulation {
   /// Throws `InvalidValue` when the stream takes no more bytes, as all calls here do.
   explicit CapturedSimulation(std::ostream* out, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
-  /// The same into a sink.
+  /// A simulation that hands its frames to a sink. Throws as with a stream.
   explicit CapturedSimulation(const CaptureSink& sink, const SimulationSettings<T, Space>& settings = {},
                               Executor* executor = nullptr);
   ~CapturedSimulation();
@@ -106,7 +106,7 @@ class GRAZE_API CapturedWorld {
  public:
   /// Throws `InvalidValue` for settings with a last word on pairs (`allow`), which a file cannot hold.
   explicit CapturedWorld(std::ostream* out, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
-  /// The same into a sink.
+  /// A world that hands its frames to a sink. Throws as with a stream.
   explicit CapturedWorld(const CaptureSink& sink, const WorldSettings<T>& settings = {}, Executor* executor = nullptr);
   ~CapturedWorld();
   CapturedWorld(const CapturedWorld&) = delete;

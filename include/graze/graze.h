@@ -379,7 +379,7 @@ GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3
 // What a query did: separating axes through the centre, the Minkowski difference B - A about the origin.
 GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
 
-// What a capture is of (graze/capture.hpp, docs/capture.md).
+// The kind of a capture (graze/capture.hpp, docs/capture.md).
 typedef struct GrazeCaptureHead {
   bool simulation;  // or a world
   bool plane;       // or space
@@ -390,7 +390,7 @@ typedef struct GrazeCaptureHead {
 // GRAZE_INVALID_VALUE; what comes behind the head is not looked at.
 GRAZE_C_API GrazeStatus graze_capture_head(const void *bytes, size_t size, GrazeCaptureHead *head);
 
-// What a replay of a capture came to.
+// The report of a replay of a capture.
 typedef struct GrazeReplayReport {
   bool simulation;  // or a world
   bool plane;       // or space

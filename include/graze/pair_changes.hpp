@@ -1,9 +1,10 @@
-// Which pairs of boxes began and which ended to overlap, for callers who keep what they made of a pair from frame to frame.
+// Which pairs of boxes began and which ended to overlap, for callers who keep what they made of a pair from frame to
+// frame.
 //
-// Guarantee: applied one after the other, the changes give the pairs of `BroadPhase::pairs`: what began was not there at
-// the last call, what ended was. Sorted, the smaller id first; a function of the boxes and ids alone, whichever broad phase
-// finds them. What did not move costs nothing but memory: a call costs the search for the pairs of what was inserted,
-// moved or removed, and a look at each such pair of now and then.
+// Guarantee: applied one after the other, the changes give the pairs of `BroadPhase::pairs`: what began was not there
+// at the last call, what ended was. Sorted, the smaller id first; a function of the boxes and ids alone, whichever
+// broad phase finds them. What did not move costs nothing but memory: a call costs the search for the pairs of what was
+// inserted, moved or removed, and a look at each such pair of now and then.
 #pragma once
 
 #include <memory>

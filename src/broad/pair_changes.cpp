@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "broad/boxes.hpp"
+
 namespace graze {
 
 namespace {
 
-/// Takes an id out of, or puts it into, a list in ascending order.
+/// An id taken out of a list in ascending order, and put into one.
 template <class Ids>
 void erase(Ids& ids, std::uint32_t id) {
   auto* at = std::lower_bound(ids.begin(), ids.end(), id);
@@ -18,8 +20,6 @@ void put(Ids& ids, std::uint32_t id) {
   ids.push_back(id);
   for (std::size_t i = ids.size() - 1; i > 0 && ids[i - 1] > ids[i]; --i) std::swap(ids[i - 1], ids[i]);
 }
-
-IdPair pair_of(std::uint32_t a, std::uint32_t b) { return a < b ? IdPair{a, b} : IdPair{b, a}; }
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void PairChanges<T>::compare(std::uint32_t id, std::vector<IdPair>& begun, std::
   const Ids &then = told_[id], &now = now_[id];
   const auto changed = [&](std::uint32_t other, bool began) {
     if (is_touched_[other] && other < id) return;
-    (began ? begun : ended).push_back(pair_of(id, other));
+    (began ? begun : ended).push_back(ordered(id, other));
     if (is_touched_[other]) return;
     began ? put(told_[other], id) : erase(told_[other], id);
   };

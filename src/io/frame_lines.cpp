@@ -8,7 +8,6 @@ namespace graze::io {
 namespace {
 
 /// A name in quotes; what is not UTF-8 is replaced.
-std::string quoted(const std::string& name) { return Json(name).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 template <class T>
 void write_number(JsonWriter& out, double value) {
@@ -23,7 +22,7 @@ void write_vector(JsonWriter& out, const char* key, const Vec3d& v) {
 template <class T>
 void write_body(JsonWriter& out, const std::string& name, const BodyState& body) {
   const Quat<T> q = converted<T>(body.pose.rotation);
-  out.open('{').key("body").raw(quoted(name));
+  out.open('{').key("body").raw(json_quoted(name));
   write_vector<T>(out, "translation", body.pose.translation);
   out.key("rotation").open('[').number(q.x).number(q.y).number(q.z).number(q.w).close(']');
   write_vector<T>(out, "linear", body.linear);
@@ -38,7 +37,7 @@ void write_vector(JsonWriter& out, const char* key, const plane::Vec2d& v) {
 
 template <class T>
 void write_body(JsonWriter& out, const std::string& name, const PlaneBodyState& body) {
-  out.open('{').key("body").raw(quoted(name));
+  out.open('{').key("body").raw(json_quoted(name));
   write_vector<T>(out, "translation", body.translation);
   out.key("rotation").number(static_cast<T>(body.rotation));
   write_vector<T>(out, "linear", body.linear);
@@ -54,7 +53,7 @@ std::string line_in(const AnyScene& scene, const std::vector<std::uint32_t>& mov
   for (std::size_t i = 0; i < moving.size(); ++i) write_body<T>(out, scene.bodies[moving[i]].name, frame.bodies[i]);
   out.close(']').key("contacts").open('[');
   for (const ContactState& c : frame.contacts) {
-    out.open('{').key("a").raw(quoted(scene.bodies[c.a].name)).key("b").raw(quoted(scene.bodies[c.b].name));
+    out.open('{').key("a").raw(json_quoted(scene.bodies[c.a].name)).key("b").raw(json_quoted(scene.bodies[c.b].name));
     out.key("points").number(static_cast<double>(c.points)).key("impulse");
     write_number<T>(out, c.impulse);
     out.key("depth");

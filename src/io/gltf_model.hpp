@@ -15,8 +15,8 @@
 
 namespace graze::io {
 
-/// The file that a scene in `folder` names: one below that folder, so that a scene cannot make us read any other; none for
-/// data in the address itself.
+/// The file that a scene in `folder` names: one below that folder, so that a scene cannot make us read any other; none
+/// for data in the address itself.
 std::optional<std::filesystem::path> file_below(const std::filesystem::path& folder, const std::string& uri);
 
 class GltfModel {

@@ -107,6 +107,10 @@ std::string member_text(std::string_view text, std::string_view key) {
   return found;
 }
 
+std::string json_quoted(const std::string& words) {
+  return Json(words).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string shown(const Json& value) {
   if (value.is_string()) {
     const auto& text = value.get_ref<const std::string&>();

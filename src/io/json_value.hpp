@@ -29,6 +29,9 @@ std::string member_text(std::string_view text, std::string_view key);
 /// Bounds recursion over a parsed value to a fraction of the usual eight megabytes of stack.
 inline constexpr int max_json_depth = 2000;
 
+/// Words as a text of JSON, in quotes; what is no UTF-8 is replaced.
+std::string json_quoted(const std::string& words);
+
 /// A value as it appears in an error: compact, and shortened when long.
 std::string shown(const Json& value);
 

@@ -5,7 +5,6 @@
 #include "graze/io/plane_scene.hpp"
 #include "io/json_value.hpp"
 #include "io/json_writer.hpp"
-#include "io/plane_scene_parts.hpp"
 
 namespace graze::io {
 
@@ -13,7 +12,6 @@ namespace {
 
 using plane::Vec2d;
 
-std::string text(const std::string& words) { return Json(words).dump(-1, ' ', false, Json::error_handler_t::replace); }
 JsonWriter& put(JsonWriter& out, const Vec2d& v) { return out.open('[').number(v.x).number(v.y).close(']'); }
 
 void write_shape(JsonWriter& out, const plane::Shaped& shape);
@@ -70,28 +68,9 @@ class Measures {
   JsonWriter& out_;
 };
 
-/// "circle": a shape's kind as the protocol calls it.
-const char* type_of(const plane::Shaped& shape) {
-  struct {
-    const char* operator()(const plane::Circle<double>&) { return "circle"; }
-    const char* operator()(const plane::Capsule<double>&) { return "capsule"; }
-    const char* operator()(const plane::Box<double>&) { return "box"; }
-    const char* operator()(const plane::Segment<double>&) { return "segment"; }
-    const char* operator()(const plane::ConvexPolygon<double>&) { return "convex"; }
-    const char* operator()(const plane::Ellipse<double>&) { return "ellipse"; }
-    const char* operator()(const plane::HalfPlane<double>&) { return "plane"; }
-    const char* operator()(const plane::Polygon<double>&) { return "polygon"; }
-    const char* operator()(const plane::Chain<double>&) { return "chain"; }
-    const char* operator()(const plane::Compound<double>&) { return "compound"; }
-    const char* operator()(const plane::UserConvex<double>&) { return ""; }
-  } name;
-  return shape.visit(name);
-}
-
 void write_shape(JsonWriter& out, const plane::Shaped& shape) {
-  const std::string type = type_of(shape);
-  out.open('{').key("type").raw(text(type));
-  out.key(type).open('{');
+  const char* type = shape.name();  // kinds are called as in the protocol
+  out.open('{').key("type").raw(json_quoted(type)).key(type).open('{');
   Measures measures(out);
   shape.visit([&](const auto& concrete) { measures(concrete); });
   out.close('}');
@@ -122,7 +101,7 @@ void write_filter(JsonWriter& out, const Filter& filter, const std::vector<std::
   const auto names = [&](const char* key, std::uint64_t bits) {
     out.key(key).open('[');
     for (std::size_t i = 0; i < systems.size(); ++i)
-      if (bits >> i & 1) out.raw(text(systems[i]));
+      if (bits >> i & 1) out.raw(json_quoted(systems[i]));
     out.close(']');
   };
   if (filter.category != no_system) names("systems", filter.category);
@@ -144,9 +123,9 @@ std::string to_json(const PlaneScene& scene) {
   out.key("bodies").open('[');
   for (const PlaneCollider& c : scene.colliders) {
     const PlaneSceneBody& body = scene.bodies[c.body];
-    write_shape(out.open('{').key("name").raw(text(c.name)).key("shape"), c.shape);
+    write_shape(out.open('{').key("name").raw(json_quoted(c.name)).key("shape"), c.shape);
     write_pose(out, c.pose);
-    if (colliders[c.body] > 1 || body.name != c.name) out.key("body").raw(text(body.name));
+    if (colliders[c.body] > 1 || body.name != c.name) out.key("body").raw(json_quoted(body.name));
     write_motion(out, body);
     if (c.trigger) out.key("trigger").value(true);
     write_filter(out, c.filter, scene.collision_systems);

@@ -25,8 +25,8 @@ struct XmlElement {
   }
 };
 
-/// The root element of a document. Throws `InvalidValue` with the line for what is no XML, or nested too deep. Expands no
-/// entities but the five of XML itself.
+/// The root element of a document. Throws `InvalidValue` with the line for what is no XML, or nested too deep. Expands
+/// no entities but the five of XML itself.
 XmlElement read_xml(const std::string& bytes);
 
 }  // namespace graze::io

@@ -69,8 +69,8 @@ GRAZE_API PlaneScene load_plane_svg(const std::string& bytes, const std::string&
 /// A JSON document `{"dimension": 2, "bodies": [...]}` with the protocol's shapes of the plane, from memory.
 GRAZE_API PlaneScene load_plane_json(const std::string& bytes, const std::string& source_name);
 
-/// The scene as such a document as `load_plane_json` reads: the same bodies, colliders and filters, to the bit but for the
-/// angles of poses, which may differ by a rounding. Notices are left out.
+/// The scene as such a document as `load_plane_json` reads: the same bodies, colliders and filters, to the bit but for
+/// the angles of poses, which may differ by a rounding. Notices are left out.
 GRAZE_API std::string to_json(const PlaneScene& scene);
 
 /// As `collide` of scenes in space, by a `plane::World`; vectors of the answer have z = 0. Throws `InvalidValue` for

@@ -168,10 +168,10 @@ void add_deepest(const LeafInContext<T>& self, bool of_a, const Distance<T>& d, 
   manifold.points.push_back({of_a ? d.a : d.b, of_a ? d.b : d.a, d.distance, like.points[0].feature});
 }
 
-/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners, where the skin bends away
-/// from the triangle's plane, and the other shape reaches right through the body behind that plane. What goes further
-/// than the triangle beyond the edge is asked about by itself, and the triangle's plane has nothing to do with it: a box
-/// that leans on a floor is as deep along its sides as the floor is wide.
+/// Whether a place on a triangle of a body's skin is on one of the body's own edges or corners, where the skin bends
+/// away from the triangle's plane, and the other shape reaches right through the body behind that plane. What goes
+/// further than the triangle beyond the edge is asked about by itself, and the triangle's plane has nothing to do with
+/// it: a box that leans on a floor is as deep along its sides as the floor is wide.
 template <class T>
 bool is_on_ridge(const LeafInContext<T>& self, const LeafInContext<T>& other, const Vec3<T>& point) {
   if (!self.of_body || !self.beside.empty()) return false;

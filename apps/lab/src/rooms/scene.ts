@@ -267,7 +267,14 @@ export class SceneRoom implements Room {
   }
 
   private pick(body: number | null, ray: { origin: Vec; direction: Vec }): void {
-    if (this.aim) return this.shoot(this.aim, ray);
+    if (this.aim) {
+      try {
+        this.shoot(this.aim, ray);
+      } catch (error) {
+        this.say((error as Error).message); // two clicks at one place are no direction
+      }
+      return;
+    }
     if (body === null) this.selected = [];
     else if (this.selected.includes(body)) this.selected = this.selected.filter((x) => x !== body);
     else this.selected = [...this.selected, body].slice(-2);
@@ -281,6 +288,7 @@ export class SceneRoom implements Room {
   }
   /** The click that a ray or a cast waits for: a place in the plane, a line of sight in space. */
   private shoot(aim: { kind: "ray" | "cast"; from?: Vec }, sight: { origin: Vec; direction: Vec }): void {
+    if (aim.kind === "cast" && this.selected.length === 0) return this.takeAim("cast");
     const place = this.run.flat ? add(sight.origin, scale(sight.direction, -sight.origin[2] / sight.direction[2])) : null;
     if (aim.kind === "ray" && place && !aim.from) {
       this.aim = { ...aim, from: place };

@@ -219,8 +219,8 @@ export class Run {
         const arm = sub(translation, made.motion(ids[i]).center);
         made.setVelocity(ids[i], { linear: this.own.vector(add(linear, cross(angular, arm))), angular: this.own.turning(angular) });
       }
-      for (const { a, b, frames, ...joint } of this.scene.joints ?? []) {
-        const world = a === null || b === null ? this.anchor(made) : null;
+      const joints = this.scene.joints ?? [], world = joints.some(({ a, b }) => a === null || b === null) ? this.anchor(made) : null;
+      for (const { a, b, frames, ...joint } of joints) {
         const id = (body: number | null): graze.BodyId => (body === null ? world! : ids[body]);
         const frame = (body: number | null, of: Place): object => this.own.pose(body === null ? of : seenFrom(this.scene.bodies[body], of));
         made.addJoint({ ...joint, a: id(a), b: id(b), frameA: frame(a, frames[0]), frameB: frame(b, frames[1]) });
