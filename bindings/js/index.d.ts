@@ -517,8 +517,11 @@ export class BroadPhase extends Handle {
   movedPairs(): Uint32Array;
   query(lower: Vec3Like, upper: Vec3Like): Uint32Array;
   sweep(lower: Vec3Like, upper: Vec3Like, motion: Vec3Like): Uint32Array;
-  /** How many boxes there are, how many pairs the last `pairs` or `movedPairs` found, and bytes held. */
-  counts(): { boxes: number; pairs: number; memory: number };
+  /**
+   * How many boxes there are, how many pairs the last `pairs` or `movedPairs` found, how many boxes it compared with
+   * another (up to 4,294,967,295), and bytes held.
+   */
+  counts(): { boxes: number; pairs: number; tests: number; memory: number };
 }
 
 // --- Worlds ---
@@ -1067,6 +1070,8 @@ export declare namespace plane {
   function distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Distance;
   function contacts(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike, margin?: number): Contacts;
   function contactMargin(a: Shape, b: Shape): number;
+  /** As in space: one corner of a vertex, two of an edge. */
+  function featureCorners(shape: Shape, feature: number, piece?: number): Vec2[];
   function closest(shape: Shape, pose: PoseLike, point: ArrayLike<number>): Closest;
   function raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
   function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;

@@ -40,6 +40,10 @@ class GRAZE_API BroadPhase {
   /// Those of them of which at least one was inserted or moved since this or `pairs` was last called; the same order.
   virtual void moved_pairs(std::vector<IdPair>& out) = 0;
 
+  /// How many boxes the last call of `pairs` or `moved_pairs` compared with another, bounds of several among them, for
+  /// comparison of structures. What it takes to sort and to keep a structure up is not in it.
+  virtual std::uint64_t tests() const = 0;
+
   /// The ids of all boxes that overlap `box`, sorted.
   virtual void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const = 0;
   /// The ids of all boxes that `box` touches while it moves by `motion`, sorted. A point as `box` makes it a ray; with

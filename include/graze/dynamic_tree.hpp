@@ -37,6 +37,8 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   void pairs(std::vector<IdPair>& out) override;
   /// Costs nothing for what stands still: only what moved is looked for in the tree.
   void moved_pairs(std::vector<IdPair>& out) override;
+  /// A node's children are compared at once, and count as eight.
+  std::uint64_t tests() const override;
 
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override;
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override;
@@ -103,23 +105,26 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   void build(std::uint32_t root);
 
   template <class Emit>
-  void each_pair(const Emit& emit);
+  std::uint64_t each_pair(const Emit& emit);
   void moved_of(std::vector<IdPair>& out);
   void settle();
 
+  /// Calls `f(leaf)` for all boxes that overlap `box`. Returns how many were compared with it.
   template <class F>
-  void each_overlapping(const Aabb<T>& box, const F& f) const {
+  std::uint64_t each_overlapping(const Aabb<T>& box, const F& f) const {
     for (const std::uint32_t leaf : open_)
       if (overlap(box_[leaf], box)) f(leaf);
-    each_overlapping_below(0, box, f);
+    return open_.size() + each_overlapping_below(0, box, f);
   }
   template <class F>
-  void each_overlapping_below(std::uint32_t root, const Aabb<T>& box, const F& f) const {
+  std::uint64_t each_overlapping_below(std::uint32_t root, const Aabb<T>& box, const F& f) const {
+    std::uint64_t tests = 0;
     SmallVector<std::uint32_t, 128> stack;
     stack.push_back(root);
     while (!stack.empty()) {
       const WideNode<T>& node = nodes_[stack.back()];
       stack.truncate(stack.size() - 1);
+      tests += width;
       for (std::uint32_t left = node.overlapping(box); left != 0; left &= left - 1) {
         const std::uint32_t child = node.child[static_cast<std::size_t>(std::countr_zero(left))];
         if (TreeChild::is_leaf(child))
@@ -128,6 +133,7 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
           stack.push_back(child);
       }
     }
+    return tests;
   }
   template <class Enter, class Accept, class F>
   void each_accepted(const Enter& enter, const Accept& accept, const F& f) const {

@@ -638,8 +638,8 @@ GRAZE_C_API GrazeStatus graze_contacts_reduced_d(const GrazeShaped *a, const Gra
                                                  GrazeBufferd *buffer, GrazeContactsd *contacts);
 // A margin with which a body at rest keeps its points from frame to frame.
 GRAZE_C_API GrazeStatus graze_contact_margin_d(const GrazeShaped *a, const GrazeShaped *b, double *margin);
-// The corners of a feature in the shape's frame (graze/feature.hpp): one of a vertex, two of an edge, those of a face in
-// order; none of what is round. `feature` is the upper half of a contact point's for A, the lower half for B, and `piece`
+// The corners of a feature in the shape's frame (graze/feature_corners.hpp): one of a vertex, two of an edge, those of a
+// face in order; none of what is round. `feature` is the upper half of a contact point's for A, the lower half for B, and `piece`
 // that of the manifold. The corners live in the buffer.
 GRAZE_C_API GrazeStatus graze_feature_corners_d(const GrazeShaped *shape, uint32_t piece, uint16_t feature,
                                                 GrazeBufferd *buffer, const GrazeVec3d **corners, size_t *count);
@@ -1261,6 +1261,9 @@ GRAZE_C_API GrazeStatus graze_plane_contacts_d(const GrazePlaneShaped *a, const 
                                                GrazeBufferd *buffer, GrazePlaneContactsd *contacts);
 GRAZE_C_API GrazeStatus graze_plane_contact_margin_d(const GrazePlaneShaped *a, const GrazePlaneShaped *b,
                                                      double *margin);
+// The corners of a feature (graze/plane/feature_corners.hpp), as those of space: one of a vertex, two of an edge.
+GRAZE_C_API GrazeStatus graze_plane_feature_corners_d(const GrazePlaneShaped *shape, uint32_t piece, uint16_t feature,
+                                                      GrazeBufferd *buffer, const GrazeVec2d **corners, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_closest_d(const GrazePlaneShaped *shape, const GrazePose2d *pose, GrazeVec2d point,
                                               GrazePlaneClosestd *closest);
 GRAZE_C_API GrazeStatus graze_plane_raycast_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
@@ -2355,6 +2358,8 @@ GRAZE_C_API GrazeStatus graze_plane_contacts_f(const GrazePlaneShapef *a, const 
                                                GrazeBufferf *buffer, GrazePlaneContactsf *contacts);
 GRAZE_C_API GrazeStatus graze_plane_contact_margin_f(const GrazePlaneShapef *a, const GrazePlaneShapef *b,
                                                      float *margin);
+GRAZE_C_API GrazeStatus graze_plane_feature_corners_f(const GrazePlaneShapef *shape, uint32_t piece, uint16_t feature,
+                                                      GrazeBufferf *buffer, const GrazeVec2f **corners, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_closest_f(const GrazePlaneShapef *shape, const GrazePose2f *pose, GrazeVec2f point,
                                               GrazePlaneClosestf *closest);
 GRAZE_C_API GrazeStatus graze_plane_raycast_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,

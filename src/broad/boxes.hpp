@@ -80,17 +80,41 @@ class BoxTable {
     std::sort(out.begin(), out.end());
   }
 
+  /// What compares boxes in a search for pairs, and counts how often.
+  class PairTest {
+   public:
+    PairTest(const BoxTable& table, bool moved_only, std::vector<IdPair>& out)
+        : table_(table), moved_only_(moved_only), out_(out) {}
+
+    /// Two boxes of the table, by their places.
+    void operator()(std::uint32_t i, std::uint32_t j) {
+      const Entry &a = table_[i], &b = table_[j];
+      if ((!moved_only_ || a.moved || b.moved) && overlapping(a.box, b.box)) out_.push_back(ordered(a.id, b.id));
+    }
+    /// Two boxes of which at least one bounds several.
+    bool overlapping(const Aabb<T>& a, const Aabb<T>& b) {
+      ++count_;
+      return overlap(a, b);
+    }
+    std::uint64_t count() const { return count_; }
+
+   private:
+    const BoxTable& table_;
+    bool moved_only_;
+    std::vector<IdPair>& out_;
+    std::uint64_t count_ = 0;
+  };
+
   /// The pairs that overlap, sorted, of those for which `each_pair(test)` calls `test(place, place)`; `moved_only`: of
-  /// which at least one moved. What moved counts as still from then on.
+  /// which at least one moved. What moved counts as still from then on. Returns how many boxes were compared.
   template <class EachPair>
-  void collect_pairs(std::vector<IdPair>& out, bool moved_only, const EachPair& each_pair) {
+  std::uint64_t collect_pairs(std::vector<IdPair>& out, bool moved_only, const EachPair& each_pair) {
     out.clear();
-    each_pair([&](std::uint32_t i, std::uint32_t j) {
-      const Entry &a = entries_[i], &b = entries_[j];
-      if ((!moved_only || a.moved || b.moved) && overlap(a.box, b.box)) out.push_back(ordered(a.id, b.id));
-    });
+    PairTest test(*this, moved_only, out);
+    each_pair(test);
     std::sort(out.begin(), out.end());
     settle();
+    return test.count();
   }
 
   std::size_t memory() const {

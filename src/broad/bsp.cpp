@@ -34,7 +34,7 @@ class Tree {
 
   /// `test(place, place)` for all pairs that may overlap.
   template <class Test>
-  void for_each_pair(const BoxTable<T>& boxes, const Test& test) {
+  void for_each_pair(const BoxTable<T>& boxes, Test& test) {
     for (const Node& node : nodes_) {
       const Range& r = node.items;
       for (std::uint32_t i = r.begin; i < r.end; ++i) {
@@ -45,7 +45,7 @@ class Tree {
         }
         stack_.clear();
         push_children(node, stack_);
-        visit([&](const Aabb<T>& bounds) { return overlap(bounds, box); },
+        visit([&](const Aabb<T>& bounds) { return test.overlapping(bounds, box); },
               [&](std::uint32_t other) { test(order_[i], other); }, stack_);
       }
     }

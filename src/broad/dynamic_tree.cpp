@@ -101,7 +101,7 @@ void DynamicTree<T>::pairs(std::vector<IdPair>& out) {
     std::merge(s.known.begin(), s.known.end(), s.found.begin(), s.found.end(), std::back_inserter(out));
   } else {
     out.clear();
-    each_pair([&](std::uint32_t i, std::uint32_t j) { out.push_back(ordered(id_[i], id_[j])); });
+    s.tests = each_pair([&](std::uint32_t i, std::uint32_t j) { out.push_back(ordered(id_[i], id_[j])); });
     s.sort(out, s.ids.size());
   }
   // Kept only where few move: else it would be of no use the next time.
@@ -126,14 +126,15 @@ void DynamicTree<T>::moved_of(std::vector<IdPair>& out) {
   Storage& s = *kept_;
   out.clear();
   if (s.moved.size() > s.ids.size() / max_moved_share) {
-    each_pair([&](std::uint32_t i, std::uint32_t j) {
+    s.tests = each_pair([&](std::uint32_t i, std::uint32_t j) {
       if (((state_[i] | state_[j]) & moved) != 0) out.push_back(ordered(id_[i], id_[j]));
     });
   } else {
+    s.tests = 0;
     for (const std::uint32_t leaf : s.moved) {
       if ((state_[leaf] & (moved | reported)) != moved) continue;
       state_[leaf] |= reported;  // and does not overlap itself
-      each_overlapping(box_[leaf], [&](std::uint32_t other) {
+      s.tests += each_overlapping(box_[leaf], [&](std::uint32_t other) {
         if ((state_[other] & reported) == 0) out.push_back(ordered(id_[leaf], id_[other]));
       });
     }
@@ -143,11 +144,12 @@ void DynamicTree<T>::moved_of(std::vector<IdPair>& out) {
 
 template <class T>
 template <class Emit>
-void DynamicTree<T>::each_pair(const Emit& emit) {
+std::uint64_t DynamicTree<T>::each_pair(const Emit& emit) {
+  std::uint64_t tests = 0;
   for (std::size_t i = 0; i < open_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j)
       if (overlap(box_[open_[i]], box_[open_[j]])) emit(open_[i], open_[j]);
-    each_overlapping_below(0, box_[open_[i]], [&](std::uint32_t leaf) { emit(open_[i], leaf); });
+    tests += i + each_overlapping_below(0, box_[open_[i]], [&](std::uint32_t leaf) { emit(open_[i], leaf); });
   }
   // Nodes or leaves whose bounds overlap, or a node with itself.
   auto& stack = kept_->pair_stack;
@@ -163,16 +165,18 @@ void DynamicTree<T>::each_pair(const Emit& emit) {
     stack.pop_back();
     if (TreeChild::is_leaf(next.a) || TreeChild::is_leaf(next.b)) {
       const std::uint32_t leaf = TreeChild::leaf(TreeChild::is_leaf(next.a) ? next.a : next.b);
-      each_overlapping_below(TreeChild::is_leaf(next.a) ? next.b : next.a, box_[leaf],
-                             [&](std::uint32_t other) { emit(leaf, other); });
+      tests += each_overlapping_below(TreeChild::is_leaf(next.a) ? next.b : next.a, box_[leaf],
+                                      [&](std::uint32_t other) { emit(leaf, other); });
       continue;
     }
     const WideNode<T>&a = nodes_[next.a], &b = nodes_[next.b];
     const bool same = next.a == next.b;
     std::uint32_t left = same ? a.present() : a.overlapping(b.bounds);
+    tests += same ? 0 : width;
     for (; left != 0; left &= left - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(left));
       std::uint32_t others = b.overlapping(a.box(i));
+      tests += width;
       if (same) {
         others &= ~((2u << i) - 1);  // after i
         if (!TreeChild::is_leaf(a.child[i])) stack.push_back({a.child[i], a.child[i]});
@@ -181,6 +185,12 @@ void DynamicTree<T>::each_pair(const Emit& emit) {
         visit(a.child[i], b.child[static_cast<std::size_t>(std::countr_zero(others))]);
     }
   }
+  return tests;
+}
+
+template <class T>
+std::uint64_t DynamicTree<T>::tests() const {
+  return kept_->tests;
 }
 
 template <class T>

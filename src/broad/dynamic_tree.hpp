@@ -38,6 +38,7 @@ struct DynamicTree<T>::Storage {
   std::vector<IdPair> known, found;  ///< the pairs of the last call, if `is_known`; and those of what moved since
   bool is_known = false, lost = false;
   std::vector<IdPair> pair_stack;
+  std::uint64_t tests = 0;  ///< of the last call
 
   std::size_t memory() const {
     return ids.memory() + sort.memory() +

@@ -98,7 +98,7 @@ class Grid {
 
   /// `test(place, place)` for all pairs that may overlap. Several cells may be in one bucket.
   template <class Test>
-  void for_each_pair(const BoxTable<T>& boxes, const Test& test) const {
+  void for_each_pair(const BoxTable<T>& boxes, Test& test) const {
     for (std::size_t b = 0; b + 1 < start_.size(); ++b) {
       const Item* const end = items_.data() + start_[b + 1];
       for (const Item* i = items_.data() + start_[b]; i < end; ++i)

@@ -44,6 +44,7 @@ class LooseOctree final : public BroadPhase<T> {
 
   void pairs(std::vector<IdPair>& out) override { find(out, false); }
   void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
+  std::uint64_t tests() const override { return tests_; }
 
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
     graze::query(*this, boxes_, box, out);
@@ -173,7 +174,7 @@ class LooseOctree final : public BroadPhase<T> {
 
   void find(std::vector<IdPair>& out, bool moved_only) {
     tighten();
-    boxes_.collect_pairs(out, moved_only, [&](const auto& test) { within(0, test); });
+    tests_ = boxes_.collect_pairs(out, moved_only, [&](auto& test) { within(0, test); });
   }
   /// What left a node leaves its bounds too large. Children come after their parents.
   void tighten() {
@@ -187,7 +188,7 @@ class LooseOctree final : public BroadPhase<T> {
   }
   /// All pairs of which both are in or below the node.
   template <class Test>
-  void within(std::uint32_t n, const Test& test) {
+  void within(std::uint32_t n, Test& test) {
     const Node& node = nodes_[n];
     for (std::size_t i = 0; i < node.items.size(); ++i)
       for (std::size_t j = i + 1; j < node.items.size(); ++j) test(node.items[i], node.items[j]);
@@ -200,9 +201,9 @@ class LooseOctree final : public BroadPhase<T> {
   }
   /// All pairs of one in or below the first node and one in or below the second.
   template <class Test>
-  void between(std::uint32_t m, std::uint32_t n, const Test& test) {
+  void between(std::uint32_t m, std::uint32_t n, Test& test) {
     const Node &a = nodes_[m], &b = nodes_[n];
-    if (!overlap(a.bounds, b.bounds)) return;
+    if (!test.overlapping(a.bounds, b.bounds)) return;
     against(a, n, test);
     if (a.children == 0) return;
     for (unsigned c = 0; c < 8; ++c) {
@@ -213,11 +214,11 @@ class LooseOctree final : public BroadPhase<T> {
   }
   /// All pairs of an item of the node and one in or below the other.
   template <class Test>
-  void against(const Node& node, std::uint32_t n, const Test& test) {
+  void against(const Node& node, std::uint32_t n, Test& test) {
     for (const std::uint32_t item : node.items) {
       const Aabb<T>& box = boxes_[item].box;
       visit(
-          n, [&](const Aabb<T>& bounds) { return overlap(bounds, box); },
+          n, [&](const Aabb<T>& bounds) { return test.overlapping(bounds, box); },
           [&](std::uint32_t other) { test(item, other); }, stack_);
     }
   }
@@ -242,6 +243,7 @@ class LooseOctree final : public BroadPhase<T> {
   Cube root_;
   std::size_t astray_ = 0;  ///< boxes put outside the root since it was chosen
   std::size_t nodes_built_ = 1;
+  std::uint64_t tests_ = 0;
   std::vector<std::uint32_t> stack_;  ///< kept for its storage
 };
 

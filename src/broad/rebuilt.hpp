@@ -11,7 +11,7 @@
 namespace graze {
 
 /// `Index`: `build(boxes)`, `for_each_pair(boxes, test)`, which calls `test(place, place)` for all pairs that may
-/// overlap, and `memory()`.
+/// overlap and `test.overlapping(bounds, box)` on its way to them (`BoxTable::PairTest`), and `memory()`.
 template <class T, class Index>
 class Rebuilt : public BroadPhase<T> {
  public:
@@ -30,6 +30,7 @@ class Rebuilt : public BroadPhase<T> {
 
   void pairs(std::vector<IdPair>& out) override { find(out, false); }
   void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
+  std::uint64_t tests() const override { return tests_; }
 
   std::size_t memory() const override { return boxes_.memory() + index_.memory(); }
 
@@ -50,10 +51,11 @@ class Rebuilt : public BroadPhase<T> {
   }
   void find(std::vector<IdPair>& out, bool moved_only) {
     refresh();
-    boxes_.collect_pairs(out, moved_only, [&](const auto& test) { index_.for_each_pair(boxes_, test); });
+    tests_ = boxes_.collect_pairs(out, moved_only, [&](auto& test) { index_.for_each_pair(boxes_, test); });
   }
 
   BoxTable<T> boxes_;
+  std::uint64_t tests_ = 0;
   mutable Index index_;
   mutable std::atomic<bool> stale_ = true;
   mutable std::mutex mutex_;

@@ -16,6 +16,7 @@ class SortAndSweep final : public BroadPhase<T> {
 
   void pairs(std::vector<IdPair>& out) override { find(out, false); }
   void moved_pairs(std::vector<IdPair>& out) override { find(out, true); }
+  std::uint64_t tests() const override { return tests_; }
 
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
     boxes_.collect(out, [&](const Aabb<T>& other) { return overlap(other, box); });
@@ -36,7 +37,7 @@ class SortAndSweep final : public BroadPhase<T> {
       return boxes_[i].box.lower[axis] < boxes_[j].box.lower[axis];
     };
     if (!std::is_sorted(order_.begin(), order_.end(), before)) std::sort(order_.begin(), order_.end(), before);
-    boxes_.collect_pairs(out, moved_only, [&](const auto& test) {
+    tests_ = boxes_.collect_pairs(out, moved_only, [&](auto& test) {
       for (std::size_t i = 0; i < order_.size(); ++i) {
         const T end = boxes_[order_[i]].box.upper[axis];
         for (std::size_t j = i + 1; j < order_.size() && !(boxes_[order_[j]].box.lower[axis] > end); ++j)
@@ -73,6 +74,7 @@ class SortAndSweep final : public BroadPhase<T> {
 
   BoxTable<T> boxes_;
   std::vector<std::uint32_t> order_;
+  std::uint64_t tests_ = 0;
 };
 
 }  // namespace

@@ -52,6 +52,8 @@ class SweepAndPrune final : public BroadPhase<T> {
     boxes_.settle();
   }
 
+  std::uint64_t tests() const override { return tests_; }
+
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override {
     boxes_.collect(out, [&](const Aabb<T>& other) { return overlap(other, box); });
   }
@@ -105,7 +107,13 @@ class SweepAndPrune final : public BroadPhase<T> {
     return ordered(boxes_[slots_[s].place].id, boxes_[slots_[t].place].id);
   }
 
+  bool compare(const Aabb<T>& a, const Aabb<T>& b) {
+    ++tests_;
+    return overlap(a, b);
+  }
+
   void update() {
+    tests_ = 0;
     if (!stale_ && fresh_.empty() && gone_.empty()) return;
     const bool many_new = fresh_.size() * max_new_share > boxes_.size();
     drop_gone();
@@ -170,10 +178,10 @@ class SweepAndPrune final : public BroadPhase<T> {
   }
   /// `end` goes below `other`, which is of the other kind.
   void pass(const End& end, const End& other) {
-    const bool overlapped = overlap(slots_[end.slot].known, slots_[other.slot].known);
+    const bool overlapped = compare(slots_[end.slot].known, slots_[other.slot].known);
     if (end.upper) {
       if (overlapped) ended_.push_back(ids_of(end.slot, other.slot));
-    } else if (!overlapped && overlap(box_of(end.slot), box_of(other.slot))) {
+    } else if (!overlapped && compare(box_of(end.slot), box_of(other.slot))) {
       begun_.push_back(ids_of(end.slot, other.slot));
     }
   }
@@ -222,7 +230,7 @@ class SweepAndPrune final : public BroadPhase<T> {
         continue;
       }
       for (const std::uint32_t other : active_)
-        if (overlap(box_of(end.slot), box_of(other))) pairs_.push_back(ids_of(end.slot, other));
+        if (compare(box_of(end.slot), box_of(other))) pairs_.push_back(ids_of(end.slot, other));
       active_.push_back(end.slot);
     }
   }
@@ -234,6 +242,7 @@ class SweepAndPrune final : public BroadPhase<T> {
   std::vector<std::uint32_t> fresh_, gone_;  ///< slots since the last update
   std::vector<std::uint32_t> gone_ids_;
   bool stale_ = false;  ///< something moved since the last update
+  std::uint64_t tests_ = 0;
 
   std::vector<End> ends_[3];
   std::vector<IdPair> pairs_;                   ///< sorted

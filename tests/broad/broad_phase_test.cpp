@@ -420,6 +420,60 @@ TYPED_TEST(EveryBroadPhase, TellsItsMemory) {
 }
 
 /// Small numbers, so that equal, touching, flat and nested boxes are common; RapidCheck makes a failure small.
+/// The slow way compares n (n - 1) / 2 boxes; every structure compares at least what it reports, and few of a line.
+TYPED_TEST(EveryBroadPhase, CountsTheBoxesThatItCompares) {
+  using T = TypeParam;
+  constexpr std::uint64_t n = 300, all = n * (n - 1) / 2;
+  this->for_each_method([&](Method method) {
+    std::vector<IdPair> found;
+    const auto of_line = [&](T step) {
+      const auto tested = make<T>(method);
+      EXPECT_EQ(tested->tests(), 0u);
+      for (std::uint32_t i = 0; i < n; ++i)
+        tested->insert(i, {{T(i) * step, T(0), T(0)}, {T(i) * step + T(1), T(1), T(1)}});
+      tested->pairs(found);
+      return tested->tests();
+    };
+    // Each touches the next.
+    const std::uint64_t touching = of_line(T(1));
+    EXPECT_EQ(found.size(), n - 1);
+    EXPECT_GE(touching, found.size());
+    EXPECT_LT(touching, all / 5);
+    EXPECT_LT(of_line(T(100)), all / 5);  // far from each other
+    EXPECT_EQ(found.size(), 0u);
+    EXPECT_GE(of_line(T(0)), all);  // all in one place
+    EXPECT_EQ(found.size(), all);
+  });
+}
+
+TEST(BroadPhaseTests, OfASortedAxisAreThoseThatOverlapOnIt) {
+  const auto sweep = make_sort_and_sweep<double>();
+  for (std::uint32_t i = 0; i < 8; ++i) sweep->insert(i, {{10.0 * i, 0, 0}, {10.0 * i + 1, 1, 1}});
+  std::vector<IdPair> found;
+  sweep->insert(8, {{10.5, 5, 0}, {20.5, 6, 1}});  // with two of them, but for the other axis
+  sweep->pairs(found);
+  EXPECT_TRUE(found.empty());
+  EXPECT_EQ(sweep->tests(), 2u);
+}
+
+/// Pairs are kept by these: where nothing moves, nothing is compared.
+TEST(BroadPhaseTests, AreNoneWhereNothingMoved) {
+  for (const Method method : {Method::sweep_and_prune, Method::dynamic_tree}) {
+    const auto tested = make<double>(method);
+    for (std::uint32_t i = 0; i < 100; ++i) tested->insert(i, {{0.5 * i, 0, 0}, {0.5 * i + 1, 1, 1}});
+    std::vector<IdPair> found;
+    tested->pairs(found);
+    const std::uint64_t first = tested->tests();
+    EXPECT_GE(first, found.size());
+    tested->moved_pairs(found);
+    EXPECT_EQ(tested->tests(), 0u);
+    tested->move(3, {{1.6, 0, 0}, {2.6, 1, 1}});
+    tested->moved_pairs(found);
+    EXPECT_GE(tested->tests(), 1u);
+    EXPECT_LT(tested->tests(), first / 4);
+  }
+}
+
 Aabbd box_of(const std::array<int, 6>& n) {
   const auto low = [&](std::size_t i) { return static_cast<double>(n[i] % 20); };
   const auto size = [&](std::size_t i) { return static_cast<double>(std::abs(n[i + 3] % 5)); };

@@ -307,6 +307,7 @@ export const checks = [
         equal([...broad.pairs()], wanted, `pairs of ${kind}`);
         const counts = broad.counts();
         equal([counts.boxes, counts.pairs], [100, wanted.length / 2], "counts");
+        ok(counts.tests >= counts.pairs && counts.tests < 100 * 100, "tests");
         ok(counts.memory > 0, "memory");
         boxes[3] = [[-1, -1, -1], [1, 1, 1]];
         broad.move(3, ...boxes[3]);
@@ -443,6 +444,10 @@ export const checks = [
     const [[circle], [box]] = shapes;
     const found = plane.contacts(box, {}, box, { translation: [0, 1.75] });
     equal(found.manifolds[0].points.length, 2, "points in the plane");
+    equal(found.manifolds[0].points.flatMap((p) => plane.featureCorners(box, p.feature >>> 16)).map(([, y]) => y), [1, 1],
+          "both corners of the upper side");
+    equal(plane.featureCorners(box, 2 * 2 ** 14 + 1), [[0.5, -1], [0.5, 1]], "a side");
+    equal(plane.featureCorners(circle, 2 ** 14), [], "corners of a circle");
     equal(plane.raycast(box, {}, { origin: [-3, 0], direction: [1, 0] }).t, 2.5, "ray in the plane");
     close(plane.cast({ shape: box }, { shape: circle, translation: [5, 0], linear: [-8, 0] }).t, 0.5, 1e-6, "cast");
     equal(plane.closest(box, {}, [3, 0]).distance, 2.5, "closest in the plane");

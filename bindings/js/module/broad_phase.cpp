@@ -1,4 +1,6 @@
 // The broad phases for JavaScript, in the manner of the C interface.
+#include <algorithm>
+
 #include "graze/broad_phase.hpp"
 
 #include "c/error.hpp"
@@ -92,8 +94,11 @@ GrazeStatus graze_js_broad_sweep(Phase* phase, const Box* box, const graze::Vec3
   });
 }
 
-EXPORTED("memory") GrazeStatus graze_js_broad_memory(const Phase* phase, std::size_t* bytes) {
-  return guarded([&] { *bytes = phase->broad->memory(); });
+EXPORTED("counts") GrazeStatus graze_js_broad_counts(const Phase* phase, std::uint32_t* tests, std::size_t* bytes) {
+  return guarded([&] {
+    *tests = static_cast<std::uint32_t>(std::min<std::uint64_t>(phase->broad->tests(), ~std::uint32_t{0}));
+    *bytes = phase->broad->memory();
+  });
 }
 
 }  // extern "C"

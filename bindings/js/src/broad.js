@@ -48,12 +48,12 @@ export function broadPhases(core, layout, args, Handle) {
         ids((first, count) => call("sweep", at(this), box(lower, upper), args.vec3(motion, "motion"), first, count)));
     }
     counts() {
-      const memory = core.frame(() => {
-        const bytes = core.room(4);
-        call("memory", at(this), bytes);
-        return core.data.getUint32(bytes, true);
+      return core.frame(() => {
+        const [tests, bytes] = [core.room(4), core.room(4)];
+        call("counts", at(this), tests, bytes);
+        const memory = core.data.getUint32(bytes, true);
+        return { boxes: this.#boxes, pairs: this.#pairs, tests: core.data.getUint32(tests, true), memory };
       });
-      return { boxes: this.#boxes, pairs: this.#pairs, memory };
     }
     #found(name, moved) {
       const found = core.frame(() => ids((first, count) => call(name, at(this), moved, first, count)));

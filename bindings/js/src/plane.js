@@ -136,7 +136,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
     Shape, Circle, Capsule, Box, Segment, Convex, Ellipse, HalfPlane, Polygon, Chain, Compound,
     ...ask.framed({
       ...ask.asked,
-      contactMargin: (a, b) => answered(layout.num, (p) => ask.call("contact_margin", of(a, "a"), of(b, "b"), p)),
+      ...ask.untraced,
       poseAt(body, t) {
         const { linear, angular } = body;
         const velocity = written(types.velocity, { linear, angular }, "velocity");

@@ -93,6 +93,16 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     },
   });
 
+  /** What is known of shapes and their contacts without a trace. */
+  const untraced = {
+    contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
+    featureCorners(shape, feature, piece = 0) {
+      if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
+        throw new InvalidValue(`feature: expected an integer from 0 to 65535, got ${shown(feature)}`);
+      return listed(types.vector, (...to) => call("feature_corners", of(shape), piece, feature, ...to));
+    },
+  };
+
   /** Each function in a frame of scratch room. */
   const framed = (functions) =>
     Object.fromEntries(
@@ -119,7 +129,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   };
 
   return {
-    asked: asked(""), framed, explaining, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length,
+    asked: asked(""), untraced, framed, explaining, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length,
     moving, separating, back, backs };
 }
 
@@ -134,6 +144,7 @@ export function spaceQuestions(core, layout, args, shapes) {
 
   const plain = ask.framed({
     ...ask.asked,
+    ...ask.untraced,
     contacts(a, poseA, b, poseB, margin = 0, most = undefined) {
       if (most === undefined) return ask.asked.contacts(a, poseA, b, poseB, margin);
       const p = core.room(layout.contacts.size);
@@ -146,12 +157,6 @@ export function spaceQuestions(core, layout, args, shapes) {
       found(layout.distance, (there, p) => call("distance_up_to", ...two(a, poseA, b, poseB), limit, there, p)),
     nearPieces: (a, poseA, b, poseB, margin) =>
       listed(layout.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
-    contactMargin: (a, b) => answered(layout.num, (p) => call("contact_margin", of(a, "a"), of(b, "b"), p)),
-    featureCorners(shape, feature, piece = 0) {
-      if (!Number.isInteger(feature) || feature < 0 || feature > 0xffff)
-        throw new InvalidValue(`feature: expected an integer from 0 to 65535, got ${shown(feature)}`);
-      return listed(layout.vec3, (...to) => call("feature_corners", of(shape), piece, feature, ...to));
-    },
     raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
     raycastAll: (...question) => listed(layout.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),
     castAll(a, b, options) {

@@ -27,7 +27,7 @@ function bodies(scene: string): { center: Vec; half: Vec; velocity: Vec }[] {
     velocity: [1, 1, 1].map(() => (random() - 0.5) * 0.12),
   }));
 }
-interface Frame { boxes: { lower: Vec; upper: Vec }[]; pairs: Uint32Array; memory: number }
+interface Frame { boxes: { lower: Vec; upper: Vec }[]; pairs: Uint32Array; tests: number; memory: number }
 interface Run { frames: Frame[]; /** Of a frame: browsers' clocks are too coarse for a single one. */ micros: number }
 const kept = new Map<string, Run>();
 
@@ -51,7 +51,8 @@ function run(kind: Kind, scene: string): Run {
     boxes.forEach(({ lower, upper }, id) => (at === 0 ? phase.insert(id, lower, upper) : phase.move(id, lower, upper)));
     const pairs = phase.pairs();
     spent += performance.now() - start;
-    made.push({ boxes, pairs, memory: phase.counts().memory });
+    const { tests, memory } = phase.counts();
+    made.push({ boxes, pairs, tests, memory });
   }
   phase.dispose();
   const result = { frames: made, micros: (spent * 1000) / frames };
@@ -75,14 +76,14 @@ export const broadPhases: Lesson = {
     const list = run(kind, scene).frames;
     const times = kinds.map((k) => ({ k, ...run(k, scene) }));
     return list.map((frame, i): Step => {
-      const found = frame.pairs.length / 2;
+      const found = frame.pairs.length / 2, inVain = Math.max(0, frame.tests - found);
       const touched = new Set(frame.pairs);
       return {
         title: `${labels[kind]}, frame ${i + 1}`,
-        text: `${how[kind]} ${found} of ${all.toLocaleString("en")} pairs overlap in this frame; every other was ruled out without looking at a shape. The times are means over all frames in this browser, with the calls from JavaScript in them.`,
-        numbers: { caption: "This frame", columns: ["structure", "pairs", "µs a frame", "kilobytes"], rows: times.map(({ k, frames: f, micros }) => ({ cells: [labels[k], f[i].pairs.length / 2, Math.round(micros), Math.round(f[i].memory / 1024)], mark: k === kind ? "now" as const : undefined })) },
-        graph: { caption: "pairs in each frame", at: i, series: [{ name: "pairs", meaning: "touch", values: list.map((f) => f.pairs.length / 2) }] },
-        says: `Frame ${i + 1}: ${digits(found)} pairs of ${all}.`,
+        text: `${how[kind]} ${found} of ${all.toLocaleString("en")} pairs overlap in this frame. Boxes were compared ${frame.tests.toLocaleString("en")} times, ${inVain.toLocaleString("en")} of them in vain, bounds of many boxes among them; every other pair was ruled out without a look. Times are means over all frames in this browser, with the calls from JavaScript.`,
+        numbers: { caption: "This frame", columns: ["structure", "pairs", "tests", "in vain", "µs a frame", "kilobytes"], rows: times.map(({ k, frames: f, micros }) => ({ cells: [labels[k], f[i].pairs.length / 2, f[i].tests, Math.max(0, f[i].tests - f[i].pairs.length / 2), Math.round(micros), Math.round(f[i].memory / 1024)], mark: k === kind ? "now" as const : undefined })) },
+        graph: { caption: "pairs and tests in each frame", at: i, series: [{ name: "pairs", meaning: "touch", values: list.map((f) => f.pairs.length / 2) }, { name: "tests", meaning: "axis", values: list.map((f) => f.tests) }] },
+        says: `Frame ${i + 1}: ${digits(found)} pairs of ${all}, found by ${digits(frame.tests)} tests.`,
         draw(d) {
           frame.boxes.forEach(({ lower, upper }, id) => {
             const size = upper.map((x, k) => x - lower[k]);

@@ -425,7 +425,7 @@ export class SceneRoom implements Room {
       lesson ? h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, "Step through this pair")) : "");
     this.asked.value = line(q);
     this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
-      rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature), p.distance], key: `point ${k}` })) });
+      rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature, q.dimension), p.distance], key: `point ${k}` })) });
   }
 
   private page(): HTMLElement {

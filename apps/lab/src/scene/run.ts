@@ -187,15 +187,28 @@ export class Run {
     this.own.drawSimulation(this.simulation, { layers: ["joints"], line: (from, to, _, meaning) => line(from, to, meaning === "gap") });
   }
   /** What two bodies touch with at each point of contact, by corners in the world: of the first, and of the other. What is
-   *  round has none, and the plane names the ends of sides. */
+   *  round has none. In the plane the points of a manifold name the ends of the sides that they lie on: one for all. */
   features(a: number, b: number, margin: number): [Vec[], Vec[]][] {
-    if (this.flat) return [];
+    if (this.flat) return this.flatFeatures(a, b, margin);
     const [shapeA, shapeB] = [a, b].map((i) => this.shape(this.scene.bodies[i].shape) as graze.Shape);
     const [poseA, poseB] = [a, b].map((i) => space.pose(this.place(i)) as graze.PoseLike);
     const corners = (shape: graze.Shape, pose: graze.PoseLike, feature: number, piece: number): Vec[] =>
       graze.featureCorners(shape, feature, piece).map((p) => toWorld(pose as Body, p));
     return graze.contacts(shapeA, poseA, shapeB, poseB, margin).manifolds.flatMap((m) =>
       m.points.map(({ feature }): [Vec[], Vec[]] => [corners(shapeA, poseA, feature >>> 16, m.pieceA), corners(shapeB, poseB, feature & 0xffff, m.pieceB)]));
+  }
+
+  private flatFeatures(a: number, b: number, margin: number): [Vec[], Vec[]][] {
+    const of = (i: number): [graze.plane.Shape, graze.plane.PoseLike] =>
+      [this.shape(this.scene.bodies[i].shape) as graze.plane.Shape, plane.pose(this.place(i)) as graze.plane.PoseLike];
+    const [shapeA, poseA] = of(a), [shapeB, poseB] = of(b);
+    const ends = (shape: graze.plane.Shape, body: number, piece: number, features: number[]): Vec[] => {
+      const named = features.flatMap((feature) => graze.plane.featureCorners(shape, feature, piece));
+      return named.filter((p, i) => named.findIndex((q) => q[0] === p[0] && q[1] === p[1]) === i)
+        .map(([x, y]) => toWorld(this.place(body) as Body, [x, y, 0]));
+    };
+    return graze.plane.contacts(shapeA, poseA, shapeB, poseB, margin).manifolds.map((m): [Vec[], Vec[]] =>
+      [ends(shapeA, a, m.pieceA, m.points.map((p) => p.feature >>> 16)), ends(shapeB, b, m.pieceB, m.points.map((p) => p.feature & 0xffff))]);
   }
 
   // --- What changes it ---

@@ -1,4 +1,4 @@
-#include "graze/feature.hpp"
+#include "graze/feature_corners.hpp"
 
 #include "narrow/manifold/features.hpp"
 #include "shape/compound_data.hpp"

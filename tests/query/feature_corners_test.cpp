@@ -1,5 +1,5 @@
 // The features that contact points name: their corners are where the points are.
-#include "graze/feature.hpp"
+#include "graze/feature_corners.hpp"
 
 #include <gtest/gtest.h>
 
