@@ -1,8 +1,8 @@
 // The plane beside Debian's Box2D 2.4, on one thread: times are the least of the rounds, in ns a pair.
 //
-//   bench_plane [--pairs N] [--cached N] [--rounds N]
+//   bench_plane [--pairs N] [--cached N] [--rounds N] [--base N] [--steps N] [--pyramid]
 //
-// plane_pairs.hpp says which pairs, plane_contacts.cpp and plane_motion.cpp what is asked.
+// plane_pairs.hpp says which pairs, plane_contacts.cpp and plane_motion.cpp what is asked, plane_pyramid.cpp what moves.
 #include <cstdio>
 
 #include "command_line.hpp"
@@ -11,11 +11,19 @@
 int main(int argc, char** argv) {
   using namespace graze::plane;
   Options options;
+  bool pyramid_alone = false;
   graze::bench::CommandLine("Contacts, distances, casts and rays in the plane, beside Box2D.")
       .number("--pairs", options.pairs, "pairs of a batch")
       .number("--cached", options.cached, "pairs that are asked about one at a time, over and over")
       .number("--rounds", options.rounds, "rounds, of which the fastest counts")
+      .number("--base", options.base, "boxes in the lowest row of the pyramid")
+      .number("--steps", options.steps, "steps that the pyramid is played")
+      .flag("--pyramid", pyramid_alone, "the pyramid alone")
       .read(argc, argv);
+  if (pyramid_alone) {
+    print_pyramid(options.base, options.steps);
+    return 0;
+  }
   std::printf("%-24s %6s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "", "", "contacts", "", "distance", "",
               "overlap", "Box2D", "", "faster", "", "", "");
   std::printf("%-24s %6s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "pair", "meet", "one", "batch", "one", "batch",
@@ -45,4 +53,5 @@ int main(int argc, char** argv) {
   print_motion_head();
   for (const Row& row : rows)
     if (!row.stacked) print_motion_row(options, row.name, make_pairs(row.a, row.b, row.spread, false, options.cached));
+  print_pyramid(options.base, options.steps);
 }

@@ -39,7 +39,7 @@ struct Pairs {
 Pairs make_pairs(Kind kind_a, Kind kind_b, double spread, bool stacked, std::size_t count);
 
 struct Options {
-  std::size_t pairs = 100000, cached = 2000, rounds = 12;
+  std::size_t pairs = 100000, cached = 2000, rounds = 12, base = 100, steps = 600;
 };
 
 /// The least time of a pair, in ns, of `turns` passes over `count` pairs.
@@ -62,5 +62,7 @@ auto for_each_of(std::size_t count, const F& f) {
 void print_contacts_row(const Options& options, const std::string& name, const Pairs& pairs);
 void print_motion_head();
 void print_motion_row(const Options& options, const std::string& name, const Pairs& pairs);
+/// A table of a pyramid with `base` boxes in its lowest row.
+void print_pyramid(std::size_t base, std::size_t steps);
 
 }  // namespace graze::plane

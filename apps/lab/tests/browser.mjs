@@ -246,6 +246,51 @@ test("GJK: every iteration's bounds are those of the trace, by keyboard too", as
   await page.context().close();
 });
 
+/** Of lessons whose steps are those of a trace: how many steps come before, and the numbers of each as the library has them. */
+const walks = {
+  epa: ({ trace }) => [1, trace.epa.map((s) => [s.polygon.length, s.faceDepth, s.foundDepth])],
+  "epa-space": ({ trace }) => [1, trace.epa.map((s) => [s.faces, s.faceDepth, s.foundDepth])],
+  "time-of-impact": ({ trace }) => [2, trace.steps.map((s) => [s.t, s.distance])],
+  "contact-set": ({ trace, manifolds }) => [2 + trace.cuts.length, manifolds[0].points.map((p) => [p.distance])],
+};
+for (const [id, walk] of Object.entries(walks))
+  test(`${id}: every step shows the trace's numbers to the last digit`, async () => {
+    const page = await visit(`#/lesson/${id}`);
+    for (const example of [null, ...(await page.$$(".example"))]) {
+      if (example) await example.click();
+      await page.click('[aria-label^="First"]');
+      await frame(page);
+      const { question } = await shown(page), answer = JSON.parse(query(JSON.stringify({ ...question, explain: true })));
+      if (answer.distance > 0 || answer.hit === false || !answer.trace.method) continue; // nothing to walk through
+      const [before, list] = walk(answer);
+      for (let i = 0; i < before; i++) await page.click("[data-next]");
+      for (const step of list) {
+        await page.click("[data-next]");
+        const told = await page.$eval(".numbers tbody tr:last-child", (row) => [...row.cells].map((c) => c.getAttribute("title")).filter(Boolean));
+        assert.deepEqual(told.map(Number), step, JSON.stringify(question));
+      }
+    }
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+test("resolution: impulse and approach are the library's to the last digit", async () => {
+  const page = await visit("#/lesson/resolution");
+  for (const example of [null, ...(await page.$$(".example"))]) {
+    if (example) await example.click();
+    await page.click('[aria-label^="First"]');
+    await frame(page);
+    const { question } = await shown(page), { trace, normalImpulse } = JSON.parse(query(JSON.stringify({ ...question, explain: true })));
+    const title = (row) => page.$eval(`.numbers tbody tr:nth-child(${row}) td`, (cell) => Number(cell.getAttribute("title")));
+    await page.click("[data-next]");
+    assert.equal(await title(1), trace.relativeVelocity.normal);
+    await page.click("[data-next]");
+    assert.equal(await title(1), trace.effectiveMass);
+    assert.equal(await title(2), normalImpulse);
+  }
+  await page.context().close();
+});
+
 test("touch: a finger drags a body", async () => {
   const page = await visit("#/lesson/spheres", { hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 } });
   const before = (await shown(page)).state.q.b.translation;
@@ -309,6 +354,14 @@ for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "
     await page.context().close();
   });
 
+/** What touches lights up with its row: another picture than without. */
+async function lightsUp(page) {
+  const picture = await page.$(".stage3 canvas"), plain = await picture.screenshot();
+  await page.hover(".numbers tbody tr:first-child");
+  await page.waitForTimeout(200);
+  assert.notDeepEqual(await picture.screenshot(), plain);
+}
+
 test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
   await page.selectOption('[data-body="0"]', { label: "light" });
@@ -316,12 +369,8 @@ test("viewer: contacts are live while a body is dragged, and the pair is explain
   const before = await shown(page);
   assert.ok(before.pairs >= 1);
   await page.selectOption('[data-body="1"]', { label: "heavy" });
-  // What touches lights up with its row: another picture than without.
   assert.match(await page.textContent(".numbers tbody th"), /(vertex|edge|face) .* of A × (vertex|edge|face) .* of B/);
-  const plain = await page.screenshot();
-  await page.hover(".numbers tbody tr:first-child");
-  await page.waitForTimeout(200);
-  assert.notDeepEqual(await page.screenshot(), plain);
+  await lightsUp(page);
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-features.png") });
   await page.selectOption('[data-body="1"]', "");
   await drag(page, "move", 200, 0);
@@ -495,6 +544,12 @@ test("viewer: a drawing of the plane is opened, dragged, shot at, and played", a
   const text = (name, content) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content) });
   await open(text("flat.json", '{"dimension":2,"bodies":[{"shape":{"type":"plane"}},{"name":"disc","motion":"dynamic","translation":[0,3],"shape":{"type":"circle","circle":{"radius":1}}}]}'));
   assert.equal((await shown(page)).bodies, 2);
+  await open(text("stack.json", '{"dimension":2,"bodies":[{"name":"floor","shape":{"type":"box","box":{"size":[4,1]}}},{"name":"crate","motion":"dynamic","translation":[0.3,0.999],"shape":{"type":"box","box":{"size":[1,1]}}}]}'));
+  await page.selectOption('[data-body="0"]', { label: "floor" });
+  await page.selectOption('[data-body="1"]', { label: "crate" });
+  assert.match(await page.textContent(".numbers tbody th"), /^vertex [23] of A × vertex [01] of B$/);
+  await lightsUp(page);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-plane-features.png") });
   await open(text("q.jsonl", '{"query":"distance","dimension":2,"a":{"shape":{"type":"box","box":{"size":[1,1]}}},"b":{"shape":{"type":"circle","circle":{"radius":1}},"translation":[1.2,0.4],"rotation":0.3}}\n'));
   assert.equal((await shown(page)).pairs, 1);
   for (const [name, content, words] of [["cut.svg", "<svg", /cut.svg: expected an XML document/], ["other.svg", "<html/>", /other.svg: .*<svg> element as the root/],

@@ -56,8 +56,8 @@ export class LessonRoom implements Room {
     this.stage.dispose();
   }
   /** For the tests: what the page shows. */
-  get shown(): { state: State; step: number; steps: number } {
-    return { state: this.state, step: this.step, steps: this.steps.length };
+  get shown(): { state: State; question: State["q"]; step: number; steps: number } {
+    return { state: this.state, question: this.question(), step: this.step, steps: this.steps.length };
   }
   undo(): void {
     this.restore(this.history.undo());
