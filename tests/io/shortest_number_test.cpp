@@ -35,7 +35,8 @@ void random_numbers_agree() {
     const T near_one = static_cast<T>(static_cast<double>(random()) * 0x1p-60);
     const T whole = static_cast<T>(random() >> (random() % 64));
     const T decimal = static_cast<T>(random() % 2000) / T(100);
-    for (const T value : {any, -near_one, near_one, whole, decimal}) {
+    const T denormal = static_cast<T>(static_cast<double>(random() % 4096)) * std::numeric_limits<T>::denorm_min();
+    for (const T value : {any, -near_one, near_one, whole, decimal, denormal}) {
       int exponent = 0;
       // At a power of two the neighbours are unevenly far, and one digit more is possible.
       if (!std::isfinite(value) || std::abs(std::frexp(value, &exponent)) == T(0.5)) continue;

@@ -81,7 +81,7 @@ export const broadPhases: Lesson = {
       return {
         title: `${labels[kind]}, frame ${i + 1}`,
         text: `${how[kind]} ${found} of ${all.toLocaleString("en")} pairs overlap in this frame. Boxes were compared ${frame.tests.toLocaleString("en")} times, ${inVain.toLocaleString("en")} of them in vain, bounds of many boxes among them; every other pair was ruled out without a look. Times are means over all frames in this browser, with the calls from JavaScript.`,
-        numbers: { caption: "This frame", columns: ["structure", "pairs", "tests", "in vain", "µs a frame", "kilobytes"], rows: times.map(({ k, frames: f, micros }) => ({ cells: [labels[k], f[i].pairs.length / 2, f[i].tests, Math.max(0, f[i].tests - f[i].pairs.length / 2), Math.round(micros), Math.round(f[i].memory / 1024)], mark: k === kind ? "now" as const : undefined })) },
+        numbers: { caption: "This frame", columns: ["structure", "pairs", "tests", "in vain", "µs", "kB"], rows: times.map(({ k, frames: f, micros }) => ({ cells: [labels[k], f[i].pairs.length / 2, f[i].tests, Math.max(0, f[i].tests - f[i].pairs.length / 2), Math.round(micros), Math.round(f[i].memory / 1024)], mark: k === kind ? "now" as const : undefined })) },
         graph: { caption: "pairs and tests in each frame", at: i, series: [{ name: "pairs", meaning: "touch", values: list.map((f) => f.pairs.length / 2) }, { name: "tests", meaning: "axis", values: list.map((f) => f.tests) }] },
         says: `Frame ${i + 1}: ${digits(found)} pairs of ${all}, found by ${digits(frame.tests)} tests.`,
         draw(d) {

@@ -35,6 +35,7 @@ export class LessonRoom implements Room {
   private readonly choices = h("div", { class: "choices" });
   private readonly code = h("div", { class: "code" });
   private waiting = 0;
+  private settled = true;
 
   constructor(lesson: Lesson, values: Record<string, string>) {
     this.lesson = lesson;
@@ -72,15 +73,16 @@ export class LessonRoom implements Room {
     this.show();
     this.remember();
   }
-  /** One drawing a frame, however many moves of the pointer there were. */
+  /** One drawing a frame, however many moves of the pointer there were; the address follows when it is let go. */
   private change(state: State, done: boolean): void {
     this.state = state;
     if (done) this.history.push(state);
+    this.settled = done;
     if (this.waiting) return;
     this.waiting = requestAnimationFrame(() => {
       this.waiting = 0;
       this.show();
-      this.remember();
+      if (this.settled) this.remember();
     });
   }
   private go(step: number): void {
