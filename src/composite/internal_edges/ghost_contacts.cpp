@@ -240,7 +240,8 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
       if (const auto least = least_way_out(self, other)) return least;
     const bool of_other = skins && face_along(other, -outward) != Vec3<T>{};
     const bool stands = face_along(self, outward, standing_lean<T>) != Vec3<T>{};
-    if (neighbour && (of_other || (!stands && is_on_ridge(self, other, point)))) return Correction<T>{outward, {}, true};
+    if (neighbour && (of_other || (!stands && is_on_ridge(self, other, point))))
+      return Correction<T>{outward, {}, true};
     if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
@@ -271,6 +272,15 @@ Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
   return rotate(self.pose.rotation, normalized(sum, Vec3<T>{}));
 }
 
+/// Whether the contact of a mover's triangle is that of the triangles beside it: its own face stands across the refused
+/// normal, and along that face's the two are far deeper than they are. So a side wall of a body of triangles meets the
+/// edge of a tile below it.
+template <class T>
+bool is_of_another(const SeenContact<T>& contact, const Correction<T>& right, T apart, T noise) {
+  constexpr T across = T(0.5);  // a cosine
+  return apart < T(2) * contact.distance - noise && dot(right.normal, contact.outward) <= across;
+}
+
 /// A correction that is no wall of a neighbour. Where three pieces meet in a corner the sight of one may end on the
 /// wall of another, and along that wall's normal the other shape is as deep as it is wide. A face of the piece itself,
 /// the one that leans least from the refused normal or from the way to the middle of the other shape, is taken before
@@ -278,11 +288,15 @@ Vec3<T> leaning_least(const LeafInContext<T>& self, const Vec3<T>& outward) {
 template <class T>
 std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const LeafInContext<T>& other,
                                         const SeenContact<T>& contact, std::optional<Correction<T>> right) {
-  if (!right || right->least_way || self.piece.template as<Triangle<T>>()) return right;
+  const bool is_triangle = self.piece.template as<Triangle<T>>() != nullptr,
+             of_mover = self.of_body && self.beside.empty();
+  if (!right || right->least_way || (is_triangle && !of_mover)) return right;
   const Vec3<T> point = standing_point<T>(contact.manifold.points, contact.side);
   const T noise = own_noise(self, point);
   T apart = apart_along(self, other, right->normal);
   if (apart >= contact.distance - noise) return right;
+  if (is_triangle)
+    return is_of_another(contact, *right, apart, noise) ? Correction<T>{contact.outward, {}, true} : right;
   const Vec3<T> to_middle = normalized(middle_of(other) - point, contact.outward);
   for (const Vec3<T>& direction : {contact.outward, to_middle}) {
     const Vec3<T> own = leaning_least(self, direction);
@@ -303,8 +317,7 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
   Manifold<T>& now = settled.manifold;
   for (const bool of_a : {true, false}) {
     const LeafInContext<T>&self = of_a ? a : b, &other = of_a ? b : a;
-    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || is_ground(self.piece) ||
-        !may_lie(other))
+    if ((self.whole.convex() && self.beside.empty()) || now.points.empty() || is_ground(self.piece) || !may_lie(other))
       continue;
     const Vec3<T> outward = of_a ? now.normal : -now.normal, face = face_along(self, outward);
     const bool on_face = face != Vec3<T>{}, tilted = on_face && face != outward;
