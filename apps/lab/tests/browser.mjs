@@ -382,10 +382,56 @@ test("viewer: contacts are live while a body is dragged, and the pair is explain
   const answer = JSON.parse(query(JSON.stringify({ ...JSON.parse(asked), query: "distance", margin: undefined })));
   const said = await page.textContent(".words");
   assert.ok(said.includes(String(Number(answer.distance.toPrecision(6))).replaceAll("-", "−")), said);
-  await page.click('a:text-is("Step through this pair")');
+  await page.click('a:text-is("Step through its axes")');
   await page.waitForSelector("[data-next]");
   assert.equal(await page.textContent(".words h2"), "Fifteen candidates");
   assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: its address holds bodies, selection and settings; undo and redo take them back and forth", async () => {
+  const page = await scene("heavy");
+  const start = await shown(page);
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await drag(page, "move", 150, -60);
+  const moved = await shown(page);
+  assert.notDeepEqual(moved.poses, start.poses);
+  await page.selectOption('[data-body="1"]', { label: "heavy" });
+  await page.selectOption('label:has-text("Sub-steps") select', "4");
+  const other = await visit(await page.evaluate(() => location.hash));
+  assert.deepEqual((await shown(other)).poses, moved.poses);
+  assert.equal(await other.textContent(".words h2"), "light and heavy");
+  assert.equal(await other.inputValue('label:has-text("Sub-steps") select'), "4");
+  for (let i = 0; i < 4; i++) await page.keyboard.press("Control+z");
+  assert.deepEqual((await shown(page)).poses, start.poses);
+  for (let i = 0; i < 4; i++) await page.keyboard.press("Control+Shift+z");
+  assert.deepEqual((await shown(page)).poses, moved.poses);
+  // A file that is short enough is in the address as a whole.
+  await page.setInputFiles("input[type=file]", { name: "two.json", mimeType: "text/plain",
+    buffer: Buffer.from('{"dimension":2,"bodies":[{"shape":{"type":"plane"}},{"name":"disc","motion":"dynamic","translation":[0,3],"shape":{"type":"circle","circle":{"radius":1}}}]}') });
+  await page.waitForTimeout(300);
+  await page.selectOption('[data-body="0"]', { label: "disc" });
+  assert.match(await page.textContent(".numbers"), /shape\s*circle.*kind\s*moves/s);
+  const third = await visit(await page.evaluate(() => location.hash));
+  assert.equal((await shown(third)).bodies, 2);
+  assert.equal(await third.textContent(".words h2"), "disc");
+  const broken = await visit('#/scene?scene=heavy&at={"places":{"1":3}}');
+  assert.deepEqual((await shown(broken)).poses, start.poses);
+  for (const one of [page, other, third, broken]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("viewer: what is shot can be asked again", async () => {
+  const page = await scene("heavy");
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  await page.click('button:text-is("Shoot a ray")');
+  await page.mouse.click(picture.x + picture.width / 2, picture.y + picture.height / 2);
+  const words = await page.textContent(".words"), asked = JSON.parse(await page.inputValue("textarea"));
+  assert.equal(asked.query, "raycast");
+  const { t } = JSON.parse(query(JSON.stringify(asked)));
+  assert.ok(words.includes(`after ${String(Number(t.toPrecision(6)))}`), `${words}, not ${t}`);
   await page.context().close();
 });
 

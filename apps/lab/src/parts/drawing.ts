@@ -36,6 +36,8 @@ export interface Handle {
   kind: "move" | "turn" | "size";
   meaning: Meaning;
   at: Vec;
+  /** Stands on it in place of the sign of its kind. */
+  sign?: string;
 }
 
 export interface View {

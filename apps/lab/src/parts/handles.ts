@@ -16,7 +16,7 @@ export interface Projection {
 const signs = { turn: "↻", size: "⤢" };
 /** A body is moved by its name. */
 const sign = (handle: Handle): string =>
-  handle.kind !== "move" ? signs[handle.kind] : handle.meaning === "a" ? "A" : handle.meaning === "b" ? "B" : "✥";
+  handle.sign ?? (handle.kind !== "move" ? signs[handle.kind] : handle.meaning === "a" ? "A" : handle.meaning === "b" ? "B" : "✥");
 
 export class Handles {
   readonly element = h("div", { class: "handles" });

@@ -11,6 +11,8 @@ export class Home implements Room {
     h("p", { class: "intro" },
       "Collision detection that you can see and touch. Every number here is computed by the Graze library in your browser; " +
       "whatever you see can be copied as a question that graze query answers with the same bits."),
+    h("p", {}, h("a", { href: address("/scene", {}) }, "Viewer and playground"),
+      ": drop a glTF, OBJ, STL, PLY, SVG or capture, drag bodies, see what touches and why, and play it."),
     h("h2", {}, "Lessons"),
     h("ol", { class: "lessons" },
       ...lessons.map((l) =>

@@ -7,17 +7,20 @@ import { featureWords } from "../parts/features.ts";
 import { drawGraph } from "../parts/graph.ts";
 import { solidOf } from "../parts/solid.ts";
 import { Stage3 } from "../parts/stage3.ts";
-import { address } from "../parts/state.ts";
+import { address, History, parse } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { add, length, quatBetween, quatMultiply, rotate, scale, sub, unit } from "../parts/vec.ts";
 import type { Question, Vec } from "../question.ts";
 import { readCapture, type Captured } from "../scene/captured.ts";
 import type { Scene } from "../scene/model.ts";
 import { kindOf, openFile, sceneOfQuestion } from "../scene/open.ts";
-import { drawFeature, lessonOf } from "../scene/pair.ts";
-import { reachOf, Run, type Pair } from "../scene/run.ts";
+import { drawFeature, lessonsOf } from "../scene/pair.ts";
+import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
+import { propertiesOf } from "../scene/properties.ts";
+import { reachOf, Run, type Pair, type Place } from "../scene/run.ts";
 import { castBody, drawShot, shootRay, type Shot } from "../scene/shots.ts";
 import { scenes } from "../scene/scenes.ts";
+import { WatchedFile } from "../scene/watched.ts";
 import type { Room } from "./room.ts";
 
 const frame = 1 / 60;
@@ -27,8 +30,6 @@ const mostDrawn = 200;
 const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
 /** Bodies that are deeper in each other than that are marked: this part of what is seen. */
 const visible = 1 / 4000;
-/** Of the selected pair points are shown that are up to this far apart. */
-const near = 0.01;
 const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
 const button = (label: string, act: () => void, more: Record<string, unknown> = {}): HTMLButtonElement =>
   h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
@@ -47,10 +48,16 @@ export class SceneRoom implements Room {
   private aim: { kind: "ray" | "cast"; from?: Vec } | null = null;
   private shot: Shot | null = null;
   private broadPhase = false;
+  /** The key of a scene of the list. */
+  private key: string | null = null;
+  /** Where the bodies stood when the scene was opened, and what was done since. */
+  private before: Place[] = [];
+  private history = new History<Moment>(beginning);
   /** By corners, what the two selected bodies touch with at each point of the table. */
   private features: [Vec[], Vec[]][] = [];
-  /** Of the file that is looked after, the timer; null when none is. */
-  private watching: number | null = 0;
+  /** A file that is looked after, and where it is. */
+  private watched: WatchedFile | null = null;
+  private served: string | null = null;
   private running = 0;
   private subSteps = 8;
   private heavy = true;
@@ -66,6 +73,10 @@ export class SceneRoom implements Room {
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly list: HTMLSelectElement;
   private readonly play: HTMLButtonElement;
+  private readonly steps = h("select", { onchange: () => { this.subSteps = Number(this.steps.value); this.begin(); this.remember(); } },
+    ...[8, 1, 2, 4, 16].map((n) => h("option", { value: n }, String(n)))) as HTMLSelectElement;
+  private readonly falls = h("input", { type: "checkbox", checked: true,
+    onchange: () => { this.heavy = this.falls.checked; this.run.setGravity(this.gravity); this.remember(); } }) as HTMLInputElement;
   private readonly chosen = [0, 1].map((k) =>
     h("select", { "aria-label": k ? "Another body" : "A body", "data-body": k, onchange: () => this.chooseBodies() }) as HTMLSelectElement);
   private readonly asked = h("textarea", { rows: 3, spellcheck: "false", "aria-label": "A question of the protocol" }) as HTMLTextAreaElement;
@@ -85,47 +96,33 @@ export class SceneRoom implements Room {
       event.preventDefault();
       void this.chosenFiles([...(event.dataTransfer?.files ?? [])]);
     });
-    const key = values.scene && scenes[values.scene] ? values.scene : "shapes";
-    this.list.value = key;
-    if (values.q) {
-      try {
-        this.open(sceneOfQuestion(JSON.parse(values.q) as Question));
-        return;
-      } catch (error) {
-        this.say((error as Error).message);
-      }
-    }
-    this.open(scenes[key]());
-    if (values.file) void this.watch(values.file);
+    if (!this.openAsked(values)) this.openListed(values.scene && scenes[values.scene] ? values.scene : "shapes");
+    const moment = parse<Moment>(values.at, beginning, isMoment);
+    if (moment !== beginning) this.restore(moment);
+    this.history = new History(moment);
+    if (!values.file) return;
+    this.served = values.file;
+    this.watched = new WatchedFile(values.file, { onFile: (file) => this.file(file), onTrouble: (text) => this.say(text) });
   }
-  /** A file beside the page, which `graze view` serves, read again when it changes; nothing is fetched from elsewhere. */
-  private async watch(path: string): Promise<void> {
-    const where = new URL(path, location.href);
-    if (where.origin !== location.origin) return this.say(`${path}: lies elsewhere`);
-    await this.read(where, "");
-  }
-  /** Reads a file unless it is still of the version that is known; one that has versions is asked for again. */
-  private async read(where: URL, known: string): Promise<void> {
-    const name = decodeURIComponent(where.pathname.split("/").pop() ?? "");
-    let version = known;
+  /** A question, or a scene of its own, that the address holds. */
+  private openAsked({ q, s }: Record<string, string>): boolean {
     try {
-      const response = await fetch(where, { cache: "no-store", headers: known ? { "If-None-Match": known } : {} });
-      if (this.watching === null) return;
-      if (response.ok) {
-        version = response.headers.get("ETag") ?? "";
-        await this.file(new File([await response.blob()], name));
-      } else if (response.status !== 304) {
-        throw new Error(`${name}: ${response.status === 404 ? "the file is gone" : `${response.status} ${response.statusText}`}`);
-      }
+      if (q) this.open(sceneOfQuestion(JSON.parse(q) as Question));
+      const scene = parse<Scene | null>(s, null, isScene);
+      if (!q && scene) this.open(scene);
+      return Boolean(q || scene);
     } catch (error) {
-      this.say(error instanceof TypeError ? `${name}: graze view does not answer any more` : (error as Error).message);
+      this.say((error as Error).message);
+      return false;
     }
-    if (version && this.watching !== null) this.watching = window.setTimeout(() => void this.read(where, version), document.hidden ? 5000 : 1000);
+  }
+  private openListed(key: string): void {
+    this.open(scenes[key](), key);
   }
   /** Another scene was chosen: the file is not looked after any more. */
   private unwatch(): void {
-    if (this.watching) clearTimeout(this.watching);
-    this.watching = null;
+    this.watched?.end();
+    this.watched = this.served = null;
   }
 
   dispose(): void {
@@ -153,12 +150,51 @@ export class SceneRoom implements Room {
     this.depth = [];
   }
   private choose(key: string): void {
+    if (!scenes[key]) return;
     this.unwatch();
-    history.replaceState(null, "", address("/scene", { scene: key }));
-    this.open(scenes[key]());
+    this.openListed(key);
+    this.remember();
   }
-  private open(scene: Scene): void {
+
+  // --- What the address and undo hold ---
+
+  private get moment(): Moment {
+    return { places: movedBodies(this.scene, this.before), selected: this.selected, subSteps: this.subSteps, gravity: this.heavy };
+  }
+  /** After everything that somebody did, but for playing. */
+  private remember(): void {
+    const { moment } = this, values: Record<string, string> = this.key ? { scene: this.key } : {};
+    this.history.push(moment);
+    if (this.served) values.file = this.served;
+    else if (!this.key) {
+      const text = packed({ ...this.scene, bodies: this.scene.bodies.map((body, i) => ({ ...body, ...this.before[i] })) });
+      if (!text) return;
+      values.s = text;
+    }
+    if (JSON.stringify(moment) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
+    history.replaceState(null, "", address("/scene", values));
+  }
+  private restore(moment: Moment | null): void {
+    if (!moment) return;
+    const count = this.scene.bodies.length;
+    this.subSteps = moment.subSteps;
+    this.heavy = moment.gravity;
+    this.controls();
+    for (const [i, body] of this.scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
+    this.begin();
+    this.selected = moment.selected.filter((i) => i >= 0 && i < count);
+    this.show();
+  }
+  undo(): void {
+    this.restore(this.history.undo());
+  }
+  redo(): void {
+    this.restore(this.history.redo());
+  }
+
+  private open(scene: Scene, key: string | null = null): void {
     this.close();
+    this.key = key;
     this.trouble.hidden = true;
     this.selected = [];
     this.pull = this.aim = this.shot = null;
@@ -170,12 +206,25 @@ export class SceneRoom implements Room {
       this.scene = { name: "empty", bodies: [] };
       this.run = new Run(this.scene);
     }
+    this.before = this.scene.bodies.map(({ translation, rotation }) => ({ translation, rotation }));
+    this.history = new History({ ...beginning, subSteps: this.subSteps, gravity: this.heavy });
+    this.list.querySelector("[data-file]")?.remove();
+    if (!key) this.list.append(h("option", { value: "", "data-file": true }, this.scene.name));
+    this.list.value = key ?? "";
     const { bodies } = this.scene, { flat } = this.run, whole = this.whole(), view = { ...(this.scene.view ?? whole), flat };
     this.stage.look(view);
     this.stage.crowd.set(bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, view.reach), flat: shape.type === "plane" || (trigger ?? false) })), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
     for (const [k, select] of this.chosen.entries())
       select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
     this.note.textContent = this.scene.note ?? "";
+    this.show();
+  }
+  /** The scene from its beginning, where its bodies were put. */
+  private begin(): void {
+    this.stop();
+    this.forget();
+    this.run.dispose();
+    this.run = new Run(this.scene);
     this.show();
   }
   /** A view of everything. */
@@ -200,7 +249,7 @@ export class SceneRoom implements Room {
   private async file(file: File, beside: File[] = []): Promise<void> {
     try {
       if (kindOf(file) === "capture") this.onCapture(file.name, await readCapture(await file.arrayBuffer()));
-      else this.open(await openFile(file, beside));
+      else this.open(await openFile(file, beside)), this.remember();
     } catch (error) {
       this.say((error as Error).message);
     }
@@ -263,7 +312,7 @@ export class SceneRoom implements Room {
   private question(): Question | null {
     if (this.selected.length !== 2) return null;
     const [a, b] = this.selected.map((i) => this.run.asked(i));
-    return { query: "contacts", ...(this.run.flat ? { dimension: 2 as const } : {}), a, b, margin: near };
+    return { query: "contacts", ...(this.run.flat ? { dimension: 2 as const } : {}), a, b, margin: this.run.margin(this.selected[0], this.selected[1]) };
   }
 
   private pick(body: number | null, ray: { origin: Vec; direction: Vec }): void {
@@ -279,6 +328,7 @@ export class SceneRoom implements Room {
     else if (this.selected.includes(body)) this.selected = this.selected.filter((x) => x !== body);
     else this.selected = [...this.selected, body].slice(-2);
     this.show();
+    this.remember();
   }
   private takeAim(kind: "ray" | "cast"): void {
     const blind = kind === "cast" && this.selected.length === 0;
@@ -295,8 +345,11 @@ export class SceneRoom implements Room {
       return;
     }
     this.aim = null;
-    const ray = place && aim.from ? { origin: aim.from, direction: sub(place, aim.from) } : sight;
-    this.shot = aim.kind === "ray" ? shootRay(this.run, ray) : castBody(this.run, this.selected[0], place ?? this.run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin))));
+    const target = place ?? this.run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin)));
+    // In space a ray comes from beneath the eye: from the eye itself it would be seen as a point.
+    const from = aim.from ?? add(sight.origin, [0, -length(sub(target, sight.origin)) / 4, 0]);
+    this.shot = aim.kind === "ray" ? shootRay(this.run, { origin: from, direction: sub(target, from) }) : castBody(this.run, this.selected[0], target);
+    if (this.shot.question) this.asked.value = line(this.shot.question);
     const { kind, hit } = this.shot, name = hit && this.scene.bodies[hit.body].name;
     this.tellShot(kind === "ray" ? `The ray hits ${name ?? "nothing"}` : `${this.scene.bodies[this.shot.body!].name} meets ${name ?? "nothing"} on its way`,
       hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");
@@ -327,6 +380,7 @@ export class SceneRoom implements Room {
   private chooseBodies(): void {
     this.selected = [...new Set(this.chosen.filter((s) => s.value !== "").map((s) => Number(s.value)))];
     this.show();
+    this.remember();
   }
   private drag(id: string, to: Vec, done: boolean): void {
     const i = this.selected[0], body = this.scene.bodies[i];
@@ -341,6 +395,7 @@ export class SceneRoom implements Room {
     if (!this.run.played) Object.assign(body, next);
     this.run.put(i, next);
     this.show();
+    if (done && !this.run.played) this.remember();
   }
   private handles(): Handle[] {
     const i = this.selected[0];
@@ -349,8 +404,8 @@ export class SceneRoom implements Room {
     const reach = this.scene.bodies[i].shape.type === "plane" ? 1 : Math.min(this.stage.seen, reachOf(this.run.bounds(i)) * 1.2 + this.stage.seen / 20);
     const name = this.scene.bodies[i].name;
     return [
-      { id: "move", label: `Move ${name}`, kind: "move", meaning: "a", at: this.pull?.to ?? translation },
-      ...(this.running ? [] : [{ id: "turn", label: `Turn ${name}`, kind: "turn" as const, meaning: "a" as const, at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) }]),
+      { id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: this.pull?.to ?? translation },
+      ...(this.running ? [] : [{ id: "turn", label: `Turn ${name}`, kind: "turn" as const, meaning: "made" as const, at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) }]),
     ];
   }
 
@@ -370,7 +425,8 @@ export class SceneRoom implements Room {
     // To copy thousands of contacts out of the module takes longer than to draw the bodies.
     const few = this.scene.bodies.length <= mostDrawn, found = few ? this.run.contacts() : [];
     const [first, other] = this.selected;
-    this.features = other === undefined ? [] : this.run.features(first, other, near);
+    this.features = other === undefined ? [] : this.run.features(first, other, this.run.margin(first, other));
+    const gap = other === undefined ? null : ask({ ...this.question()!, query: "distance", margin: undefined } as Question);
     const marked = new Set(this.selected);
     this.stage.draw((d: Drawing) => {
       for (const pair of found)
@@ -382,6 +438,8 @@ export class SceneRoom implements Room {
       if (this.broadPhase && few) this.run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
       this.run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
       this.features.forEach((of, i) => of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${i}`)));
+      if (other !== undefined) d.text(this.run.place(other).translation, "B", "b");
+      if (gap && gap.distance! > 0) d.line(gap.a as unknown as Vec, gap.b as unknown as Vec, "axis", { dashed: true, label: digits(gap.distance, 4) });
       if (this.pull) d.line(this.run.place(this.pull.body).translation, this.pull.to, "made", { wide: true });
       if (this.shot) drawShot(d, this.shot, this.scene, this.stage.seen);
     }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
@@ -413,33 +471,36 @@ export class SceneRoom implements Room {
       if (this.shot && this.selected.length === 0) return;
       const [i] = this.selected;
       this.info.replaceChildren(h("h2", {}, i === undefined ? "Select a body" : this.scene.bodies[i].name),
-        h("p", {}, i === undefined ? "Click one to move it, a second one to see why the two touch or do not." : `A ${this.scene.bodies[i].shape.type} at ${vector(this.run.place(i).translation, 4)}. Click another for the pair.`));
-      this.table.show(undefined);
+        h("p", {}, i === undefined ? "Click one to move it, a second one to see why the two touch or do not." : "Click another to see what the two have to do with each other."));
+      this.table.show(i === undefined ? undefined : propertiesOf(this.run, this.scene.bodies[i], i, this.run.contacts()));
       return;
     }
     const [i, j] = this.selected, answer = ask(q), distance = ask({ ...q, query: "distance", margin: undefined } as Question);
-    const { lesson, state } = lessonOf(q);
     this.info.replaceChildren(
       h("h2", {}, `${this.scene.bodies[i].name} and ${this.scene.bodies[j].name}`),
       h("p", {}, answer.error ?? distance.error ?? `${answer.overlap ? "They touch" : "They are apart"}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`),
-      lesson ? h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, "Step through this pair")) : "");
+      ...lessonsOf(q, distance.distance! > 0).map(({ lesson, shows, state }) =>
+        h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, `Step through ${shows}`))));
     this.asked.value = line(q);
     this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
       rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature, q.dimension), p.distance], key: `point ${k}` })) });
   }
 
+  /** The controls as the settings are. */
+  private controls(): void {
+    this.steps.value = String(this.subSteps);
+    this.falls.checked = this.heavy;
+  }
   private page(): HTMLElement {
     const chooser = h("input", { type: "file", multiple: true, class: "hidden", accept: ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture", "aria-label": "Open a file",
       onchange: (event: Event) => void this.chosenFiles([...((event.target as HTMLInputElement).files ?? [])]) }) as HTMLInputElement;
-    const again = (): void => { const { scene } = this; this.open(scenes[this.list.value]?.().name === scene.name ? scenes[this.list.value]() : scene); };
+    const again = (): void => this.begin();
     return h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
         this.list, button("Open a file", () => chooser.click()), chooser,
         button("Shoot a ray", () => this.takeAim("ray")), button("Cast the body", () => this.takeAim("cast")),
-        h("label", {}, "Sub-steps ", h("select", { onchange: (e: Event) => { this.subSteps = Number((e.target as HTMLSelectElement).value); again(); } },
-          ...[8, 1, 2, 4, 16].map((n) => h("option", { value: n }, String(n))))),
-        h("label", {}, h("input", { type: "checkbox", checked: true, onchange: (e: Event) => { this.heavy = (e.target as HTMLInputElement).checked; this.run.setGravity(this.gravity); } }), " Gravity"),
+        h("label", {}, "Sub-steps ", this.steps), h("label", {}, this.falls, " Gravity"),
         h("label", {}, h("input", { type: "checkbox", "data-broad-phase": true, onchange: (e: Event) => { this.broadPhase = (e.target as HTMLInputElement).checked; this.paint(); } }), " Broad phase")),
       h("div", { class: "board" },
         h("div", { class: "picture" }, this.stage.element,
@@ -447,10 +508,12 @@ export class SceneRoom implements Room {
             button("Step back", () => this.back(), { "data-back": true }), this.play, button("One step", () => { this.stop(); this.step(); }, { "data-step": true }), button("Start again", again)),
           this.counter, this.trouble),
         h("div", { class: "side" }, h("div", { class: "choices" }, ...this.chosen), this.info, this.materials, this.table.element, this.plot, this.pairs.element,
-          h("details", {}, h("summary", {}, "The pair as a question"), this.asked,
-            h("p", { class: "actions" }, button("Ask it", () => {
+          h("details", {}, h("summary", {}, "As a question"), this.asked,
+            h("p", { class: "actions" }, button("Copy", () => void navigator.clipboard.writeText(this.asked.value)), button("Ask it", () => {
               try {
+                this.unwatch();
                 this.open(sceneOfQuestion(JSON.parse(this.asked.value) as Question));
+                this.remember();
               } catch (error) {
                 this.say((error as Error).message);
               }

@@ -6,13 +6,22 @@ import type { Question, State, Vec } from "../question.ts";
 /** Shapes of the plane that GJK's lesson draws. */
 const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
 
-/** The lesson that goes through a pair step by step, and the state in which it begins; none for what none draws. */
-export function lessonOf(q: Question): { lesson: string | null; state: State } {
-  const pair = { dimension: q.dimension, a: q.a, b: q.b };
+/** A lesson that goes through a pair step by step, by what it shows, and the state in which it begins. */
+export interface PairLesson {
+  lesson: string;
+  shows: string;
+  state: State;
+}
+/** The lessons for a pair; none for what none draws. `apart`: whether the two are. */
+export function lessonsOf(q: Question, apart: boolean): PairLesson[] {
+  const pair = { dimension: q.dimension, a: q.a, b: q.b }, flat = q.dimension === 2;
+  const contacts: State = { q: { query: "contacts", margin: q.margin, ...pair } }, distance: State = { q: { query: "distance", ...pair } };
   const boxes = q.a.shape.type === "box" && q.b!.shape.type === "box";
-  if (!boxes && q.dimension === 2 && ![q.a, q.b!].every(({ shape }) => convexInPlane.includes(shape.type))) return { lesson: null, state: { q } };
-  if (boxes) return { lesson: q.dimension === 2 ? "separating-axes-plane" : "fifteen-axes", state: { q: { query: "contacts", ...pair } } };
-  return { lesson: q.dimension === 2 ? "gjk" : "gjk-space", state: { q: { query: "distance", ...pair } } };
+  if (boxes && flat) return [{ lesson: "separating-axes-plane", shows: "its axes", state: contacts }];
+  if (boxes) return [{ lesson: "fifteen-axes", shows: "its axes", state: contacts }, { lesson: "contact-set", shows: "its contacts", state: contacts }];
+  if (flat && ![q.a, q.b!].every(({ shape }) => convexInPlane.includes(shape.type))) return [];
+  const gjk = { lesson: flat ? "gjk" : "gjk-space", shows: "GJK", state: distance };
+  return apart ? [gjk] : [gjk, { lesson: flat ? "epa" : "epa-space", shows: "EPA", state: distance }];
 }
 
 /** A vertex, an edge or a face, to be lit up with the point that it belongs to. */

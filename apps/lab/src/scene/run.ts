@@ -60,6 +60,7 @@ interface Dimension {
   world(): AnyWorld;
   simulation(settings: object): AnySimulation;
   shape(of: Shape): AnyShape;
+  contactMargin(a: AnyShape, b: AnyShape): number;
   draw(world: AnyQueries, on: graze.Renderer): void;
   drawSimulation(simulation: AnySimulation, on: graze.Renderer): void;
   /** Numbers of a vector of space. */
@@ -83,6 +84,7 @@ const space: Dimension = {
   world: () => new graze.World() as unknown as AnyWorld,
   simulation: (settings) => new graze.Simulation(settings) as unknown as AnySimulation,
   shape: shapeOf,
+  contactMargin: (a, b) => graze.contactMargin(a as graze.Shape, b as graze.Shape),
   draw: (world, on) => graze.draw.world(world as unknown as graze.WorldQueries, on),
   drawSimulation: (simulation, on) => graze.draw.simulation(simulation as unknown as graze.Simulation, on),
   vector: (v) => v,
@@ -95,6 +97,7 @@ const plane: Dimension = {
   world: () => new graze.plane.World() as unknown as AnyWorld,
   simulation: (settings) => new graze.plane.Simulation(settings) as unknown as AnySimulation,
   shape: planeShapeOf,
+  contactMargin: (a, b) => graze.plane.contactMargin(a as graze.plane.Shape, b as graze.plane.Shape),
   draw: (world, on) => graze.plane.draw.world(world as unknown as graze.plane.WorldQueries, on),
   drawSimulation: (simulation, on) => graze.plane.draw.simulation(simulation as unknown as graze.plane.Simulation, on),
   vector: ([x, y]) => [x, y],
@@ -159,6 +162,15 @@ export class Run {
   }
   contacts(): Pair[] {
     return this.questions().contacts();
+  }
+  /** What moves a body while the scene is played. */
+  motion(body: number): { linear: Vec; mass: number } | null {
+    const id = this.ids[body];
+    return this.simulation && { linear: this.simulation.motion(id).linear, mass: this.simulation.mass(id) };
+  }
+  /** A margin with which two bodies at rest keep their points. */
+  margin(a: number, b: number): number {
+    return this.own.contactMargin(this.shape(this.scene.bodies[a].shape), this.shape(this.scene.bodies[b].shape));
   }
   raycast(ray: { origin: Vec; direction: Vec }): Hit | null {
     const { vector } = this.own;

@@ -1,0 +1,49 @@
+// What the address and undo hold of the viewer: where bodies were put, which are selected, and how time runs.
+
+import type { Vec } from "../question.ts";
+import type { Scene } from "./model.ts";
+import type { Place } from "./run.ts";
+
+export interface Moment {
+  /** Of the bodies that do not stand where the scene has them, by number. */
+  places: Record<number, Place>;
+  selected: number[];
+  subSteps: number;
+  gravity: boolean;
+}
+
+export const beginning: Moment = { places: {}, selected: [], subSteps: 8, gravity: true };
+
+const isNumbers = (value: unknown, count: number): value is Vec =>
+  Array.isArray(value) && value.length === count && value.every((x) => typeof x === "number" && Number.isFinite(x));
+const isPlace = (value: unknown): value is Place =>
+  isNumbers((value as Place)?.translation, 3) && isNumbers((value as Place).rotation, 4);
+
+/** Whether what an address holds is a moment. */
+export function isMoment(value: unknown): boolean {
+  const { places, selected, subSteps, gravity } = (value ?? {}) as Partial<Moment>;
+  return typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
+    Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) &&
+    [1, 2, 4, 8, 16].includes(subSteps as number) && typeof gravity === "boolean";
+}
+
+/** The moved bodies of a scene that began as `before`. */
+export function movedBodies(scene: Scene, before: Place[]): Record<number, Place> {
+  const same = (a: Vec, b: Vec): boolean => a.every((x, k) => x === b[k]);
+  return Object.fromEntries(scene.bodies.map(({ translation, rotation }, i): [number, Place] => [i, { translation, rotation }])
+    .filter(([i, { translation, rotation }]) => !same(translation, before[i].translation) || !same(rotation, before[i].rotation)));
+}
+
+/** Longer scenes do not fit an address. */
+const longest = 6000;
+/** A scene as the value of an address, if it is that short. */
+export function packed(scene: Scene): string | null {
+  const text = JSON.stringify(scene);
+  return text.length <= longest ? text : null;
+}
+/** Whether what an address holds is a scene, as far as `Run` does not refuse it by itself. */
+export function isScene(value: unknown): boolean {
+  const { name, bodies } = (value ?? {}) as Partial<Scene>;
+  return typeof name === "string" && Array.isArray(bodies) &&
+    bodies.every((b) => typeof b?.name === "string" && typeof b.shape?.type === "string" && isPlace(b));
+}
