@@ -332,7 +332,7 @@ test("an address that makes no sense shows the lesson as it starts", async () =>
 const scene = (name) => visit(`#/scene?scene=${name}`);
 const files = join(here, "../../examples/scenes");
 
-for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "slope"])
+for (const name of ["shapes", "tower", "pyramid", "heavy", "domino", "cradle", "slope", "cards", "arch", "bounce", "book", "chain", "bridge", "bullets", "far"])
   test(`scene ${name}: steps forward, back, and forward again`, async () => {
     const page = await scene(name);
     const before = await shown(page);

@@ -7,7 +7,7 @@ import { codeOf } from "../parts/code.ts";
 import { h } from "../parts/dom.ts";
 import type { Stage } from "../parts/drawing.ts";
 import { drawGraph } from "../parts/graph.ts";
-import { formula } from "../parts/math.ts";
+import { fit, formula } from "../parts/math.ts";
 import { Stage2 } from "../parts/stage2.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, History, parse } from "../parts/state.ts";
@@ -85,6 +85,11 @@ export class LessonRoom implements Room {
       if (this.settled) this.remember();
     });
   }
+  /** On a phone the picture is far above the examples. */
+  private tryOut(example: Example): void {
+    this.change(copy(example.state), true);
+    this.stage.element.scrollIntoView({ block: "nearest" });
+  }
   private go(step: number): void {
     this.step = step;
     this.paint();
@@ -120,8 +125,9 @@ export class LessonRoom implements Room {
   private paint(): void {
     const step = this.steps[this.step];
     this.timeline.show(this.step, this.steps.length);
-    this.words.replaceChildren(
-      h("h2", {}, step.title), h("p", {}, step.text), ...(step.formula ?? []).map((text) => formula(text)));
+    const formulas = (step.formula ?? []).map((text) => formula(text));
+    this.words.replaceChildren(h("h2", {}, step.title), h("p", {}, step.text), ...formulas);
+    formulas.forEach(fit);
     this.table.show(step.numbers);
     this.plot.replaceChildren(...(step.graph ? [drawGraph(step.graph)] : []));
     this.stage.draw((drawing) => step.draw(drawing), this.lesson.handles(this.state), step.says);
@@ -134,7 +140,7 @@ export class LessonRoom implements Room {
       l ? h("a", { href: address(`/lesson/${l.id}`, {}) }, sign.replace("%", `${l.number} ${l.title}`)) : h("span");
     const example = (e: Example): HTMLElement =>
       h("li", {},
-        h("button", { type: "button", class: "example", onclick: () => this.change(copy(e.state), true) }, e.label),
+        h("button", { type: "button", class: "example", onclick: () => this.tryOut(e) }, e.label),
         h("span", {}, ` ${e.note}`));
     const link = (label: string, text: () => string): HTMLElement => {
       const button = h("button", { type: "button", onclick: () => void this.put(text(), button) }, label);

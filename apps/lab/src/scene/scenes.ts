@@ -17,6 +17,42 @@ function pyramid(base: number): SceneBody[] {
     for (let i = 0; i < base - row; i++) made.push(body(`box ${row}.${i}`, box(1, 1, 1), [(i - (base - row - 1) / 2) * 1.05, 0.5 + row, 0]));
   return made;
 }
+/** Two metres long, two centimetres thick, leaning by 25 degrees, in as many storeys. */
+function cards(storeys: number): SceneBody[] {
+  const long = 2, thick = 0.02, lean = 0.4363323129985824, c = Math.cos(lean), s = Math.sin(lean), high = 2 * (c + (thick / 2) * s);
+  const made: SceneBody[] = [], material = { staticFriction: 0.7, dynamicFriction: 0.7 };
+  const card = (at: Vec, angle: number): unknown =>
+    made.push(body(`card ${made.length + 1}`, box(thick, long, 1), at, { rotation: about([0, 0, 1], angle), material }));
+  for (let storey = storeys, level = 0; storey > 0; storey--, level += high + thick) {
+    for (let i = 0; i < storey; i++)
+      for (const side of [-1, 1]) card([(i - (storey - 1) / 2) * (long + 0.005) + side * (s + (thick / 2) * c), level + high / 2, 0], side * lean);
+    for (let i = 0; i + 1 < storey; i++) card([(i - (storey - 2) / 2) * (long + 0.005), level + high + thick / 2, 0], Math.PI / 2);
+  }
+  return made;
+}
+/** A half circle of wedges on the floor, from 1.5 to 2.1 m about the middle. */
+function arch(count: number): SceneBody[] {
+  const rim = (angle: number, radius: number, z: number): Vec => [radius * Math.cos(angle), radius * Math.sin(angle), z];
+  return range(count, (i) => {
+    const from = (i * Math.PI) / count, to = ((i + 1) * Math.PI) / count, middle = rim((from + to) / 2, 1.8, 0);
+    const points = [from, to].flatMap((angle) => [1.5, 2.1].flatMap((radius) => [-0.4, 0.4].map((z) => rim(angle, radius, z).map((x, k) => x - middle[k]))));
+    return body(i === (count - 1) / 2 ? "keystone" : `wedge ${i + 1}`, { type: "convex", convex: { points } }, middle);
+  });
+}
+function chain(links: number): Pick<Scene, "bodies" | "joints"> {
+  const link: Shape = { type: "capsule", capsule: { height: 0.2, radiusBottom: 0.05, radiusTop: 0.05 } }, step = 0.25, top = 6;
+  const bodies = [floor(), body("hook", box(0.3, 0.3, 0.3), [0, top, 0], { moves: false }),
+    ...range(links, (i) => body(`link ${i + 1}`, link, [(i + 0.5) * step, top, 0], { rotation: about([0, 0, 1], Math.PI / 2), mass: 0.5 })),
+    body("ball", sphere(0.4), [links * step + 0.4, top, 0], { mass: 50 })];
+  return { bodies, joints: range(links + 1, (i) => joint("ball", i + 1, i + 2, [i * step, top, 0])) };
+}
+function bridge(planks: number): Pick<Scene, "bodies" | "joints"> {
+  const step = 0.5, y = 2, x = (i: number): number => (i - planks / 2) * step;
+  const bodies = [floor(), ...range(2, (i) => body(i ? "right post" : "left post", box(0.4, y, 1.4), [x(i * planks) + (i ? 0.2 : -0.2), y / 2, 0], { moves: false })),
+    ...range(planks, (i) => body(`plank ${i + 1}`, box(step * 0.94, 0.08, 1.2), [x(i + 0.5), y, 0])), body("crate", box(0.6, 0.6, 0.6), [0.3, y + 0.5, 0])];
+  const at = (i: number): number => (i === 0 ? 1 : i === planks + 1 ? 2 : i + 2);
+  return { bodies, joints: range(planks + 1, (i) => joint("ball", at(i), at(i + 1), [x(i), y, -0.5])).concat(range(planks + 1, (i) => joint("ball", at(i), at(i + 1), [x(i), y, 0.5]))) };
+}
 const kinds: Shape[] = [
   box(0.9, 0.6, 0.7), sphere(0.45), { type: "capsule", capsule: { height: 0.7, radiusBottom: 0.3, radiusTop: 0.3 } },
   { type: "cylinder", cylinder: { height: 0.8, radiusBottom: 0.4, radiusTop: 0.4 } }, { type: "cylinder", cylinder: { height: 0.9, radiusBottom: 0.5, radiusTop: 0 } },
@@ -38,5 +74,21 @@ export const scenes: Record<string, () => Scene> = {
   slope: () => ({ name: "Friction on a slope", view: { center: [0, 1.5, 0], reach: 4.5 }, note: "30°: a coefficient of 0.6 holds, 0.5 slides.",
     bodies: [body("slope", box(10, 0.4, 5), [0, 1, 0], { moves: false, rotation: about([0, 0, 1], Math.PI / 6), material: { staticFriction: 1, dynamicFriction: 1 } }),
       ...[0.7, 0.6, 0.5, 0.2].map((mu, i) => body(`μ = ${mu}`, box(0.7, 0.7, 0.7), [2.1 - 0.275, 2.6, (i - 1.5) * 1.1], { rotation: about([0, 0, 1], Math.PI / 6), material: { staticFriction: mu, dynamicFriction: mu, frictionCombine: "minimum" } }))] }),
+  cards: () => ({ name: "House of cards", view: { center: [0, 2, 0], reach: 3.6 }, note: "Three storeys, each card held by nothing but friction.",
+    bodies: [{ ...floor(), material: { staticFriction: 0.7, dynamicFriction: 0.7 } }, ...cards(3)] }),
+  arch: () => ({ name: "Arch", view: { center: [0, 1.5, 0], reach: 3.2 }, note: "Wedges that hold each other up. Take the keystone away.", bodies: [floor(), ...arch(11)] }),
+  bounce: () => ({ name: "Bouncing balls", view: { center: [0, 2, 0], reach: 4 }, note: "Restitution 0, 0.5, 0.8 and 1: a ball comes up to e² of its height.",
+    bodies: [{ ...floor(), material: { restitution: 1 } }, ...[0, 0.5, 0.8, 1].map((restitution, i) =>
+      body(`e = ${restitution}`, sphere(0.4), [(i - 1.5) * 1.4, 4, 0], { material: { restitution, restitutionCombine: "minimum" } }))] }),
+  book: () => ({ name: "A spinning book", gravity: [0, 0, 0], view: { center: [0, 0, 0], reach: 1.6 },
+    note: "Turned about its middle axis it tumbles over, again and again (Euler 1765; Dzhanibekov 1985). Energy and angular momentum stay.",
+    bodies: [body("book", box(1.4, 0.2, 1), [0, 0, 0], { angular: [0.05, 0.02, 6] })] }),
+  chain: () => ({ name: "Ball on a chain", view: { center: [1.5, 3, 0], reach: 5 }, note: "Twenty links, and a ball of a hundred times their mass.", ...chain(20) }),
+  bridge: () => ({ name: "Hanging bridge", view: { center: [0, 2, 0], reach: 5 }, note: "Planks on hinges, and a crate on them.", ...bridge(14) }),
+  bullets: () => ({ name: "Bullets and a thin wall", view: { center: [-2, 1.5, 0], reach: 5 }, note: "300 m/s against a centimetre: in a step a bullet goes five metres. None gets through.",
+    bodies: [floor(), body("wall", box(0.01, 3, 3), [0, 1.5, 0], { moves: false }),
+      ...range(5, (i) => body(`bullet ${i + 1}`, box(0.2, 0.2, 0.2), [-4, 0.5 + i * 0.5, (i - 2) * 0.5], { linear: [300, 0, 0] }))] }),
+  far: () => ({ name: "Far from the origin", view: { center: [1e5, 2.5, 1e5], reach: 4.5 }, note: "Five boxes a hundred kilometres away stand as they do at the origin.",
+    bodies: [body("floor", box(20, 1, 20), [1e5, -0.5, 1e5], { moves: false }), ...range(5, (i) => body(`box ${i + 1}`, box(1, 1, 1), [1e5, 0.5 + i, 1e5]))] }),
   thousand: () => ({ name: "A thousand boxes", view: { center: [0, 4, 0], reach: 13 }, bodies: [floor(60), ...range(1000, (i) => body(`box ${i + 1}`, box(0.8, 0.8, 0.8), [(i % 10 - 4.5) * 1.05, 0.6 + Math.floor(i / 100) * 1.05, (Math.floor(i / 10) % 10 - 4.5) * 1.05]))] }),
 };
