@@ -24,11 +24,15 @@ enum class CoreKind : std::uint8_t {
 
 template <class T>
 struct Core {
+  Core() {}  // NOLINT(modernize-use-equals-default): of a union it would be deleted
+
   CoreKind kind = CoreKind::polygon;
-  double radius = 0;                 ///< of the disc that is added
-  std::uint32_t count = 0;           ///< of vertices
-  std::array<Vec2<T>, 8> inside{};   ///< up to eight vertices, counter-clockwise
-  const Vec2<T>* outside = nullptr;  ///< more of them
+  double radius = 0;        ///< of the disc that is added
+  std::uint32_t count = 0;  ///< of vertices
+  union {
+    std::array<Vec2<T>, 4> inside;  ///< vertices, counter-clockwise, of a shape that holds none; the rest is untouched
+  };
+  const Vec2<T>* outside = nullptr;  ///< those of a polygon, which stand in the shape that the core is of
   Vec2d radii{};                     ///< of an ellipse; of a tapered core those of the lower and the upper disc
   double half_height = 0;            ///< of a tapered core
   const SupportFunction<T>* user = nullptr;
@@ -84,10 +88,7 @@ template <class T>
 Core<T> core_of(const ConvexPolygon<T>& p) {
   Core<T> core;
   core.count = static_cast<std::uint32_t>(p.vertices().size());
-  if (core.count > core.inside.size())
-    core.outside = p.vertices().data();
-  else
-    for (std::uint32_t i = 0; i < core.count; ++i) core.inside[i] = p.vertices()[i];
+  core.outside = p.vertices().data();
   return core;
 }
 template <class T>
@@ -120,10 +121,7 @@ Core<T> piece_core(const Pieces<T>& pieces, std::uint32_t piece) {
   Core<T> core;
   const std::span<const Vec2<T>> vertices = pieces.vertices(piece);
   core.count = static_cast<std::uint32_t>(vertices.size());
-  if (core.count > core.inside.size())
-    core.outside = vertices.data();
-  else
-    for (std::uint32_t i = 0; i < core.count; ++i) core.inside[i] = vertices[i];
+  core.outside = vertices.data();
   core.outline = pieces.outline(piece);
   core.pieces = &pieces;
   return core;

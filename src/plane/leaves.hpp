@@ -53,6 +53,12 @@ void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {
   for_each_leaf(shape, widened(pose), 0, true, Everywhere{}, f);
 }
 
+/// Whether a shape is one convex piece, with nothing to be taken apart.
+template <class T>
+bool is_convex(const Shape<T>& shape) {
+  return !shape.template as<Compound<T>>() && !shape.template as<Polygon<T>>() && !shape.template as<Chain<T>>();
+}
+
 /// Whether a shape has no half-plane in it.
 template <class T>
 bool is_bounded(const Shape<T>& shape) {
@@ -101,6 +107,11 @@ void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
                           const Reach& reach, F&& f) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Pose2d at_a = widened(pose_a), at_b = widened(pose_b);
+  if (is_convex(a) && is_convex(b)) {
+    const Core<T> core_a = convex_core(a), core_b = convex_core(b);
+    f(LeafPair<T>{core_a, core_b, at_a, at_b, double(extent(a)), double(extent(b)), 0, 0});
+    return;
+  }
   bool bounded = true;
   for (const Shape<T>* s : {&a, &b}) bounded = bounded && is_bounded(*s);
   const auto near_b = near_disc(at_b.translation, bounded ? double(extent(b)) : inf, reach);

@@ -58,7 +58,7 @@ Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double
   if (half_a && half_b) return two_half_planes(b_in_a);
   if (half_a) return above_half_plane(b, b_in_a);
   if (half_b) return swapped(above_half_plane(a, inverse(b_in_a)), b_in_a);
-  if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) return nearest_polygons(a, b, b_in_a);
+  if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) return nearest_polygons(a, b, b_in_a, size);
   return nearest_curved(a, b, b_in_a, size, steps, pose_a);
 }
 

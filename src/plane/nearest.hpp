@@ -36,7 +36,7 @@ double accuracy(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double
 
 /// Of two polygons.
 template <class T>
-Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
+Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
 
 /// Of two bounded cores by their support functions.
 template <class T>

@@ -1,69 +1,24 @@
 // Two polygons: one walk around their Minkowski difference. Where the origin lies outside, the nearest point lies on an
-// edge that the origin sees; inside, the nearest edge's normal is the axis of least overlap, and no search is needed.
+// edge that the origin sees; inside, the nearest edge's normal is the axis of least overlap, and no search is needed. Of
+// few vertices the edges are compared all at once (`nearest_axes.hpp`), with the same answer.
 #include <limits>
 
-#include "plane/difference.hpp"
-#include "plane/nearest.hpp"
+#include "plane/nearest_axes.hpp"
+#include "plane/nearest_edge.hpp"
 
 namespace graze::plane {
 
 namespace {
 
-struct NearestEdge {
-  DifferenceEdge edge{};
-  double parameter = 0;                                      ///< of the nearest point on it, from 0 to 1
-  double squared = std::numeric_limits<double>::infinity();  ///< distance of that point
-};
-
-double parameter_on(const DifferenceEdge& e) {
-  const double l2 = length_squared(e.edge);
-  return l2 > 0 ? clamp(-dot(e.start, e.edge) / l2, 0.0, 1.0) : 0.0;
-}
-
-/// From the nearer end, so that both ends come out to the last bit.
-Vec2d point_on(const DifferenceEdge& e, double t) {
-  return t <= 0.5 ? e.start + e.edge * t : (e.start + e.edge) - e.edge * (1 - t);
-}
-
 void offer(NearestEdge& best, const DifferenceEdge& e) {
-  const double t = parameter_on(e), squared = length_squared(point_on(e, t));
-  if (squared < best.squared) best = {e, t, squared};
-}
-
-/// The points of A and B that the point of the difference at parameter `t` is made of.
-template <class T>
-void take_points(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const DifferenceEdge& e, double t,
-                 Nearest& out) {
-  const std::uint32_t edges_end = e.of_a ? a.next(e.i) : b.next(e.j);
-  const auto at = [&](const auto& core, std::uint32_t from) {
-    const Vec2d p = core.vertex(from), q = core.vertex(edges_end);
-    return t <= 0.5 ? p + (q - p) * t : q - (q - p) * (1 - t);
-  };
-  const auto feature = [&](std::uint32_t from) {
-    return t <= 0 ? vertex_feature(from) : t >= 1 ? vertex_feature(edges_end) : side_feature(from);
-  };
-  out.a = e.of_a ? CorePoint{at(a, e.i), feature(e.i)} : CorePoint{a.vertex(e.i), vertex_feature(e.i)};
-  out.b = e.of_a ? CorePoint{b.vertex(e.j), vertex_feature(e.j)} : CorePoint{at(b, e.j), feature(e.j)};
-  out.b.point = transform(b_in_a, out.b.point);
-}
-
-/// Where the origin is outside: towards the nearest point of the difference.
-template <class T>
-Nearest apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const NearestEdge& best) {
-  Nearest out;
-  const Vec2d to = point_on(best.edge, best.parameter), outward = normalized(right(best.edge.edge));
-  const bool inner = best.parameter > 0 && best.parameter < 1;
-  // On an edge its own normal, which keeps its digits when the gap has few.
-  out.normal = inner && dot(to, outward) < 0 ? outward : normalized(-to, outward);
-  out.distance = inner ? -dot(to, out.normal) : length(to);
-  take_points(a, b, b_in_a, best.edge, best.parameter, out);
-  return out;
+  const NearestEdge on_edge = nearest_on(e);
+  if (on_edge.squared < best.squared) best = on_edge;
 }
 
 }  // namespace
 
 template <class T>
-Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
+Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size) {
   if (a.count == 1 && b.count == 1) {
     Nearest out;
     out.a = {a.vertex(0), vertex_feature(0)};
@@ -73,6 +28,7 @@ Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_
     out.distance = length(between);
     return out;
   }
+  if (Nearest out; nearest_by_axes(a, b, b_in_a, size, out)) return out;
   NearestEdge seen;
   DifferenceEdge shallowest{};
   double depth = std::numeric_limits<double>::infinity();
@@ -97,14 +53,10 @@ Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_
     shallowest = any.edge;
     if (pointlike) depth = 0;
   }
-  Nearest out;
-  out.normal = normalized(right(shallowest.edge));
-  out.distance = -depth;
-  take_points(a, b, b_in_a, shallowest, parameter_on(shallowest), out);
-  return out;
+  return overlapping(a, b, b_in_a, shallowest, depth);
 }
 
-template Nearest nearest_polygons(const Core<float>&, const Core<float>&, const Pose2d&);
-template Nearest nearest_polygons(const Core<double>&, const Core<double>&, const Pose2d&);
+template Nearest nearest_polygons(const Core<float>&, const Core<float>&, const Pose2d&, double);
+template Nearest nearest_polygons(const Core<double>&, const Core<double>&, const Pose2d&, double);
 
 }  // namespace graze::plane

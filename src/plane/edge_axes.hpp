@@ -1,0 +1,53 @@
+// The separating axes of two polygons of few vertices: the normals of their edges, all of them beside each other.
+//
+// Guarantee: which edges lie nearest to the origin is told up to a slack that the caller gives, and nothing is rounded
+// into an answer: what comes of an edge is computed anew from its vertices, by whoever asks. So a level of the
+// instruction set changes no bit.
+#pragma once
+
+#include <cstdint>
+
+#include "graze/plane/pose2.hpp"
+#include "simd/dispatch.hpp"
+
+namespace graze {
+
+namespace plane {
+
+/// Polygons with more vertices are answered by the walk around their Minkowski difference, whose cost grows with the
+/// sum of the vertices and not with their product.
+inline constexpr std::uint32_t most_edges = 16;
+
+/// One polygon of the two: its vertices in its own frame, counter-clockwise.
+template <class T>
+struct AxesPolygon {
+  const Vec2<T>* vertices;
+  std::uint32_t count;
+};
+
+/// Edges of the Minkowski difference A - B that lie nearest to the origin, seen from inside; those that separate A and B
+/// count as nearer than all that do not.
+struct EdgeAxes {
+  bool regular = false;                    ///< whether every edge has a length
+  std::uint32_t edges_a = 0, edges_b = 0;  ///< nearest edges of A and of B, as bits
+  /// For each edge of A a vertex of B that lies deepest below it, and the other way round; one of several that are
+  /// equally deep up to rounding.
+  double deepest_b[most_edges], deepest_a[most_edges];
+};
+
+/// The kernel for vertices in T. `slack`: by how much an edge may lie further off than the nearest one.
+template <class T>
+using EdgeAxesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a, double slack,
+                                EdgeAxes& out);
+
+/// Those of both scalars.
+struct EdgeAxesKernels {
+  EdgeAxesKernel<float> of_float;
+  EdgeAxesKernel<double> of_double;
+};
+
+}  // namespace plane
+
+GRAZE_DECLARE_KERNEL(const plane::EdgeAxesKernels& plane_edge_axes();)
+
+}  // namespace graze

@@ -1,0 +1,16 @@
+// Two polygons of few vertices by the axes of their edges.
+//
+// Guarantee: the answer of the walk around the Minkowski difference, bit for bit, but for edges so nearly in line with
+// each other that rounding decides between them.
+#pragma once
+
+#include "plane/nearest.hpp"
+
+namespace graze::plane {
+
+/// Writes the nearest points and returns whether it knows them; it does not where there are more than `most_edges`
+/// vertices, where no core has an inside or an edge has no length, and where rounding leaves no order of the edges.
+template <class T>
+bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Nearest& out);
+
+}  // namespace graze::plane

@@ -1,0 +1,79 @@
+// The point of the Minkowski difference that is nearest to the origin, given by the edge it lies on.
+//
+// Guarantee: the answer is computed from the vertices of that edge alone, whoever found it, so that every way to find it
+// gives the same bits.
+#pragma once
+
+#include <limits>
+
+#include "plane/difference.hpp"
+#include "plane/nearest.hpp"
+
+namespace graze::plane {
+
+struct NearestEdge {
+  DifferenceEdge edge{};
+  double parameter = 0;                                      ///< of the nearest point on it, from 0 to 1
+  double squared = std::numeric_limits<double>::infinity();  ///< distance of that point
+};
+
+inline double parameter_on(const DifferenceEdge& e) {
+  const double l2 = length_squared(e.edge);
+  return l2 > 0 ? clamp(-dot(e.start, e.edge) / l2, 0.0, 1.0) : 0.0;
+}
+
+/// From the nearer end, so that both ends come out to the last bit.
+inline Vec2d point_on(const DifferenceEdge& e, double t) {
+  return t <= 0.5 ? e.start + e.edge * t : (e.start + e.edge) - e.edge * (1 - t);
+}
+
+/// The point of an edge that is nearest to the origin.
+inline NearestEdge nearest_on(const DifferenceEdge& e) {
+  const double t = parameter_on(e);
+  return {e, t, length_squared(point_on(e, t))};
+}
+
+/// The height of the origin below an edge, seen from inside.
+inline double height_below(const DifferenceEdge& e) { return cross(e.start, e.edge) / length(e.edge); }
+
+/// The points of A and B that the point of the difference at parameter `t` is made of.
+template <class T>
+void take_points(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const DifferenceEdge& e, double t,
+                 Nearest& out) {
+  const std::uint32_t edges_end = e.of_a ? a.next(e.i) : b.next(e.j);
+  const auto at = [&](const auto& core, std::uint32_t from) {
+    const Vec2d p = core.vertex(from), q = core.vertex(edges_end);
+    return t <= 0.5 ? p + (q - p) * t : q - (q - p) * (1 - t);
+  };
+  const auto feature = [&](std::uint32_t from) {
+    return t <= 0 ? vertex_feature(from) : t >= 1 ? vertex_feature(edges_end) : side_feature(from);
+  };
+  out.a = e.of_a ? CorePoint{at(a, e.i), feature(e.i)} : CorePoint{a.vertex(e.i), vertex_feature(e.i)};
+  out.b = e.of_a ? CorePoint{b.vertex(e.j), vertex_feature(e.j)} : CorePoint{at(b, e.j), feature(e.j)};
+  out.b.point = transform(b_in_a, out.b.point);
+}
+
+/// Where the origin is outside: towards the nearest point of the difference.
+template <class T>
+Nearest apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const NearestEdge& best) {
+  Nearest out;
+  const Vec2d to = point_on(best.edge, best.parameter), outward = normalized(right(best.edge.edge));
+  const bool inner = best.parameter > 0 && best.parameter < 1;
+  // On an edge its own normal, which keeps its digits when the gap has few.
+  out.normal = inner && dot(to, outward) < 0 ? outward : normalized(-to, outward);
+  out.distance = inner ? -dot(to, out.normal) : length(to);
+  take_points(a, b, b_in_a, best.edge, best.parameter, out);
+  return out;
+}
+
+/// Where the origin is inside: out through the edge that it lies least deep below.
+template <class T>
+Nearest overlapping(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const DifferenceEdge& e, double depth) {
+  Nearest out;
+  out.normal = normalized(right(e.edge));
+  out.distance = -depth;
+  take_points(a, b, b_in_a, e, parameter_on(e), out);
+  return out;
+}
+
+}  // namespace graze::plane
