@@ -30,9 +30,9 @@ struct Core {
   double radius = 0;        ///< of the disc that is added
   std::uint32_t count = 0;  ///< of vertices
   union {
-    std::array<Vec2<T>, 4> inside;  ///< vertices, counter-clockwise, of a shape that holds none; the rest is untouched
+    std::array<Vec2<T>, 8> inside;  ///< vertices, counter-clockwise, of a shape that holds none; the rest is untouched
   };
-  const Vec2<T>* outside = nullptr;  ///< those of a polygon, which stand in the shape that the core is of
+  const Vec2<T>* outside = nullptr;  ///< those of a polygon, which stand in the shape, with room for eight at least
   Vec2d radii{};                     ///< of an ellipse; of a tapered core those of the lower and the upper disc
   double half_height = 0;            ///< of a tapered core
   const SupportFunction<T>* user = nullptr;
@@ -121,7 +121,10 @@ Core<T> piece_core(const Pieces<T>& pieces, std::uint32_t piece) {
   Core<T> core;
   const std::span<const Vec2<T>> vertices = pieces.vertices(piece);
   core.count = static_cast<std::uint32_t>(vertices.size());
-  core.outside = vertices.data();
+  if (core.count > core.inside.size())
+    core.outside = vertices.data();
+  else
+    for (std::uint32_t i = 0; i < core.count; ++i) core.inside[i] = vertices[i];
   core.outline = pieces.outline(piece);
   core.pieces = &pieces;
   return core;

@@ -18,6 +18,9 @@ namespace plane {
 /// sum of the vertices and not with their product.
 inline constexpr std::uint32_t most_edges = 16;
 
+/// So many vertices of a polygon can be read, whether it has as many or not.
+inline constexpr std::uint32_t readable_vertices = 8;
+
 /// One polygon of the two: its vertices in its own frame, counter-clockwise.
 template <class T>
 struct AxesPolygon {
@@ -28,11 +31,11 @@ struct AxesPolygon {
 /// Edges of the Minkowski difference A - B that lie nearest to the origin, seen from inside; those that separate A and B
 /// count as nearer than all that do not.
 struct EdgeAxes {
-  bool regular = false;                    ///< whether every edge has a length
+  bool regular = false;                    ///< whether every edge has a length that floats can hold
   std::uint32_t edges_a = 0, edges_b = 0;  ///< nearest edges of A and of B, as bits
   /// For each edge of A a vertex of B that lies deepest below it, and the other way round; one of several that are
   /// equally deep up to rounding.
-  double deepest_b[most_edges], deepest_a[most_edges];
+  float deepest_b[most_edges], deepest_a[most_edges];
 };
 
 /// The kernel for vertices in T. `slack`: by how much an edge may lie further off than the nearest one.

@@ -10,103 +10,195 @@ namespace {
 
 using namespace plane;
 
-using Beside = Lanes<double>;
-constexpr std::uint32_t width = Beside::lanes;
+constexpr std::uint32_t width = lanes_of<float> < 8 ? lanes_of<float> : 8;
+using Beside = Wide<float, static_cast<int>(width)>;
+using Sequence = std::make_index_sequence<width>;
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// Vertices in one frame, and the first one again behind the last up to a register more than they fill: edges there
-/// have no length.
+/// Edges shorter than this, squared, are too near the least float for their lengths to keep their digits.
+constexpr float least_squared = 1e-36f;
+
+/// The vertices of a polygon and its edges, all in one frame, up to `registers` full ones. Behind the last vertex stands
+/// the first one again: edges there have no length.
+template <std::uint32_t registers>
 struct Columns {
-  static constexpr std::uint32_t room = most_edges + width;
-  alignas(64) double x[room], y[room];
-  std::uint32_t end;
+  Beside x[registers], y[registers], edge_x[registers], edge_y[registers];
+};
+/// Vertices to be read one by one.
+template <std::uint32_t registers>
+struct Vertices {
+  alignas(64) float x[registers * width], y[registers * width];
 };
 
-template <class T>
-[[gnu::always_inline]] inline void take_vertices(const AxesPolygon<T>& polygon, Columns& to) {
-  to.end = (polygon.count + width - 1) / width * width + width;
-  const Beside first_x(double(polygon.vertices[0].x)), first_y(double(polygon.vertices[0].y));
-  for (std::uint32_t i = 0; i < to.end; i += width) first_x.store(to.x + i), first_y.store(to.y + i);
-  for (std::uint32_t i = 1; i < polygon.count; ++i) {
-    to.x[i] = double(polygon.vertices[i].x);
-    to.y[i] = double(polygon.vertices[i].y);
+template <std::size_t first, std::size_t... I>
+[[gnu::always_inline]] inline Beside every_second(const Beside& low, const Beside& high, std::index_sequence<I...>) {
+  return Beside::of(__builtin_shufflevector(low.v, high.v, (2 * I + first)...));
+}
+template <std::size_t... I>
+[[gnu::always_inline]] inline Beside numbers_from(float first, std::index_sequence<I...>) {
+  return Beside::of(typename Beside::Vector{(first + float(I))...});
+}
+/// The lanes from the second on, and behind them the first of the next register.
+template <std::size_t... I>
+[[gnu::always_inline]] inline Beside moved_up(const Beside& x, const Beside& next, std::index_sequence<I...>) {
+  return Beside::of(__builtin_shufflevector(x.v, next.v, (I + 1)...));
+}
+
+/// Where `registers` full ones can be read.
+template <std::uint32_t registers>
+[[gnu::always_inline]] inline void take_together(const AxesPolygon<float>& polygon, Columns<registers>& to) {
+  static_assert(sizeof(Vec2<float>) == 2 * sizeof(float));
+  const float* const from = &polygon.vertices[0].x;
+  const Beside first_x(from[0]), first_y(from[1]), count(float(polygon.count));
+  for (std::uint32_t k = 0; k < registers; ++k) {
+    const Beside low = Beside::load(from + 2 * k * width), high = Beside::load(from + (2 * k + 1) * width);
+    const auto there = numbers_from(float(k * width), Sequence()) < count;
+    to.x[k] = select(there, every_second<0>(low, high, Sequence()), first_x);
+    to.y[k] = select(there, every_second<1>(low, high, Sequence()), first_y);
+  }
+  for (std::uint32_t k = 0; k < registers; ++k) {
+    to.edge_x[k] = moved_up(to.x[k], k + 1 < registers ? to.x[k + 1] : first_x, Sequence()) - to.x[k];
+    to.edge_y[k] = moved_up(to.y[k], k + 1 < registers ? to.y[k + 1] : first_y, Sequence()) - to.y[k];
   }
 }
 
-[[gnu::always_inline]] inline void turn(const Pose2d& pose, Columns& columns) {
-  const Beside cosine(pose.rotation.cosine), sine(pose.rotation.sine);
-  const Beside at_x(pose.translation.x), at_y(pose.translation.y);
-  for (std::uint32_t i = 0; i < columns.end; i += width) {
-    const Beside x = Beside::load(columns.x + i), y = Beside::load(columns.y + i);
-    (at_x + (cosine * x - sine * y)).store(columns.x + i);
-    (at_y + (sine * x + cosine * y)).store(columns.y + i);
+/// One by one; edges in T, since the difference of two rounded vertices has no digits left where it is short.
+template <class T, std::uint32_t registers>
+[[gnu::always_inline]] inline void take_singly(const AxesPolygon<T>& polygon, Columns<registers>& to) {
+  constexpr std::uint32_t room = registers * width;
+  alignas(64) float x[room], y[room], edge_x[room], edge_y[room];
+  for (std::uint32_t i = 0; i < room; ++i) {
+    const bool there = i < polygon.count;
+    const Vec2<T> p = polygon.vertices[there ? i : 0], q = polygon.vertices[there && i + 1 < polygon.count ? i + 1 : 0];
+    x[i] = float(p.x), y[i] = float(p.y);
+    edge_x[i] = float(q.x - p.x), edge_y[i] = float(q.y - p.y);
+  }
+  for (std::uint32_t k = 0; k < registers; ++k) {
+    to.x[k] = Beside::load(x + k * width), to.y[k] = Beside::load(y + k * width);
+    to.edge_x[k] = Beside::load(edge_x + k * width), to.edge_y[k] = Beside::load(edge_y + k * width);
   }
 }
 
-/// Heights of the origin below the edges of `own`, swept by the other polygon.
+template <class T, std::uint32_t registers>
+[[gnu::always_inline]] inline void take_vertices(const AxesPolygon<T>& polygon, Columns<registers>& to) {
+  if constexpr (sizeof(T) == sizeof(float) && registers * width <= readable_vertices)
+    take_together(polygon, to);
+  else
+    take_singly(polygon, to);
+}
+
+template <std::uint32_t registers>
+[[gnu::always_inline]] inline void turn(const Pose2d& pose, Columns<registers>& columns) {
+  const Beside cosine(float(pose.rotation.cosine)), sine(float(pose.rotation.sine));
+  const Beside at_x(float(pose.translation.x)), at_y(float(pose.translation.y));
+  for (std::uint32_t k = 0; k < registers; ++k) {
+    const Beside x = columns.x[k], y = columns.y[k], edge_x = columns.edge_x[k], edge_y = columns.edge_y[k];
+    columns.x[k] = at_x + (cosine * x - sine * y);
+    columns.y[k] = at_y + (sine * x + cosine * y);
+    columns.edge_x[k] = cosine * edge_x - sine * edge_y;
+    columns.edge_y[k] = sine * edge_x + cosine * edge_y;
+  }
+}
+template <std::uint32_t registers>
+[[gnu::always_inline]] inline void store(const Columns<registers>& columns, Vertices<registers>& to) {
+  for (std::uint32_t k = 0; k < registers; ++k) {
+    columns.x[k].store(to.x + k * width);
+    columns.y[k].store(to.y + k * width);
+  }
+}
+
+/// Heights of the origin below the edges of a polygon, swept by the other one.
+template <std::uint32_t registers>
 struct Heights {
-  Beside of[(most_edges + width - 1) / width];
-  Beside least{std::numeric_limits<double>::infinity()};
-  bool regular = true;
+  Beside of[registers];
+  Beside least{infinite};
+  std::uint32_t irregular = 0;  ///< edges without a length, as bits
 };
 
 /// Writes, for each edge of `own`, the height of the origin below it and the vertex of `other` that lies deepest. The
 /// same for A and for B: the difference has B's edges turned by half a turn, and its vertices too.
-[[gnu::always_inline]] inline void measure(const Columns& own, std::uint32_t count, const Columns& other,
-                                           std::uint32_t other_count, double (&deepest)[most_edges], Heights& out) {
-  for (std::uint32_t first = 0, k = 0; first < count; first += width, ++k) {
-    const Beside x = Beside::load(own.x + first), y = Beside::load(own.y + first);
-    const Beside edge_x = Beside::load(own.x + first + 1) - x, edge_y = Beside::load(own.y + first + 1) - y;
-    const auto across = [&](const Beside& px, const Beside& py) __attribute__((always_inline)) {
-      return px * edge_y - py * edge_x;
-    };
-    Beside lowest = across(Beside(other.x[0]), Beside(other.y[0])), at(0.0);
-    for (std::uint32_t j = 1; j < other_count; ++j) {
-      const Beside reach = across(Beside(other.x[j]), Beside(other.y[j]));
-      const auto lower = reach < lowest;
-      lowest = select(lower, reach, lowest);
-      at = select(lower, Beside(double(j)), at);
+template <std::uint32_t registers>
+[[gnu::always_inline]] inline void measure(const Columns<registers>& own, const Vertices<registers>& other,
+                                           std::uint32_t other_count, float (&deepest)[most_edges],
+                                           Heights<registers>& out) {
+  const Beside one(1.0f);
+  Beside lowest[registers], at[registers], number(0.0f);
+  const auto across = [&](std::uint32_t k, const Beside& px, const Beside& py) __attribute__((always_inline)) {
+    return px * own.edge_y[k] - py * own.edge_x[k];
+  };
+  for (std::uint32_t k = 0; k < registers; ++k) lowest[k] = across(k, Beside(other.x[0]), Beside(other.y[0]));
+  for (std::uint32_t j = 1; j < other_count; ++j) {
+    const Beside x(other.x[j]), y(other.y[j]);
+    number += one;
+    for (std::uint32_t k = 0; k < registers; ++k) {
+      const Beside reach = across(k, x, y);
+      const auto lower = reach < lowest[k];
+      lowest[k] = select(lower, reach, lowest[k]);
+      at[k] = select(lower, number, at[k]);
     }
-    at.store(deepest + first);
-    const Beside squared = edge_x * edge_x + edge_y * edge_y;
-    const auto extended = squared > Beside(0.0);
-    const std::uint32_t edges = filled_lanes<double>(count - first);
-    out.regular = out.regular && (bits_of(extended) & edges) == edges;
-    const Beside height = (across(x, y) - lowest) / sqrt(squared);
-    out.of[k] = select(extended, height, Beside(std::numeric_limits<double>::infinity()));
+  }
+  for (std::uint32_t k = 0; k < registers; ++k) {
+    at[k].store(deepest + k * width);
+    const Beside squared = own.edge_x[k] * own.edge_x[k] + own.edge_y[k] * own.edge_y[k];
+    const auto extended = squared >= Beside(least_squared);
+    out.irregular |= bits_of(!extended) << (k * width);
+    const Beside height = (across(k, own.x[k], own.y[k]) - lowest[k]) * (one / sqrt(squared));
+    out.of[k] = select(extended, height, Beside(infinite));
     out.least = least(out.least, out.of[k]);
   }
 }
 
-[[gnu::always_inline]] inline double least_lane(const Beside& x) {
-  double lanes[width];
-  x.store(lanes);
-  for (std::uint32_t half = width / 2; half > 0; half /= 2)
-    for (std::uint32_t i = 0; i < half; ++i) lanes[i] = lanes[i + half] < lanes[i] ? lanes[i + half] : lanes[i];
-  return lanes[0];
+template <int N, std::size_t... I>
+[[gnu::always_inline]] inline float least_lane(const Wide<float, N>& x, std::index_sequence<I...>) {
+  if constexpr (N == 4) {
+    const float low = x[1] < x[0] ? x[1] : x[0], high = x[3] < x[2] ? x[3] : x[2];
+    return high < low ? high : low;
+  } else {
+    using Half = Wide<float, N / 2>;
+    const Half low = Half::of(graze::detail::lanes_from<0>(x.v, std::index_sequence<I...>())),
+               high = Half::of(graze::detail::lanes_from<N / 2>(x.v, std::index_sequence<I...>()));
+    return least_lane(least(low, high), std::make_index_sequence<N / 4>());
+  }
 }
 
-[[gnu::always_inline]] inline std::uint32_t nearest_edges(const Heights& heights, std::uint32_t count, double limit) {
+template <std::uint32_t registers>
+[[gnu::always_inline]] inline std::uint32_t nearest_edges(const Heights<registers>& heights, float limit) {
   std::uint32_t bits = 0;
-  for (std::uint32_t first = 0, k = 0; first < count; first += width, ++k)
-    bits |= bits_of(heights.of[k] <= Beside(limit)) << first;
+  for (std::uint32_t k = 0; k < registers; ++k) bits |= bits_of(heights.of[k] <= Beside(limit)) << (k * width);
   return bits;
+}
+
+[[gnu::always_inline]] inline bool has_irregular(std::uint32_t edges, std::uint32_t count) {
+  return count > 1 && (edges & ((std::uint32_t{1} << count) - 1)) != 0;
+}
+
+template <std::uint32_t registers, class T>
+[[gnu::always_inline]] inline void compare(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
+                                           double slack, EdgeAxes& out) {
+  Columns<registers> of_a, of_b;
+  Vertices<registers> vertices_a, vertices_b;
+  take_vertices(a, of_a);
+  take_vertices(b, of_b);
+  turn(b_in_a, of_b);
+  store(of_a, vertices_a);
+  store(of_b, vertices_b);
+  Heights<registers> heights_a, heights_b;
+  measure(of_a, vertices_b, b.count, out.deepest_b, heights_a);
+  measure(of_b, vertices_a, a.count, out.deepest_a, heights_b);
+  out.regular = !has_irregular(heights_a.irregular, a.count) && !has_irregular(heights_b.irregular, b.count);
+  const float least_height = least_lane(least(heights_a.least, heights_b.least), std::make_index_sequence<width / 2>());
+  const float limit = least_height + float(slack);
+  out.edges_a = nearest_edges(heights_a, limit);
+  out.edges_b = nearest_edges(heights_b, limit);
 }
 
 template <class T>
 [[gnu::flatten]] void edge_axes(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a, double slack,
                                 EdgeAxes& out) {
-  Columns of_a, of_b;
-  take_vertices(a, of_a);
-  take_vertices(b, of_b);
-  turn(b_in_a, of_b);
-  Heights heights_a, heights_b;
-  const std::uint32_t edges_a = a.count < 2 ? 0 : a.count, edges_b = b.count < 2 ? 0 : b.count;
-  measure(of_a, edges_a, of_b, b.count, out.deepest_b, heights_a);
-  measure(of_b, edges_b, of_a, a.count, out.deepest_a, heights_b);
-  out.regular = heights_a.regular && heights_b.regular;
-  const double limit = least_lane(least(heights_a.least, heights_b.least)) + slack;
-  out.edges_a = nearest_edges(heights_a, edges_a, limit);
-  out.edges_b = nearest_edges(heights_b, edges_b, limit);
+  if (a.count <= readable_vertices && b.count <= readable_vertices)
+    compare<readable_vertices / width>(a, b, b_in_a, slack, out);
+  else
+    compare<most_edges / width>(a, b, b_in_a, slack, out);
 }
 
 constexpr EdgeAxesKernels kernels{edge_axes<float>, edge_axes<double>};

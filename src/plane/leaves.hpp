@@ -69,6 +69,11 @@ bool is_bounded(const Shape<T>& shape) {
   return true;
 }
 
+/// A lower bound of the distance of two discs whose centres are as far from each other as `between` is long.
+inline double discs_apart(const Vec2d& between, double radius_a, double radius_b) {
+  return length(between) * (1 - 1e-15) - (radius_a + radius_b) * (1 + 1e-15);
+}
+
 /// Two convex shapes in place, one of each body.
 template <class T>
 struct LeafPair {
@@ -82,7 +87,7 @@ struct LeafPair {
   /// A lower bound of their distance, by the discs around them. None where one is unbounded.
   double apart() const {
     if (!bounded()) return -std::numeric_limits<double>::infinity();
-    return length(pose_b.translation - pose_a.translation) * (1 - 1e-15) - (extent_a + extent_b) * (1 + 1e-15);
+    return discs_apart(pose_b.translation - pose_a.translation, extent_a, extent_b);
   }
   double size() const { return greatest(extent_a, extent_b); }
 };
@@ -100,18 +105,28 @@ auto near_disc(const Vec2d& center, double radius, const Reach& reach) {
   };
 }
 
+/// Calls `f` with two shapes of one piece each, unless the discs around them are further apart than `reach`.
+template <class T, class F>
+void with_convex_pair(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                      double reach, F&& f) {
+  const auto extent_a = double(extent(a)), extent_b = double(extent(b));
+  if (!a.template as<HalfPlane<T>>() && !b.template as<HalfPlane<T>>()) {
+    const Vec2d between = converted<double>(pose_b.translation) - converted<double>(pose_a.translation);
+    if (discs_apart(between, extent_a, extent_b) > reach) return;
+  }
+  const Core<T> core_a = convex_core(a), core_b = convex_core(b);
+  const Pose2d at_a = widened(pose_a), at_b = widened(pose_b);
+  f(LeafPair<T>{core_a, core_b, at_a, at_b, extent_a, extent_b, 0, 0});
+}
+
 /// Calls `f` with every pair of convex shapes of two bodies but those that are surely further apart than `reach()`,
 /// which may become less on the way.
 template <class T, class Reach, class F>
 void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
                           const Reach& reach, F&& f) {
   constexpr double inf = std::numeric_limits<double>::infinity();
+  if (is_convex(a) && is_convex(b)) return with_convex_pair(a, pose_a, b, pose_b, reach(), f);
   const Pose2d at_a = widened(pose_a), at_b = widened(pose_b);
-  if (is_convex(a) && is_convex(b)) {
-    const Core<T> core_a = convex_core(a), core_b = convex_core(b);
-    f(LeafPair<T>{core_a, core_b, at_a, at_b, double(extent(a)), double(extent(b)), 0, 0});
-    return;
-  }
   bool bounded = true;
   for (const Shape<T>* s : {&a, &b}) bounded = bounded && is_bounded(*s);
   const auto near_b = near_disc(at_b.translation, bounded ? double(extent(b)) : inf, reach);

@@ -38,10 +38,57 @@ struct Side {
   }
 };
 
-/// The side of a core towards `n` (unit, in the core's frame), if it has one that faces it. `along` runs across the
-/// normal, to the left of A's.
+/// The vertex of a polygon that a feature is, or at which it begins.
 template <class T>
-Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along) {
+std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature) {
+  const std::uint32_t number = feature & ((std::uint32_t{1} << graze::detail::feature_number_bits) - 1);
+  return number < core.count ? number : 0;
+}
+
+/// The vertex of a polygon that lies furthest along `direction`, found from one near it.
+template <class T>
+std::uint32_t furthest_from(const Core<T>& core, const Vec2d& direction, std::uint32_t vertex) {
+  double most = dot(core.vertex(vertex), direction);
+  const auto climb = [&](const auto& beside) {
+    for (std::uint32_t k = 0; k < core.count; ++k) {
+      const double d = dot(core.vertex(beside(vertex)), direction);
+      if (!(d > most)) return;
+      most = d, vertex = beside(vertex);
+    }
+  };
+  climb([&](std::uint32_t i) { return core.next(i); });
+  climb([&](std::uint32_t i) { return core.previous(i); });
+  return vertex;
+}
+
+/// The edge of a polygon that faces `n` most, of the two beside the vertex that lies furthest along it.
+template <class T>
+struct FacingEdge {
+  double facing = -1;  ///< cosine
+  double length = 1;
+  Vec2d edge{};
+  std::uint32_t from = 0;
+
+  FacingEdge(const Core<T>& core, const Vec2d& n, std::uint32_t near) {
+    const std::uint32_t top = furthest_from(core, n, near);
+    const auto offer = [&](std::uint32_t i) {
+      const Vec2d e = core.edge(i);
+      // Cuts of polygons and the far sides of chains touch nothing.
+      const bool outer = !core.outline || core.outline[i].outer;
+      const double l = plane::length(e), towards = l > 0 && outer ? dot(right(e), n) / l : -1;
+      if (towards > facing) facing = towards, length = l, edge = e, from = i;
+      return l > 0;
+    };
+    std::uint32_t ahead = top, behind = core.previous(top);
+    for (std::uint32_t k = 0; k < core.count && !offer(ahead); ++k) ahead = core.next(ahead);
+    for (std::uint32_t k = 0; k < core.count && !offer(behind); ++k) behind = core.previous(behind);
+  }
+};
+
+/// The side of a core towards `n` (unit, in the core's frame), if it has one that faces it. `along` runs across the
+/// normal, to the left of A's; `feature` is one near that side.
+template <class T>
+Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along, std::uint32_t feature) {
   Side side;
   if (core.kind == CoreKind::half_plane) {
     side.straight = side.endless = true;
@@ -54,23 +101,10 @@ Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along) {
   double radius_p = core.radius, radius_q = core.radius;
   std::uint32_t vertex_p = 0, vertex_q = 1;
   if (core.kind == CoreKind::polygon && core.count > 1) {
-    const std::uint32_t top = furthest_vertex(core, n);
-    double best = -1;
-    const auto offer = [&](std::uint32_t from) {
-      const Vec2d e = core.edge(from);
-      // Cuts of polygons and the far sides of chains touch nothing.
-      const bool outer = !core.outline || core.outline[from].outer;
-      const double l = length(e), facing = l > 0 && outer ? dot(right(e), n) / l : -1;
-      if (facing > best) {
-        best = facing, own = right(e) / l;
-        vertex_p = from, vertex_q = core.next(from);
-      }
-      return l > 0;
-    };
-    std::uint32_t ahead = top, behind = core.previous(top);
-    for (std::uint32_t k = 0; k < core.count && !offer(ahead); ++k) ahead = core.next(ahead);
-    for (std::uint32_t k = 0; k < core.count && !offer(behind); ++k) behind = core.previous(behind);
-    if (best < least_facing) return side;
+    const FacingEdge<T> best(core, n, vertex_of(core, feature));
+    if (best.facing < least_facing) return side;
+    own = right(best.edge) / best.length;
+    vertex_p = best.from, vertex_q = core.next(best.from);
     p = core.vertex(vertex_p), q = core.vertex(vertex_q);
   } else if (core.kind == CoreKind::tapered) {
     p = {0, -core.half_height}, q = {0, core.half_height};
@@ -117,8 +151,8 @@ Vec2d settled_normal(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, c
     return side.straight && !side.endless && std::abs(side.leaning) <= same && side.facing > 0;
   };
   const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n);
-  if (const Side side = side_towards(a, n, left(n)); stands_for(side)) return side.own;
-  if (const Side side = side_towards(b, toward_a, left(toward_a)); stands_for(side))
+  if (const Side side = side_towards(a, n, left(n), 0); stands_for(side)) return side.own;
+  if (const Side side = side_towards(b, toward_a, left(toward_a), 0); stands_for(side))
     return -rotate(b_in_a.rotation, side.own);
   return n;
 }
@@ -159,10 +193,11 @@ Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in
   out.normal = found.normal;
   if (found.status == Status::unbounded || !(found.distance - a.radius - b.radius <= margin)) return out;
   const Vec2d n = settled_normal(a, b, b_in_a, found.normal), along = left(n);
-  const Side of_a = side_towards(a, n, along);
+  const Side of_a = side_towards(a, n, along, found.a.feature);
   const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n), along_b = inverse_rotate(b_in_a.rotation, along);
-  const Side of_b =
-      of_a.straight ? seen_from_a(side_towards(b, toward_a, along_b), b_in_a.translation, n, along) : Side{};
+  const Side of_b = of_a.straight
+                        ? seen_from_a(side_towards(b, toward_a, along_b, found.b.feature), b_in_a.translation, n, along)
+                        : Side{};
   const double low = greatest(of_a.low.across, of_b.low.across), high = least(of_a.high.across, of_b.high.across);
   const bool faces = of_a.straight && of_b.straight && !(of_a.endless && of_b.endless);
   if (!faces || !(low < high)) {

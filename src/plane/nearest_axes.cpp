@@ -21,10 +21,13 @@ const Vec2<T>* vertices_of(const Core<T>& core) {
   return core.outside ? core.outside : core.inside.data();
 }
 
-/// How an edge's height below the origin may differ from that of another computation, relative to the numbers it is
-/// made of: a rotation and a difference of two products of two vectors that are off by 3 units each, the length of an
-/// edge and the quotient come to less than ten units, and there are two of them.
-constexpr double height_rounding = 16 * std::numeric_limits<double>::epsilon();
+/// How far the kernel's heights of edges below the origin may be off, relative to the numbers they are made of: floats,
+/// of which the vertices are off by three units (a rotation and a sum), the directions of edges by four, the two products
+/// across and their differences by three more, the inverse of the length by three. Two heights are compared.
+constexpr double height_rounding = 32 * double(std::numeric_limits<float>::epsilon());
+
+/// Sizes whose squares floats hold with all their digits, and those of parts a thousandth as large.
+constexpr double least_size = 1e-14, most_size = 1e14;
 
 /// Which of two directions less than half a turn apart comes first, counter-clockwise.
 enum class Order { before, same, after, unknown };
@@ -156,9 +159,10 @@ NearestEdge nearest_seen(const DifferenceEdge& furthest, DifferenceOutline<T>& o
 template <class T>
 bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Nearest& out) {
   if (a.count > most_edges || b.count > most_edges || (a.count < 3 && b.count < 3)) return false;
-  const double slack = height_rounding * (size + size + max_abs(b_in_a.translation));
+  const double reach = size + size + max_abs(b_in_a.translation);
+  if (!(size >= least_size && reach <= most_size)) return false;
   EdgeAxes axes;
-  kernel_of(T())({vertices_of(a), a.count}, {vertices_of(b), b.count}, b_in_a, slack, axes);
+  kernel_of(T())({vertices_of(a), a.count}, {vertices_of(b), b.count}, b_in_a, height_rounding * reach, axes);
   if (!axes.regular) return false;
   DifferenceOutline<T> outline(a, b, b_in_a);
   double height;
