@@ -33,7 +33,8 @@ std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, doub
                                       std::vector<TraceStep>* steps = nullptr) {
   const Pose2d pose_a = a.at(0), pose_b = b.at(0), b_in_a = relative(pose_a, pose_b);
   const bool polygons = a.core.kind == CoreKind::polygon && b.core.kind == CoreKind::polygon;
-  if (!polygons || !surely_apart(a.core, b.core, b_in_a))
+  const bool far = polygons && discs_apart(b.body.translation - a.body.translation, a.reach, b.reach) > 0;
+  if (!far && (!polygons || !surely_apart(a.core, b.core, b_in_a)))
     if (const auto touching = contact_at_start(a.core, b.core, pose_a, b_in_a, size)) return touching;
   if (a.velocity.angular != 0 || b.velocity.angular != 0) {
     const auto seen = [&](const Nearby& now) {

@@ -30,10 +30,11 @@ DifferenceHit meet_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_
   if (a.count == 1 && b.count == 1) disc(a.vertex(0) - transform(b_in_a, b.vertex(0)), 0);
   for_each_difference_edge(a, b, b_in_a, [&](const DifferenceEdge& e) {
     if (meet_edge(e.start, e.edge, radius, direction, hit.on_edge)) hit.edge = e;
-    disc(e.start, e.i);
+    if (radius > 0) disc(e.start, e.i);
   });
   // The points of an outline without rounding count where no edge does: where it is seen end on.
-  if (radius == 0 && hit.on_edge.t != never) hit.on_disc.t = never;
+  if (radius == 0 && hit.on_edge.t == never)
+    for_each_difference_edge(a, b, b_in_a, [&](const DifferenceEdge& e) { disc(e.start, e.i); });
   return hit;
 }
 
