@@ -37,11 +37,11 @@ void for_chunks(Executor* executor, std::size_t count, const F& f) {
   for_each_chunk(executor ? *executor : serial, count, chunk_pairs, f);
 }
 
-/// Appends what one pair alone has.
+/// Appends what one pair alone has. `manifolds` is memory for it.
 template <class T>
-void append_alone(const Batch<T>& batch, std::size_t i, T margin, BatchContacts<T>& found,
+void append_alone(const Batch<T>& batch, std::size_t i, T margin, Manifolds<T>& manifolds, BatchContacts<T>& found,
                   typename BatchContacts<T>::Pair& pair) {
-  Manifolds<T> manifolds;
+  manifolds.clear();
   pair.overlap = ask(batch, i, [&](const auto&... shapes) { return contacts(shapes..., margin, manifolds); });
   pair.first_manifold = static_cast<std::uint32_t>(found.manifolds.size());
   pair.manifold_count = static_cast<std::uint32_t>(manifolds.size());
@@ -88,7 +88,8 @@ void append_chunk(const Batch<T>& batch, std::size_t begin, std::size_t end, T m
   ContactRow<T> rows[block_pairs];
   double margins[block_pairs];
   std::fill_n(margins, block_pairs, double(margin));
-  const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, to, pairs[i]); };
+  Manifolds<T> manifolds;
+  const auto alone = [&](std::size_t i) { append_alone(batch, i, margin, manifolds, to, pairs[i]); };
   queues.visit(
       batch, begin, end,
       [&](const PairBlock<T>& block) {

@@ -69,15 +69,49 @@ struct FacingEdge {
   Vec2d edge{};
   std::uint32_t from = 0;
 
-  FacingEdge(const Core<T>& core, const Vec2d& n, std::uint32_t near) {
+  /// `feature` is one near that edge.
+  FacingEdge(const Core<T>& core, const Vec2d& n, std::uint32_t feature) {
+    const std::uint32_t near = vertex_of(core, feature);
+    const Edge own(core, n, near);
+    // The edge whose normal is the given one needs no comparison with others.
+    if (own.facing >= same_normal) {
+      take(own);
+      return;
+    }
     const std::uint32_t top = furthest_from(core, n, near);
-    const auto offer = [&](std::uint32_t i) {
-      const Vec2d e = core.edge(i);
+    const Edge both[2] = {Edge(core, n, top), Edge(core, n, core.previous(top))};
+    if (both[0].length > 0 && both[1].length > 0)
+      take(both[both[1].facing > both[0].facing ? 1 : 0]);
+    else
+      take_extended(core, n, top);
+  }
+
+ private:
+  /// Of normals so near to each other only edges in line have both.
+  static constexpr double same_normal = 1 - 0x1p-40;
+
+  struct Edge {
+    Vec2d edge;
+    double length, facing;
+    std::uint32_t from;
+
+    Edge(const Core<T>& core, const Vec2d& n, std::uint32_t i)
+        : edge(core.edge(i)), length(plane::length(edge)), facing(-1), from(i) {
       // Cuts of polygons and the far sides of chains touch nothing.
       const bool outer = !core.outline || core.outline[i].outer;
-      const double l = plane::length(e), towards = l > 0 && outer ? dot(right(e), n) / l : -1;
-      if (towards > facing) facing = towards, length = l, edge = e, from = i;
-      return l > 0;
+      if (length > 0 && outer) facing = dot(right(edge), n) / length;
+    }
+  };
+  void take(const Edge& e) {
+    if (!(e.facing > facing)) return;
+    facing = e.facing, length = e.length, edge = e.edge, from = e.from;
+  }
+  /// Past edges without a length.
+  void take_extended(const Core<T>& core, const Vec2d& n, std::uint32_t top) {
+    const auto offer = [&](std::uint32_t i) {
+      const Edge e(core, n, i);
+      take(e);
+      return e.length > 0;
     };
     std::uint32_t ahead = top, behind = core.previous(top);
     for (std::uint32_t k = 0; k < core.count && !offer(ahead); ++k) ahead = core.next(ahead);
@@ -101,7 +135,7 @@ Side side_towards(const Core<T>& core, const Vec2d& n, const Vec2d& along, std::
   double radius_p = core.radius, radius_q = core.radius;
   std::uint32_t vertex_p = 0, vertex_q = 1;
   if (core.kind == CoreKind::polygon && core.count > 1) {
-    const FacingEdge<T> best(core, n, vertex_of(core, feature));
+    const FacingEdge<T> best(core, n, feature);
     if (best.facing < least_facing) return side;
     own = right(best.edge) / best.length;
     vertex_p = best.from, vertex_q = core.next(best.from);
@@ -184,6 +218,61 @@ void add_nearest(Manifold<double>& out, const Core<T>& a, const Core<T>& b, cons
                         discs && radii > 0 ? a.radius / radii : 0.5});
 }
 
+/// The straight side of a polygon, seen along a normal: as `Side`, in order across from its construction on.
+struct PolygonSide {
+  double low_across, high_across, low_height, high_height, radius, facing, leaning, slope;
+  std::uint32_t low_vertex, high_vertex;
+
+  /// `forward` says whether the polygon's edges run along `along` where they face `n`: those of A do, of B they do not.
+  template <class T>
+  PolygonSide(const Core<T>& core, const FacingEdge<T>& best, const Vec2d& n, const Vec2d& along, bool forward)
+      : radius(core.radius) {
+    const Vec2d own = right(best.edge) / best.length;
+    facing = dot(own, n);
+    leaning = dot(own, along);
+    slope = -leaning / facing;
+    low_vertex = forward ? best.from : core.next(best.from);
+    high_vertex = forward ? core.next(best.from) : best.from;
+    const Vec2d low = core.vertex(low_vertex), high = core.vertex(high_vertex);
+    low_across = dot(low, along), low_height = dot(low, n);
+    high_across = dot(high, along), high_height = dot(high, n);
+  }
+  void move(double across, double height) {
+    low_across += across, high_across += across;
+    low_height += height, high_height += height;
+  }
+  double height_at(double across) const {
+    const double from = low_across + radius * leaning, to = high_across + radius * leaning;
+    if (radius > 0 && (across < from || across > to)) {
+      const bool low = across < from;
+      const double off = across - (low ? low_across : high_across), under = radius * radius - off * off;
+      return (low ? low_height : high_height) + std::sqrt(greatest(under, 0.0));
+    }
+    return low_height + radius * facing + (across - from) * slope;
+  }
+};
+
+/// The points of two polygons whose edges face each other; none where they do not.
+template <class T>
+void add_facing_edges(Manifold<double>& out, const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a,
+                      const Nearest& found, double margin) {
+  const Vec2d n = found.normal, along = left(n);
+  const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n), along_b = inverse_rotate(b_in_a.rotation, along);
+  const FacingEdge<T> edge_a(a, n, found.a.feature), edge_b(b, toward_a, found.b.feature);
+  if (edge_a.facing < least_facing || edge_b.facing < least_facing) return;
+  const PolygonSide of_a(a, edge_a, n, along, true);
+  PolygonSide of_b(b, edge_b, toward_a, along_b, false);
+  of_b.move(dot(b_in_a.translation, along), -dot(b_in_a.translation, n));
+  const double low = greatest(of_a.low_across, of_b.low_across), high = least(of_a.high_across, of_b.high_across);
+  if (!(low < high)) return;
+  // A's outline runs to the left of its normal and B's to the right: at the low end lies the first vertex of A's edge
+  // and the last of B's, whichever of them bounds the stretch.
+  add_point(out, along, low, of_a.height_at(low), -of_b.height_at(low),
+            feature_id(vertex_feature(of_a.low_vertex), vertex_feature(of_b.low_vertex)), margin);
+  add_point(out, along, high, of_a.height_at(high), -of_b.height_at(high),
+            feature_id(vertex_feature(of_a.high_vertex), vertex_feature(of_b.high_vertex)), margin);
+}
+
 }  // namespace
 
 template <class T>
@@ -192,6 +281,11 @@ Manifold<double> manifold(const Core<T>& a, const Core<T>& b, const Pose2d& b_in
   Manifold<double> out;
   out.normal = found.normal;
   if (found.status == Status::unbounded || !(found.distance - a.radius - b.radius <= margin)) return out;
+  if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) {
+    if (a.count > 1 && b.count > 1) add_facing_edges(out, a, b, b_in_a, found, margin);
+    if (out.points.empty()) add_nearest(out, a, b, found, margin);
+    return out;
+  }
   const Vec2d n = settled_normal(a, b, b_in_a, found.normal), along = left(n);
   const Side of_a = side_towards(a, n, along, found.a.feature);
   const Vec2d toward_a = inverse_rotate(b_in_a.rotation, -n), along_b = inverse_rotate(b_in_a.rotation, along);
