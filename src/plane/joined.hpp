@@ -14,15 +14,20 @@
 
 namespace graze::plane {
 
+/// Appends the points and the normal of a manifold in A's frame to one that has none yet.
 template <class T>
-Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
-  Manifold<T> out;
+void take_world(const Manifold<double>& of_a, const LeafPair<T>& pair, Manifold<T>& out) {
   out.normal = converted<T>(rotate(pair.pose_a.rotation, of_a.normal));
   out.piece_a = pair.piece_a;
   out.piece_b = pair.piece_b;
   for (const ContactPoint<double>& p : of_a.points)
     out.points.push_back({converted<T>(transform(pair.pose_a, p.a)), converted<T>(transform(pair.pose_a, p.b)),
                           static_cast<T>(p.distance), p.feature, static_cast<T>(p.weight)});
+}
+template <class T>
+Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {
+  Manifold<T> out;
+  take_world(of_a, pair, out);
   return out;
 }
 

@@ -22,10 +22,13 @@ inline double parameter_on(const DifferenceEdge& e) {
   return l2 > 0 ? clamp(-dot(e.start, e.edge) / l2, 0.0, 1.0) : 0.0;
 }
 
-/// From the nearer end, so that both ends come out to the last bit.
-inline Vec2d point_on(const DifferenceEdge& e, double t) {
-  return t <= 0.5 ? e.start + e.edge * t : (e.start + e.edge) - e.edge * (1 - t);
+/// The point between two at a parameter, from the nearer end, so that both ends come out to the last bit. Which end that
+/// is nobody foresees: both points are computed, which takes less time than a wrong guess.
+inline Vec2d point_between(const Vec2d& start, const Vec2d& end, const Vec2d& edge, double t) {
+  const Vec2d from[2] = {start + edge * t, end - edge * (1 - t)};
+  return from[t <= 0.5 ? 0 : 1];
 }
+inline Vec2d point_on(const DifferenceEdge& e, double t) { return point_between(e.start, e.start + e.edge, e.edge, t); }
 
 /// The point of an edge that is nearest to the origin.
 inline NearestEdge nearest_on(const DifferenceEdge& e) {
@@ -43,7 +46,7 @@ void take_points(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const
   const std::uint32_t edges_end = e.of_a ? a.next(e.i) : b.next(e.j);
   const auto at = [&](const auto& core, std::uint32_t from) {
     const Vec2d p = core.vertex(from), q = core.vertex(edges_end);
-    return t <= 0.5 ? p + (q - p) * t : q - (q - p) * (1 - t);
+    return point_between(p, q, q - p, t);
   };
   const auto feature = [&](std::uint32_t from) {
     return t <= 0 ? vertex_feature(from) : t >= 1 ? vertex_feature(edges_end) : side_feature(from);

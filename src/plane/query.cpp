@@ -92,6 +92,44 @@ Distance<double> deepest_way_out(const Shape<T>& shape, const Pose2<T>& pose, co
   return best;
 }
 
+/// Appends the manifold of two convex shapes, if they are within `margin`, and tells whether they overlap.
+template <class T>
+bool add_manifold(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin,
+                  Manifolds<T>& manifolds) {
+  if (const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, margin); !m.points.empty()) {
+    take_world(m, pair, manifolds.emplace_back());
+    take_status(found, pair, manifolds.back());
+  }
+  return found.distance - pair.a.radius - pair.b.radius <= 0;
+}
+
+/// The contacts of shapes of which one at least is made of pieces.
+template <class T>
+bool composite_contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b,
+                        double margin, Manifolds<T>& manifolds) {
+  bool overlaps = false;
+  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
+  const auto within = [&] { return margin; };
+  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
+    if (pair.apart() > margin) return;
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
+    if (!pair.a.outline && !pair.b.outline) {
+      overlaps = add_manifold(pair, b_in_a, found, margin, manifolds) || overlaps;
+      return;
+    }
+    overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
+    joined.add(pair, b_in_a, found, margin);
+  });
+  if (joined.finish() || !overlaps) return overlaps;
+  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
+  });
+  joined.finish();
+  return true;
+}
+
 }  // namespace
 
 template <class T>
@@ -118,27 +156,14 @@ bool contacts(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, cons
               Manifolds<T>& manifolds, Trace* trace) {
   if (trace) smallest(a, pose_a, b, pose_b, trace);
   if (const auto known = special_contacts(a, pose_a, b, pose_b, margin, manifolds)) return *known;
+  if (!is_convex(a) || !is_convex(b)) return composite_contacts(a, pose_a, b, pose_b, double(margin), manifolds);
   bool overlaps = false;
-  Joined<T> joined(a, pose_a, b, pose_b, manifolds);
-  const auto within = [&] { return double(margin); };
-  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
-    if (pair.apart() > double(margin)) return;
+  with_convex_pair(a, pose_a, b, pose_b, double(margin), [&](const LeafPair<T>& pair) {
     const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
     const Nearest found = nearest(pair.a, pair.b, b_in_a, pair.size());
-    overlaps = overlaps || found.distance - pair.a.radius - pair.b.radius <= 0;
-    if (pair.a.outline || pair.b.outline) return joined.add(pair, b_in_a, found, double(margin));
-    const Manifold<double> m = manifold(pair.a, pair.b, b_in_a, found, double(margin));
-    if (m.points.empty()) return;
-    manifolds.push_back(in_world<T>(m, pair));
-    take_status(found, pair, manifolds.back());
+    overlaps = add_manifold(pair, b_in_a, found, double(margin), manifolds);
   });
-  if (joined.finish() || !overlaps) return overlaps;
-  for_each_pair_within(a, pose_a, b, pose_b, within, [&](const LeafPair<T>& pair) {
-    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
-    joined.stand_in(pair, b_in_a, nearest(pair.a, pair.b, b_in_a, pair.size()));
-  });
-  joined.finish();
-  return true;
+  return overlaps;
 }
 
 template <class T>
