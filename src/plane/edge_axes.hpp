@@ -32,6 +32,7 @@ struct AxesPolygon {
 /// count as nearer than all that do not.
 struct EdgeAxes {
   bool regular = false;                    ///< whether every edge has a length that floats can hold
+  float height = 0;                        ///< of the origin below the nearest edge
   std::uint32_t edges_a = 0, edges_b = 0;  ///< nearest edges of A and of B, as bits
   /// For each edge of A a vertex of B that lies deepest below it, and the other way round; one of several that are
   /// equally deep up to rounding.

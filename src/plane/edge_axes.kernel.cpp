@@ -187,6 +187,7 @@ template <std::uint32_t registers, class T>
   measure(of_b, vertices_a, a.count, out.deepest_a, heights_b);
   out.regular = !has_irregular(heights_a.irregular, a.count) && !has_irregular(heights_b.irregular, b.count);
   const float least_height = least_lane(least(heights_a.least, heights_b.least), std::make_index_sequence<width / 2>());
+  out.height = least_height;
   const float limit = least_height + float(slack);
   out.edges_a = nearest_edges(heights_a, limit);
   out.edges_b = nearest_edges(heights_b, limit);

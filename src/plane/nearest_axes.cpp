@@ -154,16 +154,40 @@ NearestEdge nearest_seen(const DifferenceEdge& furthest, DifferenceOutline<T>& o
   }
 }
 
+/// What the kernel's heights may be off.
+double slack_of(const Pose2d& b_in_a, double size) {
+  return height_rounding * (size + size + max_abs(b_in_a.translation));
+}
+
+/// Fills `axes` and returns whether the kernel answers for these polygons.
+template <class T>
+bool compare_edges(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double slack, double size,
+                   EdgeAxes& axes) {
+  if (a.count > most_edges || b.count > most_edges || (a.count < 3 && b.count < 3)) return false;
+  if (!(size >= least_size && slack <= height_rounding * most_size)) return false;
+  kernel_of(T())({vertices_of(a), a.count}, {vertices_of(b), b.count}, b_in_a, slack, axes);
+  return axes.regular;
+}
+
 }  // namespace
 
 template <class T>
-bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Nearest& out) {
-  if (a.count > most_edges || b.count > most_edges || (a.count < 3 && b.count < 3)) return false;
-  const double reach = size + size + max_abs(b_in_a.translation);
-  if (!(size >= least_size && reach <= most_size)) return false;
+std::optional<bool> within_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size,
+                                   double limit) {
+  const double slack = slack_of(b_in_a, size);
   EdgeAxes axes;
-  kernel_of(T())({vertices_of(a), a.count}, {vertices_of(b), b.count}, b_in_a, height_rounding * reach, axes);
-  if (!axes.regular) return false;
+  if (!compare_edges(a, b, b_in_a, slack, size, axes)) return {};
+  const auto height = double(axes.height);
+  if (height > slack) return true;
+  // Outside, the distance is no less than the gap along any normal.
+  if (height < -limit * (1 + 0x1p-40) - slack) return false;
+  return {};
+}
+
+template <class T>
+bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Nearest& out) {
+  EdgeAxes axes;
+  if (!compare_edges(a, b, b_in_a, slack_of(b_in_a, size), size, axes)) return false;
   DifferenceOutline<T> outline(a, b, b_in_a);
   double height;
   const DifferenceEdge nearest = nearest_edge(axes, outline, height);
@@ -180,6 +204,8 @@ bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, d
   return true;
 }
 
+template std::optional<bool> within_by_axes(const Core<float>&, const Core<float>&, const Pose2d&, double, double);
+template std::optional<bool> within_by_axes(const Core<double>&, const Core<double>&, const Pose2d&, double, double);
 template bool nearest_by_axes(const Core<float>&, const Core<float>&, const Pose2d&, double, Nearest&);
 template bool nearest_by_axes(const Core<double>&, const Core<double>&, const Pose2d&, double, Nearest&);
 

@@ -4,6 +4,8 @@
 // each other that rounding decides between them.
 #pragma once
 
+#include <optional>
+
 #include "plane/nearest.hpp"
 
 namespace graze::plane {
@@ -12,5 +14,9 @@ namespace graze::plane {
 /// vertices, where no core has an inside or an edge has no length, and where rounding leaves no order of the edges.
 template <class T>
 bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Nearest& out);
+
+/// Whether the signed distance is at most `limit` >= 0, where the heights of the edges tell it beyond their rounding.
+template <class T>
+std::optional<bool> within_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, double limit);
 
 }  // namespace graze::plane

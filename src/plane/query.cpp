@@ -6,6 +6,7 @@
 #include "plane/joined.hpp"
 #include "plane/leaves.hpp"
 #include "plane/manifold.hpp"
+#include "plane/nearest_axes.hpp"
 #include "plane/on_outline.hpp"
 #include "plane/pairs/pair_table.hpp"
 
@@ -38,6 +39,16 @@ Distance<double> pair_distance(const LeafPair<T>& pair) {
   out.b = transform(pair.pose_a, found.b.point - found.normal * pair.b.radius);
   take_status(found, pair, out);
   return out;
+}
+
+template <class T>
+bool pair_overlaps(const LeafPair<T>& pair) {
+  if (pair.a.kind == CoreKind::polygon && pair.b.kind == CoreKind::polygon) {
+    const Pose2d b_in_a = relative(pair.pose_a, pair.pose_b);
+    if (const auto known = within_by_axes(pair.a, pair.b, b_in_a, pair.size(), pair.a.radius + pair.b.radius))
+      return *known;
+  }
+  return pair_distance(pair).distance <= 0;
 }
 
 template <class T>
@@ -138,9 +149,8 @@ bool overlap(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const
   if (const auto known = special_overlap(a, pose_a, b, pose_b)) return *known;
   bool found = false;
   const auto touching = [] { return 0.0; };
-  for_each_pair_within(a, pose_a, b, pose_b, touching, [&](const LeafPair<T>& pair) {
-    found = found || (pair.apart() <= 0 && pair_distance(pair).distance <= 0);
-  });
+  for_each_pair_within(a, pose_a, b, pose_b, touching,
+                       [&](const LeafPair<T>& pair) { found = found || (pair.apart() <= 0 && pair_overlaps(pair)); });
   return found;
 }
 
