@@ -34,9 +34,13 @@ Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double
 template <class T>
 double accuracy(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
 
-/// Of two polygons.
+/// Of two polygons. `size`: no less than any vertex is from the origin of its core.
 template <class T>
 Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size);
+
+/// The same by the walk around the Minkowski difference, whatever there is faster.
+template <class T>
+Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
 
 /// Of two bounded cores by their support functions.
 template <class T>

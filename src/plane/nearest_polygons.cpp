@@ -18,7 +18,7 @@ void offer(NearestEdge& best, const DifferenceEdge& e) {
 }  // namespace
 
 template <class T>
-Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size) {
+Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
   if (a.count == 1 && b.count == 1) {
     Nearest out;
     out.a = {a.vertex(0), vertex_feature(0)};
@@ -28,7 +28,6 @@ Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_
     out.distance = length(between);
     return out;
   }
-  if (Nearest out; nearest_by_axes(a, b, b_in_a, size, out)) return out;
   NearestEdge seen;
   DifferenceEdge shallowest{};
   double depth = std::numeric_limits<double>::infinity();
@@ -56,6 +55,14 @@ Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_
   return overlapping(a, b, b_in_a, shallowest, depth);
 }
 
+template <class T>
+Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size) {
+  Nearest out;
+  return nearest_by_axes(a, b, b_in_a, size, out) ? out : nearest_by_walk(a, b, b_in_a);
+}
+
+template Nearest nearest_by_walk(const Core<float>&, const Core<float>&, const Pose2d&);
+template Nearest nearest_by_walk(const Core<double>&, const Core<double>&, const Pose2d&);
 template Nearest nearest_polygons(const Core<float>&, const Core<float>&, const Pose2d&, double);
 template Nearest nearest_polygons(const Core<double>&, const Core<double>&, const Pose2d&, double);
 
