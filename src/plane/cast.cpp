@@ -174,7 +174,8 @@ struct WorldRay {
   std::optional<RayHit<T>> meet(const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece, double until,
                                 double& t) const {
     const Vec2d own = inverse_transform(at, origin), along = inverse_rotate(at.rotation, direction);
-    const auto hit = ray_hit(core, own, along, until, extent, near_enough(at, extent));
+    const double near = core.kind == CoreKind::polygon ? 0 : near_enough(at, extent);
+    const auto hit = ray_hit(core, own, along, until, extent, near);
     if (!hit) return {};
     t = hit->t;
     if (t == 0 && hit->normal == -along) return RayHit<T>{T(0), converted<T>(origin), converted<T>(-direction), piece};
@@ -183,6 +184,53 @@ struct WorldRay {
     return RayHit<T>{static_cast<T>(t), converted<T>(origin + direction * t), converted<T>(n), piece, hit->status};
   }
 };
+
+/// The first hit of a ray up to `until`, which becomes its time. `seen(core, pose, extent, nearer)` is told each piece
+/// that is looked at, and whether it is hit before those so far.
+template <class T, class Seen>
+std::optional<RayHit<T>> first_hit(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world, double& until,
+                                   const Seen& seen) {
+  std::optional<RayHit<T>> best;
+  for_each_leaf(shape, widened(pose), 0, true, world.near(until),
+                [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
+                  double t = 0;
+                  const bool done = best && until == 0;
+                  const auto hit = done ? std::nullopt : world.meet(core, at, extent, piece, until, t);
+                  const bool nearer = hit && !(best && t == until);
+                  seen(core, at, extent, nearer);
+                  if (!nearer) return;
+                  until = t;
+                  best = hit;
+                });
+  return best;
+}
+
+template <class T>
+std::optional<RayHit<T>> explained_raycast(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world,
+                                           double length_of_ray, Trace& trace) {
+  struct Met {
+    Core<T> core;
+    Pose2d pose;
+    double extent;
+  };
+  std::optional<Met> met;  // the piece that is hit, or else the first
+  std::size_t pieces = 0;
+  double until = length_of_ray;
+  const auto best =
+      first_hit(shape, pose, world, until, [&](const Core<T>& core, const Pose2d& at, double extent, bool nearer) {
+        ++pieces;
+        if (nearer || !met) met = Met{core, at, extent};
+      });
+  const std::optional<double> hit = best ? std::optional<double>(until) : std::nullopt;
+  if (met) {
+    const TracedRay traced{world.origin, world.direction, length_of_ray, hit};
+    explain_ray(met->core, met->pose, met->extent, world.near_enough(met->pose, met->extent), traced, trace);
+  } else {
+    trace.method = "bounds", trace.reason = "the ray passes by the bounds of all pieces";
+  }
+  trace.pieces = pieces > 1 ? pieces : 0;
+  return best;
+}
 
 }  // namespace
 
@@ -233,37 +281,13 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, co
                                  Trace* trace) {
   const WorldRay<T> world(ray, length_of_ray);
   if (!world.valid) return {};
-  std::optional<RayHit<T>> best;
   auto until = double(length_of_ray);
-  struct Met {
-    Core<T> core;
-    Pose2d pose;
-    double extent;
-  };
-  std::optional<Met> met;  // what a trace is about: the piece that is hit, or else the first
-  std::size_t pieces = 0;
-  for_each_leaf(shape, widened(pose), 0, true, world.near(until),
-                [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
-                  ++pieces;
-                  if (best && until == 0) return;
-                  double t = 0;
-                  const auto hit = world.meet(core, at, extent, piece, until, t);
-                  const bool nearer = hit && !(best && t == until);
-                  if (trace && (nearer || !met)) met = Met{core, at, extent};
-                  if (!nearer) return;
-                  until = t;
-                  best = hit;
-                });
-  if (!trace) return best;
-  const std::optional<double> hit = best ? std::optional<double>(until) : std::nullopt;
-  if (met) {
-    const TracedRay traced{world.origin, world.direction, double(length_of_ray), hit};
-    explain_ray(met->core, met->pose, met->extent, world.near_enough(met->pose, met->extent), traced, *trace);
-  } else {
-    trace->method = "bounds", trace->reason = "the ray passes by the bounds of all pieces";
+  if (trace) return explained_raycast(shape, pose, world, until, *trace);
+  if (is_convex(shape)) {
+    double t = 0;
+    return world.meet(convex_core(shape), widened(pose), double(extent(shape)), 0, until, t);
   }
-  trace->pieces = pieces > 1 ? pieces : 0;
-  return best;
+  return first_hit(shape, pose, world, until, [](const Core<T>&, const Pose2d&, double, bool) {});
 }
 
 template <class T>
