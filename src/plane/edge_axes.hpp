@@ -44,10 +44,27 @@ template <class T>
 using EdgeAxesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a, double slack,
                                 EdgeAxes& out);
 
+/// The edges of the Minkowski difference A - B through which a ray from the origin, which lies outside, may enter it
+/// (Cyrus and Beck 1978, "Generalized two- and three-dimensional clipping"): of the edges that face the ray the one that
+/// is met last, if all that do not are met later.
+struct EdgeEntries {
+  bool regular = false;  ///< whether every edge has a length that floats can hold, and none lies nearly along the ray
+  bool missed = false;   ///< whether the ray surely misses the difference
+  std::uint32_t edges_a = 0, edges_b = 0;              ///< edges that may be the one, as bits
+  float deepest_b[most_edges], deepest_a[most_edges];  ///< as of `EdgeAxes`
+};
+
+/// The same kernel for a ray along the unit vector `direction`.
+template <class T>
+using EdgeEntriesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
+                                   const Vec2d& direction, double slack, EdgeEntries& out);
+
 /// Those of both scalars.
 struct EdgeAxesKernels {
   EdgeAxesKernel<float> of_float;
   EdgeAxesKernel<double> of_double;
+  EdgeEntriesKernel<float> entries_of_float;
+  EdgeEntriesKernel<double> entries_of_double;
 };
 
 }  // namespace plane

@@ -110,7 +110,7 @@ template <std::uint32_t registers>
 /// Heights of the origin below the edges of a polygon, swept by the other one.
 template <std::uint32_t registers>
 struct Heights {
-  Beside of[registers];
+  Beside of[registers], inverse_length[registers];
   Beside least{infinite};
   std::uint32_t irregular = 0;  ///< edges without a length, as bits
 };
@@ -142,7 +142,8 @@ template <std::uint32_t registers>
     const Beside squared = own.edge_x[k] * own.edge_x[k] + own.edge_y[k] * own.edge_y[k];
     const auto extended = squared >= Beside(least_squared);
     out.irregular |= bits_of(!extended) << (k * width);
-    const Beside height = (across(k, own.x[k], own.y[k]) - lowest[k]) * (one / sqrt(squared));
+    out.inverse_length[k] = one / sqrt(squared);
+    const Beside height = (across(k, own.x[k], own.y[k]) - lowest[k]) * out.inverse_length[k];
     out.of[k] = select(extended, height, Beside(infinite));
     out.least = least(out.least, out.of[k]);
   }
@@ -172,25 +173,87 @@ template <std::uint32_t registers>
   return count > 1 && (edges & ((std::uint32_t{1} << count) - 1)) != 0;
 }
 
+/// Both polygons in A's frame, and the heights below the edges of both.
+template <std::uint32_t registers>
+struct Measured {
+  Columns<registers> of_a, of_b;
+  Heights<registers> heights_a, heights_b;
+
+  template <class T, class Out>
+  [[gnu::always_inline]] Measured(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a, Out& out) {
+    Vertices<registers> vertices_a, vertices_b;
+    take_vertices(a, of_a);
+    take_vertices(b, of_b);
+    turn(b_in_a, of_b);
+    store(of_a, vertices_a);
+    store(of_b, vertices_b);
+    measure(of_a, vertices_b, b.count, out.deepest_b, heights_a);
+    measure(of_b, vertices_a, a.count, out.deepest_a, heights_b);
+    out.regular = !has_irregular(heights_a.irregular, a.count) && !has_irregular(heights_b.irregular, b.count);
+  }
+};
+
 template <std::uint32_t registers, class T>
 [[gnu::always_inline]] inline void compare(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
                                            double slack, EdgeAxes& out) {
-  Columns<registers> of_a, of_b;
-  Vertices<registers> vertices_a, vertices_b;
-  take_vertices(a, of_a);
-  take_vertices(b, of_b);
-  turn(b_in_a, of_b);
-  store(of_a, vertices_a);
-  store(of_b, vertices_b);
-  Heights<registers> heights_a, heights_b;
-  measure(of_a, vertices_b, b.count, out.deepest_b, heights_a);
-  measure(of_b, vertices_a, a.count, out.deepest_a, heights_b);
-  out.regular = !has_irregular(heights_a.irregular, a.count) && !has_irregular(heights_b.irregular, b.count);
-  const float least_height = least_lane(least(heights_a.least, heights_b.least), std::make_index_sequence<width / 2>());
-  out.height = least_height;
-  const float limit = least_height + float(slack);
-  out.edges_a = nearest_edges(heights_a, limit);
-  out.edges_b = nearest_edges(heights_b, limit);
+  const Measured<registers> both(a, b, b_in_a, out);
+  out.height = least_lane(least(both.heights_a.least, both.heights_b.least), std::make_index_sequence<width / 2>());
+  const float limit = out.height + float(slack);
+  out.edges_a = nearest_edges(both.heights_a, limit);
+  out.edges_b = nearest_edges(both.heights_b, limit);
+}
+
+/// Edges that the ray meets at less than this, as the sine, have no time that floats can tell.
+constexpr float least_toward = 0x1p-13f;
+/// What the sine between an edge and the ray may be off by rounding.
+constexpr float toward_rounding = 8 * std::numeric_limits<float>::epsilon();
+
+/// When the ray crosses the lines of a polygon's edges, by bounds, and from which side.
+template <std::uint32_t registers>
+struct Crossings {
+  using Mask = decltype(Beside() < Beside());
+  Beside upper[registers];
+  Mask facing[registers];
+  Beside last_entry{-infinite}, first_exit{infinite};
+  std::uint32_t along = 0;  ///< edges that the ray may run along, as bits
+
+  /// `sign` is 1 for edges of A and -1 for those of B, which the difference has turned by half a turn.
+  [[gnu::always_inline]] Crossings(const Columns<registers>& own, const Heights<registers>& heights,
+                                   const Vec2d& direction, float sign, float slack) {
+    const Beside x(sign * float(direction.x)), y(sign * float(direction.y)), zero(0.0f);
+    for (std::uint32_t k = 0; k < registers; ++k) {
+      const Beside toward = (own.edge_x[k] * y - own.edge_y[k] * x) * heights.inverse_length[k];
+      const Beside inverse = Beside(1.0f) / toward, t = zero - heights.of[k] * inverse;
+      const Beside error = (Beside(slack) + abs(t) * Beside(toward_rounding)) * abs(inverse);
+      facing[k] = toward >= Beside(least_toward);
+      const auto leaving = toward <= Beside(-least_toward);
+      along |= bits_of((!(facing[k] | leaving)) & (heights.of[k] < Beside(slack))) << (k * width);
+      upper[k] = t + error;
+      last_entry = greatest(last_entry, select(facing[k], t - error, Beside(-infinite)));
+      first_exit = least(first_exit, select(leaving, upper[k], Beside(infinite)));
+    }
+  }
+  [[gnu::always_inline]] std::uint32_t entries(float last) const {
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < registers; ++k)
+      bits |= bits_of(facing[k] & (upper[k] >= Beside(last))) << (k * width);
+    return bits;
+  }
+};
+
+template <std::uint32_t registers, class T>
+[[gnu::always_inline]] inline void enter(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
+                                         const Vec2d& direction, double slack, EdgeEntries& out) {
+  const Measured<registers> both(a, b, b_in_a, out);
+  const Crossings<registers> of_a(both.of_a, both.heights_a, direction, 1, float(slack)),
+      of_b(both.of_b, both.heights_b, direction, -1, float(slack));
+  const auto half = std::make_index_sequence<width / 2>();
+  const float last_entry = -least_lane(least(-of_a.last_entry, -of_b.last_entry), half),
+              first_exit = least_lane(least(of_a.first_exit, of_b.first_exit), half);
+  out.regular = out.regular && (of_a.along | of_b.along) == 0;
+  out.missed = last_entry > first_exit || first_exit < 0;
+  out.edges_a = of_a.entries(last_entry);
+  out.edges_b = of_b.entries(last_entry);
 }
 
 template <class T>
@@ -202,7 +265,16 @@ template <class T>
     compare<most_edges / width>(a, b, b_in_a, slack, out);
 }
 
-constexpr EdgeAxesKernels kernels{edge_axes<float>, edge_axes<double>};
+template <class T>
+[[gnu::flatten]] void edge_entries(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
+                                   const Vec2d& direction, double slack, EdgeEntries& out) {
+  if (a.count <= readable_vertices && b.count <= readable_vertices)
+    enter<readable_vertices / width>(a, b, b_in_a, direction, slack, out);
+  else
+    enter<most_edges / width>(a, b, b_in_a, direction, slack, out);
+}
+
+constexpr EdgeAxesKernels kernels{edge_axes<float>, edge_axes<double>, edge_entries<float>, edge_entries<double>};
 
 }  // namespace
 

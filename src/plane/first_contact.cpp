@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "plane/difference.hpp"
+#include "plane/entry_axes.hpp"
 #include "plane/outline_hit.hpp"
 
 namespace graze::plane {
@@ -21,9 +21,15 @@ struct DifferenceHit {
 };
 
 template <class T>
-DifferenceHit meet_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& direction) {
+DifferenceHit meet_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& direction,
+                            double size) {
   const double radius = a.radius + b.radius;
   DifferenceHit hit;
+  if (DifferenceEntry entry; radius == 0 && entry_by_axes(a, b, b_in_a, direction, size, entry)) {
+    hit.on_edge = entry.hit;
+    hit.edge = entry.edge;
+    return hit;
+  }
   const auto disc = [&](const Vec2d& center, std::uint32_t i) {
     if (meet_disc(center, radius, direction, hit.on_disc)) hit.vertex_a = i;
   };
@@ -70,7 +76,7 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
   const auto moved = [&](double t) { return Pose2d{b_in_a.translation + velocity * t, b_in_a.rotation}; };
   if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) {
     const Vec2d direction = normalized(velocity);
-    const DifferenceHit hit = meet_polygons(a, b, b_in_a, direction);
+    const DifferenceHit hit = meet_polygons(a, b, b_in_a, direction, size);
     const OutlineHit& first = hit.on_disc.t < hit.on_edge.t ? hit.on_disc : hit.on_edge;
     out.t = first.t / speed;
     // A path without end that meets nothing does so at no time, and not at the last.
