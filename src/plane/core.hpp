@@ -48,26 +48,27 @@ struct Core {
   Vec2d edge(std::uint32_t i) const { return vertex(next(i)) - vertex(i); }
 };
 
-template <class T>
-Core<T> polygon_core(std::initializer_list<Vec2<T>> vertices, double radius = 0) {
+/// Vertex by vertex, and not from a list of them: a list is written and read back by pieces of different sizes.
+template <class T, class... Vertices>
+Core<T> polygon_core(double radius, const Vertices&... vertices) {
   Core<T> core;
   core.radius = radius;
-  for (const Vec2<T>& v : vertices) core.inside[core.count++] = v;
+  ((core.inside[core.count++] = vertices), ...);
   return core;
 }
 
 template <class T>
 Core<T> core_of(const Circle<T>& c) {
-  return polygon_core<T>({{}}, double(c.radius()));
+  return polygon_core<T>(double(c.radius()), Vec2<T>{});
 }
 template <class T>
 Core<T> core_of(const Capsule<T>& c) {
   const T h = c.half_height();
   const auto bottom = double(c.radius_bottom()), top = double(c.radius_top());
-  if (!c.tapered()) return polygon_core<T>({{T(0), -h}, {T(0), h}}, top);
+  if (!c.tapered()) return polygon_core<T>(top, Vec2<T>{T(0), -h}, Vec2<T>{T(0), h});
   // One disc in the other: the capsule is that disc.
   if (2 * double(h) <= std::abs(bottom - top))
-    return polygon_core<T>({{T(0), bottom > top ? -h : h}}, greatest(bottom, top));
+    return polygon_core<T>(greatest(bottom, top), Vec2<T>{T(0), bottom > top ? -h : h});
   Core<T> core;
   core.kind = CoreKind::tapered;
   core.radius = least(bottom, top);
@@ -78,11 +79,11 @@ Core<T> core_of(const Capsule<T>& c) {
 template <class T>
 Core<T> core_of(const Box<T>& box) {
   const Vec2<T> h = box.half_extents();
-  return polygon_core<T>({-h, {h.x, -h.y}, h, {-h.x, h.y}});
+  return polygon_core<T>(0, -h, Vec2<T>{h.x, -h.y}, h, Vec2<T>{-h.x, h.y});
 }
 template <class T>
 Core<T> core_of(const Segment<T>& s) {
-  return polygon_core<T>({s.a(), s.b()});
+  return polygon_core<T>(0, s.a(), s.b());
 }
 template <class T>
 Core<T> core_of(const ConvexPolygon<T>& p) {
@@ -93,9 +94,9 @@ Core<T> core_of(const ConvexPolygon<T>& p) {
 }
 template <class T>
 Core<T> core_of(const Ellipse<T>& e) {
-  if (e.radii().x == e.radii().y) return polygon_core<T>({{}}, double(e.radii().x));
-  if (e.radii().x == T(0)) return polygon_core<T>({{T(0), -e.radii().y}, {T(0), e.radii().y}});
-  if (e.radii().y == T(0)) return polygon_core<T>({{-e.radii().x, T(0)}, {e.radii().x, T(0)}});
+  if (e.radii().x == e.radii().y) return polygon_core<T>(double(e.radii().x), Vec2<T>{});
+  if (e.radii().x == T(0)) return polygon_core<T>(0, Vec2<T>{T(0), -e.radii().y}, Vec2<T>{T(0), e.radii().y});
+  if (e.radii().y == T(0)) return polygon_core<T>(0, Vec2<T>{-e.radii().x, T(0)}, Vec2<T>{e.radii().x, T(0)});
   Core<T> core;
   core.kind = CoreKind::ellipse;
   core.radii = plane::converted<double>(e.radii());
@@ -140,18 +141,18 @@ inline constexpr bool has_pieces<Polygon<T>> = true;
 template <class T>
 inline constexpr bool has_pieces<Chain<T>> = true;
 
-/// The core of a shape that is not made of pieces.
+/// The core of a shape that is not made of pieces. Made where it is wanted: a copy of one that was just written waits
+/// for the memory.
 template <class T>
 Core<T> convex_core(const Shape<T>& shape) {
-  return shape.visit([&](const auto& c) {
-    if constexpr (has_pieces<std::decay_t<decltype(c)>>) {
+  Core<T> core = shape.visit([](const auto& c) -> Core<T> {
+    if constexpr (has_pieces<std::decay_t<decltype(c)>>)
       return Core<T>();
-    } else {
-      Core<T> core = core_of(c);
-      core.radius += double(shape.rounding());
-      return core;
-    }
+    else
+      return core_of(c);
   });
+  core.radius += double(shape.rounding());
+  return core;
 }
 
 /// The feature of edge i.
