@@ -11,23 +11,31 @@ namespace graze::plane {
 
 namespace {
 
+template <class T>
+DifferenceEdge edge_of_a(const EdgeAxes& axes, DifferenceOutline<T>& outline, std::uint32_t edges) {
+  const auto i = static_cast<std::uint32_t>(std::countr_zero(edges));
+  return outline.edge_of_a(i, static_cast<std::uint32_t>(axes.deepest_b[i]));
+}
+template <class T>
+DifferenceEdge edge_of_b(const EdgeAxes& axes, DifferenceOutline<T>& outline, std::uint32_t edges) {
+  const auto j = static_cast<std::uint32_t>(std::countr_zero(edges));
+  return outline.edge_of_b(static_cast<std::uint32_t>(axes.deepest_a[j]), j);
+}
+
 /// The nearest of the edges that the kernel has found, each at the vertex at which the walk comes to it.
 template <class T>
-DifferenceEdge nearest_edge(const EdgeAxes& axes, DifferenceOutline<T>& outline, double& height) {
+DifferenceEdge nearest_edge(const EdgeAxes& axes, DifferenceOutline<T>& outline) {
+  // Mostly there is one.
+  if (axes.edges_b == 0 && std::has_single_bit(axes.edges_a)) return edge_of_a(axes, outline, axes.edges_a);
+  if (axes.edges_a == 0 && std::has_single_bit(axes.edges_b)) return edge_of_b(axes, outline, axes.edges_b);
   DifferenceEdge nearest{};
-  height = std::numeric_limits<double>::infinity();
+  double height = std::numeric_limits<double>::infinity();
   const auto offer = [&](const DifferenceEdge& e) {
     const double h = height_below(e);
     if (h < height || (h == height && earlier(e, nearest))) height = h, nearest = e;
   };
-  for (std::uint32_t edges = axes.edges_a; edges != 0; edges &= edges - 1) {
-    const auto i = static_cast<std::uint32_t>(std::countr_zero(edges));
-    offer(outline.edge_of_a(i, static_cast<std::uint32_t>(axes.deepest_b[i])));
-  }
-  for (std::uint32_t edges = axes.edges_b; edges != 0; edges &= edges - 1) {
-    const auto j = static_cast<std::uint32_t>(std::countr_zero(edges));
-    offer(outline.edge_of_b(static_cast<std::uint32_t>(axes.deepest_a[j]), j));
-  }
+  for (std::uint32_t edges = axes.edges_a; edges != 0; edges &= edges - 1) offer(edge_of_a(axes, outline, edges));
+  for (std::uint32_t edges = axes.edges_b; edges != 0; edges &= edges - 1) offer(edge_of_b(axes, outline, edges));
   return nearest;
 }
 
@@ -85,18 +93,19 @@ bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, d
   EdgeAxes axes;
   if (!compare_edges(a, b, b_in_a, axes_slack(b_in_a, size), size, axes)) return false;
   DifferenceOutline<T> outline(a, b, b_in_a);
-  double height;
-  const DifferenceEdge nearest = nearest_edge(axes, outline, height);
+  const DifferenceEdge nearest = nearest_edge(axes, outline);
+  const double height = height_below(nearest);
   if (!outline.known() || !(height < std::numeric_limits<double>::infinity())) return false;
   if (height < 0) {
     const NearestEdge seen = nearest_seen(nearest, outline);
     if (!outline.known()) return false;
-    out = apart(a, b, b_in_a, seen);
+    take_apart(a, b, b_in_a, seen, out);
     return true;
   }
   // Inside a polygon the foot on the nearest edge's line lies on that edge, or on one in line with it.
-  if (length_squared(point_on(nearest, parameter_on(nearest))) > 4 * height * height) return false;
-  out = overlapping(a, b, b_in_a, nearest, height);
+  const double parameter = parameter_on(nearest);
+  if (length_squared(point_on(nearest, parameter)) > 4 * height * height) return false;
+  take_overlap(a, b, b_in_a, nearest, parameter, height, out);
   return true;
 }
 

@@ -51,32 +51,34 @@ void take_points(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const
   const auto feature = [&](std::uint32_t from) {
     return t <= 0 ? vertex_feature(from) : t >= 1 ? vertex_feature(edges_end) : side_feature(from);
   };
-  out.a = e.of_a ? CorePoint{at(a, e.i), feature(e.i)} : CorePoint{a.vertex(e.i), vertex_feature(e.i)};
-  out.b = e.of_a ? CorePoint{b.vertex(e.j), vertex_feature(e.j)} : CorePoint{at(b, e.j), feature(e.j)};
+  if (e.of_a) {
+    out.a.point = at(a, e.i), out.a.feature = feature(e.i);
+    out.b.point = b.vertex(e.j), out.b.feature = vertex_feature(e.j);
+  } else {
+    out.a.point = a.vertex(e.i), out.a.feature = vertex_feature(e.i);
+    out.b.point = at(b, e.j), out.b.feature = feature(e.j);
+  }
   out.b.point = transform(b_in_a, out.b.point);
 }
 
 /// Where the origin is outside: towards the nearest point of the difference.
 template <class T>
-Nearest apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const NearestEdge& best) {
-  Nearest out;
+void take_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const NearestEdge& best, Nearest& out) {
   const Vec2d to = point_on(best.edge, best.parameter), outward = normalized(right(best.edge.edge));
   const bool inner = best.parameter > 0 && best.parameter < 1;
   // On an edge its own normal, which keeps its digits when the gap has few.
   out.normal = inner && dot(to, outward) < 0 ? outward : normalized(-to, outward);
   out.distance = inner ? -dot(to, out.normal) : length(to);
   take_points(a, b, b_in_a, best.edge, best.parameter, out);
-  return out;
 }
 
 /// Where the origin is inside: out through the edge that it lies least deep below.
 template <class T>
-Nearest overlapping(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const DifferenceEdge& e, double depth) {
-  Nearest out;
+void take_overlap(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const DifferenceEdge& e, double parameter,
+                  double depth, Nearest& out) {
   out.normal = normalized(right(e.edge));
   out.distance = -depth;
-  take_points(a, b, b_in_a, e, parameter_on(e), out);
-  return out;
+  take_points(a, b, b_in_a, e, parameter, out);
 }
 
 }  // namespace graze::plane

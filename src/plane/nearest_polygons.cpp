@@ -38,7 +38,11 @@ Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a
     if (height < 0) offer(seen, e);
     if (height < depth) depth = height, shallowest = e;
   });
-  if (depth < 0) return apart(a, b, b_in_a, seen);
+  Nearest out;
+  if (depth < 0) {
+    take_apart(a, b, b_in_a, seen, out);
+    return out;
+  }
   const bool pointlike = depth == std::numeric_limits<double>::infinity();
   const double allowed = 4 * depth * depth;
   // Inside a polygon the foot on the nearest edge's line lies on that edge, or on one in line with it.
@@ -48,17 +52,22 @@ Nearest nearest_by_walk(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a
       if (pointlike || !detail::is_zero(e.edge)) offer(any, e);
     });
     // No edge has it: the difference has no inside (segments on one line, points upon each other).
-    if (any.squared > 0 && (pointlike || any.squared > allowed)) return apart(a, b, b_in_a, any);
+    if (any.squared > 0 && (pointlike || any.squared > allowed)) {
+      take_apart(a, b, b_in_a, any, out);
+      return out;
+    }
     shallowest = any.edge;
     if (pointlike) depth = 0;
   }
-  return overlapping(a, b, b_in_a, shallowest, depth);
+  take_overlap(a, b, b_in_a, shallowest, parameter_on(shallowest), depth, out);
+  return out;
 }
 
 template <class T>
 Nearest nearest_polygons(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size) {
   Nearest out;
-  return nearest_by_axes(a, b, b_in_a, size, out) ? out : nearest_by_walk(a, b, b_in_a);
+  if (!nearest_by_axes(a, b, b_in_a, size, out)) out = nearest_by_walk(a, b, b_in_a);
+  return out;
 }
 
 template Nearest nearest_by_walk(const Core<float>&, const Core<float>&, const Pose2d&);
