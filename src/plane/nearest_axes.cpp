@@ -26,8 +26,9 @@ DifferenceEdge edge_of_b(const EdgeAxes& axes, DifferenceOutline<T>& outline, st
 template <class T>
 DifferenceEdge nearest_edge(const EdgeAxes& axes, DifferenceOutline<T>& outline) {
   // Mostly there is one.
-  if (axes.edges_b == 0 && std::has_single_bit(axes.edges_a)) return edge_of_a(axes, outline, axes.edges_a);
-  if (axes.edges_a == 0 && std::has_single_bit(axes.edges_b)) return edge_of_b(axes, outline, axes.edges_b);
+  const auto single = [](std::uint32_t edges, std::uint32_t none) { return none == 0 && (edges & (edges - 1)) == 0; };
+  if (single(axes.edges_a, axes.edges_b)) return edge_of_a(axes, outline, axes.edges_a);
+  if (single(axes.edges_b, axes.edges_a)) return edge_of_b(axes, outline, axes.edges_b);
   DifferenceEdge nearest{};
   double height = std::numeric_limits<double>::infinity();
   const auto offer = [&](const DifferenceEdge& e) {
@@ -92,6 +93,7 @@ template <class T>
 bool nearest_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double size, Nearest& out) {
   EdgeAxes axes;
   if (!compare_edges(a, b, b_in_a, axes_slack(b_in_a, size), size, axes)) return false;
+  if ((axes.edges_a | axes.edges_b) == 0) return false;
   DifferenceOutline<T> outline(a, b, b_in_a);
   const DifferenceEdge nearest = nearest_edge(axes, outline);
   const double height = height_below(nearest);

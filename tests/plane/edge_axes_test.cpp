@@ -55,11 +55,10 @@ struct PolygonPair {
     std::vector<Point> out;
     const Core<T>& core = of_b ? core_b : core_a;
     for (std::uint32_t i = 0; i < core.count; ++i) {
-      const Wide x = core.vertex(i).x, y = core.vertex(i).y, c = b_in_a.rotation.cosine, s = b_in_a.rotation.sine;
-      if (of_b)
-        out.push_back({b_in_a.translation.x + (c * x - s * y), b_in_a.translation.y + (s * x + c * y)});
-      else
-        out.push_back({x, y});
+      const Vec2d own = core.vertex(i);
+      const Wide x(own.x), y(own.y), c(b_in_a.rotation.cosine), s(b_in_a.rotation.sine);
+      const Point moved{Wide(b_in_a.translation.x) + (c * x - s * y), Wide(b_in_a.translation.y) + (s * x + c * y)};
+      out.push_back(of_b ? moved : Point{x, y});
     }
     return out;
   }
