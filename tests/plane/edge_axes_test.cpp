@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "plane/edge_axes.hpp"
+#include "plane/entry_axes.hpp"
 #include "plane/figures.hpp"
 #include "plane/leaves.hpp"
 #include "plane/nearest_axes.hpp"
@@ -56,8 +57,9 @@ struct PolygonPair {
     const Core<T>& core = of_b ? core_b : core_a;
     for (std::uint32_t i = 0; i < core.count; ++i) {
       const Vec2d own = core.vertex(i);
-      const Wide x(own.x), y(own.y), c(b_in_a.rotation.cosine), s(b_in_a.rotation.sine);
-      const Point moved{Wide(b_in_a.translation.x) + (c * x - s * y), Wide(b_in_a.translation.y) + (s * x + c * y)};
+      const auto wide = [](double number) { return static_cast<Wide>(number); };
+      const Wide x = wide(own.x), y = wide(own.y), c = wide(b_in_a.rotation.cosine), s = wide(b_in_a.rotation.sine);
+      const Point moved{wide(b_in_a.translation.x) + (c * x - s * y), wide(b_in_a.translation.y) + (s * x + c * y)};
       out.push_back(of_b ? moved : Point{x, y});
     }
     return out;
@@ -189,6 +191,32 @@ TYPED_TEST(PlaneEdgeAxes, KernelsOfAllLevelsFindTheNearestEdge) {
       ASSERT_NEAR(double(axes.height), double(-best), slack / 4) << name;
     });
   }
+}
+
+// Rays from outside, at the difference and past it, and through its vertices.
+TYPED_TEST(PlaneEdgeAxes, EntriesAreThoseOfTheWalk) {
+  using T = TypeParam;
+  std::mt19937 random(7);
+  int answered = 0, hits = 0, all = 0;
+  for_polygon_pairs<T>(20000, [&](const auto& pair, double scale, const std::string& name) {
+    if (!(nearest_polygons(pair.core_a, pair.core_b, pair.b_in_a, pair.size).distance > 0)) return;
+    ++all;
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const Vec2d beside = Vec2d{uniform(random), uniform(random)} * (random() % 2 ? scale : 0.0);
+    const Vec2d to = pair.core_a.vertex(0) - transform(pair.b_in_a, pair.core_b.vertex(0)) + beside;
+    const Vec2d direction = normalized(to);
+    OutlineHit walk;
+    for_each_difference_edge(pair.core_a, pair.core_b, pair.b_in_a,
+                             [&](const DifferenceEdge& e) { meet_edge(e.start, e.edge, 0, direction, walk); });
+    DifferenceEntry axes;
+    if (!entry_by_axes(pair.core_a, pair.core_b, pair.b_in_a, direction, pair.size, axes)) return;
+    ++answered;
+    hits += axes.hit.t != never;
+    ASSERT_EQ(axes.hit.t, walk.t) << name;
+    ASSERT_EQ(axes.hit.normal, walk.normal) << name;
+  });
+  EXPECT_GT(answered, all * 3 / 4);
+  EXPECT_GT(hits, all / 4);
 }
 
 // Sizes that floats cannot square are left to the walk, and so are more vertices than the kernel has lanes.
