@@ -20,9 +20,14 @@ void take_world(const Manifold<double>& of_a, const LeafPair<T>& pair, Manifold<
   out.normal = converted<T>(rotate(pair.pose_a.rotation, of_a.normal));
   out.piece_a = pair.piece_a;
   out.piece_b = pair.piece_b;
-  for (const ContactPoint<double>& p : of_a.points)
-    out.points.push_back({converted<T>(transform(pair.pose_a, p.a)), converted<T>(transform(pair.pose_a, p.b)),
-                          static_cast<T>(p.distance), p.feature, static_cast<T>(p.weight)});
+  for (const ContactPoint<double>& p : of_a.points) {
+    ContactPoint<T>& point = out.points.emplace_back();
+    point.a = converted<T>(transform(pair.pose_a, p.a));
+    point.b = converted<T>(transform(pair.pose_a, p.b));
+    point.distance = static_cast<T>(p.distance);
+    point.feature = p.feature;
+    point.weight = static_cast<T>(p.weight);
+  }
 }
 template <class T>
 Manifold<T> in_world(const Manifold<double>& of_a, const LeafPair<T>& pair) {

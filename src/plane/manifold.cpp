@@ -203,7 +203,12 @@ void add_point(Manifold<double>& out, const Vec2d& along, double across, double 
   const double distance = height_b - height_a;
   if (!(distance <= margin)) return;
   const Vec2d foot = along * across;
-  out.points.push_back({foot + out.normal * height_a, foot + out.normal * height_b, distance, feature, 0.5});
+  ContactPoint<double>& point = out.points.emplace_back();
+  point.a = foot + out.normal * height_a;
+  point.b = foot + out.normal * height_b;
+  point.distance = distance;
+  point.feature = feature;
+  point.weight = 0.5;
 }
 
 /// One point: where the shapes are nearest. Of two discs its weight goes by their radii.
