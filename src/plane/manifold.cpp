@@ -79,11 +79,16 @@ struct FacingEdge {
       return;
     }
     const std::uint32_t top = furthest_from(core, n, near);
-    const Edge both[2] = {Edge(core, n, top), Edge(core, n, core.previous(top))};
-    if (both[0].length > 0 && both[1].length > 0)
-      take(both[both[1].facing > both[0].facing ? 1 : 0]);
-    else
-      take_extended(core, n, top);
+    const Edge behind(core, n, core.previous(top));
+    if (top == near && own.length > 0 && behind.length > 0) {
+      // Which one it is nobody foresees: its number is selected, and the edge is read anew.
+      const double facings[2] = {own.facing, behind.facing}, lengths[2] = {own.length, behind.length};
+      const std::size_t k = behind.facing > own.facing ? 1 : 0;
+      from = k == 0 ? own.from : behind.from;
+      facing = facings[k], length = lengths[k], edge = core.edge(from);
+    } else {
+      take_beside(core, n, top);
+    }
   }
 
  private:
@@ -106,8 +111,8 @@ struct FacingEdge {
     if (!(e.facing > facing)) return;
     facing = e.facing, length = e.length, edge = e.edge, from = e.from;
   }
-  /// Past edges without a length.
-  void take_extended(const Core<T>& core, const Vec2d& n, std::uint32_t top) {
+  /// The better one of the edges beside a vertex, past those without a length.
+  void take_beside(const Core<T>& core, const Vec2d& n, std::uint32_t top) {
     const auto offer = [&](std::uint32_t i) {
       const Edge e(core, n, i);
       take(e);
