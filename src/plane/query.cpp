@@ -78,7 +78,13 @@ Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
 template <class T>
 Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
   Distance<T> out;
-  if (!special_distance(a, pose_a, b, pose_b, out)) out = narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+  if (special_distance(a, pose_a, b, pose_b, out)) return out;
+  if (!is_convex(a) || !is_convex(b)) return narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  out.distance = static_cast<T>(infinite);
+  with_convex_pair(a, pose_a, b, pose_b, infinite, [&](const LeafPair<T>& pair) {
+    if (const Distance<double> d = pair_distance(pair); d.distance < infinite) out = narrowed<T>(d);
+  });
   return out;
 }
 
