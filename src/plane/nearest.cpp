@@ -58,7 +58,10 @@ Nearest nearest(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double
   if (half_a && half_b) return two_half_planes(b_in_a);
   if (half_a) return above_half_plane(b, b_in_a);
   if (half_b) return swapped(above_half_plane(a, inverse(b_in_a)), b_in_a);
-  if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) return nearest_polygons(a, b, b_in_a, size);
+  if (a.kind == CoreKind::polygon && b.kind == CoreKind::polygon) {
+    const bool inside = a.count > 2 || b.count > 2;
+    return inside ? nearest_polygons(a, b, b_in_a, size) : nearest_by_walk(a, b, b_in_a);
+  }
   return nearest_curved(a, b, b_in_a, size, steps, pose_a);
 }
 

@@ -74,17 +74,30 @@ Distance<double> smallest(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
   return best;
 }
 
-/// The distance by the special pair of the shapes' kinds, else the smallest over all pairs of convex pieces.
 template <class T>
-Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
-  Distance<T> out;
-  if (special_distance(a, pose_a, b, pose_b, out)) return out;
-  if (!is_convex(a) || !is_convex(b)) return narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+Distance<T> convex_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
+  Distance<T> out;
   out.distance = static_cast<T>(infinite);
   with_convex_pair(a, pose_a, b, pose_b, infinite, [&](const LeafPair<T>& pair) {
     if (const Distance<double> d = pair_distance(pair); d.distance < infinite) out = narrowed<T>(d);
   });
+  return out;
+}
+
+/// The distance of shapes without a special pair: by itself, so that the others do not set up what it needs.
+template <class T>
+[[gnu::noinline]] Distance<T> general_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b,
+                                               const Pose2<T>& pose_b) {
+  if (is_convex(a) && is_convex(b)) return convex_distance(a, pose_a, b, pose_b);
+  return narrowed<T>(smallest(a, pose_a, b, pose_b, nullptr));
+}
+
+/// The distance by the special pair of the shapes' kinds, else the smallest over all pairs of convex pieces.
+template <class T>
+Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
+  Distance<T> out;
+  if (!special_distance(a, pose_a, b, pose_b, out)) out = general_distance(a, pose_a, b, pose_b);
   return out;
 }
 
