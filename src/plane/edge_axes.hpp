@@ -28,8 +28,8 @@ struct AxesPolygon {
   std::uint32_t count;
 };
 
-/// Edges of the Minkowski difference A - B that lie nearest to the origin, seen from inside; those that separate A and B
-/// count as nearer than all that do not.
+/// Edges of the Minkowski difference A - B that lie nearest to the origin, seen from inside; those that separate A and
+/// B count as nearer than all that do not.
 struct EdgeAxes {
   bool regular = false;                    ///< whether every edge has a length that floats can hold
   float height = 0;                        ///< of the origin below the nearest edge
@@ -45,8 +45,8 @@ using EdgeAxesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b
                                 EdgeAxes& out);
 
 /// The edges of the Minkowski difference A - B through which a ray from the origin, which lies outside, may enter it
-/// (Cyrus and Beck 1978, "Generalized two- and three-dimensional clipping"): of the edges that face the ray the one that
-/// is met last, if all that do not are met later.
+/// (Cyrus and Beck 1978, "Generalized two- and three-dimensional clipping"): of the edges that face the ray the one
+/// that is met last, if all that do not are met later.
 struct EdgeEntries {
   bool regular = false;  ///< whether every edge has a length that floats can hold, and none lies nearly along the ray
   bool missed = false;   ///< whether the ray surely misses the difference

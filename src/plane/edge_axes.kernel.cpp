@@ -18,8 +18,8 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 /// Edges shorter than this, squared, are too near the least float for their lengths to keep their digits.
 constexpr float least_squared = 1e-36f;
 
-/// The vertices of a polygon and its edges, all in one frame, up to `registers` full ones. Behind the last vertex stands
-/// the first one again: edges there have no length.
+/// The vertices of a polygon and its edges, all in one frame, up to `registers` full ones. Behind the last vertex
+/// stands the first one again: edges there have no length.
 template <std::uint32_t registers>
 struct Columns {
   Beside x[registers], y[registers], edge_x[registers], edge_y[registers];

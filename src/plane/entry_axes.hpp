@@ -14,8 +14,8 @@ struct DifferenceEntry {
   DifferenceEdge edge{};
 };
 
-/// Writes the entry along the unit vector `direction` and returns whether it is known: not for polygons that the kernels
-/// do not take, nor where rounding has to decide whether the ray meets the difference. The origin lies outside.
+/// Writes the entry along the unit vector `direction` and returns whether it is known: not for polygons that the
+/// kernels do not take, nor where rounding has to decide whether the ray meets the difference. The origin lies outside.
 template <class T>
 bool entry_by_axes(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const Vec2d& direction, double size,
                    DifferenceEntry& out);

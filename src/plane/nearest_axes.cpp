@@ -40,8 +40,8 @@ DifferenceEdge nearest_edge(const EdgeAxes& axes, DifferenceOutline<T>& outline)
   return nearest;
 }
 
-/// The part of an edge, at its ends, in which rounding may make the next edge the nearer one: far more than the rounding
-/// of a parameter is, so that the walk's choice is never missed, and no answer depends on it.
+/// The part of an edge, at its ends, in which rounding may make the next edge the nearer one: far more than the
+/// rounding of a parameter is, so that the walk's choice is never missed, and no answer depends on it.
 constexpr double beside_end = 0x1p-20;
 
 /// The nearest point of the edges that the origin sees: along the outline from the edge whose line is furthest away, in

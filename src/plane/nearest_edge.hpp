@@ -1,7 +1,7 @@
 // The point of the Minkowski difference that is nearest to the origin, given by the edge it lies on.
 //
-// Guarantee: the answer is computed from the vertices of that edge alone, whoever found it, so that every way to find it
-// gives the same bits.
+// Guarantee: the answer is computed from the vertices of that edge alone, whoever found it, so that every way to find
+// it gives the same bits.
 #pragma once
 
 #include <limits>
@@ -22,8 +22,8 @@ inline double parameter_on(const DifferenceEdge& e) {
   return l2 > 0 ? clamp(-dot(e.start, e.edge) / l2, 0.0, 1.0) : 0.0;
 }
 
-/// The point between two at a parameter, from the nearer end, so that both ends come out to the last bit. Which end that
-/// is nobody foresees: both points are computed, which takes less time than a wrong guess.
+/// The point between two at a parameter, from the nearer end, so that both ends come out to the last bit. Which end
+/// that is nobody foresees: both points are computed, which takes less time than a wrong guess.
 inline Vec2d point_between(const Vec2d& start, const Vec2d& end, const Vec2d& edge, double t) {
   const Vec2d from[2] = {start + edge * t, end - edge * (1 - t)};
   return from[t <= 0.5 ? 0 : 1];

@@ -1,6 +1,6 @@
 // Two polygons: one walk around their Minkowski difference. Where the origin lies outside, the nearest point lies on an
-// edge that the origin sees; inside, the nearest edge's normal is the axis of least overlap, and no search is needed. Of
-// few vertices the edges are compared all at once (`nearest_axes.hpp`), with the same answer.
+// edge that the origin sees; inside, the nearest edge's normal is the axis of least overlap, and no search is needed.
+// Of few vertices the edges are compared all at once (`nearest_axes.hpp`), with the same answer.
 #include <limits>
 
 #include "plane/nearest_axes.hpp"

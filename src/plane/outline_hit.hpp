@@ -16,15 +16,15 @@ struct OutlineHit {
   Vec2d normal{};
 };
 
-/// Whether a point surely lies further than `radius` above the line of an edge: `start` and `edge` seen from that point,
-/// with room for rounding, so that what lies nearer to the line is left to who measures it.
+/// Whether a point surely lies further than `radius` above the line of an edge: `start` and `edge` seen from that
+/// point, with room for rounding, so that what lies nearer to the line is left to who measures it.
 inline bool surely_above(const Vec2d& start, const Vec2d& edge, double radius) {
   const double above = -dot(right(edge), start);
   return above > 0 && above * above * (1 - 0x1p-40) > radius * radius * length_squared(edge);
 }
 
-/// What the place of a vertex beside a ray may be off, relative to the numbers it is made of, and where `meet_edge` puts
-/// the end of an edge besides: both are a few units of rounding, and this far more, since no answer comes of it.
+/// What the place of a vertex beside a ray may be off, relative to the numbers it is made of, and where `meet_edge`
+/// puts the end of an edge besides: both are a few units of rounding, and this far more, since no answer comes of it.
 inline constexpr double beside_rounding = 0x1p-40;
 
 /// Whether a ray from the origin may pass between the ends of an edge that it sees from the front: from the left of the
@@ -34,8 +34,8 @@ inline bool may_pass(const Vec2d& start, const Vec2d& edge, const Vec2d& directi
   return cross(direction, start) >= -slack && cross(direction, start + edge) <= slack;
 }
 
-/// Tells whether an edge moved outward by `radius` is met first, from its front. Its ends are met within the rounding of the path: a ray
-/// through the vertex of two edges meets one of them.
+/// Tells whether an edge moved outward by `radius` is met first, from its front. Its ends are met within the rounding
+/// of the path: a ray through the vertex of two edges meets one of them.
 inline bool meet_edge(const Vec2d& start, const Vec2d& edge, double radius, const Vec2d& direction, OutlineHit& best) {
   // What is seen from behind needs no root.
   if (!(dot(right(edge), direction) < 0)) return false;

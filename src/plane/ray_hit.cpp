@@ -22,8 +22,8 @@ bool above_an_edge(const Core<T>& polygon, const Vec2d& p) {
   return false;
 }
 
-/// The one edge of a polygon without rounding between whose ends a ray passes that sees it from the front, where that is
-/// certain: it leads from the left of the ray to its right. `count` where the line of the ray misses the polygon.
+/// The one edge of a polygon without rounding between whose ends a ray passes that sees it from the front, where that
+/// is certain: it leads from the left of the ray to its right. `count` where the line of the ray misses the polygon.
 template <class T>
 std::optional<std::uint32_t> edge_in_front(const Core<T>& polygon, const Vec2d& origin, const Vec2d& direction) {
   if (polygon.radius != 0 || polygon.count < 3 || polygon.count > 32) return {};
