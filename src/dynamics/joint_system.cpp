@@ -19,6 +19,10 @@ void add(std::array<T, N>& a, const std::array<T, N>& b, T times) {
   for (std::size_t i = 0; i < N; ++i) a[i] += b[i] * times;
 }
 
+/// The part of the rate that a loop's row would give its bodies alone, by which it yields.
+template <class T>
+inline constexpr T loop_yielding = T(1) / T(1024);
+
 template <class T>
 std::array<T, 6> coordinates(const Vec3<T>& linear, const Vec3<T>& angular) {
   return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
@@ -66,6 +70,7 @@ template <class T, class Space>
 void JointSystem<T, Space>::prepare(std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
                                     std::span<const std::uint8_t> movable) {
   links_.clear();
+  loops_.clear();
   held_.assign(bodies.size(), 0);
   responses_.resize(movable.size());
   if (bodies.empty()) return;
@@ -92,6 +97,9 @@ void JointSystem<T, Space>::prepare(std::span<const std::pair<std::uint32_t, std
   for (const bool moves : {false, true})
     for (std::uint32_t i = 0; i < movable.size(); ++i)
       if ((movable[i] != 0) == moves && reached[i] == 0 && !joints.of(i).empty()) reach_from(i);
+  for (std::uint32_t j = 0; j < bodies.size(); ++j)
+    if (const auto [a, b] = bodies[j]; held_[j] == 0 && (movable[a] != 0 || movable[b] != 0))
+      loops_.push_back({j, a, b});
 }
 
 template <class T, class Space>
@@ -139,32 +147,121 @@ void JointSystem<T, Space>::tie(Link& link, const JointRows<T, Space>& joint) {
 template <class T, class Space>
 void JointSystem<T, Space>::factor(std::span<const JointRows<T, Space>> joints,
                                    std::span<const SolverBody<T, Space>> bodies) {
-  for (const Link& link : links_)
-    for (const std::uint32_t i : {link.body, link.next}) {
-      responses_[i].alone = {};
-      set_inverse_mass(responses_[i].alone, bodies[i].mass);
-      responses_[i].inverse_mass = responses_[i].alone;
-    }
+  const auto set_alone = [&](std::uint32_t i) {
+    responses_[i].alone = {};
+    set_inverse_mass(responses_[i].alone, bodies[i].mass);
+    responses_[i].inverse_mass = responses_[i].alone;
+  };
+  for (const Link& link : links_) set_alone(link.body), set_alone(link.next);
+  for (const Loop& loop : loops_) set_alone(loop.a), set_alone(loop.b);
   for (std::size_t i = links_.size(); i-- > 0;) tie(links_[i], joints[links_[i].joint]);
+  if (!loops_.empty()) factor_loops(joints);
+}
+
+/// The rows of the joints that close loops, as many as there may be.
+template <class T, class Space>
+void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> joints) {
+  loop_rows_.clear();
+  for (Loop& loop : loops_) {
+    const JointRows<T, Space>& joint = joints[loop.joint];
+    loop.first_row = loop_rows_.size();
+    loop.rows = joint.locked();
+    held_[loop.joint] = loop.first_row + loop.rows <= most_loop_rows;
+    if (held_[loop.joint] == 0) loop.rows = 0;
+    for (std::size_t i = 0; i < loop.rows; ++i) {
+      LoopRow row{pushed_by(joint.locked_row(i), true), pushed_by(joint.locked_row(i), false), T(0)};
+      row.yielding = loop_yielding<T> * (inner(times(responses_[loop.a].alone, row.of_a), row.of_a) +
+                                         inner(times(responses_[loop.b].alone, row.of_b), row.of_b));
+      loop_rows_.push_back(row);
+    }
+  }
+}
+
+/// Makes `velocity_` what an impulse of 1 on a loop's row makes of all bodies, with the trees holding.
+template <class T, class Space>
+void JointSystem<T, Space>::respond_to(const Loop& loop, const LoopRow& row) {
+  velocity_.assign(responses_.size(), {});
+  velocity_[loop.a] = times(responses_[loop.a].alone, row.of_a);
+  velocity_[loop.b] = times(responses_[loop.b].alone, row.of_b);
+  sweep(
+      [&](const Link& link) {
+        Rows rates{};
+        for (std::size_t i = 0; i < link.rows; ++i)
+          rates[i] = -inner(link.of_body[i], velocity_[link.body]) - inner(link.of_next[i], velocity_[link.next]);
+        return rates;
+      },
+      [&](const Link& link) {
+        for (std::size_t i = 0; i < link.rows; ++i) {
+          add(velocity_[link.body], times(responses_[link.body].alone, link.of_body[i]), link.impulses[i]);
+          add(velocity_[link.next], times(responses_[link.next].alone, link.of_next[i]), link.impulses[i]);
+        }
+      });
 }
 
 template <class T, class Space>
-void JointSystem<T, Space>::solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies,
-                                  bool bias) {
-  const auto ends = [&](const Link& link) {
-    return link.body_is_a ? std::pair(link.body, link.next) : std::pair(link.next, link.body);
-  };
+void JointSystem<T, Space>::factor_loops(std::span<const JointRows<T, Space>> joints) {
+  set_loop_rows(joints);
+  const std::size_t n = loop_rows_.size();
+  loop_factors_.assign(n * n, T(0));
+  const auto lower = [&](std::size_t i, std::size_t j) -> T& { return loop_factors_[i * n + j]; };
+  for (const Loop& loop : loops_)
+    for (std::size_t k = loop.first_row; k < loop.first_row + loop.rows; ++k) {
+      respond_to(loop, loop_rows_[k]);
+      for (const Loop& other : loops_)
+        for (std::size_t i = other.first_row; i < other.first_row + other.rows; ++i)
+          lower(i, k) = inner(loop_rows_[i].of_a, velocity_[other.a]) + inner(loop_rows_[i].of_b, velocity_[other.b]);
+      lower(k, k) += loop_rows_[k].yielding;
+    }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      T k = lower(i, j);
+      for (std::size_t m = 0; m < j; ++m)
+        if (lower(m, m) > T(0)) k -= lower(i, m) * lower(j, m) / lower(m, m);
+      // What yields leaves a pivot; rounding may still take one away, as of a body that nothing turns.
+      lower(i, j) = j < i ? k * lower(j, j) : k > loop_rows_[i].yielding / T(2) ? T(1) / k : T(0);
+    }
+}
+
+/// One pass over the rows of loops. With `bias` they yield to the impulses that they bear by now.
+template <class T, class Space>
+void JointSystem<T, Space>::solve_loops(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies,
+                                        bool bias) {
+  const std::size_t n = loop_rows_.size();
+  const auto lower = [&](std::size_t i, std::size_t j) { return loop_factors_[i * n + j]; };
+  std::vector<T>& v = loop_rates_;
+  v.assign(n, T(0));
+  for (const Loop& loop : loops_) {
+    const Rows wanted = joints[loop.joint].wanted(bodies[loop.a], bodies[loop.b], bias);
+    for (std::size_t i = 0; i < loop.rows; ++i) {
+      const std::size_t k = loop.first_row + i;
+      v[k] = wanted[i] - (bias ? loop_rows_[k].yielding * joints[loop.joint].locked_impulse(i) : T(0));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j) v[i] -= lower(i, j) * v[j];
+  for (std::size_t i = 0; i < n; ++i) v[i] *= lower(i, i);
+  for (std::size_t i = n; i-- > 0;)
+    for (std::size_t j = i + 1; j < n; ++j) v[i] -= lower(j, i) * v[j];
+  for (const Loop& loop : loops_) {
+    Rows impulses{};
+    for (std::size_t i = 0; i < loop.rows; ++i) impulses[i] = v[loop.first_row + i];
+    if (loop.rows > 0) joints[loop.joint].push_locked(impulses, bodies[loop.a], bodies[loop.b]);
+  }
+}
+
+template <class T, class Space>
+template <class Wanted, class Push>
+void JointSystem<T, Space>::sweep(const Wanted& wanted, const Push& push) {
   for (const Link& link : links_)
     for (const std::uint32_t i : {link.body, link.next}) responses_[i].change = responses_[i].pushed = {};
   for (std::size_t l = links_.size(); l-- > 0;) {
     Link& link = links_[l];
-    const auto [a, b] = ends(link);
     const Freedoms& change = responses_[link.body].change;
     Freedoms& of_next = responses_[link.next].change;
-    Rows wanted = joints[link.joint].wanted(bodies[a], bodies[b], bias);
+    Rows rates = wanted(link);
     for (std::size_t i = 0; i < link.rows; ++i)
-      wanted[i] -= inner(link.of_body[i], change) + inner(link.of_next[i], of_next);
-    link.impulses = link.factors.solved(wanted);
+      rates[i] -= inner(link.of_body[i], change) + inner(link.of_next[i], of_next);
+    link.impulses = link.factors.solved(rates);
     for (std::size_t i = 0; i < link.rows; ++i) add(of_next, link.response[i], link.impulses[i]);
   }
   for (Link& link : links_) {
@@ -177,9 +274,34 @@ void JointSystem<T, Space>::solve(std::span<JointRows<T, Space>> joints, std::sp
       add(on_next, link.of_next[i], link.impulses[i]);
       add(responses_[link.body].pushed, link.of_body[i], link.impulses[i]);
     }
-    const auto [a, b] = ends(link);
-    joints[link.joint].push_locked(link.impulses, bodies[a], bodies[b]);
+    push(link);
   }
+}
+
+template <class T, class Space>
+void JointSystem<T, Space>::solve_trees(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies,
+                                        bool bias) {
+  const auto ends = [&](const Link& link) {
+    return link.body_is_a ? std::pair(link.body, link.next) : std::pair(link.next, link.body);
+  };
+  sweep(
+      [&](const Link& link) {
+        const auto [a, b] = ends(link);
+        return joints[link.joint].wanted(bodies[a], bodies[b], bias);
+      },
+      [&](const Link& link) {
+        const auto [a, b] = ends(link);
+        joints[link.joint].push_locked(link.impulses, bodies[a], bodies[b]);
+      });
+}
+
+template <class T, class Space>
+void JointSystem<T, Space>::solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies,
+                                  bool bias) {
+  solve_trees(joints, bodies, bias);
+  if (loop_rows_.empty()) return;
+  solve_loops(joints, bodies, bias);
+  solve_trees(joints, bodies, bias);
 }
 
 template class JointSystem<float, Space<float>>;

@@ -7,8 +7,14 @@
 // robot dynamics using articulated-body inertias"; Baraff 1996, "Linear-time dynamics using Lagrange multipliers").
 // Responses are inverse masses, so that what cannot move or turn is no case of its own.
 //
+// Joints that close loops are solved after the trees, all rows of them at once, by their response with the trees
+// holding (Baraff's auxiliary constraints). A loop may hold what others hold already, as the second hinge of a door
+// does: each of its rows yields by a small part of what its bodies would alone, which shares such a load among them and
+// bounds it where a linkage is stretched out.
+//
 // Guarantee: the impulses make all rates of locked axes of the tree what is wanted, up to rounding, in time linear in
-// the joints; a row that follows from others is left out. Joints that close a loop are not among them.
+// the joints; a row that follows from others is left out. Loops cost the square of their rows times the joints, and are
+// left to the caller beyond `most_loop_rows`.
 #pragma once
 
 #include <array>
@@ -27,7 +33,8 @@ class JointSystem {
   /// Finds the trees: `bodies` has the two of each joint by their places, `movable` tells of each body. Bodies that
   /// nothing pushes are where trees begin.
   void prepare(std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies, std::span<const std::uint8_t> movable);
-  /// Whether a joint is of a tree; otherwise it closes a loop, or has nothing that moves.
+  /// Whether a joint's locked rows are solved here, once `factor` was called; otherwise it closes one loop too many, or
+  /// has nothing that moves.
   bool holds(std::size_t joint) const { return held_[joint] != 0; }
   /// Whether any joint is of no tree.
   bool has_loops() const { return links_.size() != held_.size(); }
@@ -38,6 +45,8 @@ class JointSystem {
   void solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
 
  private:
+  /// So many rows of loops are solved at once: some thirty ball joints.
+  static constexpr std::size_t most_loop_rows = 96;
   static constexpr std::size_t freedoms = std::is_same_v<typename Space::Vec, Vec3<T>> ? 6 : 3;
   static constexpr std::size_t most_rows = JointRows<T, Space>::most_locked;
   using Freedoms = std::array<T, freedoms>;
@@ -53,6 +62,15 @@ class JointSystem {
     FactoredRows<T, most_rows> factors{};
     Rows impulses{};
   };
+  /// A joint that closes a loop.
+  struct Loop {
+    std::uint32_t joint = 0, a = 0, b = 0;
+    std::size_t first_row = 0, rows = 0;
+  };
+  struct LoopRow {
+    Freedoms of_a{}, of_b{};  ///< what an impulse of 1 pushes
+    T yielding{};             ///< the rate that an impulse of 1 leaves
+  };
   struct Response {
     std::array<Freedoms, freedoms> alone{};         ///< the body's inverse mass
     std::array<Freedoms, freedoms> inverse_mass{};  ///< that of the body and what hangs on it
@@ -62,10 +80,23 @@ class JointSystem {
   static Freedoms pushed_by(const MeasuredRow<T, Space>& row, bool is_a);
   static Freedoms times(const std::array<Freedoms, freedoms>& matrix, const Freedoms& v);
   void tie(Link& link, const JointRows<T, Space>& joint);
+  /// Finds the impulses of the trees that make the rates of each link `wanted(link)`, and calls `push(link)`.
+  template <class Wanted, class Push>
+  void sweep(const Wanted& wanted, const Push& push);
+  void solve_trees(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
+  void set_loop_rows(std::span<const JointRows<T, Space>> joints);
+  void respond_to(const Loop& loop, const LoopRow& row);
+  void factor_loops(std::span<const JointRows<T, Space>> joints);
+  void solve_loops(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
 
   std::vector<Link> links_;  ///< those nearer to the root first
   std::vector<std::uint8_t> held_;
   std::vector<Response> responses_;  ///< of each body
+  std::vector<Loop> loops_;
+  std::vector<LoopRow> loop_rows_;
+  std::vector<T> loop_factors_;     ///< L D Lᵀ of the loops' rows, by rows; the diagonal has 1 / D
+  std::vector<T> loop_rates_;       ///< kept for its storage
+  std::vector<Freedoms> velocity_;  ///< of each body, by an impulse of 1 on a loop's row; kept likewise
 };
 
 }  // namespace graze

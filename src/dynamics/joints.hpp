@@ -107,6 +107,7 @@ class JointRows {
   /// `SubStep`), otherwise velocities alone.
   std::size_t locked() const { return locked_; }
   const MeasuredRow<T, Space>& locked_row(std::size_t i) const { return rows_[i].at; }
+  T locked_impulse(std::size_t i) const { return rows_[i].impulse; }
   std::array<T, most_locked> wanted(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b, bool bias) const;
   void push_locked(const std::array<T, most_locked>& impulses, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
   /// One pass over the locked rows of a joint that closes a loop: as a spring, for what others hold is not known here.

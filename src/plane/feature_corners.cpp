@@ -28,7 +28,7 @@ Corners<T> corners_of(const Core<T>& core, const Feature& feature) {
 template <class T>
 Corners<T> corners_of(const Capsule<T>& capsule, const Feature& feature) {
   const T h = capsule.half_height();
-  return corners_of(polygon_core<T>({{T(0), -h}, {T(0), h}}), feature);
+  return corners_of(polygon_core<T>(0, Vec2<T>{T(0), -h}, Vec2<T>{T(0), h}), feature);
 }
 
 /// Of one piece, whose features have the numbers of the whole outline. Both edges of a chain's segment are one.
