@@ -166,7 +166,8 @@ void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> j
     const JointRows<T, Space>& joint = joints[loop.joint];
     loop.first_row = loop_rows_.size();
     loop.rows = joint.locked();
-    held_[loop.joint] = loop.first_row + loop.rows <= most_loop_rows;
+    const std::size_t rows = loop.first_row + loop.rows;
+    held_[loop.joint] = rows <= most_loop_rows && rows * links_.size() <= most_loop_work;
     if (held_[loop.joint] == 0) loop.rows = 0;
     for (std::size_t i = 0; i < loop.rows; ++i) {
       LoopRow row{pushed_by(joint.locked_row(i), true), pushed_by(joint.locked_row(i), false), T(0)};

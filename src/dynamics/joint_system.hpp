@@ -14,7 +14,7 @@
 //
 // Guarantee: the impulses make all rates of locked axes of the tree what is wanted, up to rounding, in time linear in
 // the joints; a row that follows from others is left out. Loops cost the square of their rows times the joints, and are
-// left to the caller beyond `most_loop_rows`.
+// left to the caller beyond `most_loop_rows` and `most_loop_work`.
 #pragma once
 
 #include <array>
@@ -45,8 +45,9 @@ class JointSystem {
   void solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
 
  private:
-  /// So many rows of loops are solved at once: some thirty ball joints.
-  static constexpr std::size_t most_loop_rows = 96;
+  /// So many rows of loops are solved at once, some thirty ball joints, and of large trees so many that they ask no more
+  /// than these responses of links.
+  static constexpr std::size_t most_loop_rows = 96, most_loop_work = 4096;
   static constexpr std::size_t freedoms = std::is_same_v<typename Space::Vec, Vec3<T>> ? 6 : 3;
   static constexpr std::size_t most_rows = JointRows<T, Space>::most_locked;
   using Freedoms = std::array<T, freedoms>;
