@@ -294,12 +294,13 @@ void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
 template <class T, class Space>
 void IslandSolver<T, Space>::solve(T step, T gravity) {
   const T h = step / T(sub_steps_);
-  joint_system_.prepare(joint_bodies_, movable_);
-  by_mean_ = manifolds_.empty() && !joint_system_.has_loops();
-  const SubStep<T> time{h, T(1) / h, step, by_mean_};
-  const ContactStep<T> contact = contact_step(time, gravity);
+  SubStep<T> time{h, T(1) / h, step, false};
   joints_.resize(joined_.size());
   for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].prepare(*joined_[j], time);
+  joint_system_.prepare(joints_, joint_bodies_, movable_);
+  time.joined_by_mean = by_mean_ = manifolds_.empty() && joint_system_.holds_all();
+  for (JointRows<T, Space>& joint : joints_) joint.set_step(time);
+  const ContactStep<T> contact = contact_step(time, gravity);
   for (int s = 0; s < sub_steps_; ++s) {
     begin_sub_step(time);
     for (std::size_t j = 0; j < joints_.size(); ++j) {

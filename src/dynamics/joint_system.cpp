@@ -67,10 +67,12 @@ class JointsOfBodies {
 }  // namespace
 
 template <class T, class Space>
-void JointSystem<T, Space>::prepare(std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+void JointSystem<T, Space>::prepare(std::span<const JointRows<T, Space>> joint_rows,
+                                    std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
                                     std::span<const std::uint8_t> movable) {
   links_.clear();
   loops_.clear();
+  holds_all_ = true;
   held_.assign(bodies.size(), 0);
   responses_.resize(movable.size());
   if (bodies.empty()) return;
@@ -97,9 +99,25 @@ void JointSystem<T, Space>::prepare(std::span<const std::pair<std::uint32_t, std
   for (const bool moves : {false, true})
     for (std::uint32_t i = 0; i < movable.size(); ++i)
       if ((movable[i] != 0) == moves && reached[i] == 0 && !joints.of(i).empty()) reach_from(i);
-  for (std::uint32_t j = 0; j < bodies.size(); ++j)
-    if (const auto [a, b] = bodies[j]; held_[j] == 0 && (movable[a] != 0 || movable[b] != 0))
-      loops_.push_back({j, a, b});
+  find_loops(joint_rows, bodies, movable);
+}
+
+/// The joints of no tree, as many as may be solved at once.
+template <class T, class Space>
+void JointSystem<T, Space>::find_loops(std::span<const JointRows<T, Space>> joints,
+                                       std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+                                       std::span<const std::uint8_t> movable) {
+  std::size_t rows = 0;
+  for (std::uint32_t j = 0; j < bodies.size(); ++j) {
+    const auto [a, b] = bodies[j];
+    if (held_[j] != 0 || (movable[a] == 0 && movable[b] == 0)) continue;
+    const std::size_t more = rows + joints[j].locked();
+    held_[j] = more <= most_loop_rows && more * links_.size() <= most_loop_work;
+    if (held_[j] == 0) holds_all_ = false;
+    if (held_[j] == 0) continue;
+    loops_.push_back({j, a, b, rows, joints[j].locked()});
+    rows = more;
+  }
 }
 
 template <class T, class Space>
@@ -158,17 +176,12 @@ void JointSystem<T, Space>::factor(std::span<const JointRows<T, Space>> joints,
   if (!loops_.empty()) factor_loops(joints);
 }
 
-/// The rows of the joints that close loops, as many as there may be.
+/// The rows of the joints that close loops where they are now.
 template <class T, class Space>
 void JointSystem<T, Space>::set_loop_rows(std::span<const JointRows<T, Space>> joints) {
   loop_rows_.clear();
-  for (Loop& loop : loops_) {
+  for (const Loop& loop : loops_) {
     const JointRows<T, Space>& joint = joints[loop.joint];
-    loop.first_row = loop_rows_.size();
-    loop.rows = joint.locked();
-    const std::size_t rows = loop.first_row + loop.rows;
-    held_[loop.joint] = rows <= most_loop_rows && rows * links_.size() <= most_loop_work;
-    if (held_[loop.joint] == 0) loop.rows = 0;
     for (std::size_t i = 0; i < loop.rows; ++i) {
       LoopRow row{pushed_by(joint.locked_row(i), true), pushed_by(joint.locked_row(i), false), T(0)};
       row.yielding = loop_yielding<T> * (inner(times(responses_[loop.a].alone, row.of_a), row.of_a) +
@@ -246,7 +259,7 @@ void JointSystem<T, Space>::solve_loops(std::span<JointRows<T, Space>> joints, s
   for (const Loop& loop : loops_) {
     Rows impulses{};
     for (std::size_t i = 0; i < loop.rows; ++i) impulses[i] = v[loop.first_row + i];
-    if (loop.rows > 0) joints[loop.joint].push_locked(impulses, bodies[loop.a], bodies[loop.b]);
+    joints[loop.joint].push_locked(impulses, bodies[loop.a], bodies[loop.b]);
   }
 }
 

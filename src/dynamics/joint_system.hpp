@@ -30,14 +30,16 @@ namespace graze {
 template <class T, class Space>
 class JointSystem {
  public:
-  /// Finds the trees: `bodies` has the two of each joint by their places, `movable` tells of each body. Bodies that
-  /// nothing pushes are where trees begin.
-  void prepare(std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies, std::span<const std::uint8_t> movable);
-  /// Whether a joint's locked rows are solved here, once `factor` was called; otherwise it closes one loop too many, or
-  /// has nothing that moves.
+  /// Finds the trees and the loops: `bodies` has the two of each joint by their places, `movable` tells of each body.
+  /// Bodies that nothing pushes are where trees begin.
+  void prepare(std::span<const JointRows<T, Space>> joints,
+               std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies, std::span<const std::uint8_t> movable);
+  /// Whether a joint's locked rows are solved here; otherwise it closes one loop too many, or has nothing that moves.
   bool holds(std::size_t joint) const { return held_[joint] != 0; }
-  /// Whether any joint is of no tree.
-  bool has_loops() const { return links_.size() != held_.size(); }
+  /// How many of those close loops.
+  std::size_t loops() const { return loops_.size(); }
+  /// Whether all joints that anything moves are solved here.
+  bool holds_all() const { return holds_all_; }
 
   /// The responses where the joints' rows are now.
   void factor(std::span<const JointRows<T, Space>> joints, std::span<const SolverBody<T, Space>> bodies);
@@ -85,6 +87,9 @@ class JointSystem {
   template <class Wanted, class Push>
   void sweep(const Wanted& wanted, const Push& push);
   void solve_trees(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
+  void find_loops(std::span<const JointRows<T, Space>> joints,
+                  std::span<const std::pair<std::uint32_t, std::uint32_t>> bodies,
+                  std::span<const std::uint8_t> movable);
   void set_loop_rows(std::span<const JointRows<T, Space>> joints);
   void respond_to(const Loop& loop, const LoopRow& row);
   void factor_loops(std::span<const JointRows<T, Space>> joints);
@@ -92,6 +97,7 @@ class JointSystem {
 
   std::vector<Link> links_;  ///< those nearer to the root first
   std::vector<std::uint8_t> held_;
+  bool holds_all_ = true;
   std::vector<Response> responses_;  ///< of each body
   std::vector<Loop> loops_;
   std::vector<LoopRow> loop_rows_;

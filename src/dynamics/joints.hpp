@@ -96,6 +96,8 @@ class JointRows {
 
   /// Takes the joint's impulses over, scaled to the sub-steps of this step. `joint` outlives the rows.
   void prepare(JointInPlace<T, Space>& joint, const SubStep<T>& step);
+  /// How bodies move in this step, if not as `prepare` was told.
+  void set_step(const SubStep<T>& step) { step_ = step; }
   /// Axes, arms, errors and effective masses where the bodies are now, at the beginning of a sub-step.
   void refresh(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b);
   /// Applies the impulses of the last sub-step.

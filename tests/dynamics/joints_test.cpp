@@ -57,8 +57,8 @@ struct Chain {
     std::vector<std::uint8_t> movable;
     for (const double mass : masses) movable.push_back(mass > 0 ? 1 : 0);
     JointSystem<double, graze::Space<double>> system;
-    system.prepare(ends, movable);
     for (std::size_t i = 0; i < joints.size(); ++i) rows[i].prepare(joints[i], {h, 1 / h, dt, true});
+    system.prepare(rows, ends, movable);
     for (int s = 0; s < sub_steps; ++s) {
       for (std::size_t i = 0; i < bodies.size(); ++i) {
         SolverBody<double>& b = bodies[i];
