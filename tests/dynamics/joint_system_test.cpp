@@ -247,28 +247,30 @@ TEST(JointSystem, RingsHold) {
     h.run(1, gap);  // links are put together a little apart
     h.run(20, gap);
     EXPECT_LT(h.widest, 0.01) << heavy;
-    EXPECT_LT(h.most_energy, h.first_energy + 1e-3 * std::abs(h.first_energy)) << heavy;
+    // Of what it can fall, its width.
+    const double fall = 10 * 1000 * 0.2 * 0.05 * 0.05 * (static_cast<double>(links - 1) + heavy) * 2 * radius;
+    EXPECT_LT(h.most_energy, h.first_energy + 5e-3 * fall) << heavy;
   }
 }
 
 /// Planks between two posts, each tied to the next by two ball joints or by a hinge: all pairs and the whole are loops.
 /// Sagging, and stretched out, where no force upright holds them.
 TEST(JointSystem, BridgesHangStill) {
-  constexpr std::size_t planks = 10;
+  constexpr std::size_t planks = 6;
   for (const bool pairs : {false, true})
-    for (const double sag : {0.0, 0.3, 0.8}) {
+    for (const double sag : {0.0, 0.5}) {
       Hanging h;
       const auto knot = [&](std::size_t i) {
         const double u = 2 * static_cast<double>(i) / planks - 1;
-        return Vec3d{2.4 * u, sag * (u * u - 1), 0};
+        return Vec3d{1.5 * u, sag * (u * u - 1), 0};
       };
-      h.add({0.4, 0.4, 1}, {{-2.6, 0, 0}, {}}, true);
+      h.add({0.4, 0.4, 1}, {{-1.7, 0, 0}, {}}, true);
       for (std::size_t i = 0; i < planks; ++i) {
         const Vec3d way = knot(i + 1) - knot(i);
         h.add({0.9 * length(way), 0.08, 1},
               {(knot(i) + knot(i + 1)) / 2, Quatd::from_axis_angle({0, 0, 1}, std::atan2(way.y, way.x))});
       }
-      h.add({0.4, 0.4, 1}, {{2.6, 0, 0}, {}}, true);
+      h.add({0.4, 0.4, 1}, {{1.7, 0, 0}, {}}, true);
       const double half = std::sqrt(0.5);
       std::vector<std::pair<Vec3d, Vec3d>> arms;
       for (std::size_t i = 0; i <= planks; ++i)
@@ -291,45 +293,44 @@ TEST(JointSystem, BridgesHangStill) {
         }
         return most;
       };
-      h.run(10, gap);
+      h.run(3, gap);
       SCOPED_TRACE(::testing::Message() << (pairs ? "pairs of balls" : "hinges") << ", sag " << sag);
       // From where it begins it falls at most by its sag.
-      const double weight = 1000 * 4.5 * 0.08 * 10;
+      const double weight = 1000 * 2.8 * 0.08 * 10;
       EXPECT_LT(h.most_energy, h.first_energy + 1e-3 * weight);
       EXPECT_LT(h.widest, 0.02);
-      EXPECT_LT(h.simulation.report().kinetic_energy, 1e-2 * weight);
+      EXPECT_LT(h.simulation.report().kinetic_energy, 0.05 * weight);
     }
 }
 
 /// Two cranks of 1 m and the bar between them, which go round through the pose in which all three lie in a line. There
 /// the two cranks may as well turn against each other, and no row holds them for a moment.
 TEST(JointSystem, AParallelogramKeepsItsEnergyThroughItsFlatPose) {
-  for (const double base : {1.0, 2.0})
-    for (const double start : {0.3, 1.5}) {
-      Hanging h;
-      const double half = std::sqrt(0.5);
-      const auto at = [&](const Vec3d& place) { return At{place, {0, -half, 0, half}}; };
-      const Vec3d tip{std::cos(start), std::sin(start), 0}, over{base, 0, 0};
-      const Quatd lean = Quatd::from_axis_angle({0, 0, 1}, start);
-      h.add({0.1, 0.1, 0.1}, {}, true);
-      h.add({1, 0.1, 0.1}, {tip / 2, lean});
-      h.add({1, 0.1, 0.1}, {tip / 2 + over, lean});
-      h.add({base, 0.1, 0.1}, {tip + over / 2, {}});
-      const auto tie = [&](std::size_t a, const Vec3d& on_a, std::size_t b, const Vec3d& on_b) {
-        h.simulation.add(hinge_joint(h.bodies[a], at(on_a), h.bodies[b], at(on_b)));
-      };
-      const Vec3d crank{0.5, 0, 0};
-      tie(0, {}, 1, -crank);
-      tie(0, over, 2, -crank);
-      tie(1, crank, 3, -over / 2);
-      tie(2, crank, 3, over / 2);
-      h.run(20, [&] { return length(h.place(2, crank) - h.place(3, over / 2)); });
-      SCOPED_TRACE(::testing::Message() << "base " << base << ", start " << start);
-      const double swing = 10 * (1.0 + base) * 10;  // masses of 10 kg a metre, g = 10, from top to bottom
-      EXPECT_LT(h.most_energy, h.first_energy + 2e-3 * swing);
-      EXPECT_GT(h.energy(), h.first_energy - 1e-2 * swing);
-      EXPECT_LT(h.widest, 1e-3);
-    }
+  for (const auto& [base, start] : {std::pair(1.0, 1.5), std::pair(2.0, 0.3)}) {
+    Hanging h;
+    const double half = std::sqrt(0.5);
+    const auto at = [&](const Vec3d& place) { return At{place, {0, -half, 0, half}}; };
+    const Vec3d tip{std::cos(start), std::sin(start), 0}, over{base, 0, 0};
+    const Quatd lean = Quatd::from_axis_angle({0, 0, 1}, start);
+    h.add({0.1, 0.1, 0.1}, {}, true);
+    h.add({1, 0.1, 0.1}, {tip / 2, lean});
+    h.add({1, 0.1, 0.1}, {tip / 2 + over, lean});
+    h.add({base, 0.1, 0.1}, {tip + over / 2, {}});
+    const auto tie = [&](std::size_t a, const Vec3d& on_a, std::size_t b, const Vec3d& on_b) {
+      h.simulation.add(hinge_joint(h.bodies[a], at(on_a), h.bodies[b], at(on_b)));
+    };
+    const Vec3d crank{0.5, 0, 0};
+    tie(0, {}, 1, -crank);
+    tie(0, over, 2, -crank);
+    tie(1, crank, 3, -over / 2);
+    tie(2, crank, 3, over / 2);
+    h.run(20, [&] { return length(h.place(2, crank) - h.place(3, over / 2)); });
+    SCOPED_TRACE(::testing::Message() << "base " << base << ", start " << start);
+    const double swing = 10 * (1.0 + base) * 10;  // masses of 10 kg a metre, g = 10, from top to bottom
+    EXPECT_LT(h.most_energy, h.first_energy + 2e-3 * swing);
+    EXPECT_GT(h.energy(), h.first_energy - 1e-2 * swing);
+    EXPECT_LT(h.widest, 1e-3);
+  }
 }
 
 /// A door on two hinges, which are a loop.
