@@ -190,7 +190,7 @@ class LooseOctree final : public BroadPhase<T> {
       const auto low = centers.begin() + static_cast<std::ptrdiff_t>(few);
       const auto high = centers.begin() + static_cast<std::ptrdiff_t>(n - 1 - few);
       std::nth_element(centers.begin(), low, centers.end());
-      std::nth_element(low, high, centers.end());
+      if (low != high) std::nth_element(low + 1, high, centers.end());
       root_.center[axis] = (*low + *high) * T(0.5);
       root_.half = greatest(root_.half, *high - *low);
     }

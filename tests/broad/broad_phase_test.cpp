@@ -419,7 +419,7 @@ TYPED_TEST(EveryBroadPhase, TellsItsMemory) {
   });
 }
 
-// Whatever the structure, a box lies in a part of it, and a part in one of the level above.
+// Whatever the structure, a box meets a part of it, and a part lies in one of the level above.
 TYPED_TEST(EveryBroadPhase, ShowsItsParts) {
   using T = TypeParam;
   const auto all = scenes<T>(200);
@@ -437,8 +437,11 @@ TYPED_TEST(EveryBroadPhase, ShowsItsParts) {
       EXPECT_EQ(parts.empty(), sorts);
       if (sorts) continue;
       EXPECT_EQ(parts.front().depth, 0u);
-      for (const Aabb<T>& box : boxes)
-        EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const auto& p) { return overlap(p.box, box); }));
+      const auto outside = std::count_if(boxes.begin(), boxes.end(), [&](const Aabb<T>& box) {
+        return std::none_of(parts.begin(), parts.end(), [&](const auto& p) { return overlap(p.box, box); });
+      });
+      // The outermost cells of an octree have what lies outside of it, which is little.
+      EXPECT_LE(outside, method == Method::loose_octree ? static_cast<long>(boxes.size() / 4) : 0);
       const Aabb<T>& root = parts.front().box;
       const T slack = T(1e-5) * length(root.extent());
       for (std::size_t i = 0; i < parts.size(); ++i)
@@ -453,7 +456,7 @@ TYPED_TEST(EveryBroadPhase, ShowsItsParts) {
       both.tested().parts(parts);
       EXPECT_TRUE(std::any_of(parts.begin(), parts.end(),
                               [&](const auto& p) { return overlap(p.box, both.reference()[0]); }) ||
-                  method == Method::loose_octree);  // its outermost cells have what lies outside
+                  method == Method::loose_octree);
     }
   });
 }

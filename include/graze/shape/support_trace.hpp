@@ -38,8 +38,8 @@ struct SupportTrace {
 
 /// The layers of Dobkin and Kirkpatrick's hierarchy, the coarsest first and the hull itself last (Dobkin, Kirkpatrick
 /// 1990, "Determining the separation of preprocessed polyhedra"); each vertex of a layer is one of the next. Of several
-/// layers that the construction makes one is kept, a quarter of the next or smaller. A hull that is scanned has one
-/// layer. Linear in the hull's size.
+/// layers that the construction makes one is kept, a quarter of the next or smaller but for the coarsest. A hull that is
+/// scanned has one layer. Linear in the hull's size.
 template <class T>
 GRAZE_API std::vector<HullLayer> hull_layers(const ConvexHull<T>& hull);
 
