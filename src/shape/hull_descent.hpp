@@ -48,12 +48,14 @@ std::uint32_t descended(const HullData<T>& hull, const Vec3<S>& direction, const
       return std::span(level.neighbors)
           .subspan(level.neighbor_begin[i], level.neighbor_begin[i + 1] - level.neighbor_begin[i]);
     };
-    at = climbed(hull, direction, at, [&](std::uint32_t i) { return level.vertices[i]; }, around, observer);
+    at = climbed(
+        hull, direction, at, [&](std::uint32_t i) { return level.vertices[i]; }, around, observer);
     at = level.finer[at];
   }
   observer.layer(hull.vertices.size());
   return climbed(
-      hull, direction, at, [](std::uint32_t i) { return i; }, [&](std::uint32_t i) { return hull.around(i); }, observer);
+      hull, direction, at, [](std::uint32_t i) { return i; }, [&](std::uint32_t i) { return hull.around(i); },
+      observer);
 }
 
 }  // namespace graze

@@ -445,18 +445,19 @@ TYPED_TEST(EveryBroadPhase, ShowsItsParts) {
       const Aabb<T>& root = parts.front().box;
       const T slack = T(1e-5) * length(root.extent());
       for (std::size_t i = 0; i < parts.size(); ++i)
-        EXPECT_TRUE(parts[i].depth == 0 || std::any_of(parts.begin(), parts.begin() + static_cast<long>(i), [&](auto& p) {
-          const Aabb<T> around = inflated(p.box, slack);
-          return p.depth + 1 == parts[i].depth && merged(around, parts[i].box) == around;
-        }));
+        EXPECT_TRUE(parts[i].depth == 0 ||
+                    std::any_of(parts.begin(), parts.begin() + static_cast<long>(i), [&](auto& p) {
+                      const Aabb<T> around = inflated(p.box, slack);
+                      return p.depth + 1 == parts[i].depth && merged(around, parts[i].box) == around;
+                    }));
       if (method == Method::bsp || method == Method::dynamic_tree) {
         for (const Aabb<T>& box : boxes) EXPECT_EQ(merged(root, box), root);
       }
       both.move(0, shifted(boxes[0], Vec3<T>{T(100), T(0), T(0)}));
       both.tested().parts(parts);
-      EXPECT_TRUE(std::any_of(parts.begin(), parts.end(),
-                              [&](const auto& p) { return overlap(p.box, both.reference()[0]); }) ||
-                  method == Method::loose_octree);
+      EXPECT_TRUE(
+          std::any_of(parts.begin(), parts.end(), [&](const auto& p) { return overlap(p.box, both.reference()[0]); }) ||
+          method == Method::loose_octree);
     }
   });
 }

@@ -35,9 +35,7 @@ const graze::ConvexHull<T>& hull_of(const TYPE(Shape) * shape) {
 std::vector<std::uint32_t> answer;  ///< the last one
 std::vector<double> products;       ///< of the last support query, layer by layer
 
-void append(const std::vector<std::uint32_t>& numbers) {
-  answer.insert(answer.end(), numbers.begin(), numbers.end());
-}
+void append(const std::vector<std::uint32_t>& numbers) { answer.insert(answer.end(), numbers.begin(), numbers.end()); }
 void append(std::size_t number) { answer.push_back(static_cast<std::uint32_t>(number)); }
 
 void show(const std::uint32_t** first, std::size_t* count) {

@@ -25,7 +25,7 @@ struct SupportLayer {
   /// found, then neighbours of the best so far. A vertex stands there as often as it was looked at.
   std::vector<std::uint32_t> looked_at;
   std::vector<double> along;  ///< of each of these the product with the direction
-  std::uint32_t winner;  ///< the furthest of the layer, by the number of the hull's vertex
+  std::uint32_t winner;       ///< the furthest of the layer, by the number of the hull's vertex
 };
 
 /// What one support query did.

@@ -132,12 +132,12 @@ function drawBodies(d: Drawing, boxes: Bounds[], meaning: (id: number) => Meanin
     d.shape({ shape: box(...size), translation: upper.map((x, k) => (x + lower[k]) / 2) }, as, { ghost: as === "out" });
   });
 }
-const situation = (scene: string, kind: Kind = "dynamicTree", at: Vec = [0.6, 0.4, 0.8]): State => ({
+const situation = (scene: string, kind: Kind = "dynamicTree", at: Vec = [-0.9, 1.2, -0.1]): State => ({
   q: { query: "overlap", a: { shape: box(1, 1, 1) }, b: { shape: box(1, 1, 1) } }, choice: { kind, scene, x: at[0], y: at[1], z: at[2] } });
 /** The box that asks. */
 const asking = (state: State): { at: Vec; lower: Vec; upper: Vec } => {
   const at = ["x", "y", "z"].map((k) => Number(state.choice?.[k] ?? 0));
-  return { at, lower: at.map((x) => x - 0.5), upper: at.map((x) => x + 0.5) };
+  return { at, lower: at.map((x) => x - 0.75), upper: at.map((x) => x + 0.75) };
 };
 const scenes = [{ value: "crowd", label: "a crowd" }, { value: "heap", label: "one heap" }, { value: "giant", label: "one giant" }, { value: "teleport", label: "all teleport" }];
 const all = (count * (count - 1)) / 2;

@@ -113,8 +113,8 @@ export const hulls: Lesson = {
         if (levels > 1) d.shape({ shape: convex([...layers.layers[0].vertices].map((v) => layers.vertices[v])) }, "made");
         layers.layers.forEach((l, i) => {
           if (l.vertices.length > legible || (levels > 1 && i === levels - 1)) return;
-          if (i > 0) drawLayer(d, layers, i, "made", { ghost: i > 1, key: `layer-${i}` });
-          if (l.vertices.length <= 100) for (const v of l.vertices) d.point(layers.vertices[v], "made", { ghost: i > 0, key: `layer-${i}` });
+          if (i > 0) drawLayer(d, layers, i, i === 1 ? "axis" : "out", { ghost: i > 1, key: `layer-${i}` });
+          if (i < 2 && l.vertices.length <= 100) for (const v of l.vertices) d.point(layers.vertices[v], i === 0 ? "made" : "axis", { key: `layer-${i}` });
         });
       },
     }];
@@ -135,7 +135,7 @@ export const hulls: Lesson = {
           rows: trace.layers.map((l, k) => ({ cells: k <= i ? [named(k, levels), l.vertices, l.lookedAt.length, Math.max(...l.along)] : [named(k, levels), l.vertices, "", ""],
             mark: k === i ? (last ? "winner" as const : "now" as const) : undefined })),
         },
-        graph: { caption: "product with d of each point looked at", at: seen.length - 1, series: [{ name: "the best", meaning: "touch", values: best }, { name: "looked at", meaning: "axis", values: [...layer.along] }] },
+        graph: { caption: "product with d of each point looked at", close: true, at: seen.length - 1, series: [{ name: "the best", meaning: "touch", values: best }, { name: "looked at", meaning: "axis", values: [...layer.along] }] },
         says: `${seen.length} of ${many(size)} points of ${name} are looked at; the furthest is ${vector(layers.vertices[layer.winner], 3)}.`,
         draw(d) {
           whole(d, !trace.scanned);

@@ -100,7 +100,7 @@ export const stack: Lesson = {
       title: "One second, with every effort",
       text: "The contacts are soft: a spring pushes what overlaps apart, as stiff as the sub-step allows. Shorter sub-steps are stiffer and bring an impulse from the floor further up, so that half the sub-step sinks about a quarter as deep. More mass on top sinks deeper, and far too much is not held at all. Left to itself the library takes more sub-steps where a contact bears so much that it would visibly sink.",
       formula: ['"depth" ~ h^2'],
-      numbers: { caption: "After one second", columns: ["sub-steps", "deepest, mm", "top down, mm", "top aside, mm", "taken"], rows: all.map(({ e, end: f }) => ({ cells: [named[e], f.deepest * 1000, -drift(f)[1] * 1000, drift(f)[0] * 1000, f.subSteps], mark: e === effort ? "now" as const : undefined })) },
+      numbers: { caption: "After one second, in mm: the deepest contact, the top box down and aside", columns: ["sub-steps", "deepest", "down", "aside", "taken"], rows: all.map(({ e, end: f }) => ({ cells: [e === "auto" ? "needed" : named[e], f.deepest * 1000, -drift(f)[1] * 1000, drift(f)[0] * 1000, f.subSteps], mark: e === effort ? "now" as const : undefined })) },
       graph: { caption: "deepest in mm for 1, 2, 4, 8, 16 sub-steps, as needed", at: efforts.indexOf(effort), series: [{ name: "deepest", meaning: "touch", values: all.map(({ end: f }) => f.deepest * 1000) }] },
       says: `With every effort: deepest from ${digits(Math.min(...all.map(({ end: f }) => f.deepest)) * 1000, 3)} to ${digits(Math.max(...all.map(({ end: f }) => f.deepest)) * 1000, 3)} millimetres.`,
       draw: draw(end.poses),
@@ -112,7 +112,7 @@ export const stack: Lesson = {
     { label: "A hundred to one", note: "As much as ten stacks on the lowest box. As many sub-steps as it takes.", state: situation("auto", 100) },
   ],
   wrong: [
-    { label: "A thousand to one", note: "The light boxes are pressed into each other and the heavy one comes down by metres, whatever the sub-steps: impulses from the floor do not get up there in time.", state: situation("auto", 1000) },
+    { label: "A thousand to one", note: "The light boxes are pressed into each other and thrown out, and the heavy one comes down by metres, whatever the sub-steps: impulses from the floor do not get up there in time.", state: situation("auto", 1000) },
     { label: "No friction", note: "A contact that cannot hold sideways turns what leans into drift, and ten times the load on one sub-step shows it.", state: situation("1", 10, 0) },
   ],
   sources: ["E. Catto: Solver2D, 2024 (soft contacts in sub-steps)", "M. Macklin and others: Small steps in physics simulation, Symposium on Computer Animation 2019", "E. Catto: Iterative dynamics with temporal coherence, 2005 (warm starts)"],
