@@ -404,7 +404,39 @@ export const traced: {
   closest(shape: Shape, pose: PoseLike, point: Vec3Like): Traced<Closest>;
   raycast(shape: Shape, pose: PoseLike, ray: Ray, options?: RayOptions): Traced<RayHit | null>;
   cast(a: Moving, b: Moving, options?: CastOptions): Traced<CastHit | null>;
+  /** The support query of a convex hull, layer by layer; the answer is that of `hull.support(direction)`. */
+  support(hull: Shape, direction: Vec3Like): { answer: Vec3; trace: SupportTrace };
 };
+
+/** What one support query of a hull did. Vertices are numbers of those that `hullLayers` lists. */
+export interface SupportTrace {
+  vertex: number;
+  /** Every vertex was looked at: hulls of up to 32 vertices, and flat ones. */
+  scanned: boolean;
+  /** Scalar products that were taken, of all layers together. */
+  products: number;
+  /** The coarsest first, the hull itself last. */
+  layers: {
+    /** How many the layer has. */
+    vertices: number;
+    /** The furthest of the layer. */
+    winner: number;
+    /** In that order: what the coarser layer found, then neighbours of the best so far. */
+    lookedAt: Uint32Array;
+    /** Of each of these the product with the direction. */
+    along: Float64Array;
+  }[];
+}
+/** The hull of some vertices of a hull, or of all of them. */
+export interface HullLayer {
+  /** Numbers of the hull's vertices. */
+  vertices: Uint32Array;
+  /** Two numbers an edge. */
+  edges: Uint32Array;
+}
+/** The layers of Dobkin and Kirkpatrick's hierarchy, the coarsest first and the hull itself last. Not in
+ * graze/queries. */
+export function hullLayers(hull: Shape): { vertices: Vec3[]; layers: HullLayer[] };
 
 // --- Debug draw ---
 
@@ -517,6 +549,11 @@ export class BroadPhase extends Handle {
   movedPairs(): Uint32Array;
   query(lower: Vec3Like, upper: Vec3Like): Uint32Array;
   sweep(lower: Vec3Like, upper: Vec3Like, motion: Vec3Like): Uint32Array;
+  /**
+   * The structure as it is now, parents before their children: bounds of nodes, or cells, with how deep they lie below
+   * the root. Sorted axes have none.
+   */
+  parts(): (Aabb & { depth: number })[];
   /**
    * How many boxes there are, how many pairs the last `pairs` or `movedPairs` found, how many boxes it compared with
    * another (up to 4,294,967,295), and bytes held.

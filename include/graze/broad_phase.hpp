@@ -23,6 +23,13 @@ struct IdPair {
   friend constexpr auto operator<=>(const IdPair&, const IdPair&) = default;
 };
 
+/// A part of a broad phase's structure: the bounds of a node, or a cell.
+template <class T>
+struct BroadPhasePart {
+  Aabb<T> box;          ///< the bounds or the cell
+  std::uint32_t depth;  ///< of the node below the root, whose depth is 0; cells of a grid have none
+};
+
 /// The interface that all broad phases share. Ids are the caller's own; those that lie close together cost least.
 template <class T>
 class GRAZE_API BroadPhase {
@@ -52,6 +59,11 @@ class GRAZE_API BroadPhase {
 
   /// Bytes that the structure holds, for comparison.
   virtual std::size_t memory() const = 0;
+
+  /// The parts of the structure as it is now, parents before their children, for drawing: the bounds of the nodes of a
+  /// tree and of a space partition, the cells of a grid and of an octree that hold something. Linear in what is held,
+  /// but for the grid's cells, which are sorted. Sorted axes have no parts.
+  virtual void parts(std::vector<BroadPhasePart<T>>& out) const { out.clear(); }
 };
 
 /// A tree of bounds, eight children a node: `DynamicTree` in graze/dynamic_tree.hpp, the one to take unless something

@@ -43,6 +43,7 @@ class GRAZE_API DynamicTree final : public BroadPhase<T> {
   void query(const Aabb<T>& box, std::vector<std::uint32_t>& out) const override;
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override;
   std::size_t memory() const override;
+  void parts(std::vector<BroadPhasePart<T>>& out) const override;
 
   /// `f(id, box)` for all boxes that overlap `box`, in no particular order.
   template <class F>

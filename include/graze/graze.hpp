@@ -39,6 +39,7 @@
 #include "graze/raycast.hpp"
 #include "graze/shape.hpp"
 #include "graze/shape/mesh_findings.hpp"
+#include "graze/shape/support_trace.hpp"
 #include "graze/simulation.hpp"
 #include "graze/slide.hpp"
 #include "graze/swept.hpp"

@@ -57,6 +57,17 @@ class Tree {
     visit(enter, see, stack);
   }
 
+  /// The bounds of all nodes that hold something, parents before their children.
+  void parts(std::vector<BroadPhasePart<T>>& out) const {
+    std::vector<std::uint32_t> depths(nodes_.size(), 0);
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+      const Node& node = nodes_[n];
+      for (const std::uint32_t child : {node.left, node.right})
+        if (child != 0) depths[child] = depths[n] + 1;
+      if (node.items.size() != 0 || node.left != 0 || node.right != 0) out.push_back({node.bounds, depths[n]});
+    }
+  }
+
   std::size_t memory() const {
     return nodes_.capacity() * sizeof(Node) + (order_.capacity() + stack_.capacity()) * sizeof(std::uint32_t) +
            centers_.capacity() * sizeof(T);
@@ -178,6 +189,10 @@ class Bsp final : public Rebuilt<T, Tree<T>> {
   }
   void sweep(const Aabb<T>& box, const Vec3<T>& motion, std::vector<std::uint32_t>& out) const override {
     graze::sweep(this->index(), this->boxes(), box, motion, out);
+  }
+  void parts(std::vector<BroadPhasePart<T>>& out) const override {
+    out.clear();
+    this->index().parts(out);
   }
 };
 

@@ -226,6 +226,26 @@ std::size_t DynamicTree<T>::memory() const {
 }
 
 template <class T>
+void DynamicTree<T>::parts(std::vector<BroadPhasePart<T>>& out) const {
+  refresh();
+  out.clear();
+  std::vector<std::uint32_t> nodes;  // of the parts, level by level
+  const auto add = [&](std::uint32_t n, std::uint32_t depth) {
+    Aabb<T> box = Aabb<T>::empty();
+    for (std::uint32_t present = nodes_[n].present(); present != 0; present &= present - 1)
+      box = merged(box, nodes_[n].box(static_cast<std::uint32_t>(std::countr_zero(present))));
+    out.push_back({box, depth});
+    nodes.push_back(n);
+  };
+  if (nodes_.front().present() != 0) add(0, 0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const WideNode<T>& node = nodes_[nodes[i]];
+    for (const std::uint32_t child : node.child)
+      if (child != TreeChild::none && !TreeChild::is_leaf(child)) add(child, out[i].depth + 1);
+  }
+}
+
+template <class T>
 std::unique_ptr<BroadPhase<T>> make_dynamic_tree() {
   return std::make_unique<DynamicTree<T>>();
 }

@@ -111,6 +111,23 @@ class Grid {
         if (j < i || !is_large(j)) test(i, j);
   }
 
+  /// The cells with something in them, in the order of their coordinates.
+  void parts(std::vector<BroadPhasePart<T>>& out) const {
+    std::vector<Cell> cells;
+    cells.reserve(items_.size());
+    for (const Item& item : items_) cells.push_back(item.cell);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    for (const Cell& cell : cells) {
+      Aabb<T> box;
+      for (std::size_t i = 0; i < 3; ++i) {
+        box.lower[i] = static_cast<T>(static_cast<double>(cell[i]) * cell_);
+        box.upper[i] = static_cast<T>((static_cast<double>(cell[i]) + 1) * cell_);
+      }
+      out.push_back({box, 0});
+    }
+  }
+
   std::size_t memory() const {
     return lengths_.capacity() * sizeof(double) + ranges_.capacity() * sizeof(CellRange) + is_large_.capacity() / 8 +
            items_.capacity() * sizeof(Item) + (start_.capacity() + large_.capacity()) * sizeof(std::uint32_t);
@@ -212,6 +229,11 @@ class HashedGrid final : public Rebuilt<T, Grid<T>> {
     });
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
+  }
+
+  void parts(std::vector<BroadPhasePart<T>>& out) const override {
+    out.clear();
+    this->index().parts(out);
   }
 
  private:

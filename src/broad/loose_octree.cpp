@@ -58,6 +58,30 @@ class LooseOctree final : public BroadPhase<T> {
     std::vector<std::uint32_t> stack;
     visit(0, enter, see, stack);
   }
+  /// The cells as they are halved: without what boxes stick out of them.
+  void parts(std::vector<BroadPhasePart<T>>& out) const override {
+    out.clear();
+    if (boxes_.size() == 0) return;
+    struct Visit {
+      std::uint32_t node, depth;
+      Cube cube;
+    };
+    std::vector<std::size_t> held(nodes_.size(), 0);  // in and below each node
+    for (std::size_t n = nodes_.size(); n-- > 0;) {   // children come after their parents
+      held[n] = nodes_[n].items.size();
+      if (nodes_[n].children != 0)
+        for (unsigned c = 0; c < 8; ++c) held[n] += held[nodes_[n].children + c];
+    }
+    std::vector<Visit> visits{{0, 0, root_}};
+    for (std::size_t i = 0; i < visits.size(); ++i) {
+      const Visit visit = visits[i];
+      const Vec3<T> half{visit.cube.half, visit.cube.half, visit.cube.half};
+      out.push_back({{visit.cube.center - half, visit.cube.center + half}, visit.depth});
+      const std::uint32_t first = nodes_[visit.node].children;
+      for (unsigned c = 0; first != 0 && c < 8; ++c)
+        if (held[first + c] != 0) visits.push_back({first + c, visit.depth + 1, visit.cube.child(c)});
+    }
+  }
   std::size_t memory() const override {
     std::size_t items = 0;
     for (const Node& node : nodes_) items += node.items.capacity();
@@ -166,7 +190,7 @@ class LooseOctree final : public BroadPhase<T> {
       const auto low = centers.begin() + static_cast<std::ptrdiff_t>(few);
       const auto high = centers.begin() + static_cast<std::ptrdiff_t>(n - 1 - few);
       std::nth_element(centers.begin(), low, centers.end());
-      std::nth_element(low, high, centers.end());
+      if (low != high) std::nth_element(low + 1, high, centers.end());
       root_.center[axis] = (*low + *high) * T(0.5);
       root_.half = greatest(root_.half, *high - *low);
     }

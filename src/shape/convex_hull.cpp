@@ -4,6 +4,7 @@
 
 #include "graze/shape/triangle.hpp"
 #include "shape/furthest_vertex.hpp"
+#include "shape/hull_descent.hpp"
 #include "shape/hull_hierarchy.hpp"
 #include "shape/hull_polygons.hpp"
 
@@ -30,27 +31,6 @@ void fill_segment(HullData<T>& hull, const std::vector<std::uint32_t>& ends, std
   hull.edges.push_back({{0, 1}, {HullData<T>::no_face, HullData<T>::no_face}});
   hull.neighbor_begin = {0, 1, 2};
   hull.neighbors = {1, 0};
-}
-
-/// Climbs from `start` to a vertex with no better neighbour: on a convex polyhedron the best of all.
-template <class T, class S, class Vertex, class Around>
-std::uint32_t climbed(const HullData<T>& hull, const Vec3<S>& direction, std::uint32_t start, const Vertex& vertex,
-                      const Around& around) {
-  std::uint32_t best = start;
-  S most = dot(converted<S>(hull.vertices[vertex(best)]), direction);
-  for (bool better = true; better;) {
-    better = false;
-    for (const std::uint32_t n : around(best)) {
-      const S along = dot(converted<S>(hull.vertices[vertex(n)]), direction);
-      if (along > most) {
-        most = along;
-        best = n;
-        better = true;
-        break;
-      }
-    }
-  }
-  return best;
 }
 
 /// A choice of which no compiler makes a jump: for conditions that no processor foresees. Not every standard library
@@ -163,18 +143,7 @@ std::size_t ConvexHull<T>::support_vertex(const Vec3<S>& direction) const {
     return kernel(scanned(hull), direction);
   }
   if (hull.hierarchy.empty()) return detail::furthest(hull.vertices.data(), hull.vertices.size(), direction);
-  std::uint32_t at = 0;
-  for (const auto& level : hull.hierarchy) {
-    at = climbed(
-        hull, direction, at, [&](std::uint32_t i) { return level.vertices[i]; },
-        [&](std::uint32_t i) {
-          return std::span(level.neighbors)
-              .subspan(level.neighbor_begin[i], level.neighbor_begin[i + 1] - level.neighbor_begin[i]);
-        });
-    at = level.finer[at];
-  }
-  return climbed(
-      hull, direction, at, [](std::uint32_t i) { return i; }, [&](std::uint32_t i) { return hull.around(i); });
+  return descended(hull, direction);
 }
 
 template <class T>

@@ -419,6 +419,49 @@ TYPED_TEST(EveryBroadPhase, TellsItsMemory) {
   });
 }
 
+// Whatever the structure, a box meets a part of it, and a part lies in one of the level above.
+TYPED_TEST(EveryBroadPhase, ShowsItsParts) {
+  using T = TypeParam;
+  const auto all = scenes<T>(200);
+  this->for_each_method([&](Method method) {
+    const bool sorts = method == Method::sort_and_sweep || method == Method::sweep_and_prune;
+    std::vector<BroadPhasePart<T>> parts(3);
+    make<T>(method)->parts(parts);
+    EXPECT_TRUE(parts.empty());
+    for (const char* const name : {"random", "clustered", "lattice"}) {
+      SCOPED_TRACE(name);
+      const std::vector<Aabb<T>>& boxes = all.at(name);
+      Both<T> both(method);
+      both.insert_all(boxes);
+      both.tested().parts(parts);
+      EXPECT_EQ(parts.empty(), sorts);
+      if (sorts) continue;
+      EXPECT_EQ(parts.front().depth, 0u);
+      const auto outside = std::count_if(boxes.begin(), boxes.end(), [&](const Aabb<T>& box) {
+        return std::none_of(parts.begin(), parts.end(), [&](const auto& p) { return overlap(p.box, box); });
+      });
+      // The outermost cells of an octree have what lies outside of it, which is little.
+      EXPECT_LE(outside, method == Method::loose_octree ? static_cast<long>(boxes.size() / 4) : 0);
+      const Aabb<T>& root = parts.front().box;
+      const T slack = T(1e-5) * length(root.extent());
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        EXPECT_TRUE(parts[i].depth == 0 ||
+                    std::any_of(parts.begin(), parts.begin() + static_cast<long>(i), [&](auto& p) {
+                      const Aabb<T> around = inflated(p.box, slack);
+                      return p.depth + 1 == parts[i].depth && merged(around, parts[i].box) == around;
+                    }));
+      if (method == Method::bsp || method == Method::dynamic_tree) {
+        for (const Aabb<T>& box : boxes) EXPECT_EQ(merged(root, box), root);
+      }
+      both.move(0, shifted(boxes[0], Vec3<T>{T(100), T(0), T(0)}));
+      both.tested().parts(parts);
+      EXPECT_TRUE(
+          std::any_of(parts.begin(), parts.end(), [&](const auto& p) { return overlap(p.box, both.reference()[0]); }) ||
+          method == Method::loose_octree);
+    }
+  });
+}
+
 /// Small numbers, so that equal, touching, flat and nested boxes are common; RapidCheck makes a failure small.
 /// The slow way compares n (n - 1) / 2 boxes; every structure compares at least what it reports, and few of a line.
 TYPED_TEST(EveryBroadPhase, CountsTheBoxesThatItCompares) {

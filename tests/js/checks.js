@@ -275,6 +275,48 @@ export const checks = [
     equal(graze.traced.closest(box, {}, [3, 0, 0]).answer.distance, 2, "closest");
   }],
 
+  ["a hull's support query, layer by layer", ({ graze, double, queries }) => {
+    for (const entry of [graze, double]) {
+      const next = random(9);
+      const points = Array.from({ length: 900 }, () => {
+        const p = vector(next, 1);
+        const length = Math.hypot(...p);
+        return p.map((x) => x / length);
+      });
+      const hull = new entry.ConvexHull(points);
+      const { vertices, layers } = entry.hullLayers(hull);
+      ok(layers.length > 1, "several layers");
+      equal(layers.at(-1).vertices.length, vertices.length, "the last is the hull");
+      layers.slice(0, -1).forEach((layer, i) => {
+        const finer = new Set(layers[i + 1].vertices);
+        ok([...layer.vertices].every((v) => finer.has(v)), "vertices of the next layer");
+        equal(layer.edges.length / 2, 3 * layer.vertices.length - 6, "edges of a triangulated sphere");
+      });
+      for (let i = 0; i < 20; ++i) {
+        const direction = vector(next, 1);
+        const along = (v) => vertices[v].reduce((sum, x, k) => sum + x * direction[k], 0);
+        const { answer, trace } = entry.traced.support(hull, direction);
+        equal(answer, hull.support(direction), "the answer");
+        equal(vertices[trace.vertex], answer, "the vertex");
+        const most = Math.max(...vertices.map((_, v) => along(v)));
+        close(along(trace.vertex), most, 1e-6, "brute force");
+        equal(trace.layers.map((layer) => layer.vertices), layers.map((layer) => layer.vertices.length), "layers");
+        equal(trace.layers.reduce((sum, layer) => sum + layer.lookedAt.length, 0), trace.products, "products");
+        for (const { winner, lookedAt, along: products } of trace.layers) {
+          equal(products.length, lookedAt.length, "a product each");
+          equal(products[lookedAt.indexOf(winner)], Math.max(...products), "the winner's is the greatest");
+        }
+        ok(trace.products < vertices.length / 2, "few products");
+        equal(trace.scanned, false, "a descent");
+      }
+      const small = new entry.ConvexHull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]);
+      const { trace } = entry.traced.support(small, [1, 2, 3]);
+      equal([trace.scanned, trace.products, trace.layers.length], [true, 4, 1], "a scan");
+      throws(() => entry.hullLayers(new entry.Sphere(1)), "shape: expected a convex hull, got sphere", entry.InvalidValue);
+    }
+    equal(queries.hullLayers, undefined, "not in graze/queries");
+  }],
+
   ["what a blow does", ({ double: graze }) => {
     const ball = new graze.Sphere(0.5);
     const told = graze.response(
@@ -314,6 +356,12 @@ export const checks = [
         const around = boxes.map((_, id) => id).filter((id) => touch(boxes[id], boxes[3]));
         equal([...broad.query(...boxes[3])], around, "query");
         equal(broad.movedPairs().length / 2, around.length - 1, "moved pairs");
+        const parts = broad.parts();
+        equal(parts.length > 0, !kind.startsWith("s"), "parts");
+        if (parts.length > 0) {
+          equal(parts[0].depth, 0, "the root");
+          ok(boxes.every((box) => parts.some(({ lower, upper }) => touch(box, [lower, upper]))), "every box is in a part");
+        }
         ok(broad.sweep([-9, 0, 0], [-9, 0, 0], [18, 0, 0]).length > 0, "sweep");
         broad.remove(3);
         throws(() => broad.remove(3), "id: expected an id that was inserted, got 3", entry.InvalidValue);

@@ -274,6 +274,62 @@ for (const [id, walk] of Object.entries(walks))
     await page.context().close();
   });
 
+test("large hulls: every layer's counts and the total are the library's", async () => {
+  const page = await visit("#/lesson/hulls");
+  await drag(page, "direction", -60, 40);
+  const { state, steps } = await shown(page);
+  const count = state.choice.count, u = ["x", "y", "z"].map((k) => state.choice[k]), length = Math.hypot(...u);
+  const hull = new graze.ConvexHull(Array.from({ length: count }, (_, i) => {
+    const y = 1 - (2 * i + 1) / count, r = Math.sqrt(1 - y * y), angle = i * Math.PI * (3 - Math.sqrt(5));
+    return [1.3 * r * Math.cos(angle), 0.9 * y, 0.9 * r * Math.sin(angle)];
+  }));
+  const { trace } = graze.traced.support(hull, u.map((x) => x / length));
+  assert.equal(steps, trace.layers.length + 4);
+  await page.click("[data-next]");
+  for (const layer of trace.layers) {
+    await page.click("[data-next]");
+    const said = await page.getAttribute("canvas[role=img]", "aria-label");
+    assert.ok(said.startsWith(`${layer.lookedAt.length} of ${layer.vertices.toLocaleString("en")} points`), said);
+  }
+  await page.click("[data-next]");
+  assert.equal(await page.textContent(".words h2"), `${trace.products} instead of 1,000`);
+  hull.dispose();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("broad phases: the box that asks meets other bodies where it is dragged to", async () => {
+  for (const kind of ["tree", "sort and sweep", "grid", "loose octree", "BSP"]) {
+    const page = await visit("#/lesson/broad-phases");
+    await page.click(`.choices button:text-is("${kind}")`);
+    await page.click("[data-next]");
+    const said = () => page.getAttribute("canvas[role=img]", "aria-label");
+    const before = await said();
+    await drag(page, "ask", 90, -60);
+    assert.notEqual(await said(), before);
+    const [, hits, met, parts] = /(\d+) bodies .* (\d+) of (\d+) parts/.exec(await said()).map(Number);
+    assert.ok(hits < 100 && met <= parts && (parts > 0) === (kind !== "sort and sweep"), await said());
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
+});
+
+test("a stack: the deepest contact after a second is the library's", async () => {
+  const page = await visit("#/lesson/stack");
+  await page.click('.choices button:text-is("4")');
+  const simulation = new graze.Simulation({ sleep: false, subSteps: 4, mostSubSteps: 4 });
+  const box = new graze.Box([1, 1, 1]), floor = new graze.HalfSpace(), rough = { staticFriction: 0.6, dynamicFriction: 0.6 };
+  simulation.add({ shape: floor, fixed: true }, {}, rough);
+  for (let i = 0; i < 10; i++) simulation.add({ shape: box, translation: [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0] }, { mass: 1 }, rough);
+  for (let i = 0; i < 60; i++) simulation.step(1 / 60);
+  await page.click('[aria-label^="Last"]');
+  const cells = await page.$$eval(".numbers tr.is-now td[title]", (list) => list.map((cell) => cell.title));
+  assert.equal(Number(cells[0]), simulation.report().deepest * 1000);
+  for (const made of [simulation, box, floor]) made.dispose();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("resolution: impulse and approach are the library's to the last digit", async () => {
   const page = await visit("#/lesson/resolution");
   for (const example of [null, ...(await page.$$(".example"))]) {

@@ -20,6 +20,7 @@ struct Phase {
   std::unique_ptr<graze::BroadPhase<T>> broad;
   std::vector<graze::IdPair> pairs;
   std::vector<std::uint32_t> ids;
+  std::vector<graze::BroadPhasePart<T>> parts;
 };
 
 /// In the order of the words of JavaScript.
@@ -49,7 +50,7 @@ void show(const std::vector<Id>& found, const void** first, std::size_t* count) 
 extern "C" {
 
 EXPORTED("create") GrazeStatus graze_js_broad_create(int kind, Phase** phase) {
-  return guarded([&] { *phase = new Phase{of_kind(kind), {}, {}}; });
+  return guarded([&] { *phase = new Phase{of_kind(kind), {}, {}, {}}; });
 }
 
 EXPORTED("destroy") GrazeStatus graze_js_broad_destroy(Phase* phase) {
@@ -91,6 +92,16 @@ GrazeStatus graze_js_broad_sweep(Phase* phase, const Box* box, const graze::Vec3
   return guarded([&] {
     phase->broad->sweep(*box, *motion, phase->ids);
     show(phase->ids, first, count);
+  });
+}
+
+/// Where the parts of the structure are, a box and a number each, and how many.
+EXPORTED("parts")
+GrazeStatus graze_js_broad_parts(Phase* phase, const void** first, std::size_t* count) {
+  return guarded([&] {
+    phase->broad->parts(phase->parts);
+    *first = phase->parts.data();
+    *count = phase->parts.size();
   });
 }
 

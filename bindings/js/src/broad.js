@@ -47,6 +47,14 @@ export function broadPhases(core, layout, args, Handle) {
       return core.frame(() =>
         ids((first, count) => call("sweep", at(this), box(lower, upper), args.vec3(motion, "motion"), first, count)));
     }
+    parts() {
+      return core.frame(() => {
+        const [first, count] = [core.room(4), core.room(4)];
+        call("parts", at(this), first, count);
+        const all = layout.readAll(layout.broadPhasePart, core.data.getUint32(first, true), core.data.getUint32(count, true));
+        return all.map(({ box: bounds, depth }) => ({ ...bounds, depth }));
+      });
+    }
     counts() {
       return core.frame(() => {
         const [tests, bytes] = [core.room(4), core.room(4)];

@@ -138,6 +138,7 @@ export function layouts(core) {
     several, struct, realVector,
     ...ofSpace,
     plane: dimension(vec2, num, vec2, { rayHitMembers: { certainty }, inertiaMembers: { inertia: num } }),
+    broadPhasePart: struct({ box: ofSpace.aabb, depth: u32 }),
     massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
     pieceDistance: struct({ pieceA: u32, pieceB: u32, distance: ofSpace.distance }),
     batchContacts: struct({

@@ -3,6 +3,7 @@
 import { drawings, spaceDrawings, worldDrawings } from "./draw.js";
 import { queriesEntry } from "./entry.js";
 import { replays } from "./capture.js";
+import { hullLayering } from "./hulls.js";
 import { plane } from "./plane.js";
 import { blows, simulationClasses } from "./simulation.js";
 
@@ -11,6 +12,7 @@ export function wholeEntry(scalar, address) {
   const { core, layout, args, Rows, Handle, shapes, dimension, worlds } = parts;
   const { ask } = dimension;
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
+  const { hullLayers, tracedSupport } = hullLayering(core, layout, args, shapes);
   const ofPlane = plane(core, layout, args, shapes.numbersOf, Rows, Handle);
   return {
     core,
@@ -19,7 +21,8 @@ export function wholeEntry(scalar, address) {
       ...blows(core, layout, args, shapes),
       ...simulations,
       ...replays(core, layout, worlds, ofPlane.worlds),
-      traced: ask.traced(),
+      hullLayers,
+      traced: { ...ask.traced(), support: tracedSupport },
       draw: ask.framed({
         ...drawings(core, layout, dimension),
         ...worldDrawings(core, layout, dimension, worlds, simulations, Handle),

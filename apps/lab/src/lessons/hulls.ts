@@ -1,5 +1,6 @@
 import { graze } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
+import type { Drawing, Look, Meaning } from "../parts/drawing.ts";
 import { add, scale, sub, unit } from "../parts/vec.ts";
 import { convex, plane, type Question, type State, type Vec } from "../question.ts";
 import type { Lesson, Step } from "./lesson.ts";
@@ -14,7 +15,8 @@ function points(count: number, radii: Vec): Vec[] {
 const counts = [20, 100, 1000, 10000];
 const shapes: Record<string, Vec> = { egg: [1.3, 0.9, 0.9], needle: [2, 0.02, 0.02] };
 
-interface Built { hull: graze.ConvexHull; points: Vec[]; micros: number; built: number }
+interface Layers { vertices: Vec[]; layers: graze.HullLayer[] }
+interface Built { hull: graze.ConvexHull; layers: Layers; micros: number; built: number }
 const kept = new Map<string, Built>();
 /** The hull, and how long one of its support queries takes on this machine. */
 function built(count: number, form: string): Built {
@@ -29,11 +31,21 @@ function built(count: number, form: string): Built {
     for (const d of directions) hull.support(d); // once to warm up
     const again = performance.now();
     for (const d of directions) hull.support(d);
-    made = { hull, points: list, built: done - start, micros: ((performance.now() - again) * 1000) / rounds };
+    made = { hull, layers: graze.hullLayers(hull), built: done - start, micros: ((performance.now() - again) * 1000) / rounds };
     kept.set(key, made);
   }
   return made;
 }
+/** Of more points than this a layer's edges are drawn only where the search comes by. */
+const legible = 450;
+/** The edges of a layer, or those of them that have an end among some vertices. */
+function drawLayer(d: Drawing, { vertices, layers }: Layers, at: number, meaning: Meaning, look: Look, near?: Set<number>): void {
+  const { edges } = layers[at];
+  for (let e = 0; e < edges.length; e += 2)
+    if (!near || near.has(edges[e]) || near.has(edges[e + 1])) d.line(vertices[edges[e]], vertices[edges[e + 1]], meaning, look);
+}
+const named = (layer: number, of: number): string => (layer === of - 1 ? "the hull" : `layer ${layer + 1}`);
+const many = (n: number): string => n.toLocaleString("en");
 const situation = (count: number, form: string, direction: Vec): State => ({
   q: { query: "distance", a: { shape: convex(points(20, shapes.egg)) }, b: { shape: plane() } },
   choice: { count, form, x: direction[0], y: direction[1], z: direction[2] },
@@ -64,34 +76,92 @@ export const hulls: Lesson = {
   },
   steps(state) {
     const { count, form, u } = chosen(state), hull = built(count, form), found = hull.hull.support(u) as Vec;
-    const layers = Math.max(1, Math.ceil(Math.log(count / 4) / Math.log(4 / 3)));
-    const draw: Step["draw"] = (d) => {
-      if (count <= 1000) d.shape({ shape: convex(hull.points) }, "a");
-      else d.shape({ shape: { type: "ellipsoid", ellipsoid: { radii: shapes[form] } } }, "a");
-      const shown = hull.points.filter((_, i) => i % Math.ceil(count / 400) === 0);
-      if (count <= 100) for (const p of shown) d.point(p, "a");
+    const { layers } = hull, levels = layers.layers.length;
+    const { trace } = graze.traced.support(hull.hull, u);
+    const whole = (d: Drawing, ghost = false): void => {
+      if (count <= (ghost ? 100 : 1000)) d.shape({ shape: convex(layers.vertices) }, "a", { ghost });
+      else d.shape({ shape: { type: "ellipsoid", ellipsoid: { radii: shapes[form] } } }, "a", { ghost });
       d.arrow([0, 0, 0], scale(u, 1.8), "axis", { label: "d" });
     };
-    const reach = found[0] * u[0] + found[1] * u[1] + found[2] * u[2];
+    const plane = (d: Drawing, at: Vec): void => {
+      const side = unit(Math.abs(u[1]) < 0.9 ? [u[2], 0, -u[0]] : [1, 0, 0]);
+      d.line(add(at, scale(side, 0.7)), sub(at, scale(side, 0.7)), "touch", { dashed: true });
+    };
+    const reach = Math.max(...trace.layers[levels - 1].along);
     const steps: Step[] = [{
-      title: `${count.toLocaleString("en")} points`,
+      title: `${many(count)} points`,
       text: "The support point is the one with the largest scalar product with d. Without further thought that is one product for every point.",
       formula: ["s(d) = max_i p_i*d", `s(d) = ${digits(reach, 5)}`],
       numbers: { caption: "Support", columns: ["", "value"], rows: [{ cells: ["direction", vector(u, 4)] }, { cells: ["furthest point", vector(found, 5)], mark: "winner" }, { cells: ["reach", reach] }] },
       says: `The furthest point is ${vector(found, 3)}.`,
       draw(d) {
-        draw(d);
+        whole(d);
+        if (count <= 100) for (const p of layers.vertices) d.point(p, "a");
         d.point(found, "touch", { wide: true, label: "s(d)" });
-        const side = unit(Math.abs(u[1]) < 0.9 ? [u[2], 0, -u[0]] : [1, 0, 0]);
-        d.line(add(found, scale(side, 0.7)), sub(found, scale(side, 0.7)), "touch", { dashed: true });
+        plane(d, found);
       },
     }, {
-      title: "Hulls inside hulls",
-      text: "Dobkin and Kirkpatrick take away, again and again, points no two of which are neighbours and none of which has many neighbours. Each layer loses at least a fixed share, so there are few layers. The answer of a layer is a neighbour of the answer of the next simpler one, or that answer itself: going down, a handful of points a layer.",
-      formula: ["n -> c n -> c^2 n -> ... -> 4", '"products" = O(log n)'],
-      numbers: { caption: "Points to look at", columns: ["", "value"], rows: [{ cells: ["all of them", count] }, { cells: ["layers, if a quarter goes each time", layers] }] },
-      says: "Layers of a hierarchy.", draw,
+      title: levels > 1 ? "Hulls inside hulls" : "One layer",
+      text: levels > 1
+        ? "Dobkin and Kirkpatrick take away, again and again, points no two of which are neighbours and none of which has many neighbours. What is left has a hull inside the one before. Each round loses at least a fixed share, so there are few. The library keeps of several rounds one, about a quarter of the next: fewer layers, a few more points to look at in each. The innermost is drawn as a body, the next ones as lines."
+        : "Up to 32 points the library has no hierarchy: it looks at all of them, several side by side in the lanes of the processor. No descent is as fast.",
+      formula: levels > 1 ? [layers.layers.map((l) => l.vertices.length).join(" -> ")] : undefined,
+      numbers: { caption: "Layers, from the coarsest", columns: ["", "points", "edges"], rows: layers.layers.map((l, i) => ({ cells: [named(i, levels), l.vertices.length, l.edges.length / 2], key: `layer-${i}` })) },
+      says: `${levels} ${levels > 1 ? "layers" : "layer"} of ${layers.layers.map((l) => many(l.vertices.length)).join(", ")} points.`,
+      draw(d) {
+        whole(d, levels > 1);
+        if (levels > 1) d.shape({ shape: convex([...layers.layers[0].vertices].map((v) => layers.vertices[v])) }, "made");
+        layers.layers.forEach((l, i) => {
+          if (l.vertices.length > legible || (levels > 1 && i === levels - 1)) return;
+          if (i > 0) drawLayer(d, layers, i, i === 1 ? "axis" : "out", { ghost: i > 1, key: `layer-${i}` });
+          if (i < 2 && l.vertices.length <= 100) for (const v of l.vertices) d.point(layers.vertices[v], i === 0 ? "made" : "axis", { key: `layer-${i}` });
+        });
+      },
     }];
+    trace.layers.forEach((layer, i) => {
+      const name = named(i, levels), seen = [...layer.lookedAt], size = layers.layers[i].vertices.length;
+      const best = seen.map((_, k) => Math.max(...layer.along.slice(0, k + 1)));
+      const climb = seen.filter((_, k) => k === 0 || best[k] > best[k - 1]);
+      const last = i === levels - 1, first = i === 0;
+      steps.push({
+        title: trace.scanned ? "All of them" : `${name[0].toUpperCase()}${name.slice(1)}: ${seen.length} of ${many(size)}`,
+        text: trace.scanned ? "Every point is looked at once, and the furthest wins."
+          : (first ? "The coarsest layer is small. The search begins at its first point and looks at neighbours: the first that lies further along d is the next to stand on. Where no neighbour lies further, none of the layer does, for it is convex. "
+            : "The answer of the layer inside is a point of this one too: there the search goes on. Only what this layer has added around it can lie further. ") +
+            `${seen.length} products, ${climb.length - 1 === 1 ? "one step" : `${climb.length - 1} steps`} to a better point` + (last ? ", and this layer is the hull itself: the furthest of all." : "."),
+        formula: [`max p*d = ${digits(best[best.length - 1], 6)}`],
+        numbers: {
+          caption: "Looked at, layer by layer", columns: ["", "points", "looked at", "furthest so far"],
+          rows: trace.layers.map((l, k) => ({ cells: k <= i ? [named(k, levels), l.vertices, l.lookedAt.length, Math.max(...l.along)] : [named(k, levels), l.vertices, "", ""],
+            mark: k === i ? (last ? "winner" as const : "now" as const) : undefined })),
+        },
+        graph: { caption: "product with d of each point looked at", close: true, at: seen.length - 1, series: [{ name: "the best", meaning: "touch", values: best }, { name: "looked at", meaning: "axis", values: [...layer.along] }] },
+        says: `${seen.length} of ${many(size)} points of ${name} are looked at; the furthest is ${vector(layers.vertices[layer.winner], 3)}.`,
+        draw(d) {
+          whole(d, !trace.scanned);
+          if (!trace.scanned) drawLayer(d, layers, i, "made", { ghost: size > 100 }, size > legible ? new Set(seen) : undefined);
+          for (const v of new Set(seen)) d.point(layers.vertices[v], v === layer.winner ? "touch" : "axis", { wide: v === layer.winner });
+          if (!trace.scanned) for (let k = 1; k < climb.length; k++) d.line(layers.vertices[climb[k - 1]], layers.vertices[climb[k]], "touch", { wide: true });
+          d.text(layers.vertices[layer.winner], last ? "s(d)" : "best", "touch");
+          plane(d, layers.vertices[layer.winner]);
+        },
+      });
+    });
+    const sizes = counts.map((c) => ({ c, vertices: built(c, form).layers.vertices.length, levels: built(c, form).layers.layers.length, products: graze.traced.support(built(c, form).hull, u).trace.products }));
+    steps.push({
+      title: `${trace.products} instead of ${many(count)}`,
+      text: "The same direction asked of hulls of four sizes. Brute force takes a product a point. The descent takes a handful a layer, and ten times the points are about two layers more.",
+      formula: ['"products" = O(log n)'],
+      numbers: { caption: "Products for one direction", columns: ["points", "layers", "looked at", "brute force"], rows: sizes.map((m) => ({ cells: [many(m.c), m.levels, m.products, m.vertices], mark: m.c === count ? "now" as const : undefined })) },
+      graph: { caption: "products for 20, 100, 1,000, 10,000 points", at: counts.indexOf(count), series: [{ name: "descent", meaning: "made", values: sizes.map((m) => m.products) }] },
+      says: `${trace.products} products instead of ${many(count)}.`,
+      draw(d) {
+        whole(d);
+        for (const l of trace.layers) for (const v of new Set(l.lookedAt)) d.point(layers.vertices[v], "axis");
+        d.point(found, "touch", { wide: true, label: "s(d)" });
+        plane(d, found);
+      },
+    });
     const measured = counts.map((c) => ({ c, ...built(c, form) }));
     steps.push({
       title: "Measured here and now",
@@ -100,7 +170,7 @@ export const hulls: Lesson = {
       graph: { caption: "microseconds for 20, 100, 1,000, 10,000 points", at: counts.indexOf(count), series: [{ name: "a query", meaning: "made", values: measured.map((m) => m.micros) }] },
       says: `A support query takes ${digits(hull.micros, 3)} microseconds.`,
       draw(d) {
-        draw(d);
+        whole(d);
         d.point(found, "touch", { wide: true });
       },
     });

@@ -14,9 +14,10 @@ import { planesBoxes } from "./planes-boxes.ts";
 import { resolution } from "./resolution.ts";
 import { separatingAxesPlane } from "./separating-axes-plane.ts";
 import { spheres } from "./spheres.ts";
+import { stack } from "./stack.ts";
 import { timeOfImpact } from "./time-of-impact.ts";
 
 export const lessons: Lesson[] = [
   spheres, planesBoxes, separatingAxesPlane, fifteenAxes, contactSet, minkowski, gjkPlane, gjkSpace, epaPlane, epaSpace,
-  hulls, broadPhases, filters, timeOfImpact, resolution, appendix,
+  hulls, broadPhases, filters, timeOfImpact, resolution, stack, appendix,
 ];

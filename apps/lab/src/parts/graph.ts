@@ -12,12 +12,14 @@ export interface Graph {
   series: Series[];
   /** The step that is shown. */
   at: number;
+  /** The axis begins at the least value: for values that differ by little. */
+  close?: boolean;
 }
 
 export function drawGraph(graph: Graph): SVGElement {
   const width = 320, height = 120, left = 8, bottom = 18, top = 10, right = 74;
   const all = graph.series.flatMap((s) => s.values).filter(Number.isFinite);
-  const lower = Math.min(0, ...all), upper = Math.max(...all, lower + 1e-9);
+  const lower = graph.close && all.length > 0 ? Math.min(...all) : Math.min(0, ...all), upper = Math.max(...all, lower + 1e-9);
   const count = Math.max(2, ...graph.series.map((s) => s.values.length));
   const x = (i: number): number => left + ((width - left - right) * i) / (count - 1);
   const y = (v: number): number => top + (height - top - bottom) * (1 - (v - lower) / (upper - lower));
@@ -27,7 +29,7 @@ export function drawGraph(graph: Graph): SVGElement {
     "aria-label": `${graph.caption}: ${last.map((s) => `${s.name} ${digits(s.value, 4)}`).join(", ")}`,
   });
   picture.append(
-    svg("line", { class: "grid", x1: left, x2: width - right, y1: y(0), y2: y(0) }),
+    svg("line", { class: "grid", x1: left, x2: width - right, y1: y(Math.max(0, lower)), y2: y(Math.max(0, lower)) }),
     svg("line", { class: "now", x1: x(graph.at), x2: x(graph.at), y1: top, y2: height - bottom }),
     svg("text", { x: left, y: height - 4 }, graph.caption),
   );
