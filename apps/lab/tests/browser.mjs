@@ -205,7 +205,23 @@ async function drag(page, id, dx, dy) {
   await page.mouse.up();
   await frame(page);
 }
-const number = (text) => Number(text.replaceAll("−", "-"));
+/** Goes to the step whose title is this. */
+async function step(page, title) {
+  await page.click('[aria-label^="First"]');
+  while (!title.test(await page.textContent(".words h2"))) await page.click("[data-next]", { timeout: 2000 });
+}
+const example = async (page, label) => {
+  await page.click(`.example:text-is("${label}")`);
+  await frame(page);
+};
+/** The axes beside the picture; a gap is a negative overlap. */
+const axisRows = (page) =>
+  page.$$eval(".numbers tbody tr", (list) => list.map((r) => {
+    const [overlap, gap] = [...r.cells].slice(-2).map((c) => c.getAttribute("title"));
+    return { name: r.querySelector("th").textContent, overlap: overlap === null ? -Number(gap) : Number(overlap), wins: r.classList.contains("is-winner") };
+  }));
+const traced = async (page) => JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, explain: true })));
+const short = (x, digits = 4) => String(Number(x.toPrecision(digits))).replaceAll("-", "−");
 
 for (const id of ["separating-axes-plane", "fifteen-axes"])
   test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
@@ -215,16 +231,48 @@ for (const id of ["separating-axes-plane", "fifteen-axes"])
     await drag(page, "move-b", 37, -23);
     await drag(page, "turn-b", -20, 31);
     assert.notEqual(await page.textContent(".numbers"), before);
-    await page.click('[aria-label^="Last"]');
     const { state } = await shown(page);
     const { trace } = JSON.parse(query(JSON.stringify({ ...state.q, explain: true })));
     const axes = trace.axes.filter((x) => x.name !== "normal");
-    const rows = await page.$$eval(".numbers tbody tr", (list) =>
-      list.map((r) => ({ name: r.querySelector("th").textContent, overlap: r.lastElementChild.getAttribute("title") })));
-    assert.deepEqual(rows.map((r) => [r.name, number(r.overlap)]), axes.map((x) => [x.name, x.overlap]));
+    await step(page, /^(They are apart|The least overlap wins|A gap: )/);
+    const rows = await axisRows(page);
+    assert.deepEqual(rows.map((r) => [r.name, r.overlap]), axes.map((x) => [x.name, x.overlap]));
     assert.deepEqual(page.trouble, []);
     await page.context().close();
   });
+
+test("separating axes: what is said of a gap is true, whatever is nearest", async () => {
+  const page = await visit("#/lesson/separating-axes-plane");
+  await example(page, "Corner to corner");
+  const { state } = await shown(page), { trace } = await traced(page);
+  assert.equal(trace.winner, "normal");
+  const axes = trace.axes.filter((x) => x.name !== "normal");
+  const widest = axes.reduce((best, x) => (x.overlap < best.overlap ? x : best));
+  await step(page, /^They are apart/);
+  assert.ok((await page.textContent(".words")).includes(`${widest.name} shows the widest gap, ${short(-widest.overlap)}`));
+  assert.match(await page.textContent(".words"), /It is not the distance/);
+  assert.deepEqual((await axisRows(page)).filter((r) => r.wins).map((r) => r.name), [widest.name]);
+  const { distance } = JSON.parse(query(JSON.stringify({ ...state.q, query: "distance" })));
+  assert.ok(-widest.overlap < distance - 0.01);
+  await page.click("[data-next]");
+  assert.ok((await page.textContent(".words")).includes(`The true distance, ${short(distance)}`));
+  assert.ok(await page.isDisabled("[data-next]"));
+  await example(page, "A gap on the last axis");
+  const last = (await traced(page)).trace.axes.filter((x) => x.name !== "normal");
+  assert.deepEqual(last.map((x) => x.overlap < 0), [false, false, false, true]);
+  await step(page, /^They are apart/);
+  assert.match(await page.textContent(".words"), /B1 shows the widest gap.*It is the distance too/);
+  // A0 overlaps, and the nearest are corners: nothing negative is called a gap.
+  const mixed = await visit("#/lesson/separating-axes-plane?s=" + encodeURIComponent(JSON.stringify({ q: { ...state.q, b: { ...state.q.b, translation: [2.6, 2.6], rotation: 0.9 } } })));
+  const far = (await traced(mixed)).trace;
+  assert.ok(far.axes.some((x) => x.overlap > 0) && far.axes.some((x) => x.overlap < 0), JSON.stringify(far.axes));
+  await mixed.click('[aria-label^="Last"]');
+  for (const row of await axisRows(mixed)) assert.equal(row.overlap, far.axes.find((x) => x.name === row.name.replace("a to b", "normal")).overlap);
+  assert.doesNotMatch(await mixed.textContent(".words p"), /−/);
+  assert.deepEqual([...page.trouble, ...mixed.trouble], []);
+  await page.context().close();
+  await mixed.context().close();
+});
 
 test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
   const page = await visit("#/lesson/gjk");
@@ -240,7 +288,6 @@ test("GJK: every iteration's bounds are those of the trace, by keyboard too", as
   for (const step of trace.gjk) {
     await page.click("[data-next]");
     const said = await page.getAttribute("svg[role=img]", "aria-label");
-    const short = (x) => String(Number(x.toPrecision(4))).replaceAll("-", "−");
     assert.ok(said.includes(`between ${short(step.lower)} and ${short(step.upper)}`), said);
   }
   await page.context().close();
