@@ -274,6 +274,25 @@ test("separating axes: what is said of a gap is true, whatever is nearest", asyn
   await mixed.context().close();
 });
 
+test("fifteen axes: the examples are what they are called, and gaps are bounds", async () => {
+  const page = await visit("#/lesson/fifteen-axes");
+  await example(page, "Edge on edge");
+  assert.match((await traced(page)).trace.winner, /×/);
+  await example(page, "What six axes miss");
+  const { overlap, trace } = await traced(page);
+  assert.equal(overlap, false);
+  assert.ok(trace.axes.filter((x) => x.name !== "normal").every((x) => x.overlap >= 0 || x.name.includes("×")));
+  await page.click('[aria-label^="Last"]');
+  assert.match(await page.textContent(".words p"), /wrong on the safe side/);
+  await example(page, "Corner to corner");
+  await page.click('[aria-label^="Last"]');
+  const { distance } = JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, query: "distance" })));
+  const [widest] = (await axisRows(page)).filter((r) => r.wins);
+  assert.ok(-widest.overlap < distance - 0.01);
+  assert.ok((await page.textContent(".words")).includes(`at least ${short(-widest.overlap)}`) && (await page.textContent(".words")).includes(`the distance is ${short(distance)}`));
+  await page.context().close();
+});
+
 test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
   const page = await visit("#/lesson/gjk");
   await page.focus('[data-handle="move-b"]');
