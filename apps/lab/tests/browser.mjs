@@ -293,6 +293,33 @@ test("fifteen axes: the examples are what they are called, and gaps are bounds",
   await page.context().close();
 });
 
+test("contact set: the reference face is the one whose sides cut, and edges are not cut", async () => {
+  const page = await visit("#/lesson/contact-set");
+  const { trace } = await traced(page);
+  const near = (face, p) => Math.min(...face.map((x) => Math.hypot(...x.map((v, i) => v - p[i]))));
+  const whose = near(trace.faces.b, trace.cuts[0].from) < 1e-9 ? "B" : "A";
+  await step(page, /^Reference and incident/);
+  assert.ok((await page.textContent(".words p")).includes(`the reference face, here ${whose}'s`));
+  await example(page, "Edge on edge");
+  assert.equal((await traced(page)).manifolds[0].points.length, 1);
+  await step(page, /^Two edges cross$/);
+  await page.click("[data-next]");
+  assert.match(await page.textContent(".words h2"), /^Point 1: edge .* of A × edge .* of B$/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("Minkowski sum: a corner is the sum that stands below it", async () => {
+  const page = await visit("#/lesson/minkowski");
+  await page.click('.choices button:text-is("sum A ⊕ B")');
+  await step(page, /^Corner 2 of/);
+  const formula = (await page.$$eval(".words math", (list) => list.map((m) => m.textContent)))[1].replaceAll("−", "-");
+  const [ax, ay, bx, by, x, y] = formula.match(/-?[\d.]+(e-?\d+)?/g).map(Number);
+  assert.ok(formula.includes(")+("), formula);
+  assert.ok(Math.abs(ax + bx - x) < 2e-3 && Math.abs(ay + by - y) < 2e-3, formula);
+  await page.context().close();
+});
+
 test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
   const page = await visit("#/lesson/gjk");
   await page.focus('[data-handle="move-b"]');
