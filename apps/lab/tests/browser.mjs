@@ -339,6 +339,45 @@ test("GJK: every iteration's bounds are those of the trace, by keyboard too", as
   await page.context().close();
 });
 
+test("GJK: what ends the search is said as it is: inside, on an edge, far away, in space", async () => {
+  const page = await visit("#/lesson/gjk");
+  const lastIteration = async () => {
+    const { trace } = await traced(page);
+    await step(page, new RegExp(`^Iteration ${trace.gjk.length}:`));
+    return trace;
+  };
+  await example(page, "Origin inside");
+  await lastIteration();
+  assert.match(await page.textContent(".words h2"), /O is inside the triangle/);
+  assert.deepEqual(await page.$$eval(".numbers tbody th", (list) => list.map((c) => c.textContent)), ["w1", "w2", "w3"]);
+  await example(page, "Origin on an edge");
+  await lastIteration();
+  assert.match(await page.textContent(".words"), /O lies on a side of a triangle.*the shapes touch/);
+  assert.doesNotMatch(await page.textContent(".words"), /inside/);
+  await example(page, "Very far away");
+  const seen = await page.$$eval(".stage2 .shape", (list) => list.map((x) => x.getBoundingClientRect().toJSON()));
+  const frame = await page.$eval(".stage2", (x) => x.getBoundingClientRect().toJSON());
+  assert.equal(seen.length, 2);
+  for (const shape of seen) assert.ok(shape.left > frame.left && shape.right < frame.right && shape.top > frame.top && shape.bottom < frame.bottom, JSON.stringify(shape));
+  const { upper } = (await lastIteration()).gjk.at(-1), { distance } = await traced(page);
+  assert.notEqual(upper.toPrecision(15), distance.toPrecision(15));
+  await page.click('[aria-label^="Last"]');
+  for (const x of [upper, distance]) assert.ok((await page.textContent(".numbers")).includes(short(x, 15)));
+  await page.click('button:text-is("Start again")');
+  assert.ok((await page.$$eval(".stage2 .shape", (list) => list.length)) === 2);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+
+  const space = await visit("#/lesson/gjk-space"), { trace } = await traced(space);
+  for (const [i, { lower, upper }] of trace.gjk.entries()) {
+    await space.click("[data-next]");
+    const formulas = await space.$$eval(".words math", (list) => list.map((m) => m.textContent));
+    const told = Number(formulas[2].split("=")[1].replaceAll("−", "-"));
+    assert.ok(Math.abs(told - (upper - lower)) <= 0.06 * (upper - lower), `${i}: ${formulas} for ${upper - lower}`);
+  }
+  await space.context().close();
+});
+
 /** Of lessons whose steps are those of a trace: how many steps come before, and the numbers of each as the library has them. */
 const walks = {
   epa: ({ trace }) => [1, trace.epa.map((s) => [s.polygon.length, s.faceDepth, s.foundDepth])],

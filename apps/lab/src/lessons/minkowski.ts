@@ -36,10 +36,10 @@ const flat = (p: Vec): Vec => [p[0], p[1]];
 export const place = (s: Support): Vec => add(home, flat(sub(s.b, s.a)));
 export { home };
 
-export function drawOrigin(d: Drawing): void {
-  d.line(add(home, [-0.18, 0]), add(home, [0.18, 0]), "ink", { wide: true });
-  d.line(add(home, [0, -0.18]), add(home, [0, 0.18]), "ink", { wide: true });
-  d.text(home, "O", "ink");
+export function drawOrigin(d: Drawing, at: Vec = home): void {
+  d.line(add(at, [-0.18, 0]), add(at, [0.18, 0]), "ink", { wide: true });
+  d.line(add(at, [0, -0.18]), add(at, [0, 0.18]), "ink", { wide: true });
+  d.text(at, "O", "ink");
 }
 
 export const minkowski: Lesson = {
