@@ -406,6 +406,44 @@ for (const [id, walk] of Object.entries(walks))
     await page.context().close();
   });
 
+test("EPA: the way out ends on the nearest side, in space the polytope grows, and both have a last word", async () => {
+  const page = await visit("#/lesson/epa");
+  const { trace, distance } = await traced(page);
+  for (const _ of trace.epa) {
+    await page.click("[data-next]");
+    const off = await page.evaluate(() => {
+      const line = (kind) => ["x1", "y1", "x2", "y2"].map((k) => Number(document.querySelector(`.stage2 line.of-${kind}.wide`).getAttribute(k)));
+      const [x1, y1, x2, y2] = line("axis"), [, , x, y] = line("made");
+      return Math.abs((x2 - x1) * (y - y1) - (y2 - y1) * (x - x1)) / Math.hypot(x2 - x1, y2 - y1);
+    });
+    assert.ok(off < 0.5, `the tip is ${off} pixels from the side`);
+  }
+  await page.click("[data-next]");
+  assert.ok((await page.textContent(".words")).includes(short(distance, 8)));
+  assert.ok(await page.isDisabled("[data-next]"));
+  await page.context().close();
+
+  const space = await visit("#/lesson/epa-space");
+  for (const label of [null, "Deeper", "Same centre, same axis"]) {
+    if (label) await example(space, label);
+    await space.click('[aria-label^="First"]');
+    const answer = await traced(space), { epa, polytope } = answer.trace;
+    assert.ok(!(await space.textContent(".words p")).includes("as it is at the end"), "the corners are not in the order of the steps");
+    assert.equal((await shown(space)).steps, epa.length + 2);
+    // A corner for each step beside those of the tetrahedron, and two triangles more.
+    assert.equal(polytope.points.length, epa.length + 4);
+    const picture = await space.$(".stage3 canvas"), before = await picture.screenshot();
+    for (let i = 0; i < 3; i++) await space.click("[data-next]");
+    await frame(space);
+    assert.notDeepEqual(await picture.screenshot(), before);
+    await space.click('[aria-label^="Last"]');
+    assert.equal(await space.textContent(".words h2"), "Depth and normal");
+    assert.ok((await space.textContent(".words")).includes(short(answer.distance, 8)));
+  }
+  assert.deepEqual(space.trouble, []);
+  await space.context().close();
+});
+
 test("resolution: impulse and approach are the library's to the last digit", async () => {
   const page = await visit("#/lesson/resolution");
   for (const example of [null, ...(await page.$$(".example"))]) {
