@@ -444,6 +444,33 @@ test("EPA: the way out ends on the nearest side, in space the polytope grows, an
   await space.context().close();
 });
 
+test("time of impact: frames miss what the cast finds, hulls answer whether, and a thousand turns how long it takes", async () => {
+  const page = await visit("#/lesson/time-of-impact");
+  for (const label of [null, "Ball and thin wall"]) {
+    if (label) await example(page, label);
+    await step(page, /^Frame by frame$/);
+    assert.match(await page.textContent(".words p"), /In none of them .* A tunnels/);
+    assert.equal((await traced(page)).hit, true);
+  }
+  await step(page, /^All that A sweeps$/);
+  assert.match(await page.textContent(".words p"), /whether they meet at all: yes/);
+  await example(page, "Turning on the spot");
+  const { t, trace } = await traced(page);
+  assert.ok(t > 0 && trace.steps.length > 1);
+  await example(page, "A thousand turns");
+  const turned = await traced(page);
+  assert.ok(turned.hit && turned.bounded === undefined && turned.trace.steps.length < 30, `${turned.trace.steps.length} steps`);
+  const moves = turned.trace.steps;
+  await step(page, /^The start/);
+  for (let i = 0; i + 1 < moves.length; i++) {
+    const told = (await page.$$eval(".words math", (list) => list.map((m) => m.textContent)))[1];
+    assert.ok(told.endsWith(`=${short(moves[i + 1].t, 8)}`), told);
+    await page.click("[data-next]");
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("resolution: impulse and approach are the library's to the last digit", async () => {
   const page = await visit("#/lesson/resolution");
   for (const example of [null, ...(await page.$$(".example"))]) {
