@@ -205,7 +205,23 @@ async function drag(page, id, dx, dy) {
   await page.mouse.up();
   await frame(page);
 }
-const number = (text) => Number(text.replaceAll("−", "-"));
+/** Goes to the step whose title is this. */
+async function step(page, title) {
+  await page.click('[aria-label^="First"]');
+  while (!title.test(await page.textContent(".words h2"))) await page.click("[data-next]", { timeout: 2000 });
+}
+const example = async (page, label) => {
+  await page.click(`.example:text-is("${label}")`);
+  await frame(page);
+};
+/** The axes beside the picture; a gap is a negative overlap. */
+const axisRows = (page) =>
+  page.$$eval(".numbers tbody tr", (list) => list.map((r) => {
+    const [overlap, gap] = [...r.cells].slice(-2).map((c) => c.getAttribute("title"));
+    return { name: r.querySelector("th").textContent, overlap: overlap === null ? -Number(gap) : Number(overlap), wins: r.classList.contains("is-winner") };
+  }));
+const traced = async (page) => JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, explain: true })));
+const short = (x, digits = 4) => String(Number(x.toPrecision(digits))).replaceAll("-", "−");
 
 for (const id of ["separating-axes-plane", "fifteen-axes"])
   test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
@@ -215,16 +231,94 @@ for (const id of ["separating-axes-plane", "fifteen-axes"])
     await drag(page, "move-b", 37, -23);
     await drag(page, "turn-b", -20, 31);
     assert.notEqual(await page.textContent(".numbers"), before);
-    await page.click('[aria-label^="Last"]');
     const { state } = await shown(page);
     const { trace } = JSON.parse(query(JSON.stringify({ ...state.q, explain: true })));
     const axes = trace.axes.filter((x) => x.name !== "normal");
-    const rows = await page.$$eval(".numbers tbody tr", (list) =>
-      list.map((r) => ({ name: r.querySelector("th").textContent, overlap: r.lastElementChild.getAttribute("title") })));
-    assert.deepEqual(rows.map((r) => [r.name, number(r.overlap)]), axes.map((x) => [x.name, x.overlap]));
+    await step(page, /^(They are apart|The least overlap wins|A gap: )/);
+    const rows = await axisRows(page);
+    assert.deepEqual(rows.map((r) => [r.name, r.overlap]), axes.map((x) => [x.name, x.overlap]));
     assert.deepEqual(page.trouble, []);
     await page.context().close();
   });
+
+test("separating axes: what is said of a gap is true, whatever is nearest", async () => {
+  const page = await visit("#/lesson/separating-axes-plane");
+  await example(page, "Corner to corner");
+  const { state } = await shown(page), { trace } = await traced(page);
+  assert.equal(trace.winner, "normal");
+  const axes = trace.axes.filter((x) => x.name !== "normal");
+  const widest = axes.reduce((best, x) => (x.overlap < best.overlap ? x : best));
+  await step(page, /^They are apart/);
+  assert.ok((await page.textContent(".words")).includes(`${widest.name} shows the widest gap, ${short(-widest.overlap)}`));
+  assert.match(await page.textContent(".words"), /It is not the distance/);
+  assert.deepEqual((await axisRows(page)).filter((r) => r.wins).map((r) => r.name), [widest.name]);
+  const { distance } = JSON.parse(query(JSON.stringify({ ...state.q, query: "distance" })));
+  assert.ok(-widest.overlap < distance - 0.01);
+  await page.click("[data-next]");
+  assert.ok((await page.textContent(".words")).includes(`The true distance, ${short(distance)}`));
+  assert.ok(await page.isDisabled("[data-next]"));
+  await example(page, "A gap on the last axis");
+  const last = (await traced(page)).trace.axes.filter((x) => x.name !== "normal");
+  assert.deepEqual(last.map((x) => x.overlap < 0), [false, false, false, true]);
+  await step(page, /^They are apart/);
+  assert.match(await page.textContent(".words"), /B1 shows the widest gap.*It is the distance too/);
+  // A0 overlaps, and the nearest are corners: nothing negative is called a gap.
+  const mixed = await visit("#/lesson/separating-axes-plane?s=" + encodeURIComponent(JSON.stringify({ q: { ...state.q, b: { ...state.q.b, translation: [2.6, 2.6], rotation: 0.9 } } })));
+  const far = (await traced(mixed)).trace;
+  assert.ok(far.axes.some((x) => x.overlap > 0) && far.axes.some((x) => x.overlap < 0), JSON.stringify(far.axes));
+  await mixed.click('[aria-label^="Last"]');
+  for (const row of await axisRows(mixed)) assert.equal(row.overlap, far.axes.find((x) => x.name === row.name.replace("a to b", "normal")).overlap);
+  assert.doesNotMatch(await mixed.textContent(".words p"), /−/);
+  assert.deepEqual([...page.trouble, ...mixed.trouble], []);
+  await page.context().close();
+  await mixed.context().close();
+});
+
+test("fifteen axes: the examples are what they are called, and gaps are bounds", async () => {
+  const page = await visit("#/lesson/fifteen-axes");
+  await example(page, "Edge on edge");
+  assert.match((await traced(page)).trace.winner, /×/);
+  await example(page, "What six axes miss");
+  const { overlap, trace } = await traced(page);
+  assert.equal(overlap, false);
+  assert.ok(trace.axes.filter((x) => x.name !== "normal").every((x) => x.overlap >= 0 || x.name.includes("×")));
+  await page.click('[aria-label^="Last"]');
+  assert.match(await page.textContent(".words p"), /wrong on the safe side/);
+  await example(page, "Corner to corner");
+  await page.click('[aria-label^="Last"]');
+  const { distance } = JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, query: "distance" })));
+  const [widest] = (await axisRows(page)).filter((r) => r.wins);
+  assert.ok(-widest.overlap < distance - 0.01);
+  assert.ok((await page.textContent(".words")).includes(`at least ${short(-widest.overlap)}`) && (await page.textContent(".words")).includes(`the distance is ${short(distance)}`));
+  await page.context().close();
+});
+
+test("contact set: the reference face is the one whose sides cut, and edges are not cut", async () => {
+  const page = await visit("#/lesson/contact-set");
+  const { trace } = await traced(page);
+  const near = (face, p) => Math.min(...face.map((x) => Math.hypot(...x.map((v, i) => v - p[i]))));
+  const whose = near(trace.faces.b, trace.cuts[0].from) < 1e-9 ? "B" : "A";
+  await step(page, /^Reference and incident/);
+  assert.ok((await page.textContent(".words p")).includes(`the reference face, here ${whose}'s`));
+  await example(page, "Edge on edge");
+  assert.equal((await traced(page)).manifolds[0].points.length, 1);
+  await step(page, /^Two edges cross$/);
+  await page.click("[data-next]");
+  assert.match(await page.textContent(".words h2"), /^Point 1: edge .* of A × edge .* of B$/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("Minkowski sum: a corner is the sum that stands below it", async () => {
+  const page = await visit("#/lesson/minkowski");
+  await page.click('.choices button:text-is("sum A ⊕ B")');
+  await step(page, /^Corner 2 of/);
+  const formula = (await page.$$eval(".words math", (list) => list.map((m) => m.textContent)))[1].replaceAll("−", "-");
+  const [ax, ay, bx, by, x, y] = formula.match(/-?[\d.]+(e-?\d+)?/g).map(Number);
+  assert.ok(formula.includes(")+("), formula);
+  assert.ok(Math.abs(ax + bx - x) < 2e-3 && Math.abs(ay + by - y) < 2e-3, formula);
+  await page.context().close();
+});
 
 test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
   const page = await visit("#/lesson/gjk");
@@ -240,10 +334,48 @@ test("GJK: every iteration's bounds are those of the trace, by keyboard too", as
   for (const step of trace.gjk) {
     await page.click("[data-next]");
     const said = await page.getAttribute("svg[role=img]", "aria-label");
-    const short = (x) => String(Number(x.toPrecision(4))).replaceAll("-", "−");
     assert.ok(said.includes(`between ${short(step.lower)} and ${short(step.upper)}`), said);
   }
   await page.context().close();
+});
+
+test("GJK: what ends the search is said as it is: inside, on an edge, far away, in space", async () => {
+  const page = await visit("#/lesson/gjk");
+  const lastIteration = async () => {
+    const { trace } = await traced(page);
+    await step(page, new RegExp(`^Iteration ${trace.gjk.length}:`));
+    return trace;
+  };
+  await example(page, "Origin inside");
+  await lastIteration();
+  assert.match(await page.textContent(".words h2"), /O is inside the triangle/);
+  assert.deepEqual(await page.$$eval(".numbers tbody th", (list) => list.map((c) => c.textContent)), ["w1", "w2", "w3"]);
+  await example(page, "Origin on an edge");
+  await lastIteration();
+  assert.match(await page.textContent(".words"), /O lies on a side of a triangle.*the shapes touch/);
+  assert.doesNotMatch(await page.textContent(".words"), /inside/);
+  await example(page, "Very far away");
+  const seen = await page.$$eval(".stage2 .shape", (list) => list.map((x) => x.getBoundingClientRect().toJSON()));
+  const frame = await page.$eval(".stage2", (x) => x.getBoundingClientRect().toJSON());
+  assert.equal(seen.length, 2);
+  for (const shape of seen) assert.ok(shape.left > frame.left && shape.right < frame.right && shape.top > frame.top && shape.bottom < frame.bottom, JSON.stringify(shape));
+  const { upper } = (await lastIteration()).gjk.at(-1), { distance } = await traced(page);
+  assert.notEqual(upper.toPrecision(15), distance.toPrecision(15));
+  await page.click('[aria-label^="Last"]');
+  for (const x of [upper, distance]) assert.ok((await page.textContent(".numbers")).includes(short(x, 15)));
+  await page.click('button:text-is("Start again")');
+  assert.ok((await page.$$eval(".stage2 .shape", (list) => list.length)) === 2);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+
+  const space = await visit("#/lesson/gjk-space"), { trace } = await traced(space);
+  for (const [i, { lower, upper }] of trace.gjk.entries()) {
+    await space.click("[data-next]");
+    const formulas = await space.$$eval(".words math", (list) => list.map((m) => m.textContent));
+    const told = Number(formulas[2].split("=")[1].replaceAll("−", "-"));
+    assert.ok(Math.abs(told - (upper - lower)) <= 0.06 * (upper - lower), `${i}: ${formulas} for ${upper - lower}`);
+  }
+  await space.context().close();
 });
 
 /** Of lessons whose steps are those of a trace: how many steps come before, and the numbers of each as the library has them. */
@@ -326,6 +458,97 @@ test("a stack: the deepest contact after a second is the library's", async () =>
   const cells = await page.$$eval(".numbers tr.is-now td[title]", (list) => list.map((cell) => cell.title));
   assert.equal(Number(cells[0]), simulation.report().deepest * 1000);
   for (const made of [simulation, box, floor]) made.dispose();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("EPA: the way out ends on the nearest side, in space the polytope grows, and both have a last word", async () => {
+  const page = await visit("#/lesson/epa");
+  const { trace, distance } = await traced(page);
+  for (const _ of trace.epa) {
+    await page.click("[data-next]");
+    const off = await page.evaluate(() => {
+      const line = (kind) => ["x1", "y1", "x2", "y2"].map((k) => Number(document.querySelector(`.stage2 line.of-${kind}.wide`).getAttribute(k)));
+      const [x1, y1, x2, y2] = line("axis"), [, , x, y] = line("made");
+      return Math.abs((x2 - x1) * (y - y1) - (y2 - y1) * (x - x1)) / Math.hypot(x2 - x1, y2 - y1);
+    });
+    assert.ok(off < 0.5, `the tip is ${off} pixels from the side`);
+  }
+  await page.click("[data-next]");
+  assert.ok((await page.textContent(".words")).includes(short(distance, 8)));
+  assert.ok(await page.isDisabled("[data-next]"));
+  await page.context().close();
+
+  const space = await visit("#/lesson/epa-space");
+  for (const label of [null, "Deeper", "Same centre, same axis"]) {
+    if (label) await example(space, label);
+    await space.click('[aria-label^="First"]');
+    const answer = await traced(space), { epa, polytope } = answer.trace;
+    assert.ok(!(await space.textContent(".words p")).includes("as it is at the end"), "the corners are not in the order of the steps");
+    assert.equal((await shown(space)).steps, epa.length + 2);
+    // A corner for each step beside those of the tetrahedron, and two triangles more.
+    assert.equal(polytope.points.length, epa.length + 4);
+    const picture = await space.$(".stage3 canvas"), before = await picture.screenshot();
+    for (let i = 0; i < 3; i++) await space.click("[data-next]");
+    await frame(space);
+    assert.notDeepEqual(await picture.screenshot(), before);
+    await space.click('[aria-label^="Last"]');
+    assert.equal(await space.textContent(".words h2"), "Depth and normal");
+    assert.ok((await space.textContent(".words")).includes(short(answer.distance, 8)));
+  }
+  assert.deepEqual(space.trouble, []);
+  await space.context().close();
+});
+
+test("time of impact: frames miss what the cast finds, hulls answer whether, and a thousand turns how long it takes", async () => {
+  const page = await visit("#/lesson/time-of-impact");
+  for (const label of [null, "Ball and thin wall"]) {
+    if (label) await example(page, label);
+    await step(page, /^Frame by frame$/);
+    assert.match(await page.textContent(".words p"), /In none of them .* A tunnels/);
+    assert.equal((await traced(page)).hit, true);
+  }
+  await step(page, /^All that A sweeps$/);
+  assert.match(await page.textContent(".words p"), /whether they meet at all: yes/);
+  await example(page, "Turning on the spot");
+  const { t, trace } = await traced(page);
+  assert.ok(t > 0 && trace.steps.length > 1);
+  await example(page, "A thousand turns");
+  const turned = await traced(page);
+  assert.ok(turned.hit && turned.bounded === undefined && turned.trace.steps.length < 30, `${turned.trace.steps.length} steps`);
+  const moves = turned.trace.steps;
+  await step(page, /^The start/);
+  for (let i = 0; i + 1 < moves.length; i++) {
+    const told = (await page.$$eval(".words math", (list) => list.map((m) => m.textContent)))[1];
+    assert.ok(told.endsWith(`=${short(moves[i + 1].t, 8)}`), told);
+    await page.click("[data-next]");
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("planes: three points, a distance and a normal give the same plane, and a line gives none", async () => {
+  const page = await visit("#/lesson/planes-boxes");
+  const before = (await traced(page)).distance, rest = async () => Math.abs((await traced(page)).distance - before);
+  await page.click('.choices button:text-is("three points")');
+  await frame(page);
+  assert.equal(await rest(), 0);
+  await drag(page, "point-1", 0, -30);
+  assert.ok(await rest() > 1e-3, "the plane follows its points");
+  const { state } = await shown(page), n = (await traced(page)).normal;
+  const at = (name) => [0, 1, 2].map((k) => state.choice[`${name}${k}`]);
+  const along = (p) => p.reduce((sum, x, i) => sum + x * n[i], 0);
+  for (const name of ["q", "r"]) assert.ok(Math.abs(along(at(name)) - along(at("p"))) < 1e-9, `${name} is not in the plane`);
+  await page.click('.choices button:text-is("normal and distance")');
+  await frame(page);
+  const apart = (await traced(page)).distance;
+  await drag(page, "foot", 0, -40);
+  assert.ok((await traced(page)).distance < apart - 1e-3, "the plane comes nearer to the box above it");
+  await example(page, "Three points on a line");
+  assert.match(await page.textContent(".words h2"), /no plane/);
+  await page.click('.choices button:text-is("three points")');
+  await drag(page, "point-2", 0, 60);
+  assert.equal(await page.textContent(".words h2"), "By three points");
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });

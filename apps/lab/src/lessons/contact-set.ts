@@ -1,8 +1,8 @@
 import { ask, fewest, type ContactPoint } from "../graze.ts";
 import { digits } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
-import { add, quatAbout, scale } from "../parts/vec.ts";
-import { box, type State, type Vec } from "../question.ts";
+import { add, length, quatAbout, scale, sub, toWorld } from "../parts/vec.ts";
+import { box, sizeOf, type Body, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [2.1, 0, 0], b: [1.5, 0, 0] };
@@ -13,6 +13,17 @@ const situation = (translation: Vec, rotation: Vec): State => ({
 
 const told = (before: number, after: number): string =>
   before === after ? "The number of corners stays." : after === 0 ? "Nothing is left." : `Of ${before} corners it makes ${after}.`;
+/** The ends of a box's edge, of the half of a feature id that names one: low · 127 + high of two corners. */
+function edgeOf(body: Body, bits: number): [Vec, Vec] {
+  const half = scale(sizeOf(body.shape), 0.5), edge = bits & 0x3fff;
+  const corner = (i: number): Vec => toWorld(body, half.map((x, k) => (i & (1 << k) ? x : -x)));
+  return [corner(Math.floor(edge / 127)), corner(edge % 127)];
+}
+/** Both edges of a point that two edges make. */
+function crossing(q: State["q"], feature: string): { a: [Vec, Vec]; b: [Vec, Vec] } | null {
+  const id = Number.parseInt(feature, 16), [a, b] = [Math.floor(id / 65536), id & 0xffff];
+  return a >> 14 === 2 && b >> 14 === 2 ? { a: edgeOf(q.a, a), b: edgeOf(q.b!, b) } : null;
+}
 const table = (points: ContactPoint[], now: number): Step["numbers"] => ({
   caption: "Points of contact", columns: ["point", "distance", "features"],
   rows: points.map((p, i) => ({ cells: [`${i + 1}`, p.distance, featureWords(p.feature)], key: `point-${i}`, mark: i === now ? "now" as const : undefined })),
@@ -30,7 +41,7 @@ export const contactSet: Lesson = {
       title: "An axis for the contacts",
       text: manifold ? `${answer.trace.reason ?? answer.trace.winner}. The axis that decides whether boxes overlap and the axis on which contacts stand are two questions: a face that is nearly as good as an edge is taken, because a box at rest leans by thousandths and would flicker between them.`
         : "They are further apart than the margin: there is no contact. Move B down.",
-      numbers: { caption: "Overlap along the axes", columns: ["axis", "overlap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
+      numbers: { caption: "Shadows on the axes", columns: ["axis", "overlap", "gap"], rows: answer.trace.axes.filter((x) => x.name !== "normal").map((x) => ({ cells: [x.name, x.overlap < 0 ? "" : x.overlap, x.overlap < 0 ? -x.overlap : ""], key: x.name, mark: x.name === answer.trace.winner ? "winner" as const : undefined })) },
       says: manifold ? `Contacts stand on ${answer.trace.winner}.` : "No contact.",
       draw(d) {
         drawBodies(d, q);
@@ -38,10 +49,33 @@ export const contactSet: Lesson = {
       },
     }];
     if (!manifold) return steps;
-    const { faces, cuts = [] } = answer.trace;
+    // One point of two edges on the axis of their product: the nearest points of the edges, whatever cutting would find too.
+    const edges = manifold.points.length === 1 && answer.trace.winner?.includes("×") ? crossing(q, manifold.points[0].feature) : null;
+    const faces = edges ? undefined : answer.trace.faces, cuts = edges ? [] : (answer.trace.cuts ?? []);
+    const near = (face: Vec[], p: Vec): number => Math.min(...face.map((x) => length(sub(x, p))));
+    const byB = !faces || !cuts[0] || near(faces.b, cuts[0].from) <= near(faces.a, cuts[0].from);
+    const [reference, incident] = byB ? ["b", "a"] as const : ["a", "b"] as const;
+    if (edges) steps.push({
+      title: "Two edges cross",
+      text: `The axis ${answer.trace.winner} is a product of two edges, and the contact is where these cross: the point of A's edge and the point of B's edge that are nearest to each other ` +
+        "as seen along n. There is one point, and the boxes can turn about it. " + (answer.trace.faces
+          ? "The faces beside the edges lean away from each other: cutting them finds this point and no other within the margin, and is left out here."
+          : "Cutting the faces beside the edges finds nothing as deep."),
+      formula: ["n*(b - a) = d", `d = ${digits(manifold.points[0].distance, 6)}`],
+      numbers: table(manifold.points, 0),
+      says: "An edge of A and an edge of B cross in one point.",
+      draw(d) {
+        drawBodies(d, q, true);
+        d.line(...edges.a, "a", { wide: true });
+        d.line(...edges.b, "b", { wide: true });
+        d.point(manifold.points[0].a, "a", { wide: true, label: "a" });
+        d.point(manifold.points[0].b, "b", { wide: true, label: "b" });
+        d.arrow(manifold.points[0].a, add(manifold.points[0].a, manifold.normal), "axis", { label: "n" });
+      },
+    });
     if (faces) steps.push({
       title: "Reference and incident face",
-      text: "On each box the face that looks most along the normal. One of them is the reference face, here B's, the other the incident face, here A's, which is cut by the planes through the sides of the reference face, side by side. What is left in both and no further apart than the margin is the area of contact.",
+      text: `On each box the face that looks most along the normal. One of them is the reference face, here ${reference.toUpperCase()}'s, the other the incident face, here ${incident.toUpperCase()}'s, which is cut by the planes through the sides of the reference face, side by side. What is left in both and no further apart than the margin is the area of contact.`,
       formula: ["k_A = max_i n*n_i", "k_B = max_i -n*n_i"],
       says: "The two faces that meet.",
       draw(d) {
@@ -52,16 +86,16 @@ export const contactSet: Lesson = {
     });
     cuts.forEach((cut, i) => steps.push({
       title: `Cut ${i + 1} of ${cuts.length}`,
-      text: `The plane through ${i === 0 ? "one side" : "the next side"} of the reference face. Of the incident face what lies beyond it goes: a corner that is inside stays, and where an edge crosses the plane a new corner comes. ` + told(i === 0 ? faces!.a.length : cuts[i - 1].left.length, cut.left.length),
+      text: `The plane through ${i === 0 ? "one side" : "the next side"} of the reference face. Of the incident face what lies beyond it goes: a corner that is inside stays, and where an edge crosses the plane a new corner comes. ` + told(i === 0 ? faces![incident].length : cuts[i - 1].left.length, cut.left.length),
       formula: ["t = d_1 / (d_1 - d_2)", "p = p_1 + t (p_2 - p_1)"],
       numbers: { caption: "Corners that are left", columns: ["cut", "corners"], rows: cuts.slice(0, i + 1).map((c, k) => ({ cells: [`${k + 1}`, `${c.left.length}`], key: `cut-${k}`, mark: k === i ? "now" as const : undefined })) },
       says: `After cut ${i + 1} the incident face has ${cut.left.length} corners.`,
       draw(d) {
         drawBodies(d, q, true);
-        d.polygon(faces!.b, "b", { ghost: true });
-        d.polygon(i === 0 ? faces!.a : cuts[i - 1].left, "a", { ghost: true });
-        if (cut.left.length > 0) d.polygon(cut.left, "a", { wide: true });
-        d.line(cut.from, cut.to, "b", { wide: true, key: `cut-${i}` });
+        d.polygon(faces![reference], reference, { ghost: true });
+        d.polygon(i === 0 ? faces![incident] : cuts[i - 1].left, incident, { ghost: true });
+        if (cut.left.length > 0) d.polygon(cut.left, incident, { wide: true });
+        d.line(cut.from, cut.to, reference, { wide: true, key: `cut-${i}` });
         cut.left.forEach((p) => d.point(p, "axis"));
       },
     }));
@@ -85,7 +119,7 @@ export const contactSet: Lesson = {
     steps.push({
       title: "Reduction",
       text: manifold.points.length > 4 ? `${manifold.points.length} points span the area. Four that span nearly as much of it do for most solvers: ${four.length} are kept (red), the rest is redundant. All of them are there for who wants them.`
-        : "Four points or fewer need no reduction. Turn B about the vertical until the area has more corners.",
+        : edges ? "A single point needs no reduction." : "Four points or fewer need no reduction. Turn B about the vertical until the area has more corners.",
       numbers: table(manifold.points, -1),
       says: `${manifold.points.length} points, reduced to ${four.length}.`,
       draw(d) {
@@ -97,7 +131,7 @@ export const contactSet: Lesson = {
       },
     }, {
       title: "When faces say too little",
-      text: "Erleben's rules: if corners of one box lie inside the other, they are the contacts. If none does, two edges cross, and the nearest points of these edges are the contact. Only where cutting finds nothing as deep as the axis says does the library fall back to those nearest points.",
+      text: "Erleben's rules: if corners of one box lie inside the other, they are the contacts. If none does, two edges cross, and the nearest points of these edges are the contact" + (edges ? ", as here" : "") + ". Only where cutting finds nothing as deep as the axis says does the library fall back to those nearest points.",
       numbers: table(manifold.points, -1),
       says: "The whole contact set.",
       draw(d) {

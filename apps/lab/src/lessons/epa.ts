@@ -1,6 +1,7 @@
-import { ask, type EpaStep } from "../graze.ts";
+import { ask, type EpaStep, type Support, type Trace } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
-import { add, quatAbout, scale, sub } from "../parts/vec.ts";
+import type { Drawing } from "../parts/drawing.ts";
+import { add, cross, dot, quatAbout, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 import { drawOrigin, home, place } from "./minkowski.ts";
@@ -15,10 +16,14 @@ const bounds = (list: EpaStep[], at: number): Step["graph"] => ({
   series: [{ name: "at least", meaning: "made", values: list.map((s) => s.faceDepth) }, { name: "at most", meaning: "touch", values: list.map((s) => s.foundDepth) }],
 });
 
-function explain(s: EpaStep, last: boolean): string {
-  return `The side nearest to the origin is ${digits(s.faceDepth, 5)} away. Along its normal the difference reaches to ${digits(s.foundDepth, 5)}. ` +
-    (last ? "Both agree: the side lies on the boundary of the difference, and this is the depth."
-      : "The difference reaches further, so the side is not on its boundary: the new point opens it into two.");
+/** What a step proves. The way out of B ⊖ A goes against the normal, which points from A to B. */
+function explain(s: EpaStep, last: boolean, flat: boolean): string {
+  const [face, wall] = flat ? ["side", "line"] : ["triangle", "plane"];
+  return `The ${face} nearest to O is ${digits(s.faceDepth, 5)} away. The polytope lies within the difference, so no way out is shorter. ` +
+    `Across that ${face}, away from O, the difference reaches as far as s: none of it lies beyond the ${wall} there, ${digits(s.foundDepth, 5)} from O, so one way out is that long. ` +
+    (last ? `Both agree: the ${face} lies on the boundary of the difference, and this is the depth.`
+      : flat ? "s is not on the side: it becomes a corner, and two sides take the place of this one."
+        : "s becomes a corner: every triangle that s sees from outside goes, and new ones from the rim of the hole to s close it.");
 }
 
 export const epaPlane: Lesson = {
@@ -47,34 +52,40 @@ export const epaPlane: Lesson = {
       const last = i === list.length - 1, polygon = (s.polygon ?? []).map(place);
       steps.push({
         title: `Step ${i + 1}: ${polygon.length} sides`,
-        text: explain(s, last),
-        formula: ['"face" <= d <= "found"', `${digits(s.faceDepth, 6)} <= d <= ${digits(s.foundDepth, 6)}`],
-        numbers: { caption: "The polytope", columns: ["step", "sides", "nearest side", "found"],
+        text: explain(s, last, true),
+        formula: ['"to the side" <= "depth" <= "to s"', `${digits(s.faceDepth, 6)} <= "depth" <= ${digits(s.foundDepth, 6)}`],
+        numbers: { caption: "The polytope", columns: ["step", "sides", "at least", "at most"],
           rows: list.slice(0, i + 1).map((t, k) => ({ cells: [String(k + 1), (t.polygon ?? []).length, t.faceDepth, t.foundDepth], mark: k === i ? "now" as const : undefined })) },
         graph: bounds(list, i),
         says: `Step ${i + 1}: the depth is between ${digits(s.faceDepth, 4)} and ${digits(s.foundDepth, 4)}.`,
         draw(d) {
           drawBodies(d, q);
           d.polygon(difference, "made", { fill: true, ghost: true });
+          const out = scale(s.normal.slice(0, 2), -1), at = (t: number): Vec => add(home, scale(out, t)), side = [-out[1], out[0]];
+          const off = (k: number): number => Math.abs(dot(sub(polygon[k % polygon.length], home), out) - s.faceDepth);
+          const nearest = polygon.map((_, k) => k).reduce((best, k) => (off(k) + off(k + 1) < off(best) + off(best + 1) ? k : best), 0);
           d.polygon(polygon, "axis", {});
+          d.line(polygon[nearest], polygon[(nearest + 1) % polygon.length], "axis", { wide: true });
           polygon.forEach((p) => d.point(p, "axis"));
-          d.arrow(home, add(home, scale(s.normal, s.faceDepth)), "made", { wide: true });
-          d.line(add(home, scale(s.normal, s.faceDepth)), add(home, scale(s.normal, s.foundDepth)), "touch", { dashed: true });
-          const side = [-s.normal[1], s.normal[0]], reach = add(home, scale(s.normal, s.foundDepth));
-          d.line(add(reach, scale(side, 1)), add(reach, scale(side, -1)), "touch", { dashed: true });
+          d.arrow(home, at(s.faceDepth), "made", { wide: true });
+          d.line(at(s.faceDepth), at(s.foundDepth), "touch", { dashed: true });
+          d.line(add(at(s.foundDepth), scale(side, 2)), add(at(s.foundDepth), scale(side, -2)), "touch", { dashed: true });
+          const joined = (list[i + 1]?.polygon ?? []).map(place).find((p) => !polygon.some((w) => w[0] === p[0] && w[1] === p[1]));
+          if (joined) d.point(joined, "touch", { wide: true, label: "s" });
           drawOrigin(d);
         },
       });
     });
     if (!apart) steps.push({
       title: "Depth and normal",
-      text: `${list.length} steps. Moving B by the depth along the normal parts the shapes; the deepest pair of points follows from the side's two corners.`,
+      text: `${list.length} steps. O's way out to the nearest side is the depth; n points the other way, from A to B, and B moved by the depth along n touches A (dashed). The deepest points are those of the side's two corners, weighted as the foot of the way is.`,
       formula: [`d = ${digits(answer.distance, 8)}`, `n = [${answer.normal!.map((x) => digits(x, 5)).join(", ")}]`],
       graph: bounds(list, Math.max(0, list.length - 1)),
       says: `Depth ${digits(-answer.distance!, 6)}.`,
       draw(d) {
         drawBodies(d, q);
         d.polygon(difference, "made", { fill: true });
+        d.polygon((list.at(-1)?.polygon ?? []).map(place), "axis", {});
         d.arrow(home, add(home, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
         d.shape({ ...q.b!, translation: sub(q.b!.translation!, scale(answer.normal!, answer.distance!)) }, "b", { ghost: true, dashed: true });
         d.line(answer.a as unknown as Vec, answer.b as unknown as Vec, "touch", { wide: true });
@@ -92,44 +103,93 @@ export const epaPlane: Lesson = {
     "S. Cameron: Enhancing GJK: computing minimum and penetration distances between convex polyhedra, ICRA 1997"],
 };
 
-const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] }, homeSpace: Vec = [3.4, 0.4, 0];
+const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] }, homeSpace: Vec = [4, 0.3, 0];
 const spaceState = (translation: Vec, rotation: Vec): State => ({
   q: { query: "distance", a: { shape: { type: "ellipsoid", ellipsoid: { radii: [1.1, 0.7, 0.8] } } },
     b: { shape: { type: "cylinder", cylinder: { height: 1.2, radiusBottom: 0.6, radiusTop: 0.6 } }, translation, rotation } },
 });
 
+const at = (p: Support): Vec => add(homeSpace, sub(p.b, p.a));
+/** How many corners the polytope began with: the trace lists them in the order in which they came, one for each step after
+ *  those. Nothing when they do not reach as far as the steps say. */
+function beginning({ epa, polytope }: Trace): number | null {
+  const points = polytope?.points ?? [], first = points.length - epa.length;
+  const fits = (s: EpaStep, p: Support): boolean => Math.abs(dot(sub(p.b, p.a), scale(s.normal, -1)) - s.foundDepth) <= 1e-9 * Math.max(s.foundDepth, s.faceDepth);
+  return first > 3 && epa.every((s, i) => fits(s, points[first + i])) ? first : null;
+}
+/** The hull of corners, as the library builds and draws it. */
+function drawHull(d: Drawing, corners: Support[], ghost = false): void {
+  d.shape({ shape: convex(corners.map((p) => sub(p.b, p.a))), translation: homeSpace }, "made", { ghost });
+}
+function drawFace(d: Drawing, s: EpaStep, corners: Support[]): void {
+  const out = scale(s.normal, -1), reach = (t: number): Vec => add(homeSpace, scale(out, t));
+  const face = corners.filter((p) => Math.abs(dot(sub(p.b, p.a), out) - s.faceDepth) <= 1e-9 * s.foundDepth);
+  if (face.length === 3) d.polygon(face.map(at), "axis", { wide: true });
+  d.arrow(homeSpace, reach(s.faceDepth), "made", { wide: true });
+  d.line(reach(s.faceDepth), reach(s.foundDepth), "touch", { wide: true });
+  const one = unit(cross(out, Math.abs(out[1]) < 0.8 ? [0, 1, 0] : [1, 0, 0])), other = cross(out, one);
+  d.polygon([[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, y]) => add(reach(s.foundDepth), add(scale(one, 0.6 * x), scale(other, 0.6 * y)))), "touch", { ghost: true });
+}
+
 export const epaSpace: Lesson = {
   id: "epa-space", number: 8, title: "EPA in space", question: "How does a polytope find a curved boundary?",
   intro: "In space the polygon becomes a polytope of triangles. On curved shapes it never arrives, but each step brings the two bounds closer.",
-  dimension: 3, view: { center: [1.7, 0.3, 0], reach: 2.6 }, start: spaceState([0.8, 0.5, 0.3], quatAbout([0.3, 0.2, 1], 0.7)),
+  dimension: 3, view: { center: [2.6, 0.3, 0], reach: 3.3, from: [0.15, 0.4, 1] }, start: spaceState([0.8, 0.5, 0.3], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),
   steps(state) {
-    const { q } = state, answer = ask(q), list = answer.trace.epa, polytope = answer.trace.polytope;
-    const at = (p: { a: Vec; b: Vec }): Vec => add(homeSpace, sub(p.b, p.a));
+    const { q } = state, answer = ask(q), list = answer.trace.epa, points = answer.trace.polytope?.points ?? [];
+    const first = beginning(answer.trace);
+    const paint = (d: Drawing): void => {
+      drawBodies(d, q);
+      d.point(homeSpace, "ink", { wide: true, label: "O" });
+    };
     const steps: Step[] = [{
-      title: "Polytope and origin", text: list.length ? `${list.length} steps to come. On the right the polytope at the end: ${polytope?.triangles.length} triangles, most of them small, and all small ones where the origin is nearest.` : "The shapes are apart, or so shallow that another routine answers: move B deeper into A.",
-      says: "Two curved shapes and the polytope of their difference.",
+      title: "The tetrahedron around the origin",
+      text: list.length ? `GJK ends with a simplex that holds O. Grown to a tetrahedron where it is flat, it is the polytope that EPA begins with: on the right, in the place of the difference, which nobody builds. ${list.length} steps follow.` +
+        (first === null ? " The picture has the polytope as it is at the end, and of each step its direction." : "")
+        : "The shapes are apart, or so shallow that another routine answers: move B deeper into A.",
+      says: "Two curved shapes and the polytope within their difference.",
       draw(d) {
-        drawBodies(d, q);
-        for (const t of polytope?.triangles ?? []) {
-          const [p, r, s] = t.map((i) => at(polytope!.points[i]));
-          d.line(p, r, "made"); d.line(r, s, "made"); d.line(s, p, "made");
-        }
-        d.point(homeSpace, "ink", { wide: true, label: "O" });
+        paint(d);
+        if (points.length) drawHull(d, points.slice(0, first ?? points.length));
       },
     }];
     list.forEach((s, i) => steps.push({
-      title: `Step ${i + 1}: ${s.faces} faces`, text: explain(s, i === list.length - 1),
-      formula: [`${digits(s.faceDepth, 8)} <= d <= ${digits(s.foundDepth, 8)}`, `"gap" = ${digits(s.foundDepth - s.faceDepth, 3)}`],
+      title: `Step ${i + 1}: on to ${s.faces} triangles`, text: explain(s, i === list.length - 1, false),
+      formula: ['"to the triangle" <= "depth" <= "to s"', `${digits(s.faceDepth, 8)} <= "depth" <= ${digits(s.foundDepth, 8)}`, `"difference" = ${digits(s.foundDepth - s.faceDepth, 3)}`],
       graph: bounds(list, i),
-      numbers: { caption: "Bounds of the depth", columns: ["step", "faces", "face", "found"], rows: list.slice(Math.max(0, i - 9), i + 1).map((t, k, l) => ({ cells: [String(Math.max(0, i - 9) + k + 1), t.faces, t.faceDepth, t.foundDepth], mark: k === l.length - 1 ? "now" as const : undefined })) },
+      numbers: { caption: "Bounds of the depth", columns: ["step", "faces", "at least", "at most"], rows: list.slice(Math.max(0, i - 9), i + 1).map((t, k, l) => ({ cells: [String(Math.max(0, i - 9) + k + 1), t.faces, t.faceDepth, t.foundDepth], mark: k === l.length - 1 ? "now" as const : undefined })) },
       says: `Step ${i + 1}: depth between ${digits(s.faceDepth, 5)} and ${digits(s.foundDepth, 5)}; normal ${vector(s.normal, 3)}.`,
       draw(d) {
-        steps[0].draw(d);
-        d.arrow(homeSpace, add(homeSpace, scale(s.normal, s.foundDepth)), "touch", { wide: true, label: "n" });
+        paint(d);
+        const before = points.slice(0, first === null ? points.length : first + i);
+        drawHull(d, before);
+        drawFace(d, s, before);
+        if (first === null) return;
+        const found = points[first + i];
+        d.point(at(found), "touch", { wide: true, label: "s" });
+        d.point(found.a, "a", { wide: true });
+        d.point(found.b, "b", { wide: true });
       },
     }));
+    if (list.length && answer.distance! <= 0) steps.push({
+      title: "Depth and normal",
+      text: `${list.length} steps, ${points.length} corners, most of them where the boundary is nearest to O. That way out, turned round, is the normal n, from A to B. B moved by the depth along it touches A. ` +
+        "On curved shapes the bounds never meet; what is left between them is below the tolerance.",
+      formula: [`d = ${digits(answer.distance, 8)}`, `n = [${answer.normal!.map((x) => digits(x, 4)).join(", ")}]`],
+      graph: bounds(list, list.length - 1),
+      numbers: { caption: "Answer", columns: ["", "value"], rows: [{ cells: ["distance", answer.distance!], mark: "winner" }, { cells: ["normal", vector(answer.normal, 4)] },
+        { cells: ["on A", vector(answer.a as unknown as Vec, 4)] }, { cells: ["on B", vector(answer.b as unknown as Vec, 4)] }] },
+      says: `Depth ${digits(-answer.distance!, 6)}, normal ${vector(answer.normal, 3)}.`,
+      draw(d) {
+        paint(d);
+        drawHull(d, points);
+        d.arrow(homeSpace, add(homeSpace, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
+        d.shape({ ...q.b!, translation: sub(q.b!.translation!, scale(answer.normal!, answer.distance!)) }, "b", { ghost: true });
+        d.line(answer.a as unknown as Vec, answer.b as unknown as Vec, "touch", { wide: true });
+      },
+    });
     return steps;
   },
   tryThis: [{ label: "Deeper", note: "More faces are nearly as near as the nearest.", state: spaceState([0.2, 0.1, 0.1], quatAbout([0.3, 0.2, 1], 0.7)) }],

@@ -3,7 +3,8 @@ import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, mix, quatAbout, scale, unit } from "../parts/vec.ts";
 import { box, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { axisTable, leastOf, verdict, verdictFormula } from "./separating-axes-plane.ts";
 
 const arms = { a: [1.6, 0, 0], b: [1.5, 0, 0] };
 const situation = (translation: Vec, rotation: Vec, rotationA: Vec = [0, 0, 0, 1]): State => ({
@@ -11,7 +12,7 @@ const situation = (translation: Vec, rotation: Vec, rotationA: Vec = [0, 0, 0, 1
     b: { shape: box(1.8, 1.6, 1.4), translation, rotation } },
 });
 
-/** The axis as a line above both boxes, with the intervals of A and B on it. */
+/** The axis as a line above both boxes, with the shadows of A and B on it. */
 function ruler(d: Drawing, axis: Axis, state: State): void {
   const u = axis.direction, ends = [...axis.a, ...axis.b].map(Number);
   const center = mix(state.q.a.translation ?? [0, 0, 0], state.q.b!.translation!, 0.5);
@@ -22,34 +23,44 @@ function ruler(d: Drawing, axis: Axis, state: State): void {
   d.arrow(at(Math.min(...ends) - 0.4), at(Math.max(...ends) + 0.4), "axis", { label: axis.name, key: axis.name });
   d.line(at(Number(axis.a[0]), 0.1), at(Number(axis.a[1]), 0.1), "a", { wide: true });
   d.line(at(Number(axis.b[0]), 0.2), at(Number(axis.b[1]), 0.2), "b", { wide: true });
-  const shared = [Math.max(Number(axis.a[0]), Number(axis.b[0])), Math.min(Number(axis.a[1]), Number(axis.b[1]))];
-  d.line(at(shared[0], 0.15), at(shared[1], 0.15), axis.overlap > 0 ? "touch" : "out", { wide: true });
+  const [from, to] = [Number(axis.b[0]), Number(axis.a[1])];
+  d.line(at(from, 0.15), at(to, 0.15), axis.overlap < 0 ? "out" : "touch", { wide: true });
+  if (axis.overlap >= 0) return;
+  // A plane across the axis, through the gap.
+  const middle = at((from + to) / 2, -1.9), up2 = cross(side, u);
+  d.polygon([[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, y]) => add(middle, add(scale(side, 1.9 * x), scale(up2, 1.5 * y)))), "out", { ghost: true });
 }
-
-const covers = (ends: Axis["a"]): string => `${digits(ends[0], 3)} … ${digits(ends[1], 3)}`;
-const table = (axes: Axis[], now: string, winner?: string): Step["numbers"] => ({
-  caption: "Intervals along each axis (units of length)",
-  columns: ["axis", "A covers", "B covers", "overlap"],
-  rows: axes.map((x) => ({
-    cells: [x.name, covers(x.a), covers(x.b), x.overlap], key: x.name,
-    mark: x.overlap < 0 ? "out" : x.name === winner ? "winner" : x.name === now ? "now" : undefined,
-  })),
-});
 
 const names = ["A0", "A1", "A2", "B0", "B1", "B2",
   ...[0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => `A${i}×B${j}`))];
 
 function explain(axis: Axis, index: number, firstGap: number): string {
   const gap = axis.overlap < 0
-    ? "The intervals are apart: this axis separates the boxes. " : "The intervals overlap: the boxes may touch. ";
-  const early = firstGap >= 0 && index > firstGap
-    ? `A question for overlap alone would have stopped at ${names[firstGap] ?? "the first gap"}; the rest is shown to explain. ` : "";
+    ? "The shadows are apart: a plane across this axis has A on one side and B on the other. " : "The shadows overlap: the boxes may touch. ";
+  const early = firstGap < 0 || index < firstGap ? "" : index === firstGap
+    ? "Whoever asks for overlap alone stops here; the page goes on to show what the other axes would have said. "
+    : `After the gap on ${names[firstGap]} this is for show. `;
   if (index < 3)
-    return `${axis.name} is a face normal of A. Seen from A it is a coordinate axis, and one row of B's rotation is enough. ` + gap + early;
+    return `${axis.name} is the normal of two faces of A. Seen from A it is a coordinate axis, and one row of B's rotation is enough. ` + gap + early;
   if (index < 6)
-    return `${axis.name} is a face normal of B. From here on the absolute values of the whole rotation matrix are needed; they are made only now. ` + gap + early;
-  return `${axis.name} is the product of an edge of A and an edge of B. Two edges can cross without any corner being inside, and no face normal ` +
+    return `${axis.name} is the normal of two faces of B, a column of its rotation. ` + gap + early;
+  return `${axis.name} is the product of an edge of A and an edge of B. Two edges can cross without any corner being inside, and no face's normal ` +
     `sees that. Its length is the sine of the angle between the edges, and overlaps are divided by it. ` + gap + early;
+}
+
+/** The matrix that all axes but the first three need. */
+function rotationStep(axes: Axis[], paint: (d: Drawing) => void): Step {
+  const seen = (i: number, j: number): number => along(axes[i].direction, axes[3 + j].direction);
+  const tidy = (x: number): string => digits(Math.abs(x) < 1e-15 ? 0 : x, 4);
+  return {
+    title: "B's rotation, as A sees it",
+    text: "For the first three axes a row of this matrix each was enough, and a gap there ends the search. Only now is the whole of it needed, and so made: " +
+      "row i, column j says how far B's axis j points along A's axis i, both turned as they are drawn. Half sizes are weighted by these numbers without their signs; the products' lengths come from them too.",
+    formula: ["R_ij = a_i * b_j", "r_B = h_0 |R_i0| + h_1 |R_i1| + h_2 |R_i2|"],
+    numbers: { caption: "R", columns: ["", "b0", "b1", "b2"], rows: [0, 1, 2].map((i) => ({ cells: [`a${i}`, ...[0, 1, 2].map((j) => tidy(seen(i, j)))], key: `A${i}` })) },
+    says: "The rotation of B seen from A, as a matrix of three rows.",
+    draw: paint,
+  };
 }
 
 export const fifteenAxes: Lesson = {
@@ -70,33 +81,35 @@ export const fifteenAxes: Lesson = {
     const answer = ask(q);
     const axes = answer.trace.axes.filter((x) => x.name !== "normal");
     const { winner, reason } = answer.trace;
+    const paint = (d: Drawing): void => {
+      drawBodies(d, q);
+      axes.slice(0, 6).forEach((x, i) => {
+        const from = (i < 3 ? q.a.translation : q.b!.translation) ?? [0, 0, 0];
+        d.arrow(from, add(from, scale(x.direction, 1.3)), i < 3 ? "a" : "b", { label: x.name, key: x.name });
+      });
+    };
     const gapAt = axes.findIndex((x) => x.overlap < 0);
     const firstGap = gapAt < 0 ? -1 : names.indexOf(axes[gapAt].name);
     const missing = names.filter((n) => !axes.some((x) => x.name === n));
     const steps: Step[] = [{
       title: "Fifteen candidates",
       text: "A plane that separates two boxes can be turned until it lies on a face of one of them, or along an edge of each. So fifteen " +
-        "directions are enough. They are tried in the order of their cost, all of them as seen from A.",
+        "directions, the axes, are enough. On each, both boxes cast shadows. They are tried in the order of their cost, all of them as seen from A.",
       says: "Two boxes in space.",
-      draw(d) {
-        drawBodies(d, q);
-        axes.slice(0, 6).forEach((x, i) => {
-          const from = (i < 3 ? q.a.translation : q.b!.translation) ?? [0, 0, 0];
-          d.arrow(from, add(from, scale(x.direction, 1.3)), i < 3 ? "a" : "b", { label: x.name, key: x.name });
-        });
-      },
+      draw: paint,
     }];
     axes.forEach((axis, i) => {
       const index = names.indexOf(axis.name), product = index > 5;
+      if (i === 3) steps.push(rotationStep(axes, paint));
       steps.push({
         title: `Axis ${axis.name}: ${axis.overlap < 0 ? "a gap" : "overlap"}`,
         text: explain(axis, index, firstGap),
         formula: product
           ? [`n = frac(a_${Math.floor((index - 6) / 3)} × b_${(index - 6) % 3}, |a_${Math.floor((index - 6) / 3)} × b_${(index - 6) % 3}|)`,
-            `n = ${vector(axis.direction, 3).replace("(", "[").replace(")", "]")}`, `o = ${digits(axis.overlap, 5)}`]
-          : ["|c*n| > r_A + r_B", "r = h_0 |n*e_0| + h_1 |n*e_1| + h_2 |n*e_2|", `o = ${digits(axis.overlap, 5)}`],
-        numbers: table(axes.slice(0, i + 1), axis.name),
-        says: `${axis.name}: A from ${digits(axis.a[0], 3)} to ${digits(axis.a[1], 3)}, B from ${digits(axis.b[0], 3)} to ${digits(axis.b[1], 3)}, overlap ${digits(axis.overlap, 3)}.`,
+            `n = ${vector(axis.direction, 3).replace("(", "[").replace(")", "]")}`, ...verdictFormula(axis)]
+          : ["r = h_0 |n*e_0| + h_1 |n*e_1| + h_2 |n*e_2|", ...verdictFormula(axis)],
+        numbers: axisTable(axes.slice(0, i + 1), axis.name),
+        says: `${axis.name}: A from ${digits(axis.a[0], 3)} to ${digits(axis.a[1], 3)}, B from ${digits(axis.b[0], 3)} to ${digits(axis.b[1], 3)}, ${verdict(axis, 3)}.`,
         draw(d) {
           drawBodies(d, q);
           ruler(d, axis, state);
@@ -105,16 +118,20 @@ export const fifteenAxes: Lesson = {
     });
     const faces = axes.filter((x) => !x.name.includes("×"));
     const fast = faces.every((x) => x.overlap >= 0);
-    const best = axes.find((x) => x.name === winner) ?? axes[0];
+    const best = axes.find((x) => x.name === winner) ?? leastOf(axes);
     const normal = answer.manifolds?.[0]?.normal;
-    const parallel = missing.length ? ` ${missing.join(", ")}: the edges are parallel and the product vanishes. Such an axis is left out, not divided by its length; the face normals answer.` : "";
-    steps.push({
-      title: answer.overlap ? "The least overlap wins" : "A gap: the boxes are apart",
-      text: `${reason ?? ""}. The fast mode tries the six face normals only. It says: ` +
-        (fast ? "they may touch" : "apart") + (fast && !answer.overlap ? ", and is wrong on the safe side here: only an edge product separates them." : ".") + parallel,
-      formula: answer.overlap && normal ? ["d = min o_i", `d = ${digits(best.overlap, 6)}`, `n = [${normal.map((x) => digits(x, 3)).join(", ")}]`] : [`o_{"${best.name}"} = ${digits(best.overlap, 5)} < 0`],
-      numbers: table(axes, "", winner),
-      says: answer.overlap ? `Overlap: ${winner} wins with ${digits(best.overlap, 4)}.` : `Apart: ${winner} shows a gap of ${digits(-best.overlap, 4)}.`,
+    const parallel = missing.length ? ` ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} missing: those edges are parallel and their product vanishes. The normals of the faces answer for them.` : "";
+    const measured = answer.overlap ? null : ask({ ...q, query: "distance" });
+    const widest = leastOf(axes);
+    const exact = measured && Math.abs(measured.distance! + widest.overlap) <= 1e-9 * (Number(widest.a[1]) - Number(widest.a[0]));
+    const mode = `The fast mode tries the six normals of faces only. It says: ${fast ? "they may touch" : "apart"}` +
+      (fast && !answer.overlap ? ", and is wrong on the safe side here: only a product of edges separates them." : ".");
+    steps.push(answer.overlap ? {
+      title: "The least overlap wins",
+      text: `${reason ?? ""}. Along it B is parted from A on the shortest way: depth and normal are known. ${mode}${parallel}`,
+      formula: ["d = min o_i", `d = ${digits(best.overlap, 6)}`, ...(normal ? [`n = [${normal.map((x) => digits(x, 3)).join(", ")}]`] : [])],
+      numbers: axisTable(axes, "", best.name),
+      says: `Overlap: ${best.name} wins with ${digits(best.overlap, 4)}.`,
       draw(d) {
         drawBodies(d, q);
         ruler(d, best, state);
@@ -122,16 +139,32 @@ export const fifteenAxes: Lesson = {
         const point = answer.manifolds?.[0]?.points[0];
         if (point && normal) d.arrow(point.a, add(point.a, normal), "axis", { label: "n", wide: true });
       },
+    } : {
+      title: `A gap: the boxes are apart, by ${exact ? "" : "at least "}${digits(-widest.overlap, 4)}`,
+      text: `${widest.name} shows the widest gap, ${digits(-widest.overlap, 4)}; for "apart" any gap suffices. ` +
+        (exact ? "It is the distance too. " : `It is a lower bound: the distance is ${digits(measured!.distance, 4)}, along the way between the two nearest points, which is none of the fifteen axes. `) + mode + parallel,
+      formula: [`"gap" = ${digits(-widest.overlap, 5)}`, `d = ${digits(measured!.distance, 5)}`],
+      numbers: axisTable(axes, "", widest.name),
+      says: `Apart: ${widest.name} shows a gap of ${digits(-widest.overlap, 4)}, the distance is ${digits(measured!.distance, 4)}.`,
+      draw(d) {
+        drawBodies(d, q);
+        ruler(d, widest, state);
+        const [from, to] = [measured!.a as unknown as Vec, measured!.b as unknown as Vec];
+        d.line(from, to, "touch", { wide: true, label: "d" });
+        d.point(from, "a", { wide: true });
+        d.point(to, "b", { wide: true });
+      },
     });
     return steps;
   },
   tryThis: [
-    { label: "Edge on edge", note: "No corner of either is inside the other; an edge product wins.", state: situation([1.55, 1.35, 0], quatAbout([0.2, 1, 0], 0.9), quatAbout([0, 0, 1], 0.785398)) },
+    { label: "Edge on edge", note: "No corner of either is inside the other; an edge product wins.", state: situation([2.2, 0.05, 0.05], quatAbout([0, 1, 0], 0.785398), quatAbout([0, 0, 1], 0.785398)) },
     { label: "Parallel edges", note: "Turned about one axis: some products vanish and their rows are gone.", state: situation([1.5, 1.1, 0.2], quatAbout([0, 1, 0], 0.6)) },
+    { label: "Corner to corner", note: "The widest gap of the fifteen is less than the distance.", state: situation([2.5, 2, 1.9], quatAbout([0.4, 0.5, 0.8], 0.2)) },
     { label: "Apart at once", note: "A0 shows a gap: one axis of fifteen was needed.", state: situation([2.4, 0.5, 0], quatAbout([0, 0, 1], 0.4)) },
   ],
   wrong: [
-    { label: "What six axes miss", note: "Every face normal overlaps, and yet an edge product separates: the fast mode says they may touch.", state: situation([1.72, 1.5, 0], quatAbout([0.2, 1, 0], 0.9), quatAbout([0, 0, 1], 0.785398)) },
+    { label: "What six axes miss", note: "Every face normal overlaps, and yet an edge product separates: the fast mode says they may touch.", state: situation([2.42, 0.05, 0.05], quatAbout([0, 1, 0], 0.785398), quatAbout([0, 0, 1], 0.785398)) },
     { label: "Nearly parallel", note: "Turned by a millionth: the product's length is about 1e−6, and dividing by it would magnify rounding errors a million times.", state: situation([1.5, 1.1, 0.2], quatAbout([0.3, 1, 0.2], 1e-6)) },
   ],
   sources: [

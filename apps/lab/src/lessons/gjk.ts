@@ -1,87 +1,158 @@
-import { ask, type GjkStep } from "../graze.ts";
+import { ask, type GjkStep, type Support } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
-import { add, quatAbout, scale, sub } from "../parts/vec.ts";
+import { add, cross, dot, length, quatAbout, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, type Question, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
-import { drawOrigin, home, place } from "./minkowski.ts";
+import { along, dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { drawOrigin, home } from "./minkowski.ts";
 
-const region = (step: GjkStep, last: boolean, inside: boolean): string => {
-  if (last && inside) return "the origin lies inside the simplex";
-  return ["", "nearest is the corner itself", "nearest lies on the edge between two corners", "nearest lies within the triangle", "the origin is inside the tetrahedron"][step.simplex.length];
-};
+const kinds = ["", "a point", "an edge", "a triangle", "a tetrahedron"];
+const listed = (names: string[]): string => names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
 
-/** Steps of the trace, whatever the dimension: `paint` draws the situation, `spot` says where a support point is drawn. */
-function walk(q: Question, paint: (d: Drawing) => void, spot: (s: GjkStep["found"]) => Vec, zero: Vec): Step[] {
-  const answer = ask(q), list = answer.trace.gjk;
-  const cut = (p: Vec): string => vector(p.slice(0, q.dimension ?? 3), 3);
-  const inside = answer.distance! <= 0;
+/** The support points of a trace in the order in which they were found: w1, w2, ... */
+function namesOf(list: GjkStep[]): (p: Support) => string {
+  const names = new Map<string, string>(), key = (p: Support): string => JSON.stringify([p.a, p.b]);
+  for (const s of list)
+    for (const p of [...s.simplex, s.found]) if (!names.has(key(p))) names.set(key(p), `w${names.size + 1}`);
+  return (p) => names.get(key(p))!;
+}
+
+/** The bounds of a step as a picture: the line (in space a square) through s across n, that through v, and the strip between. */
+function drawBounds(d: Drawing, zero: Vec, n: Vec, beyond: number, lower: number, upper: number, s: Vec): void {
+  const at = (t: number): Vec => add(zero, scale(n, t)), from = Math.max(0, lower);
+  d.arrow(zero, at(1), "axis", { wide: true, label: "n" });
+  if (zero.length === 2) {
+    const side = scale([-n[1], n[0]], 3);
+    const across = (t: number): [Vec, Vec] => [add(at(t), side), sub(at(t), side)];
+    if (upper > from) d.polygon([...across(from), ...across(upper).reverse()], "made", { ghost: true, fill: true });
+    d.line(...across(upper), "touch", { dashed: true });
+    d.line(...across(beyond), "made", { wide: true });
+    if (from > beyond && from > 0) d.line(...across(from), "made", { dashed: true });
+    return;
+  }
+  const one = unit(cross(n, Math.abs(n[1]) < 0.8 ? [0, 1, 0] : [1, 0, 0])), other = cross(n, one);
+  const off = sub(s, at(beyond)), wide = Math.max(0.7, Math.abs(dot(off, one)), Math.abs(dot(off, other)));
+  const square = (t: number): Vec[] => [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, y]) => add(at(t), add(scale(one, x * wide), scale(other, y * wide))));
+  d.polygon(square(beyond), "made", { ghost: true });
+  if (upper > from) d.line(at(from), at(upper), "touch", { wide: true });
+}
+
+interface Situation {
+  q: Question;
+  paint: (d: Drawing) => void;
+  /** Where the origin of the difference is drawn. */
+  zero: Vec;
+  /** More digits of places that are far away. */
+  more?: number;
+}
+
+/** Steps of the trace, whatever the dimension. */
+function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
+  const answer = ask(q), list = answer.trace.gjk, flat = q.dimension === 2;
+  const cut = (p: Vec): Vec => p.slice(0, flat ? 2 : 3);
+  const difference = (p: Support): Vec => sub(cut(p.b), cut(p.a));
+  const spot = (p: Support): Vec => add(zero, difference(p));
+  const name = namesOf(list), wall = flat ? "line" : "plane";
+  const inside = answer.distance! <= 0, touching = Math.abs(answer.distance!) <= 1e-10 * (list[0]?.upper ?? 1);
+  const ends = flat ? "10⁻¹⁰ of the shapes' size" : "rounding of the shapes' size";
   const bounds = (at: number): Step["graph"] => ({
     caption: "bounds of the distance", at,
     series: [{ name: "at most", meaning: "touch", values: list.map((s) => s.upper) }, { name: "at least", meaning: "made", values: list.map((s) => s.lower) }],
   });
+  const drawSimplex = (d: Drawing, simplex: Support[]): void => {
+    const corners = simplex.map(spot);
+    if (corners.length > 2) d.polygon(corners.slice(0, 3), "axis", { wide: true });
+    for (let k = 0; k < corners.length; k++)
+      for (let l = k + 1; l < corners.length; l++) d.line(corners[k], corners[l], "axis", { wide: true });
+    simplex.forEach((p, k) => {
+      d.point(corners[k], "axis", { wide: true, label: name(p), key: name(p) });
+      d.point(cut(p.a), "a", { key: name(p) });
+      d.point(cut(p.b), "b", { key: name(p) });
+    });
+  };
+  const cells = (label: string, p: Support): string[] => [label, vector(cut(p.a), 3 + more), vector(cut(p.b), 3 + more), vector(difference(p), 3)];
   const steps: Step[] = [{
     title: "One question to the origin",
-    text: "How far is the difference B ⊖ A from the origin? GJK never builds it. It asks for support points, keeps at most " +
-      `${q.dimension === 2 ? "three" : "four"} of them, a simplex, and each time looks from the simplex's nearest point towards the origin.`,
+    text: "How far is the difference B ⊖ A from the origin O? That is the distance of the shapes. GJK never builds the difference. It keeps at most " +
+      `${flat ? "three" : "four"} of its points, a simplex, and calls v the point of the simplex nearest to O, n the direction of length one from O to v, ` +
+      "and s the point of the difference that lies furthest against n: B's furthest point against n minus A's furthest along it.",
     says: "The two shapes and their difference.",
     draw: paint,
   }];
   list.forEach((s, i) => {
-    const last = i === list.length - 1;
-    const corners = s.simplex.map(spot);
-    const foot = add(zero, scale(s.direction, s.upper));
-    const done = last && (inside ? s.upper === 0 : true);
+    const last = i === list.length - 1, names = s.simplex.map(name);
+    const before = i > 0 ? [...list[i - 1].simplex, list[i - 1].found] : [];
+    const dropped = [...new Set(before.map(name))].filter((w) => !names.includes(w));
+    const rows = s.simplex.map((p) => ({ cells: cells(name(p), p), key: name(p) }));
+    const columns = { caption: "Corners of the simplex, and what was found", columns: ["", "of A", "of B", "b − a"] };
+    const joined = i > 0 ? `The last s has joined as ${name(list[i - 1].found)}. ` : `It begins with any point of the difference, ${names[0]}. `;
+    if (s.direction.every((x) => x === 0)) {
+      steps.push({
+        title: touching ? `Iteration ${i + 1}: O lies on the simplex` : `Iteration ${i + 1}: O is inside ${kinds[names.length].replace("a ", "the ")}`,
+        text: joined + (touching
+          ? `O lies on a side of ${kinds[names.length]}, as exactly as numbers can say: the difference reaches O and no further, the shapes touch, and touching counts as overlap. d is zero.`
+          : `O lies inside, so it is a point of the difference: some point of A is one of B, the shapes overlap. There is no v, no n and nothing left to ask; how deep they overlap is a question for EPA.`),
+        formula: [touching ? "d = 0" : "d < 0"], numbers: { ...columns, rows }, graph: bounds(i),
+        says: `Iteration ${i + 1}: the distance is between 0 and 0.`,
+        draw(d) {
+          paint(d);
+          drawSimplex(d, s.simplex);
+        },
+      });
+      return;
+    }
+    const n = cut(s.direction), beyond = along(n, difference(s.found)), gap = s.upper - s.lower;
+    const counts = Math.abs(beyond - s.lower) <= 1e-9 * s.upper;
+    const bound = counts ? "s*n" : flat && s.lower === 0 ? "0" : '"earlier bound"';
+    const open = digits(Math.max(0, gap), 4);
     steps.push({
-      title: `Iteration ${i + 1}: ${["", "a point", "an edge", "a triangle", "a tetrahedron"][s.simplex.length]}`,
-      text: `The simplex has ${s.simplex.length} corner${s.simplex.length > 1 ? "s" : ""}; ${region(s, done, inside)}. ` +
-        (done && inside && s.upper === 0 ? "So the shapes overlap, and GJK is done: depth is a task for EPA."
-          : `The search goes against n, towards the origin, and finds s. The plane through s bounds the distance from below, the nearest point from above. ` +
-            (last ? (inside ? "The simplex now encloses the origin as soon as the new point is added." : "Both bounds agree: no point of the difference is nearer, and this is the distance.")
-              : "They still differ: s joins the simplex.")),
-      formula: [`"lower" = s*n <= d <= |v| = "upper"`, `${digits(s.lower, 6)} <= d <= ${digits(s.upper, 6)}`],
-      numbers: {
-        caption: "Corners of the simplex, and what was found", columns: ["", "of A", "of B", "b − a"],
-        rows: [
-          ...s.simplex.map((p, k) => ({ cells: [`w${k + 1}`, cut(p.a), cut(p.b), cut(sub(p.b, p.a))], key: `w${k}` })),
-          { cells: ["s", cut(s.found.a), cut(s.found.b), cut(sub(s.found.b, s.found.a))], key: "s", mark: "now" as const },
-        ],
-      },
+      title: `Iteration ${i + 1}: ${kinds[names.length]}`,
+      text: joined + (dropped.length ? `v needs ${listed(names)} alone: ${listed(dropped)} ${dropped.length > 1 ? "are" : "is"} dropped. ` : "") +
+        `v ${names.length === 1 ? `is ${names[0]} itself` : `lies on the ${names.length === 2 ? "edge" : "triangle"} of ${listed(names)}`}. ` +
+        (beyond > 0 ? `Everything of the difference lies beyond the ${wall} through s across n, so nothing of it is nearer to O than that ${wall}. ` +
+          (counts ? "" : `An earlier ${wall} lay further out; its bound stays. `)
+          : `Everything of the difference lies on one side of the ${wall} through s across n, but so does O: that proves nothing yet. `) +
+        "v belongs to the difference: d is at most |v|. " +
+        (!last ? (flat ? "The strip between is still open. " : "The way between plane and v is still open. ") : inside ? (touching ? "v is O but for rounding: they touch." : "Once s joins, the simplex encloses O.")
+          : `What is left between is within ${ends}: the search ends.`),
+      formula: [`${bound} <= d <= |v|`, `${digits(s.lower, 6)} <= d <= ${digits(s.upper, 6)}`, `|v| - ${bound} = ${open}`],
+      numbers: { ...columns, rows: [...rows, { cells: cells("s", s.found), key: "s", mark: "now" as const }] },
       graph: bounds(i),
       says: `Iteration ${i + 1}: the distance is between ${digits(s.lower, 4)} and ${digits(s.upper, 4)}.`,
       draw(d) {
         paint(d);
-        if (corners.length > 2) d.polygon(corners.slice(0, 3), "axis", { wide: true });
-        for (let k = 0; k < corners.length; k++)
-          for (let l = k + 1; l < corners.length; l++) d.line(corners[k], corners[l], "axis", { wide: true });
-        corners.forEach((p, k) => d.point(p, "axis", { wide: true, label: `w${k + 1}`, key: `w${k}` }));
-        s.simplex.forEach((p, k) => {
-          d.point(p.a, "a", { key: `w${k}` });
-          d.point(p.b, "b", { key: `w${k}` });
-        });
-        if (s.upper === 0) return;
-        d.arrow(foot, zero, "touch", { label: "v" });
+        drawBounds(d, zero, n, beyond, s.lower, s.upper, spot(s.found));
+        drawSimplex(d, s.simplex);
+        d.line(zero, add(zero, scale(n, s.upper)), "touch", { dashed: true });
+        d.point(add(zero, scale(n, s.upper)), "touch", { label: "v" });
         d.point(spot(s.found), "made", { wide: true, label: "s", key: "s" });
-        d.point(s.found.a, "a", { wide: true, key: "s" });
-        d.point(s.found.b, "b", { wide: true, key: "s" });
+        d.point(cut(s.found.a), "a", { wide: true, key: "s" });
+        d.point(cut(s.found.b), "b", { wide: true, key: "s" });
       },
     });
   });
+  const end = list.at(-1), [a, b] = [answer.a as unknown as Vec, answer.b as unknown as Vec];
+  const around = end && inside && !touching ? (end.direction.some((x) => x !== 0) ? [...end.simplex, end.found] : end.simplex) : [];
   steps.push({
-    title: inside ? "They overlap" : "The distance",
-    text: inside ? `${list.length} iterations. The simplex that holds the origin is where EPA starts; the signed distance it finds is ${digits(answer.distance, 6)}.`
-      : `${list.length} iterations. The nearest points of A and B are the corners' points weighted as the nearest point of the simplex is; their distance is ${digits(answer.distance, 8)}.`,
-    formula: [inside ? "O in B ⊖ A" : "d = |b - a|", `d = ${digits(answer.distance, 8)}`],
+    title: touching ? "They touch" : inside ? "They overlap" : "The distance",
+    text: `${list.length} iterations. ` + (more
+      ? `The steps are told in numbers of the world, where ${digits(Math.abs(a[0]), 7)} takes up most of the digits. The library answers in the frame of A, where the numbers are small: compare the last digits.`
+      : inside ? `${touching ? "O lies on the boundary of the difference" : `The simplex of ${around.length} corners holds O, and EPA starts from it`}; the signed distance is ${digits(answer.distance, 6)}.`
+        : "v is a mean of the simplex's corners with weights λ. The same weights applied to the corners' points of A give the point of A that is nearest to B, and those of B the point of B: their difference is v, their distance |v|."),
+    formula: inside ? ["O in B ⊖ A", `d = ${digits(answer.distance, 8)}`]
+      : ["v = λ_1 w_1 + λ_2 w_2 + ...", "a = λ_1 a_1 + λ_2 a_2 + ...", "b = λ_1 b_1 + λ_2 b_2 + ...", `d = |v| = ${digits(answer.distance, 8)}`],
     numbers: { caption: "Answer", columns: ["", "value"], rows: [
-      { cells: ["distance", answer.distance!], mark: "winner" }, { cells: ["normal", vector(answer.normal, 5)] },
-      { cells: ["on A", vector(answer.a as unknown as Vec, 5)] }, { cells: ["on B", vector(answer.b as unknown as Vec, 5)] }] },
+      ...(more && end ? [{ cells: ["d, in A's frame", digits(answer.distance, 15)], mark: "winner" as const }, { cells: ["|v|, in the world", digits(end.upper, 15)], mark: "out" as const }]
+        : [{ cells: ["distance", answer.distance!], mark: "winner" as const }]),
+      { cells: ["normal", vector(answer.normal, 5)] }, { cells: ["on A", vector(a, 5 + more)] }, { cells: ["on B", vector(b, 5 + more)] }] },
     graph: bounds(list.length - 1),
     says: `Signed distance ${digits(answer.distance, 6)}.`,
     draw(d) {
       paint(d);
-      d.line(answer.a as unknown as Vec, answer.b as unknown as Vec, "touch", { wide: true });
-      d.point(answer.a as unknown as Vec, "touch");
-      d.point(answer.b as unknown as Vec, "touch");
+      if (around.length) drawSimplex(d, around);
+      d.line(a, b, "touch", { wide: true });
+      d.point(a, "touch");
+      d.point(b, "touch");
       d.arrow(zero, add(zero, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
     },
   });
@@ -98,26 +169,35 @@ const planeState = (translation: Vec, rotation: number, b = convex([[-1.1, -0.5]
   q: { query: "distance", dimension: 2, a: { shape: a }, b: { shape: b, translation, rotation } },
 });
 
+/** How far the picture follows A, when it is far from the origin. */
+const away = (q: Question): Vec => {
+  const at = q.a.translation ?? [0, 0];
+  return length(at) > 100 ? at.map((x) => 10 * Math.round(x / 10)) : [0, 0];
+};
+
 export const gjkPlane: Lesson = {
   id: "gjk", number: 7, title: "GJK in the plane", question: "How far apart are they, and why may we stop?",
   intro: "The algorithm of Gilbert, Johnson and Keerthi walks through the difference towards the origin. It works for everything that can name its " +
     "furthest point along a direction.",
-  dimension: 2, view: { center: [1.2, -2], reach: 5.2 }, start: planeState([3.4, 1.1], 0.4),
+  dimension: 2, view: (s) => ({ center: add([1.6, -2.4], away(s.q)), reach: 5.2 }), start: planeState([3.4, 1.1], 0.4),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b)],
   drag: (s, id, to) => dragBody(s, id, to, arms),
-  steps: (state) => walk(state.q, (d) => {
-    drawBodies(d, state.q);
-    d.polygon((ask(state.q).trace.difference ?? []).map(place), "made", { fill: true, ghost: true });
-    drawOrigin(d);
-  }, place, home),
+  steps({ q }) {
+    const zero = add(home, away(q)), far = length(away(q));
+    return walk({ q, zero, more: far > 0 ? Math.floor(Math.log10(far)) : 0, paint(d) {
+      drawBodies(d, q);
+      d.polygon((ask(q).trace.difference ?? []).map((p) => add(zero, sub(p.b, p.a).slice(0, 2))), "made", { fill: true, ghost: true });
+      drawOrigin(d, zero);
+    } });
+  },
   tryThis: [
     { label: "Origin inside", note: "The shapes overlap: the simplex encloses O.", state: planeState([0.9, 0.6], 0.4) },
     { label: "Parallel sides", note: "Every point of a side is nearest; GJK takes one.", state: planeState([3.2, 0], 0, box(2, 2), box(2, 2)) },
     { label: "Thin shapes", note: "Two needles, one corner each.", state: planeState([1.2, 2.2], 0.9, box(3.4, 0.04), box(3.4, 0.04)) },
   ],
   wrong: [
-    { label: "Origin on an edge", note: "The shapes touch: upper and lower bound are zero or nearly so. A test against an absolute epsilon decides this differently at another scale; the library's tolerance follows from the shapes' sizes.", state: planeState([2, 0.3], 0, box(2, 2), box(2, 2)) },
-    { label: "Very far away", note: "At a distance of a million the numbers of A and B have six digits less to describe the shapes. Work in a frame of the pair loses none.", state: { q: { ...planeState([1000003.2, 0.4], 0.3, box(2, 2), box(2, 2)).q, a: { shape: box(2, 2), translation: [1000000, 0] } } } },
+    { label: "Origin on an edge", note: "The shapes touch: O lies on a side of the difference. A test against an absolute epsilon decides this differently at another scale; the library's tolerance follows from the shapes' sizes.", state: planeState([2, 0.3], 0, box(2, 2), box(2, 2)) },
+    { label: "Very far away", note: "A million away from the origin. Numbers of the world have six digits less left for the shapes, and the steps, which use them, get the last digits wrong; in the frame of A none is lost.", state: { q: { ...planeState([1000003.2, 0.4], 0.3, box(2, 2), box(2, 2)).q, a: { shape: box(2, 2), translation: [1000000, 0] } } } },
   ],
   sources,
 };
@@ -137,11 +217,11 @@ export const gjkSpace: Lesson = {
   dimension: 3, view: { center: [0.8, -0.7, 0], reach: 3.2 }, start: spaceState([1.9, 1, 0.2], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),
-  steps: (state) => walk(state.q, (d) => {
-    drawBodies(d, state.q);
+  steps: ({ q }) => walk({ q, zero: homeSpace, paint(d) {
+    drawBodies(d, q);
     for (const axis of [[0.25, 0, 0], [0, 0.25, 0], [0, 0, 0.25]]) d.line(sub(homeSpace, axis), add(homeSpace, axis), "ink", { wide: true });
     d.text(homeSpace, "O", "ink");
-  }, (s) => add(homeSpace, sub(s.b, s.a)), homeSpace),
+  } }),
   tryThis: [
     { label: "They overlap", note: "The simplex becomes a tetrahedron around O.", state: spaceState([0.1, 0.9, 0.1], quatAbout([0.3, 0.2, 1], 0.7)) },
     { label: "A long way", note: "The rim is curved: the bounds close step by step.", state: spaceState([1.6, 1.9, 1.2], quatAbout([1, 0.2, 0.4], 1.3)) },

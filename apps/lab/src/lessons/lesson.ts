@@ -1,5 +1,6 @@
 // What a lesson is: data, and for each step a drawing. CONTRIBUTING.md says how to add one.
 
+import { ask } from "../graze.ts";
 import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
 import type { Graph } from "../parts/graph.ts";
 import type { Numbers } from "../parts/table.ts";
@@ -42,7 +43,8 @@ export interface Lesson {
   /** Two or three sentences before the first step. */
   intro: string;
   dimension: 2 | 3;
-  view: View;
+  /** Of a function: looked at anew whenever what it gives changes. */
+  view: View | ((state: State) => View);
   start: State;
   choices?: Choice[];
   handles(state: State): Handle[];
@@ -126,5 +128,13 @@ export function drawContacts(drawing: Drawing, manifolds: { normal: Vec; points:
       drawing.line(p.a, p.b, "touch", { wide: true, key: `point-${i}` });
       drawing.point(p.a, "touch", { key: `point-${i}` });
     });
+}
+
+/** How far a point lies along a unit vector: the scalar product, as the library measures the point's distance from the
+ *  plane (in the plane: the line) through the origin across the vector. */
+export function along(u: Vec, p: Vec): number {
+  const flat = p.length === 2;
+  const body: Body = { shape: { type: "plane" }, rotation: flat ? Math.atan2(-u[0], u[1]) : quatBetween([0, 1, 0], u) };
+  return ask({ query: "closest", ...(flat ? { dimension: 2 as const } : {}), a: body, point: p }).distance!;
 }
 export const dragTo = (x: number): number => Number(x.toPrecision(12));

@@ -30,15 +30,16 @@ function support(body: Body, direction: Vec): Vec {
   return answer.a as unknown as Vec;
 }
 
+const row = (p: Vec): string => vector(p, 4).replace("(", "[").replace(")", "]");
 const flat = (p: Vec): Vec => [p[0], p[1]];
 /** A point of the difference B − A, where it is drawn. */
 export const place = (s: Support): Vec => add(home, flat(sub(s.b, s.a)));
 export { home };
 
-export function drawOrigin(d: Drawing): void {
-  d.line(add(home, [-0.18, 0]), add(home, [0.18, 0]), "ink", { wide: true });
-  d.line(add(home, [0, -0.18]), add(home, [0, 0.18]), "ink", { wide: true });
-  d.text(home, "O", "ink");
+export function drawOrigin(d: Drawing, at: Vec = home): void {
+  d.line(add(at, [-0.18, 0]), add(at, [0.18, 0]), "ink", { wide: true });
+  d.line(add(at, [0, -0.18]), add(at, [0, 0.18]), "ink", { wide: true });
+  d.text(at, "O", "ink");
 }
 
 export const minkowski: Lesson = {
@@ -93,7 +94,7 @@ export const minkowski: Lesson = {
         title: `Corner ${i + 1} of ${corners.length}`,
         text: `This corner is made of the two marked corners. On to the next one the outline follows a side of ${fromB ? "B" : "A"}: as one shape slides ` +
           `round the other, sides of both follow each other in the order of their directions.`,
-        formula: [`c = ${sign}`, `${vector(flat(corner.b), 4).replace("(", "[").replace(")", "]")} - ${vector(flat(corner.a), 4).replace("(", "[").replace(")", "]")} = ${vector(flat(sub(corner.b, corner.a)), 4).replace("(", "[").replace(")", "]")}`],
+        formula: [`c = ${sign}`, `${row(sum ? ofA(corner.a) : flat(corner.b))} ${sum ? "+" : "-"} ${row(sum ? flat(corner.b) : flat(corner.a))} = ${row(flat(sub(corner.b, corner.a)))}`],
         numbers: {
           caption: `Corners of the ${word}`, columns: ["corner", "of A", "of B", "made"],
           rows: corners.slice(0, i + 1).map((c, k) => ({

@@ -34,6 +34,7 @@ export class LessonRoom implements Room {
   private readonly plot = h("div", { class: "plot" });
   private readonly choices = h("div", { class: "choices" });
   private readonly code = h("div", { class: "code" });
+  private looked = "";
   private waiting = 0;
   private settled = true;
 
@@ -43,7 +44,6 @@ export class LessonRoom implements Room {
     this.step = Math.max(0, Number(values.step ?? 0) | 0);
     this.history = new History(this.state);
     this.stage = lesson.dimension === 2 ? new Stage2() : new Stage3();
-    this.stage.look(lesson.view);
     this.stage.onDrag = (id, to, done) => this.change(lesson.drag(this.state, id, to), done);
     this.stage.onPoint = (key) => this.light(key);
     this.table.onPoint = (key) => this.light(key);
@@ -106,6 +106,14 @@ export class LessonRoom implements Room {
     history.replaceState(null, "", address(`/lesson/${this.lesson.id}`, values));
   }
 
+  private look(): void {
+    const { view } = this.lesson;
+    const wanted = typeof view === "function" ? view(this.state) : view;
+    const text = JSON.stringify(wanted);
+    if (text === this.looked) return;
+    this.looked = text;
+    this.stage.look(wanted);
+  }
   private show(): void {
     try {
       const { error } = ask(this.question());
@@ -118,6 +126,7 @@ export class LessonRoom implements Room {
       if (this.steps.length === 0) return;
     }
     this.step = Math.min(this.step, this.steps.length - 1);
+    this.look();
     this.paint();
     this.showChoices();
     this.showCode();
