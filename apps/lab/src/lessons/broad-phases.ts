@@ -2,6 +2,7 @@ import { graze } from "../graze.ts";
 import { digits } from "../parts/dom.ts";
 import { box, type State, type Vec } from "../question.ts";
 import type { Lesson, Step } from "./lesson.ts";
+import { broadPhasePrograms } from "./programs.ts";
 
 const kinds = ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "looseOctree", "bsp"] as const;
 type Kind = (typeof kinds)[number];
@@ -59,6 +60,10 @@ function run(kind: Kind, scene: string): Run {
   kept.set(key, result);
   return result;
 }
+const chosen = (state: State): { kind: Kind; scene: string } => ({
+  kind: kinds.find((k) => k === state.choice?.kind) ?? "dynamicTree",
+  scene: scenes.find((s) => s.value === state.choice?.scene)?.value ?? "crowd",
+});
 const situation = (scene: string, kind: Kind = "dynamicTree"): State => ({
   q: { query: "overlap", a: { shape: box(1, 1, 1) }, b: { shape: box(1, 1, 1) } }, choice: { kind, scene } });
 const scenes = [{ value: "crowd", label: "a crowd" }, { value: "heap", label: "one heap" }, { value: "giant", label: "one giant" }, { value: "teleport", label: "all teleport" }];
@@ -70,9 +75,18 @@ export const broadPhases: Lesson = {
   dimension: 3, view: { center: [0, 0, 0], reach: 4 }, start: situation("crowd"),
   choices: [{ key: "kind", label: "Structure", options: kinds.map((value) => ({ value, label: labels[value] })) }, { key: "scene", label: "Scene", options: scenes }],
   handles: () => [], drag: (s) => s,
+  asks: () => undefined,
+  code(state) {
+    const { kind, scene } = chosen(state);
+    return {
+      programs: broadPhasePrograms({
+        kind, count, frames, spread: scene === "heap" ? 1 : 6, giant: scene === "giant" ? 2.6 : undefined,
+        teleport: scene === "teleport" }),
+      prints: () => run(kind, scene).frames.map((frame) => frame.pairs.length / 2),
+    };
+  },
   steps(state) {
-    const kind = kinds.find((k) => k === state.choice?.kind) ?? "dynamicTree";
-    const scene = scenes.find((s) => s.value === state.choice?.scene)?.value ?? "crowd";
+    const { kind, scene } = chosen(state);
     const list = run(kind, scene).frames;
     const times = kinds.map((k) => ({ k, ...run(k, scene) }));
     return list.map((frame, i): Step => {

@@ -65,8 +65,8 @@ const zeros = (flat: boolean): Vec => (flat ? [0, 0] : [0, 0, 0]);
 const massOf = (body: Body): number => (body.mass === "infinity" ? Infinity : Number(body.mass));
 
 /** Items between brackets, on as many lines as they need. */
-function list(items: string[], [open, close]: string, indent: string): string {
-  const line = `${open}${items.join(", ")}${close}`;
+function list(items: string[], [open, close]: string, indent = "", space = ""): string {
+  const line = `${open}${space}${items.join(", ")}${space}${close}`;
   if (line.length <= 80) return line;
   const lines: string[] = [];
   for (const item of items) {
@@ -89,7 +89,7 @@ function javascript(q: Question): string | undefined {
     const kind = call.kind === "ConvexPolygon" ? "Convex" : call.kind;
     names.add(flat ? "plane" : kind);
     const args = call.args.map((x) =>
-      Array.isArray(x) && Array.isArray(x[0]) ? list((x as Vec[]).map(value), "[]", "") : value(x as Vec | number));
+      Array.isArray(x) && Array.isArray(x[0]) ? list((x as Vec[]).map(value), "[]") : value(x as Vec | number));
     return `new ${where}${kind}(${args.join(", ")})${call.rounding ? `.rounded(${call.rounding})` : ""}`;
   };
   const pose = (body: Body): string[] => {
@@ -104,7 +104,7 @@ function javascript(q: Question): string | undefined {
     for (const key of ["linear", "angular"] as const) if (!isZero(body[key])) keys.push(`${key}: ${value(body[key]!)}`);
     return keys;
   };
-  const object = (keys: string[]): string => (keys.length ? `{ ${keys.join(", ")} }` : "{}");
+  const object = (keys: string[]): string => (keys.length ? list(keys, "{}", "", " ") : "{}");
 
   const a = shape(q.a.shape), b = q.b && shape(q.b.shape);
   if (!a || (q.b && !b) || (query === "response" && flat)) return undefined;
@@ -163,13 +163,15 @@ function javascript(q: Question): string | undefined {
 function python(q: Question): string | undefined {
   if (q.query === "response") {
     // The package answers this one as the protocol's question.
-    const value = (x: unknown): string => (typeof x === "object" && x !== null
-      ? Array.isArray(x) ? `[${x.map(value).join(", ")}]`
-        : `{${Object.entries(x).map(([key, y]) => `"${key}": ${value(y)}`).join(", ")}}`
-      : JSON.stringify(x));
-    const keys = Object.entries(q).filter(([, x]) => x !== undefined);
-    return ["import json", "", "import graze", "", "question = {",
-      ...keys.map(([key, x]) => `    "${key}": ${value(x)},`), "}", "print(graze.answer(json.dumps(question)))"].join("\n");
+    const value = (x: unknown, indent = "    "): string => {
+      if (Array.isArray(x)) return `[${x.join(", ")}]`;
+      if (typeof x !== "object" || x === null) return JSON.stringify(x);
+      return list(entries(x, `${indent}  `), "{}", indent);
+    };
+    const entries = (x: object, indent?: string): string[] =>
+      Object.entries(x).filter(([, y]) => y !== undefined).map(([key, y]) => `"${key}": ${value(y, indent)}`);
+    return ["import json", "", "import graze", "", "question = {", ...entries(q).map((x) => `    ${x},`), "}",
+      "print(graze.answer(json.dumps(question)))"].join("\n");
   }
   const flat = q.dimension === 2, { query } = q, module = flat ? "plane" : "graze";
   const value = (v: Vec | number): string => (typeof v === "number" ? String(v) : `(${v.join(", ")})`);
@@ -178,7 +180,7 @@ function python(q: Question): string | undefined {
     if (!call) return undefined;
     const ball = call.kind === "Sphere" || call.kind === "Circle";
     const args = call.args.map((x) => Array.isArray(x) && Array.isArray(x[0])
-      ? list((x as Vec[]).map(value), "[]", "")
+      ? list((x as Vec[]).map(value), "[]")
       : value(ball ? (x as number) + call.rounding : (x as Vec | number)));
     if (call.rounding && !ball) args.push(`rounding=${call.rounding}`);
     return `${module}.${call.kind}(${args.join(", ")})`;
@@ -187,7 +189,7 @@ function python(q: Question): string | undefined {
     const args: string[] = [];
     if (!isZero(body.translation) || isTurned(body.rotation)) args.push(value(body.translation ?? zeros(flat)));
     if (isTurned(body.rotation)) args.push(value(body.rotation!));
-    return `${module}.Pose(${args.join(", ")})`;
+    return `${module}.Pose${list(args, "()")}`;
   };
   const a = shape(q.a.shape), b = q.b && shape(q.b.shape);
   if (!a || (q.b && !b)) return undefined;
@@ -258,7 +260,7 @@ function cpp(q: Question): string | undefined {
   };
   const pose = (name: string, body: Body): void => {
     const at = vec(body.translation ?? zeros(flat));
-    const given = isTurned(body.rotation) ? `{${at}, ${rotation(body)}}` : isZero(body.translation) ? "{}" : `{${at}, {}}`;
+    const given = isTurned(body.rotation) ? list([at, rotation(body)], "{}", "  ") : isZero(body.translation) ? "{}" : `{${at}, {}}`;
     lines.push(`  const ${space}::${flat ? "Pose2d" : "Posed"} ${name}${given};`);
   };
   const axes = flat ? ["x", "y"] : ["x", "y", "z"];
@@ -270,7 +272,8 @@ function cpp(q: Question): string | undefined {
     const args = values.map(([, member, kind]) => (kind === "vector" ? parts(member) : member));
     const line = `${indent}std::printf("${text}\\n", ${args.join(", ")});`;
     if (line.length <= 110) lines.push(line);
-    else lines.push(`${indent}std::printf("${text}\\n",`, `${indent}            ${args.join(", ")});`);
+    else lines.push(`${indent}std::printf("${text}\\n",`,
+      ...args.map((x, i) => `${indent}            ${x}${i + 1 < args.length ? "," : ");"}`));
   };
 
   if (query === "response" && flat) return undefined;
@@ -302,10 +305,10 @@ function cpp(q: Question): string | undefined {
       ["normal", "found.normal", "vector"]);
   } else if (query === "response") {
     for (const [name, body] of [["a", q.a], ["b", q.b!]] as const) {
-      const motion = `.linear = ${vec(body.linear ?? zeros(flat))}, .angular = ${vec((body.angular as Vec) ?? zeros(flat))}, `
-        + `.center = ${vec(body.translation ?? zeros(flat))}`;
+      const motion = ["linear", "angular"].map((key) => `.${key} = ${vec((body[key as "linear"]) ?? zeros(flat))}`);
+      motion.push(`.center = ${vec(body.translation ?? zeros(flat))}`);
       const mass = massOf(body), turned = isTurned(body.rotation) ? `, ${rotation(body)}` : "";
-      lines.push(`  const graze::StruckBody<double> ${name}{`, `      .motion = {${motion}},`);
+      lines.push(`  const graze::StruckBody<double> ${name}{`, `      .motion = ${list(motion, "{}", "      ")},`);
       lines.push(mass === Infinity ? "      .mass = {}};"
         : `      .mass = graze::inverse_mass(${real(mass)}, graze::inertia_of(shape_${name}, ${real(mass)})${turned})};`);
     }
@@ -337,4 +340,11 @@ function cpp(q: Question): string | undefined {
     .join("\n");
 }
 
-export const codeOf = (q: Question): Programs => ({ "C++": cpp(q), Python: python(q), JavaScript: javascript(q) });
+export function codeOf(q: Question): Programs {
+  const programs: Programs = {};
+  for (const [language, write] of [["C++", cpp], ["Python", python], ["JavaScript", javascript]] as const) {
+    const text = write(q);
+    if (text) programs[language] = text;
+  }
+  return programs;
+}
