@@ -50,36 +50,32 @@ function made(shape: Shape, flat: boolean): Made | undefined {
 const isZero = (v?: Vec | number): boolean => v === undefined || (typeof v === "number" ? v === 0 : v.every((x) => x === 0));
 const isTurned = (rotation: Body["rotation"]): boolean =>
   Array.isArray(rotation) ? rotation.slice(0, 3).some((x) => x !== 0) : !isZero(rotation);
-/** The protocol makes quaternions unit, by the same operations. */
-function unitQuaternion(q: Vec): Vec {
-  const scale = Math.max(...q.map(Math.abs)), p = q.map((x) => x / scale);
-  const l = Math.sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]);
-  return p.map((x) => x / l);
-}
-/** A normal is taken as it is but for what the protocol would correct. */
-function unitNormal(n: Vec): Vec {
-  const l = Math.hypot(...n);
-  return Math.abs(l - 1) < 1e-12 ? n : n.map((x) => x / l);
-}
+/** Whether a vector or quaternion is as long as twelve digits can say; the protocol makes unit what is not. */
+const isUnit = (v: Vec): boolean => Math.abs(Math.hypot(...v) - 1) < 4e-12;
+const unit = (v: Vec): Vec => (isUnit(v) ? v : v.map((x) => x / Math.hypot(...v)));
 const zeros = (flat: boolean): Vec => (flat ? [0, 0] : [0, 0, 0]);
 const massOf = (body: Body): number => (body.mass === "infinity" ? Infinity : Number(body.mass));
 
-/** Items between brackets, on as many lines as they need. */
-function list(items: string[], [open, close]: string, indent = "", space = ""): string {
+/** How a language breaks a list over lines: by how much its items are indented, and whether its end has its own line. */
+interface Breaks { step: string; ends: boolean }
+/** Items between brackets, on as many lines as they need; `indent` is that of the line on which they begin. */
+function list(items: string[], [open, close]: string, { step, ends }: Breaks, indent = "", space = ""): string {
   const line = `${open}${space}${items.join(", ")}${space}${close}`;
   if (line.length <= 80) return line;
   const lines: string[] = [];
   for (const item of items) {
     const last = lines[lines.length - 1];
-    if (last !== undefined && last.length + item.length < 90) lines[lines.length - 1] = `${last} ${item},`;
-    else lines.push(`${item},`);
+    if (last !== undefined && last.length + item.length < 90) lines[lines.length - 1] = `${last}, ${item}`;
+    else lines.push(item);
   }
-  return `${open}\n${lines.map((x) => `${indent}  ${x}\n`).join("")}${indent}${close}`;
+  const inner = lines.map((x) => `${indent}${step}${x}`).join(",\n");
+  return ends ? `${open}\n${inner},\n${indent}${close}` : `${open}\n${inner}${close}`;
 }
 
 // --- JavaScript ---
 
 function javascript(q: Question): string | undefined {
+  const breaks: Breaks = { step: "  ", ends: true };
   const flat = q.dimension === 2, { query } = q, where = flat ? "plane." : "";
   const value = (v: Vec | number): string => (typeof v === "number" ? String(v) : `[${v.join(", ")}]`);
   const names = new Set(["init"]);
@@ -89,14 +85,14 @@ function javascript(q: Question): string | undefined {
     const kind = call.kind === "ConvexPolygon" ? "Convex" : call.kind;
     names.add(flat ? "plane" : kind);
     const args = call.args.map((x) =>
-      Array.isArray(x) && Array.isArray(x[0]) ? list((x as Vec[]).map(value), "[]") : value(x as Vec | number));
+      Array.isArray(x) && Array.isArray(x[0]) ? list((x as Vec[]).map(value), "[]", breaks) : value(x as Vec | number));
     return `new ${where}${kind}(${args.join(", ")})${call.rounding ? `.rounded(${call.rounding})` : ""}`;
   };
   const pose = (body: Body): string[] => {
     const keys: string[] = [];
     if (!isZero(body.translation)) keys.push(`translation: ${value(body.translation!)}`);
     if (isTurned(body.rotation))
-      keys.push(`rotation: ${value(flat ? body.rotation! : unitQuaternion(body.rotation as Vec))}`);
+      keys.push(`rotation: ${value(flat ? body.rotation! : unit(body.rotation as Vec))}`);
     return keys;
   };
   const moving = (body: Body): string[] => {
@@ -104,7 +100,7 @@ function javascript(q: Question): string | undefined {
     for (const key of ["linear", "angular"] as const) if (!isZero(body[key])) keys.push(`${key}: ${value(body[key]!)}`);
     return keys;
   };
-  const object = (keys: string[]): string => (keys.length ? list(keys, "{}", "", " ") : "{}");
+  const object = (keys: string[]): string => (keys.length ? list(keys, "{}", breaks, "", " ") : "{}");
 
   const a = shape(q.a.shape), b = q.b && shape(q.b.shape);
   if (!a || (q.b && !b) || (query === "response" && flat)) return undefined;
@@ -143,7 +139,7 @@ function javascript(q: Question): string | undefined {
     put("movingB", object(["shape: b", ...moving(q.b!)]));
     put("hit", `${f}(movingA, movingB, { duration: ${q.duration ?? 1} })`);
   } else {
-    const keys = [`point: ${value(q.contact!.point)}`, `normal: ${value(unitNormal(q.contact!.normal))}`];
+    const keys = [`point: ${value(q.contact!.point)}`, `normal: ${value(unit(q.contact!.normal))}`];
     put("contact", object([...keys, `restitution: ${q.restitution ?? 0}`, `friction: ${q.friction ?? 0.6}`]));
     put("struckA", object([`mass: ${massOf(q.a)}`, "shape: a", ...moving(q.a)]));
     put("struckB", object([`mass: ${massOf(q.b!)}`, "shape: b", ...moving(q.b!)]));
@@ -161,12 +157,13 @@ function javascript(q: Question): string | undefined {
 // --- Python ---
 
 function python(q: Question): string | undefined {
+  const breaks: Breaks = { step: "    ", ends: true };
   if (q.query === "response") {
     // The package answers this one as the protocol's question.
     const value = (x: unknown, indent = "    "): string => {
       if (Array.isArray(x)) return `[${x.join(", ")}]`;
       if (typeof x !== "object" || x === null) return JSON.stringify(x);
-      return list(entries(x, `${indent}  `), "{}", indent);
+      return list(entries(x, `${indent}    `), "{}", breaks, indent);
     };
     const entries = (x: object, indent?: string): string[] =>
       Object.entries(x).filter(([, y]) => y !== undefined).map(([key, y]) => `"${key}": ${value(y, indent)}`);
@@ -180,7 +177,7 @@ function python(q: Question): string | undefined {
     if (!call) return undefined;
     const ball = call.kind === "Sphere" || call.kind === "Circle";
     const args = call.args.map((x) => Array.isArray(x) && Array.isArray(x[0])
-      ? list((x as Vec[]).map(value), "[]")
+      ? list((x as Vec[]).map(value), "[]", breaks)
       : value(ball ? (x as number) + call.rounding : (x as Vec | number)));
     if (call.rounding && !ball) args.push(`rounding=${call.rounding}`);
     return `${module}.${call.kind}(${args.join(", ")})`;
@@ -189,7 +186,7 @@ function python(q: Question): string | undefined {
     const args: string[] = [];
     if (!isZero(body.translation) || isTurned(body.rotation)) args.push(value(body.translation ?? zeros(flat)));
     if (isTurned(body.rotation)) args.push(value(body.rotation!));
-    return `${module}.Pose${list(args, "()")}`;
+    return `${module}.Pose${list(args, "()", breaks)}`;
   };
   const a = shape(q.a.shape), b = q.b && shape(q.b.shape);
   if (!a || (q.b && !b)) return undefined;
@@ -231,6 +228,7 @@ function python(q: Question): string | undefined {
 // --- C++ ---
 
 function cpp(q: Question): string | undefined {
+  const breaks: Breaks = { step: "    ", ends: false };
   const flat = q.dimension === 2, { query } = q, space = flat ? "graze::plane" : "graze";
   const vec = (v: Vec): string => `{${v.join(", ")}}`;
   /** A number whose type a template is deduced from. */
@@ -244,7 +242,7 @@ function cpp(q: Question): string | undefined {
       if (typeof x === "number") return String(x);
       if (!Array.isArray(x[0])) return vec(x as Vec);
       includes.add("<vector>");
-      const points = list((x as Vec[]).map(vec), "{}", "  ");
+      const points = list((x as Vec[]).map(vec), "{}", breaks, "  ");
       lines.push(`  const std::vector<${space}::${flat ? "Vec2d" : "Vec3d"}> points_${name}${points};`);
       return `points_${name}`;
     });
@@ -255,12 +253,12 @@ function cpp(q: Question): string | undefined {
   };
   const rotation = (body: Body): string => {
     if (flat) return `${space}::Rot2d::from_angle(${real(body.rotation as number)})`;
-    const given = body.rotation as Vec, unit = unitQuaternion(given);
-    return given.every((x, i) => x === unit[i]) ? vec(given) : `graze::normalized(graze::Quatd${vec(given)})`;
+    const given = vec(body.rotation as Vec);
+    return isUnit(body.rotation as Vec) ? given : `graze::normalized(graze::Quatd${given})`;
   };
   const pose = (name: string, body: Body): void => {
     const at = vec(body.translation ?? zeros(flat));
-    const given = isTurned(body.rotation) ? list([at, rotation(body)], "{}", "  ") : isZero(body.translation) ? "{}" : `{${at}, {}}`;
+    const given = isTurned(body.rotation) ? list([at, rotation(body)], "{}", breaks, "  ") : isZero(body.translation) ? "{}" : `{${at}, {}}`;
     lines.push(`  const ${space}::${flat ? "Pose2d" : "Posed"} ${name}${given};`);
   };
   const axes = flat ? ["x", "y"] : ["x", "y", "z"];
@@ -308,12 +306,12 @@ function cpp(q: Question): string | undefined {
       const motion = ["linear", "angular"].map((key) => `.${key} = ${vec((body[key as "linear"]) ?? zeros(flat))}`);
       motion.push(`.center = ${vec(body.translation ?? zeros(flat))}`);
       const mass = massOf(body), turned = isTurned(body.rotation) ? `, ${rotation(body)}` : "";
-      lines.push(`  const graze::StruckBody<double> ${name}{`, `      .motion = ${list(motion, "{}", "      ")},`);
+      lines.push(`  const graze::StruckBody<double> ${name}{`, `      .motion = ${list(motion, "{}", breaks, "      ")},`);
       lines.push(mass === Infinity ? "      .mass = {}};"
         : `      .mass = graze::inverse_mass(${real(mass)}, graze::inertia_of(shape_${name}, ${real(mass)})${turned})};`);
     }
     const { point, normal } = q.contact!;
-    lines.push("  const graze::StruckContact<double> contact{", `      .point = ${vec(point)}, .normal = ${vec(unitNormal(normal))},`
+    lines.push("  const graze::StruckContact<double> contact{", `      .point = ${vec(point)}, .normal = ${vec(unit(normal))},`
       + ` .restitution = ${q.restitution ?? 0}, .friction = ${q.friction ?? 0.6}};`, "");
     lines.push("  const graze::Response<double> found = graze::response(contact, a, b);");
     show("  ", ["normal impulse", "found.normal_impulse", "number"], ["impulse", "found.impulse", "vector"]);
