@@ -110,9 +110,12 @@ lab: ## build the lab, a web application, into apps/lab/dist
 	@cd apps/lab && { test node_modules/.package-lock.json -nt package-lock.json || npm ci --no-fund --no-audit; }
 	cd apps/lab && npm run build
 
+# The programs that the lessons show are linked with the library of `make test` and run in the module of `make python`,
+# where these have been built; without them C++ is compiled only, and Python left out.
 .PHONY: test-lab
-test-lab: lab ## the lab's tests, in headless Chromium
-	cd apps/lab && npm test
+test-lab: lab ## the lab's tests: the lessons' programs, and the pages in headless Chromium
+	cd apps/lab && LIBGRAZE=$(abspath $(wildcard build/release/src/libgraze.a)) \
+	  PYTHONPATH=$(abspath $(wildcard build/release/python)) npm test
 
 # LAB=folder takes a lab that was built elsewhere, LAB=none leaves it out. The pages of docs/, the API reference, the
 # tables, the lessons and what searches them: static files for any host.

@@ -232,8 +232,8 @@ void DynamicTree<T>::parts(std::vector<BroadPhasePart<T>>& out) const {
   std::vector<std::uint32_t> nodes;  // of the parts, level by level
   const auto add = [&](std::uint32_t n, std::uint32_t depth) {
     Aabb<T> box = Aabb<T>::empty();
-    for (std::uint32_t present = nodes_[n].present(); present != 0; present &= present - 1)
-      box = merged(box, nodes_[n].box(static_cast<std::uint32_t>(std::countr_zero(present))));
+    for (std::uint32_t left = nodes_[n].present(); left != 0; left &= left - 1)
+      box = merged(box, nodes_[n].box(static_cast<std::uint32_t>(std::countr_zero(left))));
     out.push_back({box, depth});
     nodes.push_back(n);
   };

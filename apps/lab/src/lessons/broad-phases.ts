@@ -3,6 +3,7 @@ import { digits } from "../parts/dom.ts";
 import type { Drawing, Look, Meaning } from "../parts/drawing.ts";
 import { box, type State, type Vec } from "../question.ts";
 import { dragTo, type Lesson, type Step } from "./lesson.ts";
+import { broadPhasePrograms } from "./programs.ts";
 
 const kinds = ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "looseOctree", "bsp"] as const;
 type Kind = (typeof kinds)[number];
@@ -139,6 +140,10 @@ const asking = (state: State): { at: Vec; lower: Vec; upper: Vec } => {
   const at = ["x", "y", "z"].map((k) => Number(state.choice?.[k] ?? 0));
   return { at, lower: at.map((x) => x - 0.75), upper: at.map((x) => x + 0.75) };
 };
+const chosen = (state: State): { kind: Kind; scene: string } => ({
+  kind: kinds.find((k) => k === state.choice?.kind) ?? "dynamicTree",
+  scene: scenes.find((s) => s.value === state.choice?.scene)?.value ?? "crowd",
+});
 const scenes = [{ value: "crowd", label: "a crowd" }, { value: "heap", label: "one heap" }, { value: "giant", label: "one giant" }, { value: "teleport", label: "all teleport" }];
 const all = (count * (count - 1)) / 2;
 
@@ -149,9 +154,18 @@ export const broadPhases: Lesson = {
   choices: [{ key: "kind", label: "Structure", options: kinds.map((value) => ({ value, label: labels[value] })) }, { key: "scene", label: "Scene", options: scenes }],
   handles: (s) => [{ id: "ask", label: "Move the box that asks", kind: "move", meaning: "axis", at: asking(s).at }],
   drag: (s, _id, to) => ({ ...s, choice: { ...s.choice, x: dragTo(to[0]), y: dragTo(to[1]), z: dragTo(to[2]) } }),
+  asks: () => undefined,
+  code(state) {
+    const { kind, scene } = chosen(state);
+    return {
+      programs: broadPhasePrograms({
+        kind, count, frames, spread: scene === "heap" ? 1 : 6, giant: scene === "giant" ? 2.6 : undefined,
+        teleport: scene === "teleport" }),
+      prints: () => run(kind, scene).frames.map((frame) => frame.pairs.length / 2),
+    };
+  },
   steps(state) {
-    const kind = kinds.find((k) => k === state.choice?.kind) ?? "dynamicTree";
-    const scene = scenes.find((s) => s.value === state.choice?.scene)?.value ?? "crowd";
+    const { kind, scene } = chosen(state);
     const list = run(kind, scene).frames;
     const times = kinds.map((k) => ({ k, ...run(k, scene) }));
     const { phase, parts, around } = stand(kind, scene), asker = asking(state), { boxes } = list[0];

@@ -1,5 +1,6 @@
 import { graze, shapeOf } from "../graze.ts";
 import { dragTo, type Lesson, type Step } from "./lesson.ts";
+import { filterPrograms } from "./programs.ts";
 import { sphere, type State, type Vec } from "../question.ts";
 
 const names = ["player", "enemy", "shot", "coin"];
@@ -43,6 +44,14 @@ export const filters: Lesson = {
     const i = id.slice(-1);
     return { ...s, choice: { ...s.choice, [`x${i}`]: dragTo(to[0]), [`y${i}`]: dragTo(to[1]) } };
   },
+  asks: () => undefined,
+  code: (state) => ({
+    programs: filterPrograms(0.7, names.map((name, i) => ({ name, ...bitsOf(state, i), at: placeOf(state, i) }))),
+    prints() {
+      const reported = pairs(state);
+      return names.flatMap((_, i) => names.slice(i + 1).map((_, k) => reported.has(`${i} ${i + 1 + k}`)));
+    },
+  }),
   steps(state) {
     const reported = pairs(state), steps: Step[] = [];
     const open = pairs({ ...state, choice: { ...state.choice, ...Object.fromEntries(names.flatMap((_, i) => [[`m${i}`, 15], [`g${i}`, 0], [`c${i}`, 1 << i]])) } });

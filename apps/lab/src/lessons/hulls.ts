@@ -4,6 +4,7 @@ import type { Drawing, Look, Meaning } from "../parts/drawing.ts";
 import { add, scale, sub, unit } from "../parts/vec.ts";
 import { convex, plane, type Question, type State, type Vec } from "../question.ts";
 import type { Lesson, Step } from "./lesson.ts";
+import { supportPrograms } from "./programs.ts";
 
 /** `count` points on an ellipsoid in a golden spiral: all of them are vertices of their hull. */
 function points(count: number, radii: Vec): Vec[] {
@@ -69,10 +70,22 @@ export const hulls: Lesson = {
     const [x, y, z] = unit(to);
     return { ...s, choice: { ...s.choice, x, y, z } };
   },
-  asks(state): Question {
+  asks(state): Question | undefined {
     const { count, form, u } = chosen(state);
-    return { query: "distance", a: { shape: convex(points(Math.min(count, 100), shapes[form])) },
+    // Ten thousand points make a line of half a megabyte.
+    if (count > 1000) return undefined;
+    return { query: "distance", a: { shape: convex(points(count, shapes[form])) },
       b: { shape: plane(), translation: scale(u, 10), rotation: turnedDown(u) } };
+  },
+  code(state) {
+    const { count, form, u } = chosen(state);
+    return {
+      programs: supportPrograms(count, shapes[form], u),
+      prints() {
+        const p = built(count, form).hull.support(u);
+        return [...p, p[0] * u[0] + p[1] * u[1] + p[2] * u[2]];
+      },
+    };
   },
   steps(state) {
     const { count, form, u } = chosen(state), hull = built(count, form), found = hull.hull.support(u) as Vec;

@@ -1,6 +1,7 @@
 // What a lesson is: data, and for each step a drawing. CONTRIBUTING.md says how to add one.
 
 import { ask } from "../graze.ts";
+import type { Programs } from "../parts/code.ts";
 import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
 import type { Graph } from "../parts/graph.ts";
 import type { Numbers } from "../parts/table.ts";
@@ -33,6 +34,12 @@ export interface Choice {
   options: { value: number | string | boolean; label: string }[];
 }
 
+export interface Code {
+  programs: Programs;
+  /** The numbers and truths that each of them prints, in their order, for the test that runs them. */
+  prints(): (number | boolean)[];
+}
+
 export interface Lesson {
   /** In the address. */
   id: string;
@@ -53,8 +60,10 @@ export interface Lesson {
   steps(state: State): Step[];
   tryThis: Example[];
   wrong: Example[];
-  /** The question of "copy as a question" and "in code"; default: the state's. */
-  asks?(state: State): Question;
+  /** The question of "copy as a question" and "in code"; default: the state's. None where the protocol has no words. */
+  asks?(state: State): Question | undefined;
+  /** "In code" where the lesson's question is none of the protocol; default: the question's programs. */
+  code?(state: State): Code;
   sources: string[];
 }
 

@@ -13,7 +13,7 @@ import { Stage3 } from "../parts/stage3.ts";
 import { address, History, parse } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { Timeline } from "../parts/timeline.ts";
-import { copy, type State } from "../question.ts";
+import { copy, type Question, type State } from "../question.ts";
 import type { Room } from "./room.ts";
 
 const isState = (value: unknown): boolean =>
@@ -35,6 +35,7 @@ export class LessonRoom implements Room {
   private readonly choices = h("div", { class: "choices" });
   private readonly code = h("div", { class: "code" });
   private looked = "";
+  private readonly copyQuestion = this.link("Copy as a question", () => line(this.question()!));
   private waiting = 0;
   private settled = true;
 
@@ -57,7 +58,7 @@ export class LessonRoom implements Room {
     this.stage.dispose();
   }
   /** For the tests: what the page shows. */
-  get shown(): { state: State; question: State["q"]; step: number; steps: number } {
+  get shown(): { state: State; question: Question | undefined; step: number; steps: number } {
     return { state: this.state, question: this.question(), step: this.step, steps: this.steps.length };
   }
   undo(): void {
@@ -116,7 +117,7 @@ export class LessonRoom implements Room {
   }
   private show(): void {
     try {
-      const { error } = ask(this.question());
+      const question = this.question(), error = question && ask(question).error;
       if (error) throw new Error(error);
       this.steps = this.lesson.steps(this.state);
       this.trouble.hidden = true;
@@ -151,10 +152,6 @@ export class LessonRoom implements Room {
       h("li", {},
         h("button", { type: "button", class: "example", onclick: () => this.tryOut(e) }, e.label),
         h("span", {}, ` ${e.note}`));
-    const link = (label: string, text: () => string): HTMLElement => {
-      const button = h("button", { type: "button", onclick: () => void this.put(text(), button) }, label);
-      return button;
-    };
     return h("article", { class: "lesson" },
       h("header", {},
         h("p", { class: "number" }, `Lesson ${lesson.number} · ${lesson.title}`),
@@ -169,16 +166,20 @@ export class LessonRoom implements Room {
             h("button", { type: "button", onclick: () => this.undo() }, "Undo"),
             h("button", { type: "button", onclick: () => this.redo() }, "Redo"),
             h("button", { type: "button", onclick: () => this.change(copy(lesson.start), true) }, "Start again"),
-            link("Copy permalink", () => location.href),
-            link("Copy as a question", () => line(this.question())))),
+            this.link("Copy permalink", () => location.href),
+            this.copyQuestion)),
         h("section", {}, h("h2", {}, "What goes wrong"), h("ul", {}, ...lesson.wrong.map(example))),
         h("section", { class: "in-code" }, h("h2", {}, "In code"), this.code),
         h("section", {}, h("h2", {}, "Where it comes from"), h("ul", {}, ...lesson.sources.map((s) => h("li", {}, s))))),
       h("nav", { class: "neighbours", "aria-label": "Lessons before and after" },
         neighbour(lessons[at - 1], "← %"), neighbour(lessons[at + 1], "% →")));
   }
-  private question(): State["q"] {
-    return this.lesson.asks?.(this.state) ?? this.state.q;
+  private question(): Question | undefined {
+    return this.lesson.asks ? this.lesson.asks(this.state) : this.state.q;
+  }
+  private link(label: string, text: () => string): HTMLElement {
+    const button = h("button", { type: "button", onclick: () => void this.put(text(), button) }, label);
+    return button;
   }
   private showChoices(): void {
     this.choices.replaceChildren(...(this.lesson.choices ?? []).map((choice) => {
@@ -192,11 +193,14 @@ export class LessonRoom implements Room {
     }));
   }
   private showCode(): void {
+    const question = this.question();
+    const programs = this.lesson.code?.(this.state).programs ?? (question ? codeOf(question) : {});
+    const shown = (name: string, text: string, open = false): HTMLElement =>
+      h("details", { open }, h("summary", {}, name), h("pre", { tabindex: 0 }, h("code", {}, text)));
     this.code.replaceChildren(
-      ...Object.entries(codeOf(this.question())).filter(([, text]) => text).map(([language, text]) =>
-        h("details", { open: language === "JavaScript" }, h("summary", {}, language),
-          h("pre", { tabindex: 0 }, h("code", {}, text)))),
-      h("details", {}, h("summary", {}, "A line for graze query"), h("pre", { tabindex: 0 }, h("code", {}, line(this.question())))));
+      ...Object.entries(programs).map(([language, text]) => shown(language, text, language === "JavaScript")),
+      ...(question ? [shown("A line for graze query", line(question))] : []));
+    this.copyQuestion.hidden = !question;
   }
   private async put(text: string, button: HTMLElement): Promise<void> {
     const before = button.textContent;
