@@ -79,7 +79,8 @@ export const timeOfImpact: Lesson = {
         return {
           title: i === 0 ? `The start, t = ${digits(s.t, 6)}` : `Advance to t = ${digits(s.t, 6)}`,
           text: `Here they are ${digits(s.distance, 5)} apart along n. ` + (last
-            ? "That is within the tolerance: this is the time of impact, and it was approached from before."
+            ? (answer.hit ? "That is within the tolerance: this is the time of impact, and it was approached from before."
+            : "However fast they close from here, the motion is over before they can touch: there is no impact.")
             : (i === 0 ? `A moves along n at v·n = ${digits(speed, 4)}. Turning adds at most |ω| times a point's lever, and in all no more than brings A out to the circle round its centre that it never leaves. ` : `v·n is ${digits(speed, 4)}. `) +
               `They close at no more than u = ${digits(s.distance / wait, 5)} on average, what turning can add included: for ${digits(wait, 4)} nothing can touch. Advance by that and measure again.`),
           formula: last ? [`t_${i + 1} = ${digits(s.t, 8)}`, `d_${i + 1} = ${digits(s.distance, 5)}`]
