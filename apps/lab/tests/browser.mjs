@@ -208,7 +208,7 @@ async function drag(page, id, dx, dy) {
 /** Goes to the step whose title is this. */
 async function step(page, title) {
   await page.click('[aria-label^="First"]');
-  while (!title.test(await page.textContent(".words h2"))) await page.click("[data-next]", { timeout: 2000 });
+  while (!title.test(await page.textContent(".words h2"))) await page.click("[data-next]");
 }
 const example = async (page, label) => {
   await page.click(`.example:text-is("${label}")`);

@@ -98,12 +98,12 @@ export const epaPlane: Lesson = {
     { label: "Barely touching", note: "The origin is close to the boundary: few steps.", state: situation([2.2, 0.7], 0.4) },
     { label: "Deep", note: "Centre in centre: many sides are almost equally near.", state: situation([0.1, 0.05], 0.4) },
   ],
-  wrong: [{ label: "A flat start", note: "The origin lies on an edge of the first simplex: a polytope that starts flat has no inside and no outward normal. It has to be given volume first.", state: situation([1, 0], 0, box(2, 2), box(2, 2)) }],
+  wrong: [{ label: "A flat start", note: "The origin lies on an edge of the first simplex: a polytope that starts flat has no inside and no outward normal. It has to be given volume first.", state: situation([0.5, 0.5], 0, box(2, 2), box(2, 2)) }],
   sources: ["G. van den Bergen: Proximity queries and penetration depth computation on 3D game objects, Game Developers Conference 2001",
     "S. Cameron: Enhancing GJK: computing minimum and penetration distances between convex polyhedra, ICRA 1997"],
 };
 
-const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] }, homeSpace: Vec = [4, 0.3, 0];
+const armsSpace = { a: [1.5, 0, 0], b: [0, 1.2, 0] }, homeSpace: Vec = [0, -2.6, 0];
 const spaceState = (translation: Vec, rotation: Vec): State => ({
   q: { query: "distance", a: { shape: { type: "ellipsoid", ellipsoid: { radii: [1.1, 0.7, 0.8] } } },
     b: { shape: { type: "cylinder", cylinder: { height: 1.2, radiusBottom: 0.6, radiusTop: 0.6 } }, translation, rotation } },
@@ -134,7 +134,7 @@ function drawFace(d: Drawing, s: EpaStep, corners: Support[]): void {
 export const epaSpace: Lesson = {
   id: "epa-space", number: 8, title: "EPA in space", question: "How does a polytope find a curved boundary?",
   intro: "In space the polygon becomes a polytope of triangles. On curved shapes it never arrives, but each step brings the two bounds closer.",
-  dimension: 3, view: { center: [2.6, 0.3, 0], reach: 3.3, from: [0.15, 0.4, 1] }, start: spaceState([0.8, 0.5, 0.3], quatAbout([0.3, 0.2, 1], 0.7)),
+  dimension: 3, view: { center: [0.6, -1.1, 0], reach: 3.3, from: [0.3, 0.35, 1] }, start: spaceState([0.8, 0.5, 0.3], quatAbout([0.3, 0.2, 1], 0.7)),
   handles: (s) => [moveHandle(s, "a"), turnHandle(s, "a", armsSpace.a), moveHandle(s, "b"), turnHandle(s, "b", armsSpace.b)],
   drag: (s, id, to) => dragBody(s, id, to, armsSpace),
   steps(state) {
@@ -146,7 +146,7 @@ export const epaSpace: Lesson = {
     };
     const steps: Step[] = [{
       title: "The tetrahedron around the origin",
-      text: list.length ? `GJK ends with a simplex that holds O. Grown to a tetrahedron where it is flat, it is the polytope that EPA begins with: on the right, in the place of the difference, which nobody builds. ${list.length} steps follow.` +
+      text: list.length ? `GJK ends with a simplex that holds O. Grown to a tetrahedron where it is flat, it is the polytope that EPA begins with: below, in the place of the difference, which nobody builds. ${list.length} steps follow.` +
         (first === null ? " The picture has the polytope as it is at the end, and of each step its direction." : "")
         : "The shapes are apart, or so shallow that another routine answers: move B deeper into A.",
       says: "Two curved shapes and the polytope within their difference.",

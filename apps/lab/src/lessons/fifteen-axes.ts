@@ -3,7 +3,7 @@ import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, mix, quatAbout, scale, unit } from "../parts/vec.ts";
 import { box, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, drawContacts, later, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 import { axisTable, leastOf, verdict, verdictFormula } from "./separating-axes-plane.ts";
 
 const arms = { a: [1.6, 0, 0], b: [1.5, 0, 0] };
@@ -100,7 +100,7 @@ export const fifteenAxes: Lesson = {
     }];
     axes.forEach((axis, i) => {
       const index = names.indexOf(axis.name), product = index > 5;
-      if (i === 3) steps.push(rotationStep(axes, paint));
+      if (i === 3) steps.push(later(() => rotationStep(axes, paint)));
       steps.push({
         title: `Axis ${axis.name}: ${axis.overlap < 0 ? "a gap" : "overlap"}`,
         text: explain(axis, index, firstGap),
@@ -121,40 +121,42 @@ export const fifteenAxes: Lesson = {
     const best = axes.find((x) => x.name === winner) ?? leastOf(axes);
     const normal = answer.manifolds?.[0]?.normal;
     const parallel = missing.length ? ` ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} missing: those edges are parallel and their product vanishes. The normals of the faces answer for them.` : "";
-    const measured = answer.overlap ? null : ask({ ...q, query: "distance" });
-    const widest = leastOf(axes);
-    const exact = measured && Math.abs(measured.distance! + widest.overlap) <= 1e-9 * (Number(widest.a[1]) - Number(widest.a[0]));
-    const mode = `The fast mode tries the six normals of faces only. It says: ${fast ? "they may touch" : "apart"}` +
-      (fast && !answer.overlap ? ", and is wrong on the safe side here: only a product of edges separates them." : ".");
-    steps.push(answer.overlap ? {
-      title: "The least overlap wins",
-      text: `${reason ?? ""}. Along it B is parted from A on the shortest way: depth and normal are known. ${mode}${parallel}`,
-      formula: ["d = min o_i", `d = ${digits(best.overlap, 6)}`, ...(normal ? [`n = [${normal.map((x) => digits(x, 3)).join(", ")}]`] : [])],
-      numbers: axisTable(axes, "", best.name),
-      says: `Overlap: ${best.name} wins with ${digits(best.overlap, 4)}.`,
-      draw(d) {
-        drawBodies(d, q);
-        ruler(d, best, state);
-        drawContacts(d, answer.manifolds ?? []);
-        const point = answer.manifolds?.[0]?.points[0];
-        if (point && normal) d.arrow(point.a, add(point.a, normal), "axis", { label: "n", wide: true });
-      },
-    } : {
-      title: `A gap: the boxes are apart, by ${exact ? "" : "at least "}${digits(-widest.overlap, 4)}`,
-      text: `${widest.name} shows the widest gap, ${digits(-widest.overlap, 4)}; for "apart" any gap suffices. ` +
-        (exact ? "It is the distance too. " : `It is a lower bound: the distance is ${digits(measured!.distance, 4)}, along the way between the two nearest points, which is none of the fifteen axes. `) + mode + parallel,
-      formula: [`"gap" = ${digits(-widest.overlap, 5)}`, `d = ${digits(measured!.distance, 5)}`],
-      numbers: axisTable(axes, "", widest.name),
-      says: `Apart: ${widest.name} shows a gap of ${digits(-widest.overlap, 4)}, the distance is ${digits(measured!.distance, 4)}.`,
-      draw(d) {
-        drawBodies(d, q);
-        ruler(d, widest, state);
-        const [from, to] = [measured!.a as unknown as Vec, measured!.b as unknown as Vec];
-        d.line(from, to, "touch", { wide: true, label: "d" });
-        d.point(from, "a", { wide: true });
-        d.point(to, "b", { wide: true });
-      },
-    });
+    steps.push(later(() => {
+      const measured = answer.overlap ? null : ask({ ...q, query: "distance" });
+      const widest = leastOf(axes);
+      const exact = measured && Math.abs(measured.distance! + widest.overlap) <= 1e-9 * (Number(widest.a[1]) - Number(widest.a[0]));
+      const mode = `The fast mode tries the six normals of faces only. It says: ${fast ? "they may touch" : "apart"}` +
+        (fast && !answer.overlap ? ", and is wrong on the safe side here: only a product of edges separates them." : ".");
+      return answer.overlap ? {
+        title: "The least overlap wins",
+        text: `${reason ?? ""}. Along it B is parted from A on the shortest way: depth and normal are known. ${mode}${parallel}`,
+        formula: ["d = min o_i", `d = ${digits(best.overlap, 6)}`, ...(normal ? [`n = [${normal.map((x) => digits(x, 3)).join(", ")}]`] : [])],
+        numbers: axisTable(axes, "", best.name),
+        says: `Overlap: ${best.name} wins with ${digits(best.overlap, 4)}.`,
+        draw(d) {
+          drawBodies(d, q);
+          ruler(d, best, state);
+          drawContacts(d, answer.manifolds ?? []);
+          const point = answer.manifolds?.[0]?.points[0];
+          if (point && normal) d.arrow(point.a, add(point.a, normal), "axis", { label: "n", wide: true });
+        },
+      } : {
+        title: `A gap: the boxes are apart, by ${exact ? "" : "at least "}${digits(-widest.overlap, 4)}`,
+        text: `${widest.name} shows the widest gap, ${digits(-widest.overlap, 4)}; for "apart" any gap suffices. ` +
+          (exact ? "It is the distance too. " : `It is a lower bound: the distance is ${digits(measured!.distance, 4)}, along the way between the two nearest points, which is none of the fifteen axes. `) + mode + parallel,
+        formula: [`"gap" = ${digits(-widest.overlap, 5)}`, `d = ${digits(measured!.distance, 5)}`],
+        numbers: axisTable(axes, "", widest.name),
+        says: `Apart: ${widest.name} shows a gap of ${digits(-widest.overlap, 4)}, the distance is ${digits(measured!.distance, 4)}.`,
+        draw(d) {
+          drawBodies(d, q);
+          ruler(d, widest, state);
+          const [from, to] = [measured!.a as unknown as Vec, measured!.b as unknown as Vec];
+          d.line(from, to, "touch", { wide: true, label: "d" });
+          d.point(from, "a", { wide: true });
+          d.point(to, "b", { wide: true });
+        },
+      };
+    }));
     return steps;
   },
   tryThis: [

@@ -3,7 +3,7 @@ import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, length, quatAbout, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, type Question, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, later, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 import { drawOrigin, home } from "./minkowski.ts";
 
 const kinds = ["", "a point", "an edge", "a triangle", "a tetrahedron"];
@@ -101,35 +101,37 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
       });
       return;
     }
-    const n = cut(s.direction), beyond = along(n, difference(s.found)), gap = s.upper - s.lower;
-    const counts = Math.abs(beyond - s.lower) <= 1e-9 * s.upper;
-    const bound = counts ? "s*n" : flat && s.lower === 0 ? "0" : '"earlier bound"';
-    const open = digits(Math.max(0, gap), 4);
-    steps.push({
-      title: `Iteration ${i + 1}: ${kinds[names.length]}`,
-      text: joined + (dropped.length ? `v needs ${listed(names)} alone: ${listed(dropped)} ${dropped.length > 1 ? "are" : "is"} dropped. ` : "") +
-        `v ${names.length === 1 ? `is ${names[0]} itself` : `lies on the ${names.length === 2 ? "edge" : "triangle"} of ${listed(names)}`}. ` +
-        (beyond > 0 ? `Everything of the difference lies beyond the ${wall} through s across n, so nothing of it is nearer to O than that ${wall}. ` +
-          (counts ? "" : `An earlier ${wall} lay further out; its bound stays. `)
-          : `Everything of the difference lies on one side of the ${wall} through s across n, but so does O: that proves nothing yet. `) +
-        "v belongs to the difference: d is at most |v|. " +
-        (!last ? (flat ? "The strip between is still open. " : "The way between plane and v is still open. ") : inside ? (touching ? "v is O but for rounding: they touch." : "Once s joins, the simplex encloses O.")
-          : `What is left between is within ${ends}: the search ends.`),
-      formula: [`${bound} <= d <= |v|`, `${digits(s.lower, 6)} <= d <= ${digits(s.upper, 6)}`, `|v| - ${bound} = ${open}`],
-      numbers: { ...columns, rows: [...rows, { cells: cells("s", s.found), key: "s", mark: "now" as const }] },
-      graph: bounds(i),
-      says: `Iteration ${i + 1}: the distance is between ${digits(s.lower, 4)} and ${digits(s.upper, 4)}.`,
-      draw(d) {
-        paint(d);
-        drawBounds(d, zero, n, beyond, s.lower, s.upper, spot(s.found));
-        drawSimplex(d, s.simplex);
-        d.line(zero, add(zero, scale(n, s.upper)), "touch", { dashed: true });
-        d.point(add(zero, scale(n, s.upper)), "touch", { label: "v" });
-        d.point(spot(s.found), "made", { wide: true, label: "s", key: "s" });
-        d.point(cut(s.found.a), "a", { wide: true, key: "s" });
-        d.point(cut(s.found.b), "b", { wide: true, key: "s" });
-      },
-    });
+    steps.push(later(() => {
+      const n = cut(s.direction), beyond = along(n, difference(s.found)), gap = s.upper - s.lower;
+      const counts = Math.abs(beyond - s.lower) <= 1e-9 * s.upper;
+      const bound = counts ? "s*n" : flat && s.lower === 0 ? "0" : '"earlier bound"';
+      const open = digits(Math.max(0, gap), 4);
+      return {
+        title: `Iteration ${i + 1}: ${kinds[names.length]}`,
+        text: joined + (dropped.length ? `v needs ${listed(names)} alone: ${listed(dropped)} ${dropped.length > 1 ? "are" : "is"} dropped. ` : "") +
+          `v ${names.length === 1 ? `is ${names[0]} itself` : `lies on the ${names.length === 2 ? "edge" : "triangle"} of ${listed(names)}`}. ` +
+          (beyond > 0 ? `Everything of the difference lies beyond the ${wall} through s across n, so nothing of it is nearer to O than that ${wall}. ` +
+            (counts ? "" : `An earlier ${wall} lay further out; its bound stays. `)
+            : `Everything of the difference lies on one side of the ${wall} through s across n, but so does O: that proves nothing yet. `) +
+          "v belongs to the difference: d is at most |v|. " +
+          (!last ? (flat ? "The strip between is still open. " : "The way between plane and v is still open. ") : inside ? (touching ? "v is O but for rounding: they touch." : "Once s joins, the simplex encloses O.")
+            : `What is left between is within ${ends}: the search ends.`),
+        formula: [`${bound} <= d <= |v|`, `${digits(s.lower, 6)} <= d <= ${digits(s.upper, 6)}`, `|v| - ${bound} = ${open}`],
+        numbers: { ...columns, rows: [...rows, { cells: cells("s", s.found), key: "s", mark: "now" as const }] },
+        graph: bounds(i),
+        says: `Iteration ${i + 1}: the distance is between ${digits(s.lower, 4)} and ${digits(s.upper, 4)}.`,
+        draw(d) {
+          paint(d);
+          drawBounds(d, zero, n, beyond, s.lower, s.upper, spot(s.found));
+          drawSimplex(d, s.simplex);
+          d.line(zero, add(zero, scale(n, s.upper)), "touch", { dashed: true });
+          d.point(add(zero, scale(n, s.upper)), "touch", { label: "v" });
+          d.point(spot(s.found), "made", { wide: true, label: "s", key: "s" });
+          d.point(cut(s.found.a), "a", { wide: true, key: "s" });
+          d.point(cut(s.found.b), "b", { wide: true, key: "s" });
+        },
+      };
+    }));
   });
   const end = list.at(-1), [a, b] = [answer.a as unknown as Vec, answer.b as unknown as Vec];
   const around = end && inside && !touching ? (end.direction.some((x) => x !== 0) ? [...end.simplex, end.found] : end.simplex) : [];

@@ -21,6 +21,21 @@ export interface Step {
   draw(drawing: Drawing): void;
 }
 
+/** A step that is made when it is shown first: those that ask the library again cost a drag nothing while another is shown. */
+export function later(make: () => Step): Step {
+  let made: Step | undefined;
+  const step = (): Step => (made ??= make());
+  return {
+    get title() { return step().title; },
+    get text() { return step().text; },
+    get formula() { return step().formula; },
+    get numbers() { return step().numbers; },
+    get graph() { return step().graph; },
+    get says() { return step().says; },
+    draw: (drawing) => step().draw(drawing),
+  };
+}
+
 export interface Example {
   label: string;
   /** What to look at. */

@@ -4,7 +4,7 @@ import { digits, vector } from "../parts/dom.ts";
 import { add, dot, mix, rotate, scale, sub } from "../parts/vec.ts";
 import { corners } from "../parts/outline.ts";
 import { box, convex, sizeOf, type Body, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, drawContacts, later, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [2.1, 0], b: [1.7, 0] };
 const situation = (translation: number[], rotation: number, a: Body["shape"] = box(3, 2), b = box(2, 2)): State => ({
@@ -77,36 +77,30 @@ const row = (v: Vec, n = 4): string => `[${v.map((x) => tidy(x, n)).join(", ")}]
 
 /** The first axis: corner by corner, then, of boxes, without corners. */
 function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[] {
-  const u = flat(axis.direction), steps: Step[] = [];
-  const rows: { cells: (string | number)[]; key: string }[] = [];
-  bodies.forEach((body, which) => {
-    const whose = which === 0 ? "A" : "B", feet: number[] = [];
-    const list = corners(body, 9);
-    list.forEach((p, k) => {
-      const t = along(u, p), before = [Math.min(...feet), Math.max(...feet)];
-      feet.push(t);
-      rows.push({ cells: [`${whose} ${k + 1}`, vector(p, 3), t], key: `${whose}${k}` });
-      const now = rows.map((r, i) => ({ ...r, mark: i === rows.length - 1 ? "now" as const : undefined }));
-      const seen: [number, number] = which === 0 ? [k + 1, 0] : [Infinity, k + 1];
-      const change = k === 0 ? `It is where the shadow of ${whose} begins to grow.` : t < before[0] || t > before[1]
-        ? "It lies outside what the shadow was: the shadow grows." : "It lies inside the shadow, which stays as it is.";
-      steps.push({
-        title: `Axis ${axis.name}, corner ${k + 1} of ${whose}`,
-        text: (which === 0 && k === 0 ? `The first axis, ${axis.name}, is ${inWords(axis.name)}. How far a corner lies along it is the scalar product of axis and corner. ` : "") +
-          change + (k === list.length - 1 ? ` All corners of ${whose} are in: its shadow reaches from ${digits(Math.min(...feet), 4)} to ${digits(Math.max(...feet), 4)}.` : ""),
-        formula: ["t = n*p", `t = ${row(u)} * ${row(p)} = ${digits(t, 5)}`],
-        numbers: { caption: `Corners along ${axis.name}`, columns: ["corner", "p", "t"], rows: now },
-        says: `Corner ${k + 1} of ${whose} lies at ${digits(t, 4)} along ${axis.name}.`,
-        draw(d) {
-          paint(d);
-          ruler(d, axis, bodies, { corners: seen });
-          d.point(p, which === 0 ? "a" : "b", { wide: true, key: `${whose}${k}` });
-        },
-      });
-    });
-  });
+  const u = flat(axis.direction), steps: Step[] = [], lists = bodies.map((body) => corners(body, 9));
+  const whose = ["A", "B"];
+  lists.forEach((list, which) => list.forEach((p, k) => steps.push(later(() => {
+    const feet = list.slice(0, k + 1).map((x) => along(u, x)), t = feet[k], before = feet.slice(0, k), name = whose[which];
+    const rows = [...(which === 1 ? lists[0].map((x, i) => ({ cells: [`A ${i + 1}`, vector(x, 3), along(u, x)], key: `A${i}` })) : []),
+      ...feet.map((x, i) => ({ cells: [`${name} ${i + 1}`, vector(list[i], 3), x], key: `${name}${i}`, mark: i === k ? "now" as const : undefined }))];
+    const change = k === 0 ? `It is where the shadow of ${name} begins to grow.` : t < Math.min(...before) || t > Math.max(...before)
+      ? "It lies outside what the shadow was: the shadow grows." : "It lies inside the shadow, which stays as it is.";
+    return {
+      title: `Axis ${axis.name}, corner ${k + 1} of ${name}`,
+      text: (which === 0 && k === 0 ? `The first axis, ${axis.name}, is ${inWords(axis.name)}. How far a corner lies along it is the scalar product of axis and corner. ` : "") +
+        change + (k === list.length - 1 ? ` All corners of ${name} are in: its shadow reaches from ${digits(Math.min(...feet), 4)} to ${digits(Math.max(...feet), 4)}.` : ""),
+      formula: ["t = n*p", `t = ${row(u)} * ${row(p)} = ${digits(t, 5)}`],
+      numbers: { caption: `Corners along ${axis.name}`, columns: ["corner", "p", "t"], rows },
+      says: `Corner ${k + 1} of ${name} lies at ${digits(t, 4)} along ${axis.name}.`,
+      draw(d) {
+        paint(d);
+        ruler(d, axis, bodies, { corners: which === 0 ? [k + 1, 0] : [Infinity, k + 1] });
+        d.point(p, which === 0 ? "a" : "b", { wide: true, key: `${name}${k}` });
+      },
+    };
+  }))));
   const boxes = bodies.map((body, i) => ({ body, name: i === 0 ? "A" : "B", ends: i === 0 ? axis.a : axis.b })).filter((x) => isBox(x.body));
-  if (boxes.length) steps.push({
+  if (boxes.length) steps.push(later(() => ({
     title: `Axis ${axis.name} without corners`,
     text: "A box needs no corners. Its shadow has its centre's place in the middle, and reaches to both sides by r: the sum of its half sizes, " +
       "each times how far its own axis points along n. The same shadows come out, with a fraction of the work.",
@@ -127,16 +121,13 @@ function slowly(axis: Axis, bodies: Body[], paint: (d: Drawing) => void): Step[]
         d.point(center, meaning, { wide: true });
       }
     },
-  });
+  })));
   return steps;
 }
 
 /** What the axes say of the distance, and what it is. */
 function farApart({ q }: State, axes: Axis[]): Step[] {
-  const { winner } = ask(q).trace, best = leastOf(axes);
-  const { distance, a, b, trace } = ask({ ...q, query: "distance" });
-  const between = { ...trace.axes.find((x) => x.name === "normal")!, name: "a to b" };
-  const [near, far] = [a as unknown as Vec, b as unknown as Vec], bodies = [q.a, q.b!];
+  const { winner } = ask(q).trace, best = leastOf(axes), bodies = [q.a, q.b!];
   const steps: Step[] = [{
     title: `They are apart: the widest gap is on ${best.name}`,
     text: `${best.name} shows the widest gap, ${digits(-best.overlap, 4)}: the shapes are at least that far apart. ` + (winner === "normal"
@@ -151,23 +142,28 @@ function farApart({ q }: State, axes: Axis[]): Step[] {
       ruler(d, best, bodies, { verdict: true });
     },
   }];
-  steps.push({
-    title: winner === "normal" ? "Corner to corner" : "The nearest points",
-    text: winner === "normal"
-      ? `The true distance, ${digits(distance, 4)}, is measured along the way between the two nearest corners. That is an axis too, the last row, with the widest gap of ` +
-        "all; but it is known only once the corners are, and there are many pairs of those. Whoever wants to know overlap alone needs none of it."
-      : `Their distance is the gap on ${best.name}: ${digits(distance, 4)}, from the point on A to that on B.`,
-    formula: ["d = |b - a|", `d = ${digits(distance, 8)}`],
-    numbers: axisTable(winner === "normal" ? [...axes, between] : axes, "", winner === "normal" ? between.name : best.name),
-    says: `The distance is ${digits(distance, 4)}.`,
-    draw(d) {
-      drawBodies(d, q);
-      ruler(d, winner === "normal" ? between : best, bodies, { verdict: true });
-      d.line(near, far, "touch", { wide: true, label: "d" });
-      d.point(near, "a", { wide: true });
-      d.point(far, "b", { wide: true });
-    },
-  });
+  steps.push(later(() => {
+    const { distance, a, b, trace } = ask({ ...q, query: "distance" });
+    const between = { ...trace.axes.find((x) => x.name === "normal")!, name: "a to b" };
+    const [near, far] = [a as unknown as Vec, b as unknown as Vec];
+    return {
+      title: winner === "normal" ? "Corner to corner" : "The nearest points",
+      text: winner === "normal"
+        ? `The true distance, ${digits(distance, 4)}, is measured along the way between the two nearest corners. That is an axis too, a to b, with the widest gap of ` +
+          "all; but it is known only once the corners are, and there are many pairs of those. Whoever wants to know overlap alone needs none of it."
+        : `Their distance is the gap on ${best.name}: ${digits(distance, 4)}, from the point on A to that on B.`,
+      formula: ["d = |b - a|", `d = ${digits(distance, 8)}`],
+      numbers: axisTable(winner === "normal" ? [...axes, between] : axes, "", winner === "normal" ? between.name : best.name),
+      says: `The distance is ${digits(distance, 4)}.`,
+      draw(d) {
+        drawBodies(d, q);
+        ruler(d, winner === "normal" ? between : best, bodies, { verdict: true });
+        d.line(near, far, "touch", { wide: true, label: "d" });
+        d.point(near, "a", { wide: true });
+        d.point(far, "b", { wide: true });
+      },
+    };
+  }));
   return steps;
 }
 
@@ -188,7 +184,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
       ruler(d, best, bodies, { verdict: true });
       d.shape({ ...q.b!, translation: add(centers[1], scale(normal, best.overlap)) }, "b", { ghost: true, dashed: true });
     },
-  }, {
+  }, later(() => ({
     title: "The normal points from A to B",
     text: boxes ? "A side's normal and its opposite are the same axis. The one that points from A's centre towards B's is the normal: c·n is not negative. Pushed along it, B moves away " +
         "from A; along the other it would go through A."
@@ -205,7 +201,7 @@ function deep({ q }: State, axes: Axis[]): Step[] {
       }
       d.arrow(boxes ? centers[0] : points[0].a, add(boxes ? centers[0] : points[0].a, normal), "axis", { label: "n", wide: true });
     },
-  }, {
+  })), {
     title: points.length > 1 ? "The points" : "The point",
     text: `Along n, ${points.length > 1 ? "these points of B are" : "this point of B is"} deepest in A, by the depth below the side of A or B that the axis belongs to. ` +
       "Normal, depth and points: a contact is complete.",

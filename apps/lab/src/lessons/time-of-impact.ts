@@ -4,7 +4,7 @@ import type { Handle } from "../parts/drawing.ts";
 import { corners } from "../parts/outline.ts";
 import { add, scale, sub } from "../parts/vec.ts";
 import { box, circle, convex, radiusOf, withBody, type Body, type Shape, type State, type Vec } from "../question.ts";
-import { along, dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { along, dragBody, drawBodies, later, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [1.6, 0], b: [1.6, 0] };
 const situation = (a: Shape, from: Vec, linear: Vec, angular: number, b: Shape = box(0.12, 3), rotation = 0.2, rotationA = 0): State => ({
@@ -73,31 +73,34 @@ export const timeOfImpact: Lesson = {
     }];
     const travelled = (at: number): Step["graph"] => ({ caption: "distance at each step", at, series: [{ name: "distance", meaning: "made", values: list.map((s) => s.distance) }] });
     list.forEach((s, i) => {
-      const last = i === list.length - 1;
-      const wait = last ? 0 : list[i + 1].t - s.t, speed = along(s.normal.slice(0, 2), sub(a0.linear!, q.b!.linear ?? [0, 0]));
-      steps.push({
-        title: i === 0 ? `The start, t = ${digits(s.t, 6)}` : `Advance to t = ${digits(s.t, 6)}`,
-        text: `Here they are ${digits(s.distance, 5)} apart along n. ` + (last
-          ? "That is within the tolerance: this is the time of impact, and it was approached from before."
-          : (i === 0 ? `A moves along n at v·n = ${digits(speed, 4)}. Turning adds at most |ω| times a point's lever, and in all no more than brings A out to the circle round its centre that it never leaves. ` : `v·n is ${digits(speed, 4)}. `) +
-            `They close at no more than u = ${digits(s.distance / wait, 5)} on average, what turning can add included: for ${digits(wait, 4)} nothing can touch. Advance by that and measure again.`),
-        formula: last ? [`t_${i + 1} = ${digits(s.t, 8)}`, `d_${i + 1} = ${digits(s.distance, 5)}`]
-          : [`t_${i + 2} = t_${i + 1} + frac(d_${i + 1}, u)`, `t_${i + 2} = ${digits(s.t, 6)} + frac(${digits(s.distance, 5)}, ${digits(s.distance / wait, 5)}) = ${digits(list[i + 1].t, 8)}`],
-        numbers: { caption: "Conservative advancement", columns: ["step", "time", "distance"],
-          rows: list.slice(Math.max(0, i - 11), i + 1).map((x, k, l) => ({ cells: [String(Math.max(0, i - 11) + k + 1), x.t, x.distance], mark: k === l.length - 1 ? "now" as const : undefined })) },
-        graph: travelled(i),
-        says: `At time ${digits(s.t, 5)} the distance is ${digits(s.distance, 4)}.`,
-        draw(d) {
-          d.shape(a0, "a", { ghost: true });
-          path(d, s.t);
-          const now = bodyAt(a0, s.t), b = bodyAt(q.b!, s.t);
-          d.shape(now, "a");
-          d.shape(b, "b");
-          const pair = ask({ query: "distance", dimension: 2, a: { shape: now.shape, translation: now.translation, rotation: now.rotation }, b: { shape: b.shape, translation: b.translation, rotation: b.rotation } });
-          d.line(pair.a as unknown as Vec, pair.b as unknown as Vec, "touch", { wide: true });
-          d.arrow(pair.a as unknown as Vec, add(pair.a as unknown as Vec, s.normal), "axis", { label: "n" });
-        },
-      });
+      steps.push(later(() => {
+        const last = i === list.length - 1;
+        const wait = last ? 0 : list[i + 1].t - s.t, speed = along(s.normal.slice(0, 2), sub(a0.linear!, q.b!.linear ?? [0, 0]));
+        return {
+          title: i === 0 ? `The start, t = ${digits(s.t, 6)}` : `Advance to t = ${digits(s.t, 6)}`,
+          text: `Here they are ${digits(s.distance, 5)} apart along n. ` + (last
+            ? (answer.hit ? "That is within the tolerance: this is the time of impact, and it was approached from before."
+            : "However fast they close from here, the motion is over before they can touch: there is no impact.")
+            : (i === 0 ? `A moves along n at v·n = ${digits(speed, 4)}. Turning adds at most |ω| times a point's lever, and in all no more than brings A out to the circle round its centre that it never leaves. ` : `v·n is ${digits(speed, 4)}. `) +
+              `They close at no more than u = ${digits(s.distance / wait, 5)} on average, what turning can add included: for ${digits(wait, 4)} nothing can touch. Advance by that and measure again.`),
+          formula: last ? [`t_${i + 1} = ${digits(s.t, 8)}`, `d_${i + 1} = ${digits(s.distance, 5)}`]
+            : [`t_${i + 2} = t_${i + 1} + frac(d_${i + 1}, u)`, `t_${i + 2} = ${digits(s.t, 6)} + frac(${digits(s.distance, 5)}, ${digits(s.distance / wait, 5)}) = ${digits(list[i + 1].t, 8)}`],
+          numbers: { caption: "Conservative advancement", columns: ["step", "time", "distance"],
+            rows: list.slice(Math.max(0, i - 11), i + 1).map((x, k, l) => ({ cells: [String(Math.max(0, i - 11) + k + 1), x.t, x.distance], mark: k === l.length - 1 ? "now" as const : undefined })) },
+          graph: travelled(i),
+          says: `At time ${digits(s.t, 5)} the distance is ${digits(s.distance, 4)}.`,
+          draw(d) {
+            d.shape(a0, "a", { ghost: true });
+            path(d, s.t);
+            const now = bodyAt(a0, s.t), b = bodyAt(q.b!, s.t);
+            d.shape(now, "a");
+            d.shape(b, "b");
+            const pair = ask({ query: "distance", dimension: 2, a: { shape: now.shape, translation: now.translation, rotation: now.rotation }, b: { shape: b.shape, translation: b.translation, rotation: b.rotation } });
+            d.line(pair.a as unknown as Vec, pair.b as unknown as Vec, "touch", { wide: true });
+            d.arrow(pair.a as unknown as Vec, add(pair.a as unknown as Vec, s.normal), "axis", { label: "n" });
+          },
+        };
+      }));
     });
     steps.push({
       title: answer.hit ? `They touch at t = ${digits(answer.t, 8)}` : "They never touch",
