@@ -38,12 +38,12 @@ struct SupportTrace {
 
 /// The layers of Dobkin and Kirkpatrick's hierarchy, the coarsest first and the hull itself last (Dobkin, Kirkpatrick
 /// 1990, "Determining the separation of preprocessed polyhedra"); each vertex of a layer is one of the next. Of several
-/// layers that the construction makes one is kept, a quarter of the next or smaller but for the coarsest. A hull that is
+/// layers that the construction makes one is kept, at most a quarter of the next but for the coarsest. A hull that is
 /// scanned has one layer. Linear in the hull's size.
 template <class T>
 GRAZE_API std::vector<HullLayer> hull_layers(const ConvexHull<T>& hull);
 
-/// The support query along `direction`, by its layers. As the query itself, logarithmic for a hull with layers; a scan's
+/// The support query along `direction`, by its layers. Logarithmic, as the query, for a hull with layers; a scan's
 /// second look at vertices that float does not tell apart is not counted.
 template <class T>
 GRAZE_API SupportTrace explain_support(const ConvexHull<T>& hull, const Vec3<T>& direction);
