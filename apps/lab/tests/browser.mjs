@@ -553,6 +553,16 @@ test("planes: three points, a distance and a normal give the same plane, and a l
   await page.context().close();
 });
 
+test("programs: a lesson without a question of the protocol offers none to copy", async () => {
+  for (const [id, languages, asked] of [["spheres", 3, true], ["broad-phases", 2, false], ["filters", 3, false]]) {
+    const page = await visit(`#/lesson/${id}`);
+    assert.equal(await page.$$eval(".code details", (list) => list.length), languages + (asked ? 1 : 0), id);
+    assert.equal(await page.isVisible('button:text-is("Copy as a question")'), asked, id);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
+});
+
 test("resolution: impulse and approach are the library's to the last digit", async () => {
   const page = await visit("#/lesson/resolution");
   for (const example of [null, ...(await page.$$(".example"))]) {
