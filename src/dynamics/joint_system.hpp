@@ -47,8 +47,8 @@ class JointSystem {
   void solve(std::span<JointRows<T, Space>> joints, std::span<SolverBody<T, Space>> bodies, bool bias);
 
  private:
-  /// So many rows of loops are solved at once, some thirty ball joints, and of large trees so many that they ask no more
-  /// than these responses of links.
+  /// So many rows of loops are solved at once, some thirty ball joints, and of large trees so many that they ask for
+  /// no more than these responses of links.
   static constexpr std::size_t most_loop_rows = 96, most_loop_work = 4096;
   static constexpr std::size_t freedoms = std::is_same_v<typename Space::Vec, Vec3<T>> ? 6 : 3;
   static constexpr std::size_t most_rows = JointRows<T, Space>::most_locked;

@@ -40,7 +40,8 @@ std::vector<Vec2d> all_corners(const Shape<T>& shape, const Pose2<T>& pose, cons
     for (const Vec2d& corner : corners_in_world(shape, pose, of(p.feature))) corners.push_back(corner);
   return corners;
 }
-/// How far a point is from what a manifold's points name together or, of a vertex alone, from the edges that meet there.
+/// How far a point is from what a manifold's points name together or, of a vertex alone, from the edges that meet
+/// there.
 template <class T>
 double off_feature(const Vec2d& p, const Shape<T>& shape, const Pose2<T>& pose, const std::vector<Vec2d>& corners) {
   double nearest = off_corners(p, corners);
