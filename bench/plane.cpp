@@ -2,7 +2,8 @@
 //
 //   bench_plane [--pairs N] [--cached N] [--rounds N] [--base N] [--steps N] [--pyramid]
 //
-// plane_pairs.hpp says which pairs, plane_contacts.cpp and plane_motion.cpp what is asked, plane_pyramid.cpp what moves.
+// plane_pairs.hpp says which pairs, plane_contacts.cpp and plane_motion.cpp what is asked, plane_pyramid.cpp what is
+// played.
 #include <cstdio>
 
 #include "command_line.hpp"

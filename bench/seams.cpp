@@ -160,10 +160,12 @@ template <class T>
 Shape<T> plate() {
   return Compound<T>({{Rectangle<T>(2, 2), {{0, T(0.5), 0}, {}}}});
 }
+/// A box of triangles, given by half its sides.
 template <class T>
-Shape<T> closed_block() {
+Shape<T> closed_mesh(const Vec3<T>& half) {
   std::vector<Vec3<T>> points;
-  for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? T(1) : T(-1), i & 2 ? T(0.5) : T(-0.5), i & 4 ? T(1) : T(-1)});
+  for (int i = 0; i < 8; ++i)
+    points.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
   return Mesh<T>(std::move(points), {{0, 4, 6},
                                      {0, 6, 2},
                                      {1, 3, 7},
@@ -176,6 +178,10 @@ Shape<T> closed_block() {
                                      {0, 3, 1},
                                      {4, 5, 7},
                                      {4, 7, 6}});
+}
+template <class T>
+Shape<T> closed_block() {
+  return closed_mesh<T>({1, T(0.5), 1});
 }
 template <class T>
 Shape<T> patch() {
@@ -194,7 +200,7 @@ Shape<T> triangle_patch() {
 template <class T>
 using Tile = Shape<T> (*)();
 
-/// Six by six tiles by turns; `turned` about the vertical by multiples of 30 degrees, and large enough to overlap.
+/// Six by six tiles of the kinds by turns, at a height.
 template <class T>
 Bodies<T> tiles(const std::vector<Tile<T>>& kinds, double height = -0.5) {
   Bodies<T> all;
@@ -204,6 +210,7 @@ Bodies<T> tiles(const std::vector<Tile<T>>& kinds, double height = -0.5) {
                      {{T(2 * i + 1), T(height), T(2 * j + 1)}, {}}});
   return all;
 }
+/// Blocks that are turned about the vertical by multiples of 30 degrees, and large enough to overlap.
 template <class T>
 Bodies<T> yawed_blocks() {
   Bodies<T> all;
@@ -280,9 +287,6 @@ std::vector<Slider<T>> sliders(Random& random) {
   const Shape<T> table = Compound<T>({{Box<T>({T(1.2), T(0.1), T(0.8)}), {{0, T(0.4), 0}, {}}},
                                       {Box<T>({T(0.1), T(0.8), T(0.8)}), {{T(-0.55), 0, 0}, {}}},
                                       {Box<T>({T(0.1), T(0.8), T(0.8)}), {{T(0.55), 0, 0}, {}}}});
-  std::vector<Vec3<T>> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back({i & 1 ? T(0.4) : T(-0.4), i & 2 ? T(0.3) : T(-0.3), i & 4 ? T(0.5) : T(-0.5)});
   return {{"ball", Sphere<T>(T(0.5))},
           {"small ball", Sphere<T>(T(0.05))},
           {"capsule", Capsule<T>(1, T(0.3), T(0.3))},
@@ -294,18 +298,7 @@ std::vector<Slider<T>> sliders(Random& random) {
           {"ellipsoid", Ellipsoid<T>({T(0.5), T(0.3), T(0.4)})},
           {"hull", ConvexHull<T>(points)},
           {"table", table},
-          {"closed mesh", Mesh<T>(corners, {{0, 4, 6},
-                                            {0, 6, 2},
-                                            {1, 3, 7},
-                                            {1, 7, 5},
-                                            {0, 1, 5},
-                                            {0, 5, 4},
-                                            {2, 6, 7},
-                                            {2, 7, 3},
-                                            {0, 2, 3},
-                                            {0, 3, 1},
-                                            {4, 5, 7},
-                                            {4, 7, 6}})}};
+          {"closed mesh", closed_mesh<T>({T(0.4), T(0.3), T(0.5)})}};
 }
 
 template <class T>

@@ -1,4 +1,4 @@
-// What a point of contact names of a shape: a vertex, an edge or a face, by its number.
+// The part of a shape that a point of contact names: a vertex, an edge or a face, by its number.
 //
 // Guarantee: of a shape's 14-bit numbers each names one part alone in shapes of up to 16,384 of them.
 #pragma once
@@ -13,7 +13,7 @@ enum class FeatureKind : std::uint8_t { none, vertex, edge, face };
 /// The part of one shape, half of the `feature` of a contact point.
 struct Feature {
   FeatureKind kind = FeatureKind::none;  ///< none of what is smooth and has no parts
-  /// Of the vertex or the face; of an edge in a form of its own, in the plane that of the vertex it begins at.
+  /// The number of the vertex or the face; an edge has one in a form of its own, in the plane that of its first vertex.
   std::uint32_t number = 0;
 };
 

@@ -638,9 +638,9 @@ GRAZE_C_API GrazeStatus graze_contacts_reduced_d(const GrazeShaped *a, const Gra
                                                  GrazeBufferd *buffer, GrazeContactsd *contacts);
 // A margin with which a body at rest keeps its points from frame to frame.
 GRAZE_C_API GrazeStatus graze_contact_margin_d(const GrazeShaped *a, const GrazeShaped *b, double *margin);
-// The corners of a feature in the shape's frame (graze/feature_corners.hpp): one of a vertex, two of an edge, those of a
-// face in order; none of what is round. `feature` is the upper half of a contact point's for A, the lower half for B, and `piece`
-// that of the manifold. The corners live in the buffer.
+// The corners of a feature in the shape's frame (graze/feature_corners.hpp): one of a vertex, two of an edge, those of
+// a face in order; none of what is round. `feature` is the upper half of a contact point's for A, the lower half for B,
+// and `piece` that of the manifold. The corners live in the buffer.
 GRAZE_C_API GrazeStatus graze_feature_corners_d(const GrazeShaped *shape, uint32_t piece, uint16_t feature,
                                                 GrazeBufferd *buffer, const GrazeVec3d **corners, size_t *count);
 // The point of the shape's surface nearest to a point of the world.

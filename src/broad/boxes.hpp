@@ -80,7 +80,7 @@ class BoxTable {
     std::sort(out.begin(), out.end());
   }
 
-  /// What compares boxes in a search for pairs, and counts how often.
+  /// The comparison of boxes in a search for pairs, which counts how often it is made.
   class PairTest {
    public:
     PairTest(const BoxTable& table, bool moved_only, std::vector<IdPair>& out)

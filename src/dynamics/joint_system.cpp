@@ -113,8 +113,10 @@ void JointSystem<T, Space>::find_loops(std::span<const JointRows<T, Space>> join
     if (held_[j] != 0 || (movable[a] == 0 && movable[b] == 0)) continue;
     const std::size_t more = rows + joints[j].locked();
     held_[j] = more <= most_loop_rows && more * links_.size() <= most_loop_work;
-    if (held_[j] == 0) holds_all_ = false;
-    if (held_[j] == 0) continue;
+    if (held_[j] == 0) {
+      holds_all_ = false;
+      continue;
+    }
     loops_.push_back({j, a, b, rows, joints[j].locked()});
     rows = more;
   }
@@ -222,7 +224,7 @@ void JointSystem<T, Space>::factor_loops(std::span<const JointRows<T, Space>> jo
     for (std::size_t k = loop.first_row; k < loop.first_row + loop.rows; ++k) {
       respond_to(loop, loop_rows_[k]);
       for (const Loop& other : loops_)
-        for (std::size_t i = other.first_row; i < other.first_row + other.rows; ++i)
+        for (std::size_t i = std::max(k, other.first_row); i < other.first_row + other.rows; ++i)
           lower(i, k) = inner(loop_rows_[i].of_a, velocity_[other.a]) + inner(loop_rows_[i].of_b, velocity_[other.b]);
       lower(k, k) += loop_rows_[k].yielding;
     }
@@ -231,7 +233,7 @@ void JointSystem<T, Space>::factor_loops(std::span<const JointRows<T, Space>> jo
       T k = lower(i, j);
       for (std::size_t m = 0; m < j; ++m)
         if (lower(m, m) > T(0)) k -= lower(i, m) * lower(j, m) / lower(m, m);
-      // What yields leaves a pivot; rounding may still take one away, as of a body that nothing turns.
+      // A row that yields leaves a pivot; rounding may still take one away, as of a body that nothing turns.
       lower(i, j) = j < i ? k * lower(j, j) : k > loop_rows_[i].yielding / T(2) ? T(1) / k : T(0);
     }
 }

@@ -14,8 +14,8 @@ inline constexpr T drift_part = T(1) / T(64);  // of the arms, or in radians
 template <class T>
 inline constexpr T recovered_part = T(1) / T(8);
 
-/// A loop's joint is a spring whose period is so many sub-steps, damped far beyond the critical: stiffer ones swing
-/// themselves up with what the rest of the loop holds.
+/// A joint of a loop that is not solved with the trees is a spring whose period is so many sub-steps, damped far beyond
+/// the critical: stiffer ones swing themselves up with what the rest of the loop holds.
 template <class T>
 inline constexpr T loop_period = T(4);
 template <class T>

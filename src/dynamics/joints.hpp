@@ -88,7 +88,7 @@ auto FactoredRows<T, N>::solved(Rows v) const -> Rows {
 inline int count(const std::array<bool, 3>& axes) { return int{axes[0]} + int{axes[1]} + int{axes[2]}; }
 
 /// The rows of a joint while a step is solved. Those of locked axes are solved by `JointSystem`, or, where the joint
-/// closes a loop, by themselves.
+/// closes one loop too many for that, by themselves.
 template <class T, class Space = graze::Space<T>>
 class JointRows {
  public:
@@ -112,7 +112,8 @@ class JointRows {
   T locked_impulse(std::size_t i) const { return rows_[i].impulse; }
   std::array<T, most_locked> wanted(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b, bool bias) const;
   void push_locked(const std::array<T, most_locked>& impulses, SolverBody<T, Space>& a, SolverBody<T, Space>& b);
-  /// One pass over the locked rows of a joint that closes a loop: as a spring, for what others hold is not known here.
+  /// One pass over the locked rows of a joint that closes a loop and is not held by `JointSystem`: as a spring, for
+  /// what others hold is not known here.
   void solve_loop(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);
   /// One pass over the rows of bounds and drives.
   void solve_free(SolverBody<T, Space>& a, SolverBody<T, Space>& b, bool bias);

@@ -26,7 +26,7 @@ inline constexpr double height_rounding = 32 * double(std::numeric_limits<float>
 /// Sizes whose squares floats hold with all their digits, and those of parts a thousandth as large.
 inline constexpr double least_size = 1e-14, most_size = 1e14;
 
-/// What the kernel's heights may be off, of polygons whose vertices are no further than `size` from their origins.
+/// The error that the kernel's heights may have, of polygons with vertices no further than `size` from their origins.
 inline double axes_slack(const Pose2d& b_in_a, double size) {
   return height_rounding * (size + size + max_abs(b_in_a.translation));
 }

@@ -54,12 +54,12 @@ struct EdgeEntries {
   float deepest_b[most_edges], deepest_a[most_edges];  ///< as of `EdgeAxes`
 };
 
-/// The same kernel for a ray along the unit vector `direction`.
+/// The kernel of these entries, for vertices in T and a ray along the unit vector `direction`.
 template <class T>
 using EdgeEntriesKernel = void (*)(const AxesPolygon<T>& a, const AxesPolygon<T>& b, const Pose2d& b_in_a,
                                    const Vec2d& direction, double slack, EdgeEntries& out);
 
-/// Those of both scalars.
+/// The kernels for both scalars.
 struct EdgeAxesKernels {
   EdgeAxesKernel<float> of_float;
   EdgeAxesKernel<double> of_double;

@@ -28,7 +28,7 @@ struct SupportLayer {
   std::uint32_t winner;       ///< the furthest of the layer, by the number of the hull's vertex
 };
 
-/// What one support query did.
+/// The steps of one support query.
 struct SupportTrace {
   std::vector<SupportLayer> layers;  ///< the coarsest first, the hull itself last; of a hull that is scanned it alone
   bool scanned = false;              ///< every vertex was looked at: hulls of up to 32 vertices, and flat ones
