@@ -438,6 +438,17 @@ export interface HullLayer {
  * graze/queries. */
 export function hullLayers(hull: Shape): { vertices: Vec3[]; layers: HullLayer[] };
 
+/** A shape of the query protocol: its type, and under that name its measures. */
+export interface ProtocolShape {
+  type: string;
+  margin?: number;
+  [measures: string]: unknown;
+}
+/** A shape as a question of the protocol has it, with the same measures. Throws `InvalidValue` for what the protocol has
+ * no words for: a UserConvex, and a mesh or a height field that is seen from its front alone. A ball beside its origin
+ * becomes a compound of one child, a segment the hull of its ends. Not in graze/queries. */
+export function protocolShape(shape: Shape): ProtocolShape;
+
 // --- Debug draw ---
 
 /** What a reader switches on and off together. */
@@ -1113,6 +1124,8 @@ export declare namespace plane {
   function raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
   function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
   function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
+  /** As in space; of all but a UserConvex. */
+  function protocolShape(shape: Shape): ProtocolShape;
   const traced: {
     overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<boolean>;
     distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<Distance>;
@@ -1175,12 +1188,6 @@ export function query(line: string): string;
 /** The same with its trace, whatever the question says. */
 export function explain(line: string): string;
 
-/** A shape of the query protocol: its type, and under that name its measures. */
-export interface ProtocolShape {
-  type: string;
-  margin?: number;
-  [measures: string]: unknown;
-}
 /** A scene of the plane as `graze collide` and `graze simulate` read it as JSON (docs/plane.md). Y points up. */
 export interface PlaneScene {
   dimension: 2;

@@ -4,7 +4,7 @@
 #include "graze/error.hpp"
 #include "graze/io/plane_scene.hpp"
 #include "io/json_value.hpp"
-#include "io/json_writer.hpp"
+#include "io/shape_writer.hpp"
 
 namespace graze::io {
 
@@ -14,68 +14,10 @@ using plane::Vec2d;
 
 JsonWriter& put(JsonWriter& out, const Vec2d& v) { return out.open('[').number(v.x).number(v.y).close(']'); }
 
-void write_shape(JsonWriter& out, const plane::Shaped& shape);
-
 void write_pose(JsonWriter& out, const plane::Pose2d& pose) {
   put(out.key("translation"), pose.translation);
   if (pose.rotation.sine != 0 || pose.rotation.cosine != 1)
     out.key("rotation").number(std::atan2(pose.rotation.sine, pose.rotation.cosine));
-}
-
-/// The measures of a shape of each kind, as the query protocol has them.
-class Measures {
- public:
-  explicit Measures(JsonWriter& out) : out_(out) {}
-
-  void operator()(const plane::Circle<double>& c) { key("radius").number(c.radius()); }
-  void operator()(const plane::Capsule<double>& c) {
-    key("height").number(2 * c.half_height());
-    key("radiusBottom").number(c.radius_bottom());
-    key("radiusTop").number(c.radius_top());
-  }
-  void operator()(const plane::Box<double>& b) { put(key("size"), b.half_extents() * 2.0); }
-  void operator()(const plane::Segment<double>& s) { points({s.a(), s.b()}); }
-  void operator()(const plane::ConvexPolygon<double>& p) { points({p.vertices().begin(), p.vertices().end()}); }
-  void operator()(const plane::Ellipse<double>& e) { put(key("radii"), e.radii()); }
-  void operator()(const plane::HalfPlane<double>&) {}
-  void operator()(const plane::Polygon<double>& p) { points(p.pieces().outline_vertices()); }
-  void operator()(const plane::Chain<double>& c) {
-    points(c.pieces().outline_vertices());
-    if (c.closed()) key("closed").value(true);
-    if (c.sides() == plane::ChainSides::one) key("sides").raw("\"one\"");
-  }
-  void operator()(const plane::Compound<double>& c) {
-    key("children").open('[');
-    for (const auto& child : c.children()) {
-      write_shape(out_.open('{').key("shape"), child.shape);
-      write_pose(out_, child.pose);
-      out_.close('}');
-    }
-    out_.close(']');
-  }
-  void operator()(const plane::UserConvex<double>&) {
-    throw InvalidValue("shape", "a shape that a file can hold", "one of the user's own");
-  }
-
- private:
-  JsonWriter& key(const char* name) { return out_.key(name); }
-  void points(const std::vector<Vec2d>& all) {
-    key("points").open('[');
-    for (const Vec2d& p : all) put(out_, p);
-    out_.close(']');
-  }
-
-  JsonWriter& out_;
-};
-
-void write_shape(JsonWriter& out, const plane::Shaped& shape) {
-  const char* type = shape.name();  // kinds are called as in the protocol
-  out.open('{').key("type").raw(json_quoted(type)).key(type).open('{');
-  Measures measures(out);
-  shape.visit([&](const auto& concrete) { measures(concrete); });
-  out.close('}');
-  if (shape.rounding() > 0) out.key("margin").number(shape.rounding());
-  out.close('}');
 }
 
 /// How a body is moved, without what is so by default.

@@ -275,6 +275,31 @@ export const checks = [
     equal(graze.traced.closest(box, {}, [3, 0, 0]).answer.distance, 2, "closest");
   }],
 
+  ["shapes in the words of the query protocol", ({ graze, double, queries }) => {
+    const sorted = (value) => (typeof value === "object" && value !== null && !Array.isArray(value)
+      ? Object.fromEntries(Object.keys(value).sort().map((key) => [key, sorted(value[key])])) : value);
+    for (const entry of [graze, double]) {
+      for (const [shape, words] of zoo(entry)) {
+        if (words.type === "compound") continue;
+        const written = entry.protocolShape(shape);
+        if (words.type === "convex") for (const { convex } of [written, words]) convex.points = [...convex.points].sort(); // a hull has an order of its own
+        equal(sorted(written), sorted(words), words.type);
+      }
+      const { compound } = entry.protocolShape(new entry.Compound([
+        { shape: new entry.Box([1, 2, 3]), translation: [1, 0, 0] }, { shape: new entry.Sphere(0.25, [0, 4, 0]) }]));
+      equal(compound.children.map((child) => [child.shape.type, child.translation, child.rotation]),
+        [["box", [1, 0, 0], [0, 0, 0, 1]], ["compound", [0, 0, 0], [0, 0, 0, 1]]], "children");
+      equal(compound.children[1].shape.compound.children[0].translation, [0, 4, 0], "a ball beside its origin");
+      throws(() => entry.protocolShape(new entry.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], { sides: "front" })),
+        "shape: expected a shape that a question can hold, got a mesh that is seen from its front alone", entry.InvalidValue);
+      equal(entry.plane.protocolShape(new entry.plane.Chain([[0, 0], [1, 0], [1, 2]], { sides: "front" })),
+        { type: "chain", chain: { points: [[0, 0], [1, 0], [1, 2]], sides: "one" } }, "a chain");
+    }
+    // Of float all bits, widened.
+    equal(graze.protocolShape(new graze.Sphere(0.1)).sphere.radius, Math.fround(0.1), "a float's radius");
+    equal(queries.protocolShape, undefined, "not in graze/queries");
+  }],
+
   ["a hull's support query, layer by layer", ({ graze, double, queries }) => {
     for (const entry of [graze, double]) {
       const next = random(9);

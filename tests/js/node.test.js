@@ -248,7 +248,7 @@ test("every export is declared, and every declaration exported", async () => {
   assert.deepEqual(plane.sort(), [...new Set(inPlane)].sort());
   assert.deepEqual(Object.keys(graze).sort(), declared.filter((name) => !["query", "explain", "planeScene"].includes(name)));
   const only = [
-    "query", "explain", "planeScene", "hullLayers", "traced", "draw", "captureHead", "replay", "response", "applyImpulse",
+    "query", "explain", "planeScene", "hullLayers", "protocolShape", "traced", "draw", "captureHead", "replay", "response", "applyImpulse",
     "Simulation", "State", "plane"];
   assert.deepEqual(Object.keys(queries).sort(), declared.filter((name) => !only.includes(name)));
 });

@@ -2,6 +2,7 @@
 
 import { drawings, worldDrawings } from "./draw.js";
 import { named } from "./layout.js";
+import { protocolShapes } from "./protocol_shapes.js";
 import { questions } from "./questions.js";
 import { sides } from "./shapes.js";
 import { simulationClasses } from "./simulation.js";
@@ -143,6 +144,7 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
         return angle(answered(types.pose, (p) => ask.call("pose_at", pose(body, "pose"), velocity, t, p)));
       },
     }),
+    protocolShape: protocolShapes(core, "plane_shape_text", of),
     traced: ask.traced(),
     draw: ask.framed({
       ...drawings(core, layout, dimension), ...worldDrawings(core, layout, dimension, worlds, simulations, Handle) }),

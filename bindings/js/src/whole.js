@@ -5,6 +5,7 @@ import { queriesEntry } from "./entry.js";
 import { replays } from "./capture.js";
 import { hullLayering } from "./hulls.js";
 import { plane } from "./plane.js";
+import { protocolShapes } from "./protocol_shapes.js";
 import { blows, simulationClasses } from "./simulation.js";
 
 export function wholeEntry(scalar, address) {
@@ -22,6 +23,7 @@ export function wholeEntry(scalar, address) {
       ...simulations,
       ...replays(core, layout, worlds, ofPlane.worlds),
       hullLayers,
+      protocolShape: protocolShapes(core, "shape_text", shapes.of),
       traced: { ...ask.traced(), support: tracedSupport },
       draw: ask.framed({
         ...drawings(core, layout, dimension),

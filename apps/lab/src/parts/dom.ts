@@ -26,6 +26,9 @@ export function svg(tag: string, attributes: Attributes = {}, ...children: Child
   return element;
 }
 
+export const button = (label: string, act: () => void, more: Attributes = {}): HTMLButtonElement =>
+  h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
+
 /** Six significant digits, as tables show numbers; the whole number is in the title of its cell. */
 export function digits(value: number | string | undefined, significant = 6): string {
   if (value === undefined) return "";

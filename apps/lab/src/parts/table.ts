@@ -6,6 +6,8 @@ export interface Row {
   cells: (string | number)[];
   key?: string;
   mark?: "winner" | "out" | "now";
+  /** Selects what the row is about: its first cell is then a button. */
+  choose?: () => void;
 }
 export interface Numbers {
   caption: string;
@@ -27,7 +29,7 @@ export class Table {
         const text = typeof cell === "number" ? digits(cell) : cell;
         const place = `${row.key ?? i}/${j}`;
         now.set(place, text);
-        if (j === 0) return h("th", { scope: "row" }, text);
+        if (j === 0) return h("th", { scope: "row" }, row.choose ? h("button", { type: "button", class: "choose", onclick: row.choose }, text) : text);
         return h("td", { title: typeof cell === "number" ? String(cell) : null }, ...changed(this.before.get(place), text));
       });
       const classes = [row.mark && `is-${row.mark}`].filter(Boolean).join(" ");

@@ -1,7 +1,17 @@
-// What is shown of two bodies: the lesson that explains them, and what they touch with.
+// What is shown of two bodies: their distance, the lesson that explains them, and what they touch with.
 
+import { ask, type Answer } from "../graze.ts";
+import { digits } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import type { Question, State, Vec } from "../question.ts";
+import type { Run } from "./run.ts";
+
+/** The question about two bodies where they are now, up to the margin with which they keep their points at rest. */
+export function questionOf(run: Run, i: number, j: number): Question {
+  return { query: "contacts", ...(run.flat ? { dimension: 2 as const } : {}), a: run.asked(i), b: run.asked(j), margin: run.margin(i, j) };
+}
+/** Their signed distance, which a margin has nothing to do with. */
+export const distanceOf = (question: Question): Answer => ask({ ...question, query: "distance", margin: undefined } as Question);
 
 /** Shapes of the plane that GJK's lesson draws. */
 const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
@@ -25,8 +35,15 @@ export function lessonsOf(q: Question, apart: boolean): PairLesson[] {
 }
 
 /** A vertex, an edge or a face, to be lit up with the point that it belongs to. */
-export function drawFeature(d: Drawing, corners: Vec[], meaning: Meaning, key: string): void {
+function drawFeature(d: Drawing, corners: Vec[], meaning: Meaning, key: string): void {
   if (corners.length === 1) d.point(corners[0], meaning, { key });
   const ends = corners.length > 2 ? corners.length : corners.length - 1;
   for (let i = 0; i < ends; i++) d.line(corners[i], corners[(i + 1) % corners.length], meaning, { key });
+}
+/** The corners, edges and faces that two bodies touch with at each point of contact, and the gap between the two. */
+export function drawPair(d: Drawing, run: Run, i: number, j: number): void {
+  run.features(i, j, run.margin(i, j)).forEach((of, point) =>
+    of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${point}`)));
+  const { distance, a, b } = distanceOf(questionOf(run, i, j));
+  if (distance! > 0) d.line(a as unknown as Vec, b as unknown as Vec, "axis", { dashed: true, label: digits(distance, 4) });
 }

@@ -1,0 +1,73 @@
+// What is said of the selected bodies of a scene or of a frame: of one alone what it is, of two what they have to do with
+// each other, and the question that asks the same.
+
+import { ask, line } from "../graze.ts";
+import { button, digits, h, vector } from "../parts/dom.ts";
+import { featureWords } from "../parts/features.ts";
+import { address } from "../parts/state.ts";
+import { Table } from "../parts/table.ts";
+import type { Question } from "../question.ts";
+import type { SceneBody } from "./model.ts";
+import { distanceOf, lessonsOf, questionOf } from "./pair.ts";
+import { propertiesOf } from "./properties.ts";
+import type { Pair, Run } from "./run.ts";
+
+/** Bodies, of which none, one or two are selected. */
+export interface Selection {
+  run: Run;
+  bodies: SceneBody[];
+  selected: number[];
+  /** What touches. */
+  pairs: Pair[];
+}
+
+export class Inquiry {
+  readonly info = h("div", { class: "words", "aria-live": "polite" });
+  readonly table = new Table();
+  readonly element: HTMLElement;
+  private readonly asked = h("textarea", { rows: 3, spellcheck: "false", "aria-label": "A question of the protocol" }) as HTMLTextAreaElement;
+
+  /** `onAsk` gets the question that somebody wrote, or what is wrong with it. */
+  constructor(onAsk: (question: Question) => void, onTrouble: (text: string) => void) {
+    const askIt = (): void => {
+      try {
+        onAsk(JSON.parse(this.asked.value) as Question);
+      } catch (error) {
+        onTrouble((error as Error).message);
+      }
+    };
+    this.element = h("details", {}, h("summary", {}, "As a question"), this.asked,
+      h("p", { class: "actions" }, button("Copy", () => void navigator.clipboard.writeText(this.asked.value)), button("Ask it", askIt)));
+  }
+
+  tell(title: string, words: string, ...more: Node[]): void {
+    this.info.replaceChildren(h("h2", {}, title), h("p", {}, words), ...more);
+  }
+  /** Puts the line of a question where it can be copied. */
+  offer(question: Question): void {
+    this.asked.value = line(question);
+  }
+  show(of: Selection): void {
+    const [first, other] = of.selected;
+    if (first === undefined) {
+      this.tell("Select a body", "Click one, or a pair of the table, to see why two touch or do not.");
+      this.table.show(undefined);
+    } else if (other === undefined) {
+      this.tell(of.bodies[first].name, "Click another to see what the two have to do with each other.");
+      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.pairs));
+    } else {
+      this.explain(of);
+    }
+  }
+  private explain({ run, bodies, selected }: Selection): void {
+    const [i, j] = selected, question = questionOf(run, i, j), answer = ask(question), distance = distanceOf(question);
+    const touch = answer.overlap ? "They touch" : "They are apart";
+    this.tell(`${bodies[i].name} and ${bodies[j].name}`,
+      answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`,
+      ...lessonsOf(question, distance.distance! > 0).map(({ lesson, shows, state }) =>
+        h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, `Step through ${shows}`))));
+    this.offer(question);
+    this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
+      rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature, question.dimension), p.distance], key: `point ${k}` })) });
+  }
+}

@@ -1,0 +1,53 @@
+// Shapes as the query protocol has them, for JavaScript, in the manner of the C interface.
+#include <atomic>
+#include <string>
+
+#include "c/arguments.hpp"
+#include "io/shape_writer.hpp"
+
+#ifdef GRAZE_JS_DOUBLE
+#define EXPORTED(name) __attribute__((export_name("graze_js_" name "_d")))
+#define GRAZE_C_TAG 0x67720d00u  // as in c/double.cpp
+#define TYPE(name) Graze##name##d
+using T = double;
+#else
+#define EXPORTED(name) __attribute__((export_name("graze_js_" name "_f")))
+#define GRAZE_C_TAG 0x67720f00u  // as in c/float.cpp
+#define TYPE(name) Graze##name##f
+using T = float;
+#endif
+
+#include "c/plane_shape_handle.inc"
+#include "c/shape_handle.inc"
+
+namespace {
+
+std::string text;  ///< the last one
+
+/// Shows where the shape's text begins, and how many bytes it has.
+template <class Handle>
+GrazeStatus written(const Handle* shape, const char** first, std::size_t* count) {
+  return graze::c::guarded([&] {
+    graze::io::JsonWriter out;
+    graze::io::write_shape(out, graze::c::opened(shape, "shape").value);
+    text = out.take();
+    *first = text.data();
+    *count = text.size();
+  });
+}
+
+}  // namespace
+
+extern "C" {
+
+EXPORTED("shape_text")
+GrazeStatus graze_js_shape_text(const TYPE(Shape) * shape, const char** first, std::size_t* count) {
+  return written(shape, first, count);
+}
+
+EXPORTED("plane_shape_text")
+GrazeStatus graze_js_plane_shape_text(const TYPE(PlaneShape) * shape, const char** first, std::size_t* count) {
+  return written(shape, first, count);
+}
+
+}  // extern "C"
