@@ -2,13 +2,15 @@ import "./style.css";
 import { load } from "./graze.ts";
 import { lessons } from "./lessons/index.ts";
 import { h } from "./parts/dom.ts";
-import { readPlace } from "./parts/state.ts";
+import { address, readPlace } from "./parts/state.ts";
 import { choose, isDark, startTheme } from "./parts/theme.ts";
 import { Home } from "./rooms/home.ts";
 import { LessonRoom } from "./rooms/lesson.ts";
 import { CaptureRoom } from "./rooms/capture.ts";
 import { SceneRoom } from "./rooms/scene.ts";
 import type { Room } from "./rooms/room.ts";
+import type { Scene } from "./scene/model.ts";
+import { packed } from "./scene/moment.ts";
 
 const main = h("main", { id: "main", tabindex: -1 });
 let room: Room | null = null;
@@ -21,12 +23,20 @@ function enter(next: Room): void {
   main.replaceChildren(next.element);
 }
 
+function viewer(values: Record<string, string>): Room {
+  const enterScene = (scene: Scene): void => {
+    const text = packed(scene);
+    if (text) location.hash = address("/scene", { s: text });
+    else enter(viewer({ s: JSON.stringify(scene) }));
+  };
+  return new SceneRoom(values, (name, captured, served) => enter(new CaptureRoom(name, captured, { served, at: values.at }, enterScene)));
+}
 function open(): void {
   const { path, values } = readPlace();
   const lesson = lessons.find((l) => path === `/lesson/${l.id}`);
   room?.dispose();
   if (lesson) room = new LessonRoom(lesson, values);
-  else if (path === "/scene") room = new SceneRoom(values, (name, captured) => enter(new CaptureRoom(name, captured)));
+  else if (path === "/scene") room = viewer(values);
   else room = new Home();
   document.title = lesson ? `${lesson.title} · Graze lab` : path === "/scene" ? "Viewer and playground · Graze lab" : "Graze lab";
   main.replaceChildren(room.element);

@@ -20,8 +20,9 @@ export class Stage3 implements Stage, Drawing {
   readonly element = h("div", { class: "stage stage3" });
   onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
   onPoint: (key: string | null) => void = () => {};
-  /** A click on a body: its place in the order of `shape` calls, and the ray through the pointer. */
-  onPick: (body: number | null, ray: { origin: Vec; direction: Vec }) => void = () => {};
+  /** A click: on which body, by its place in the order of `shape` calls, the ray through the pointer, and the key of the
+   *  point that lies there. */
+  onPick: (body: number | null, ray: { origin: Vec; direction: Vec }, key: string | null) => void = () => {};
   /** Bodies beyond those that are drawn one by one. */
   readonly crowd = new Crowd();
   private readonly canvas = document.createElement("canvas");
@@ -39,6 +40,7 @@ export class Stage3 implements Stage, Drawing {
   private lines = new Map<string, { positions: number[]; meaning: Meaning; look: Look }>();
   private texts: { at: Vec; text: string; meaning: Meaning }[] = [];
   private picks: THREE.Object3D[] = [];
+  private dots: { at: Vec; key: string }[] = [];
   private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
   private lit: string | null = null;
   private waiting = 0;
@@ -191,6 +193,7 @@ export class Stage3 implements Stage, Drawing {
     dot.scale.setScalar(lit || look?.wide ? 0.026 : 0.017);
     dot.renderOrder = 3;
     this.drawn.add(dot);
+    if (look?.key !== undefined) this.dots.push({ at, key: look.key });
     if (look?.label) this.texts.push({ at, text: look.label, meaning });
   }
   line(from: Vec, to: Vec, meaning: Meaning, look: Look = {}): void {
@@ -245,6 +248,7 @@ export class Stage3 implements Stage, Drawing {
     this.lines.clear();
     this.texts = [];
     this.picks = [];
+    this.dots = [];
   }
   /** What was drawn before goes once the next picture is there: its materials' programs, which take tens of milliseconds to
    *  compile, live as long as somebody uses them. */
@@ -326,11 +330,24 @@ export class Stage3 implements Stage, Drawing {
     return hit ? hit.toArray() : near;
   }
   private pick(event: PointerEvent): void {
-    const frame = this.canvas.getBoundingClientRect();
-    const caster = this.caster(event.clientX - frame.left, event.clientY - frame.top);
+    const frame = this.canvas.getBoundingClientRect(), x = event.clientX - frame.left, y = event.clientY - frame.top;
+    const caster = this.caster(x, y);
     const [first] = caster.intersectObjects(this.picks, false);
     this.onPick(first ? (first.object.userData.body as number) : this.crowd.pick(caster),
-      { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() });
+      { origin: caster.ray.origin.toArray(), direction: caster.ray.direction.toArray() }, this.dotAt(x, y, event.pointerType === "touch" ? 16 : 7));
+  }
+  /** For the tests: the pixels of the points that have a key. */
+  get pointsSeen(): [number, number][] {
+    return this.dots.map(({ at }) => this.pixel(at));
+  }
+  /** The key of the point nearest to a pixel within so many. */
+  private dotAt(x: number, y: number, within: number): string | null {
+    let key: string | null = null, least = within;
+    for (const dot of this.dots) {
+      const [px, py] = this.pixel(dot.at), away = Math.hypot(px - x, py - y);
+      if (away < least) [key, least] = [dot.key, away];
+    }
+    return key;
   }
   private turnCamera(event: KeyboardEvent): void {
     const turns: Record<string, [number, number]> = {

@@ -1,74 +1,187 @@
-// A capture: a run of a world or a simulation, frame by frame, forward, back and scrubbed.
+// A capture: a run of a world or a simulation, frame by frame, forward, back and scrubbed; each frame can be asked as a
+// scene can.
 
-import { digits, h } from "../parts/dom.ts";
-import type { Drawing } from "../parts/drawing.ts";
+import { button, digits, h, vector } from "../parts/dom.ts";
+import type { Drawing, Meaning } from "../parts/drawing.ts";
+import { featureWords } from "../parts/features.ts";
 import { drawGraph } from "../parts/graph.ts";
 import { Stage3 } from "../parts/stage3.ts";
+import { address, parse } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { Timeline } from "../parts/timeline.ts";
 import { add, scale } from "../parts/vec.ts";
-import { moves, type Captured } from "../scene/captured.ts";
+import { bodiesAt, moves, type Captured, type CapturedFrame } from "../scene/captured.ts";
+import { Chooser, toggled } from "../scene/chooser.ts";
+import { Inquiry } from "../scene/inquiry.ts";
+import type { Scene, SceneBody } from "../scene/model.ts";
+import { drawPair } from "../scene/pair.ts";
+import { bodiesOf, counted, keyOf, pairRows } from "../scene/pairs.ts";
+import { Run } from "../scene/run.ts";
 import type { Room } from "./room.ts";
 
-const mostListed = 30;
+/** Which frame is shown, and which bodies are selected. */
+interface Moment {
+  frame: number;
+  selected: number[];
+}
+const isMoment = (value: unknown): boolean => {
+  const { frame, selected } = (value ?? {}) as Partial<Moment>;
+  return Number.isInteger(frame) && Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger);
+};
+/** The selected bodies of a frame in a world of their own. */
+interface Asked {
+  run: Run;
+  bodies: SceneBody[];
+  numbers: number[];
+}
+/** Where the capture lies if it is served, and the moment that the address holds. */
+export interface Origin {
+  served: string | null;
+  at?: string;
+}
 
 export class CaptureRoom implements Room {
   readonly element: HTMLElement;
   private readonly stage = new Stage3();
-  private readonly timeline = new Timeline((frame) => this.show(frame), "frame", 1000 / 60);
+  private readonly timeline = new Timeline((frame) => this.go(frame), "frame", 1000 / 60);
   private readonly pairs = new Table();
+  private readonly found = new Table();
   private readonly plot = h("div", { class: "plot" });
   private readonly counter = h("p", { class: "counter", "aria-live": "polite" });
+  private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
+  private readonly inquiry: Inquiry;
+  private readonly chooser: Chooser;
   private readonly captured: Captured;
+  private readonly origin: Origin;
+  private readonly usual: Meaning[];
   private frame = 0;
+  private selected: number[] = [];
+  private asked: Asked | null = null;
 
-  constructor(name: string, captured: Captured) {
+  /** `onScene` gets a frame as a scene. */
+  constructor(name: string, captured: Captured, origin: Origin, onScene: (scene: Scene) => void) {
     this.captured = captured;
+    this.origin = origin;
     const { report, scalar, bodies, frames } = captured;
     const kind = `${report.simulation ? "simulation" : "world"}${report.plane ? " of the plane" : ""} in ${scalar}`;
     const end = report.difference
       ? `From frame ${report.difference.frame} on it comes to something else: call ${report.difference.call}, ${report.difference.what}.`
       : report.cut ? "It ends within a frame, which is left out." : "It comes to the same bits.";
-    this.pairs.onPoint = (key) => this.stage.light(key);
-    this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), bodies.map((_, i) => (moves(captured, i) ? "a" : "out")));
+    this.inquiry = new Inquiry((question) => (location.hash = address("/scene", { q: JSON.stringify(question) })), (text) => this.say(text));
+    this.chooser = new Chooser((selected) => this.select(selected));
+    this.pairs.onPoint = this.found.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
+    this.stage.onPick = (body, _, key) => this.select(bodiesOf(key).length > 0 ? bodiesOf(key) : toggled(this.selected, body));
+    this.usual = bodies.map((_, i) => (moves(captured, i) ? "a" : "out"));
+    this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), this.usual);
     this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: report.plane });
+    this.chooser.set(bodies.map(({ name }, i) => ({ name, moves: this.usual[i] === "a" })));
     this.element = h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, name), h("p", { class: "intro" }, `A ${kind}: ${frames.length} frames, played again. ${end}`)),
       h("div", { class: "board" },
-        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter),
-        h("div", { class: "side" }, this.plot, this.pairs.element)));
-    this.show(0);
+        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble,
+          h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
+        h("div", { class: "side" }, this.chooser.element, this.inquiry.info, this.found.element, this.inquiry.table.element, this.plot, this.pairs.element,
+          this.chooser.tree, this.inquiry.element)));
+    const moment = parse<Moment>(origin.at, { frame: 0, selected: [] }, isMoment);
+    this.selected = moment.selected.filter((i) => i >= 0 && i < bodies.length);
+    this.go(Math.max(0, Math.min(moment.frame, frames.length - 1)));
   }
   dispose(): void {
     this.timeline.stop();
+    this.asked?.run.dispose();
     this.stage.dispose();
   }
   /** For the tests. */
-  get shown(): { frame: number; frames: number; bodies: number; pairs: number } {
-    const { frames } = this.captured, { there, pairs } = frames[this.frame];
-    return { frame: this.frame, frames: frames.length, bodies: there.size, pairs: pairs.length };
+  get shown(): { frame: number; frames: number; bodies: number; pairs: number; selected: number[] } {
+    const { frames } = this.captured, { there, pairs } = this.now;
+    return { frame: this.frame, frames: frames.length, bodies: there.size, pairs: pairs.length, selected: this.selected };
   }
 
-  private show(frame: number): void {
+  private get now(): CapturedFrame {
+    return this.captured.frames[this.frame];
+  }
+  private say(text: string | null): void {
+    this.trouble.textContent = text;
+    this.trouble.hidden = text === null;
+  }
+  private select(selected: number[]): void {
+    this.selected = selected;
+    this.show();
+  }
+  private go(frame: number): void {
     this.frame = frame;
-    const { frames } = this.captured, { poses, there, pairs } = frames[frame];
-    this.timeline.show(frame, frames.length);
+    this.show();
+  }
+  /** What the address of a served capture holds; another is nowhere to be found again. */
+  private write(): void {
+    const { served } = this.origin, { frame, selected } = this;
+    if (served) history.replaceState(null, "", address("/scene", { file: served, at: JSON.stringify({ frame, selected }) }));
+  }
+  private open(onScene: (scene: Scene) => void): void {
+    try {
+      const bodies = bodiesAt(this.captured, this.frame, [...this.now.there]);
+      const name = `frame ${this.frame + 1} of ${this.captured.frames.length}`;
+      onScene({ name, bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) });
+    } catch (error) {
+      this.say((error as Error).message);
+    }
+  }
+
+  /** The selected bodies that are there in this frame, as a world that can be asked. */
+  private ask(): void {
+    this.asked?.run.dispose();
+    this.asked = null;
+    this.say(null);
+    const numbers = this.selected.filter((i) => this.now.there.has(i));
+    try {
+      const bodies = bodiesAt(this.captured, this.frame, numbers);
+      this.asked = { bodies, numbers, run: new Run({ name: "selected", bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) }) };
+    } catch (error) {
+      this.say((error as Error).message); // a shape that the protocol has no words for
+    }
+  }
+  private show(): void {
+    const { frames } = this.captured, { poses, there, pairs } = this.now;
+    this.ask();
+    this.timeline.show(this.frame, frames.length);
+    this.chooser.show(this.selected);
     this.stage.crowd.move(poses, there);
-    this.stage.draw((d: Drawing) => {
-      for (const { a, b, points } of pairs)
-        for (const { at, normal, distance } of points) {
-          d.point(at, distance <= 0 ? "touch" : "axis", { key: `${a} ${b}` });
-          d.arrow(at, add(at, scale(normal, this.captured.size / 25)), "axis", { key: `${a} ${b}` });
+    this.stage.crowd.paint(new Map(this.selected.map((i, k) => [i, k ? "b" : "made"])));
+    this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
+    this.counter.textContent = counted(there.size, pairs);
+    this.pairs.show(pairRows(pairs, "Pairs in this frame", (i) => this.captured.bodies[i].name, this.selected, (bodies) => this.select(bodies)));
+    this.plot.replaceChildren(drawGraph({ caption: "deepest penetration", at: this.frame,
+      series: [{ name: digits(frames[this.frame].deepest, 3), meaning: "touch", values: frames.map((x) => x.deepest) }] }));
+    this.tell();
+    this.write();
+  }
+  private draw(d: Drawing): void {
+    for (const pair of this.now.pairs)
+      for (const { normal, points } of pair.manifolds)
+        for (const { a, distance } of points) {
+          d.point(a, distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
+          d.arrow(a, add(a, scale(normal, this.captured.size / 25)), "axis", { key: keyOf(pair) });
         }
-    }, [], `Frame ${frame + 1} of ${frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
-    const points = pairs.reduce((sum, pair) => sum + pair.points.length, 0);
-    this.counter.textContent = `${there.size} bodies · ${pairs.length} pairs · ${points} contacts`;
-    this.pairs.show({
-      caption: pairs.length > mostListed ? `The first ${mostListed} of ${pairs.length} pairs` : "Pairs in this frame", columns: ["pair", "points", "deepest"],
-      rows: pairs.slice(0, mostListed).map(({ a, b, points: all }) => ({
-        cells: [`${a} × ${b}`, all.length, all.length > 0 ? Math.min(...all.map((p) => p.distance)) : "inside"], key: `${a} ${b}` })),
+    if (!this.asked) return;
+    const { run, numbers } = this.asked;
+    if (numbers.length === 2) drawPair(d, run, 0, 1);
+    numbers.forEach((_, k) => d.text(run.place(k).translation, k ? "B" : "A", k ? "b" : "made"));
+  }
+  /** What is asked about the selected bodies where they are, and what the run itself found. */
+  private tell(): void {
+    const { asked } = this;
+    this.inquiry.show(asked ? { run: asked.run, bodies: asked.bodies, selected: asked.numbers.map((_, k) => k), pairs: this.pairsOf(asked.numbers) } : null);
+    const [first, other] = this.selected, pair = this.now.pairs.find((p) => this.selected.length === 2 && [p.a, p.b].every((i) => this.selected.includes(i)));
+    const turned = pair && pair.a !== first && pair.b !== other;
+    const names = turned ? [other, first] : [first, other];
+    this.found.show(pair && {
+      caption: `Found by the run, A is ${this.captured.bodies[names[0]].name}`, columns: ["features", "distance", "impulse"],
+      rows: pair.manifolds.flatMap((m) => m.points).map((p) => ({
+        cells: [featureWords(p.feature, this.captured.report.plane ? 2 : 3), p.distance, vector(p.impulse, 3)], key: keyOf(pair) })),
     });
-    this.plot.replaceChildren(drawGraph({ caption: "deepest penetration", at: frame,
-      series: [{ name: digits(frames[frame].deepest, 3), meaning: "touch", values: frames.map((x) => x.deepest) }] }));
+  }
+  /** The pairs of this frame by the places of the selected bodies among themselves; others have none. */
+  private pairsOf(numbers: number[]): CapturedFrame["pairs"] {
+    return this.now.pairs.map((p) => ({ ...p, a: numbers.indexOf(p.a), b: numbers.indexOf(p.b) }));
   }
 }

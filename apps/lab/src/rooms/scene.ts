@@ -1,189 +1,157 @@
 // The viewer and the playground: a scene whose contacts are live while a body is dragged, and which can be played.
 
-import { ask, graze, line } from "../graze.ts";
-import { digits, h, vector } from "../parts/dom.ts";
-import type { Drawing, Handle, Meaning } from "../parts/drawing.ts";
-import { featureWords } from "../parts/features.ts";
-import { drawGraph } from "../parts/graph.ts";
-import { solidOf } from "../parts/solid.ts";
+import { button, digits, h } from "../parts/dom.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, History, parse } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
-import { add, length, quatBetween, quatMultiply, rotate, scale, sub, unit } from "../parts/vec.ts";
+import { quatBetween, quatMultiply, rotate, sub, unit } from "../parts/vec.ts";
 import type { Question, Vec } from "../question.ts";
-import { readCapture, type Captured } from "../scene/captured.ts";
+import type { Captured } from "../scene/captured.ts";
+import { Chooser, toggled } from "../scene/chooser.ts";
+import { Inquiry } from "../scene/inquiry.ts";
+import { materialFields } from "../scene/materials.ts";
 import type { Scene } from "../scene/model.ts";
-import { kindOf, openFile, sceneOfQuestion } from "../scene/open.ts";
-import { drawFeature, lessonsOf } from "../scene/pair.ts";
 import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
-import { propertiesOf } from "../scene/properties.ts";
-import { reachOf, Run, type Pair, type Place } from "../scene/run.ts";
-import { castBody, drawShot, shootRay, type Shot } from "../scene/shots.ts";
+import { sceneOfQuestion } from "../scene/open.ts";
+import { bodiesOf, counted, pairRows } from "../scene/pairs.ts";
+import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, viewOf } from "../scene/picture.ts";
+import { Play } from "../scene/play.ts";
+import type { Pair, Place } from "../scene/run.ts";
 import { scenes } from "../scene/scenes.ts";
-import { WatchedFile } from "../scene/watched.ts";
+import { Shooting, type Sight } from "../scene/shooting.ts";
+import { Source } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
-const frame = 1 / 60;
 /** Of larger scenes the contacts are counted and not drawn. */
 const mostDrawn = 200;
-/** Ten seconds of states to step back to; fewer of large scenes. */
-const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
-/** Bodies that are deeper in each other than that are marked: this part of what is seen. */
-const visible = 1 / 4000;
-const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
-const button = (label: string, act: () => void, more: Record<string, unknown> = {}): HTMLButtonElement =>
-  h("button", { type: "button", onclick: act, ...more }, label) as HTMLButtonElement;
+/** What gets a capture that was opened in place of a scene, and where it lies if it is served. */
+export type OnCapture = (name: string, captured: Captured, served: string | null) => void;
 
 export class SceneRoom implements Room {
   readonly element: HTMLElement;
   private readonly stage = new Stage3();
-  private scene!: Scene;
-  private run!: Run;
-  private states: graze.State[] = [];
-  private energy: number[] = [];
-  private depth: number[] = [];
+  private readonly play: Play;
+  private readonly inquiry: Inquiry;
+  private readonly shooting: Shooting;
+  private readonly chooser: Chooser;
   private selected: number[] = [];
-  private pull: { body: number; to: Vec } | null = null;
-  /** What the next click is for; in the plane a ray has a click for its origin, too. */
-  private aim: { kind: "ray" | "cast"; from?: Vec } | null = null;
-  private shot: Shot | null = null;
   private broadPhase = false;
   /** The key of a scene of the list. */
   private key: string | null = null;
   /** Where the bodies stood when the scene was opened, and what was done since. */
   private before: Place[] = [];
   private history = new History<Moment>(beginning);
-  /** By corners, what the two selected bodies touch with at each point of the table. */
-  private features: [Vec[], Vec[]][] = [];
-  /** A file that is looked after, and where it is. */
-  private watched: WatchedFile | null = null;
-  private served: string | null = null;
-  private running = 0;
-  private subSteps = 8;
-  private heavy = true;
-  private times = { step: 0, draw: 0 };
-  private readonly onCapture: (name: string, captured: Captured) => void;
-  private readonly table = new Table();
+  /** What touches, of scenes that are not too large to draw it. */
+  private found: Pair[] = [];
+  private draws = 0;
+  private drawTime = 0;
+  private readonly source: Source;
   private readonly pairs = new Table();
-  private readonly info = h("div", { class: "words", "aria-live": "polite" });
   private readonly materials = h("div", { class: "choices", "data-material": true });
   private readonly plot = h("div", { class: "plot" });
   private readonly counter = h("p", { class: "counter" });
   private readonly note = h("p", { class: "intro" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly list: HTMLSelectElement;
-  private readonly play: HTMLButtonElement;
-  private readonly steps = h("select", { onchange: () => { this.subSteps = Number(this.steps.value); this.begin(); this.remember(); } },
+  private readonly toggle = button("Play", () => this.play.toggle(), { class: "accent", "data-play": true });
+  private readonly steps = h("select", { onchange: () => this.begin({ subSteps: Number(this.steps.value) }) },
     ...[8, 1, 2, 4, 16].map((n) => h("option", { value: n }, String(n)))) as HTMLSelectElement;
-  private readonly falls = h("input", { type: "checkbox", checked: true,
-    onchange: () => { this.heavy = this.falls.checked; this.run.setGravity(this.gravity); this.remember(); } }) as HTMLInputElement;
-  private readonly chosen = [0, 1].map((k) =>
-    h("select", { "aria-label": k ? "Another body" : "A body", "data-body": k, onchange: () => this.chooseBodies() }) as HTMLSelectElement);
-  private readonly asked = h("textarea", { rows: 3, spellcheck: "false", "aria-label": "A question of the protocol" }) as HTMLTextAreaElement;
+  private readonly falls = h("input", { type: "checkbox", checked: true, onchange: () => this.setGravity(this.falls.checked) }) as HTMLInputElement;
 
-  /** `onCapture` gets a capture that was opened in place of a scene. */
-  constructor(values: Record<string, string>, onCapture: (name: string, captured: Captured) => void) {
-    this.onCapture = onCapture;
-    this.stage.onPick = (body, ray) => this.pick(body, ray);
+  constructor(values: Record<string, string>, onCapture: OnCapture) {
+    this.source = new Source({
+      onScene: (scene) => (this.open(scene), this.remember()), onTrouble: (text) => this.say(text),
+      onCapture: (name, captured) => onCapture(name, captured, this.source.served) });
+    this.play = new Play({
+      onStep: () => this.show(), onTrouble: (text) => this.say(text),
+      onRunning: (running) => (this.toggle.textContent = running ? "Pause" : "Play") });
+    this.inquiry = new Inquiry((question) => this.askIt(question), (text) => this.say(text));
+    this.shooting = new Shooting((title, words) => this.inquiry.tell(title, words));
+    this.chooser = new Chooser((selected) => this.select(selected));
+    this.stage.onPick = (body, sight, key) => this.pick(body, sight, bodiesOf(key));
     this.stage.onDrag = (id, to, done) => this.drag(id, to, done);
-    this.pairs.onPoint = this.table.onPoint = (key) => this.stage.light(key);
+    this.pairs.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
     this.list = h("select", { "aria-label": "Scene", onchange: () => this.choose(this.list.value) },
       ...Object.entries(scenes).map(([key, make]) => h("option", { value: key }, make().name))) as HTMLSelectElement;
-    this.play = button("Play", () => this.toggle(), { class: "accent", "data-play": true });
     this.element = this.page();
-    this.element.addEventListener("dragover", (event) => event.preventDefault());
-    this.element.addEventListener("drop", (event) => {
-      event.preventDefault();
-      void this.chosenFiles([...(event.dataTransfer?.files ?? [])]);
-    });
-    if (!this.openAsked(values)) this.openListed(values.scene && scenes[values.scene] ? values.scene : "shapes");
-    const moment = parse<Moment>(values.at, beginning, isMoment);
-    if (moment !== beginning) this.restore(moment);
-    this.history = new History(moment);
-    if (!values.file) return;
-    this.served = values.file;
-    this.watched = new WatchedFile(values.file, { onFile: (file) => this.file(file), onTrouble: (text) => this.say(text) });
+    this.source.takeDrops(this.element);
+    const moment = parse<Moment>(values.at, beginning, isMoment), refused = this.openAsked(values, moment);
+    if (refused !== null) {
+      this.openListed(values.scene && scenes[values.scene] ? values.scene : "shapes", moment);
+      if (refused) this.say(refused);
+    }
+    if (values.file) this.source.watch(values.file);
   }
-  /** A question, or a scene of its own, that the address holds. */
-  private openAsked({ q, s }: Record<string, string>): boolean {
+  /** Opens the question, or the scene of its own, that the address holds; else what is wrong with it, empty where there is
+   *  none. */
+  private openAsked({ q, s }: Record<string, string>, moment: Moment): string | null {
     try {
-      if (q) this.open(sceneOfQuestion(JSON.parse(q) as Question));
-      const scene = parse<Scene | null>(s, null, isScene);
-      if (!q && scene) this.open(scene);
-      return Boolean(q || scene);
+      const scene = q ? sceneOfQuestion(JSON.parse(q) as Question) : parse<Scene | null>(s, null, isScene);
+      if (!scene) return "";
+      this.open(scene, null, moment);
+      return null;
     } catch (error) {
-      this.say((error as Error).message);
-      return false;
+      return (error as Error).message;
     }
   }
-  private openListed(key: string): void {
-    this.open(scenes[key](), key);
+  private openListed(key: string, moment = beginning): void {
+    this.open(scenes[key](), key, moment);
   }
-  /** Another scene was chosen: the file is not looked after any more. */
-  private unwatch(): void {
-    this.watched?.end();
-    this.watched = this.served = null;
-  }
-
   dispose(): void {
-    this.unwatch();
-    this.close();
+    this.source.unwatch();
+    this.play.dispose();
     this.stage.dispose();
   }
   /** For the tests. */
-  get shown(): { bodies: number; pairs: number; frames: number; poses: number[]; deepest: number; times: { step: number; draw: number } } {
-    return { bodies: this.scene.bodies.length, pairs: this.run.contacts().filter((p) => p.overlap).length, frames: this.energy.length,
-      poses: Array.from(this.run.poses()), deepest: this.depth.at(-1) ?? 0, times: this.times };
+  get shown(): { bodies: number; pairs: number; frames: number; poses: number[]; deepest: number; draws: number; times: { step: number; draw: number } } {
+    const { scene, run, energy, depth, stepTime } = this.play;
+    return { bodies: scene.bodies.length, pairs: run.contacts().filter((p) => p.overlap).length, frames: energy.length,
+      poses: Array.from(run.poses()), deepest: depth.at(-1) ?? 0, draws: this.draws, times: { step: stepTime, draw: this.drawTime } };
   }
 
-  // --- Scenes ---
-
-  private close(): void {
-    this.stop();
-    this.forget();
-    this.run?.dispose();
-  }
-  private forget(): void {
-    for (const state of this.states) state.dispose();
-    this.states = [];
-    this.energy = [];
-    this.depth = [];
-  }
-  private choose(key: string): void {
-    if (!scenes[key]) return;
-    this.unwatch();
-    this.openListed(key);
-    this.remember();
+  /** For the tests: where on the stage points of contact lie. */
+  get pointsSeen(): [number, number][] {
+    return this.stage.pointsSeen;
   }
 
   // --- What the address and undo hold ---
 
   private get moment(): Moment {
-    return { places: movedBodies(this.scene, this.before), selected: this.selected, subSteps: this.subSteps, gravity: this.heavy };
+    return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy };
   }
   /** After everything that somebody did, but for playing. */
   private remember(): void {
-    const { moment } = this, values: Record<string, string> = this.key ? { scene: this.key } : {};
-    this.history.push(moment);
-    if (this.served) values.file = this.served;
+    this.history.push(this.moment);
+    this.write();
+  }
+  /** The address of what is shown. */
+  private write(): void {
+    const { moment } = this, { scene } = this.play, values: Record<string, string> = this.key ? { scene: this.key } : {};
+    if (this.source.served) values.file = this.source.served;
     else if (!this.key) {
-      const text = packed({ ...this.scene, bodies: this.scene.bodies.map((body, i) => ({ ...body, ...this.before[i] })) });
+      const text = packed({ ...scene, bodies: scene.bodies.map((body, i) => ({ ...body, ...this.before[i] })) });
       if (!text) return;
       values.s = text;
     }
     if (JSON.stringify(moment) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
     history.replaceState(null, "", address("/scene", values));
   }
+  /** Takes what a moment says over, but for its drawing. */
+  private take(moment: Moment): void {
+    const { scene } = this.play;
+    this.play.subSteps = moment.subSteps;
+    this.play.heavy = moment.gravity;
+    this.steps.value = String(moment.subSteps);
+    this.falls.checked = moment.gravity;
+    for (const [i, body] of scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
+    this.selected = moment.selected.filter((i) => i >= 0 && i < scene.bodies.length);
+  }
   private restore(moment: Moment | null): void {
     if (!moment) return;
-    const count = this.scene.bodies.length;
-    this.subSteps = moment.subSteps;
-    this.heavy = moment.gravity;
-    this.controls();
-    for (const [i, body] of this.scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
-    this.begin();
-    this.selected = moment.selected.filter((i) => i >= 0 && i < count);
+    this.take(moment);
+    this.play.begin();
     this.show();
+    this.write();
   }
   undo(): void {
     this.restore(this.history.undo());
@@ -191,332 +159,148 @@ export class SceneRoom implements Room {
   redo(): void {
     this.restore(this.history.redo());
   }
-
-  private open(scene: Scene, key: string | null = null): void {
-    this.close();
-    this.key = key;
-    this.trouble.hidden = true;
-    this.selected = [];
-    this.pull = this.aim = this.shot = null;
-    try {
-      this.run = new Run(scene);
-      this.scene = scene;
-    } catch (error) {
-      this.say(`${scene.name}: ${(error as Error).message}`);
-      this.scene = { name: "empty", bodies: [] };
-      this.run = new Run(this.scene);
-    }
-    this.before = this.scene.bodies.map(({ translation, rotation }) => ({ translation, rotation }));
-    this.history = new History({ ...beginning, subSteps: this.subSteps, gravity: this.heavy });
-    this.list.querySelector("[data-file]")?.remove();
-    if (!key) this.list.append(h("option", { value: "", "data-file": true }, this.scene.name));
-    this.list.value = key ?? "";
-    const { bodies } = this.scene, { flat } = this.run, whole = this.whole(), view = { ...(this.scene.view ?? whole), flat };
-    this.stage.look(view);
-    this.stage.crowd.set(bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, view.reach), flat: shape.type === "plane" || (trigger ?? false) })), bodies.map((b): Meaning => (b.trigger ? "trigger" : b.moves ? "a" : "out")));
-    for (const [k, select] of this.chosen.entries())
-      select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
-    this.note.textContent = this.scene.note ?? "";
-    this.show();
+  /** The scene from its beginning, with other settings if these are said. */
+  private begin(settings: Partial<Moment> = {}): void {
+    this.restore({ ...this.moment, ...settings });
+    this.history.push(this.moment);
   }
-  /** The scene from its beginning, where its bodies were put. */
-  private begin(): void {
-    this.stop();
-    this.forget();
-    this.run.dispose();
-    this.run = new Run(this.scene);
-    this.show();
-  }
-  /** A view of everything. */
-  private whole(): { center: Vec; reach: number } {
-    let lower: Vec = [Infinity, Infinity, Infinity], upper: Vec = [-Infinity, -Infinity, -Infinity];
-    for (const [i, body] of this.scene.bodies.entries()) {
-      if (body.shape.type === "plane") continue;
-      const bounds = this.run.bounds(i, true);
-      lower = lower.map((x, k) => Math.min(x, bounds.lower[k]));
-      upper = upper.map((x, k) => Math.max(x, bounds.upper[k]));
-    }
-    if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
-    return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
-  }
-  /** A scene, and with it the files of its buffers. */
-  private async chosenFiles(files: File[]): Promise<void> {
-    const scene = files.find((file) => kindOf(file) !== "bin") ?? files[0];
-    if (!scene) return;
-    this.unwatch();
-    await this.file(scene, files);
-  }
-  private async file(file: File, beside: File[] = []): Promise<void> {
-    try {
-      if (kindOf(file) === "capture") this.onCapture(file.name, await readCapture(await file.arrayBuffer()));
-      else this.open(await openFile(file, beside)), this.remember();
-    } catch (error) {
-      this.say((error as Error).message);
-    }
-  }
-  private say(text: string): void {
-    this.trouble.textContent = text;
-    this.trouble.hidden = false;
-  }
-
-  // --- Time ---
-
-  private toggle(): void {
-    if (this.running) return this.stop();
-    this.play.textContent = "Pause";
-    const tick = (): void => {
-      this.running = requestAnimationFrame(tick);
-      this.step();
-    };
-    this.running = requestAnimationFrame(tick);
-  }
-  private stop(): void {
-    cancelAnimationFrame(this.running);
-    this.running = 0;
-    this.play.textContent = "Play";
-  }
-  private get gravity(): Vec {
-    return this.heavy ? (this.scene.gravity ?? [0, -9.81, 0]) : [0, 0, 0];
-  }
-  private step(): void {
-    try {
-      this.run.play(this.subSteps, this.gravity);
-      this.states.push(this.run.save());
-      if (this.states.length > mostStates(this.scene.bodies.length)) this.states.shift()!.dispose();
-      if (this.pull) this.run.pull(this.pull.body, this.pull.to);
-      const start = performance.now();
-      const { energy, deepest: depth } = this.run.step(frame);
-      this.times.step = performance.now() - start;
-      this.energy.push(energy);
-      this.depth.push(depth);
-      this.show();
-    } catch (error) {
-      this.stop();
-      this.say((error as Error).message);
-    }
-  }
-  private back(): void {
-    this.stop();
-    const state = this.states.pop();
-    if (!state) return;
-    this.run.restore(state);
-    state.dispose();
-    this.energy.pop();
-    this.depth.pop();
-    this.show();
-  }
-
-  // --- What is true now ---
-
-  /** The question about the two selected bodies. */
-  private question(): Question | null {
-    if (this.selected.length !== 2) return null;
-    const [a, b] = this.selected.map((i) => this.run.asked(i));
-    return { query: "contacts", ...(this.run.flat ? { dimension: 2 as const } : {}), a, b, margin: this.run.margin(this.selected[0], this.selected[1]) };
-  }
-
-  private pick(body: number | null, ray: { origin: Vec; direction: Vec }): void {
-    if (this.aim) {
-      try {
-        this.shoot(this.aim, ray);
-      } catch (error) {
-        this.say((error as Error).message); // two clicks at one place are no direction
-      }
-      return;
-    }
-    if (body === null) this.selected = [];
-    else if (this.selected.includes(body)) this.selected = this.selected.filter((x) => x !== body);
-    else this.selected = [...this.selected, body].slice(-2);
-    this.show();
+  private setGravity(on: boolean): void {
+    this.play.heavy = on;
+    this.play.run.setGravity(this.play.gravity);
     this.remember();
   }
-  private takeAim(kind: "ray" | "cast"): void {
-    const blind = kind === "cast" && this.selected.length === 0;
-    this.aim = blind ? null : { kind };
-    this.tellShot(kind === "ray" ? "Shoot a ray" : "Cast a body",
-      blind ? "Select the body first." : kind === "ray" && this.run.flat ? "Click where it begins, then where it shall go." : "Click where it shall go.");
+
+  // --- Scenes ---
+
+  private choose(key: string): void {
+    if (!scenes[key]) return;
+    this.source.unwatch();
+    this.openListed(key);
+    this.remember();
   }
-  /** The click that a ray or a cast waits for: a place in the plane, a line of sight in space. */
-  private shoot(aim: { kind: "ray" | "cast"; from?: Vec }, sight: { origin: Vec; direction: Vec }): void {
-    if (aim.kind === "cast" && this.selected.length === 0) return this.takeAim("cast");
-    const place = this.run.flat ? add(sight.origin, scale(sight.direction, -sight.origin[2] / sight.direction[2])) : null;
-    if (aim.kind === "ray" && place && !aim.from) {
-      this.aim = { ...aim, from: place };
-      return;
+  private open(scene: Scene, key: string | null = null, moment: Moment = { ...beginning, subSteps: this.play.subSteps, gravity: this.play.heavy }): void {
+    this.key = key;
+    this.trouble.hidden = true;
+    this.shooting.forget();
+    this.before = scene.bodies.map(({ translation, rotation }) => ({ translation, rotation }));
+    try {
+      this.play.open(scene);
+      this.take(moment);
+      if (Object.keys(moment.places).length > 0) this.play.begin();
+    } catch (error) {
+      this.say(`${scene.name}: ${(error as Error).message}`);
+      this.before = this.selected = [];
     }
-    this.aim = null;
-    const target = place ?? this.run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin)));
-    // In space a ray comes from beneath the eye: from the eye itself it would be seen as a point.
-    const from = aim.from ?? add(sight.origin, [0, -length(sub(target, sight.origin)) / 4, 0]);
-    this.shot = aim.kind === "ray" ? shootRay(this.run, { origin: from, direction: sub(target, from) }) : castBody(this.run, this.selected[0], target);
-    if (this.shot.question) this.asked.value = line(this.shot.question);
-    const { kind, hit } = this.shot, name = hit && this.scene.bodies[hit.body].name;
-    this.tellShot(kind === "ray" ? `The ray hits ${name ?? "nothing"}` : `${this.scene.bodies[this.shot.body!].name} meets ${name ?? "nothing"} on its way`,
-      hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");
-    this.paint();
+    this.history = new History(this.moment);
+    this.list.querySelector("[data-file]")?.remove();
+    if (!key) this.list.append(h("option", { value: "", "data-file": true }, this.play.scene.name));
+    this.list.value = key ?? "";
+    this.put();
+    this.show();
   }
-  /** How rough and how bouncy the first selected body is. */
-  private tellMaterial(): void {
-    const [i] = this.selected, body = this.scene.bodies[i];
-    this.materials.replaceChildren();
-    if (!body) return;
-    const { staticFriction = 0.6, dynamicFriction = staticFriction, restitution = 0 } = body.material ?? {};
-    const field = (label: string, value: number, most: number, set: (x: number) => graze.Material): HTMLElement =>
-      h("label", {}, `${label} `, h("input", { type: "number", min: 0, max: most, step: 0.05, value,
-        onchange: (event: Event) => {
-          try {
-            this.run.setMaterial(i, { ...body.material, ...set(Number((event.target as HTMLInputElement).value)) });
-            this.trouble.hidden = true;
-          } catch (error) {
-            this.say((error as Error).message);
-          }
-        } }));
-    this.materials.append(
-      field("Friction", dynamicFriction, 10, (x) => ({ staticFriction: x, dynamicFriction: x })), field("Restitution", restitution, 1, (x) => ({ restitution: x })));
+  /** The bodies of the scene onto the stage and into the lists. */
+  private put(): void {
+    const { scene, run } = this.play, view = viewOf(run, scene);
+    this.stage.look(view);
+    this.stage.crowd.set(...crowdOf(scene, run.flat, view.reach));
+    this.chooser.set(scene.bodies);
+    this.note.textContent = scene.note ?? "";
   }
-  private tellShot(title: string, words: string): void {
-    this.info.replaceChildren(h("h2", {}, title), h("p", {}, words));
+  private askIt(question: Question): void {
+    this.source.unwatch();
+    this.open(sceneOfQuestion(question));
+    this.remember();
   }
-  private chooseBodies(): void {
-    this.selected = [...new Set(this.chosen.filter((s) => s.value !== "").map((s) => Number(s.value)))];
+  private say(text: string | null): void {
+    this.trouble.textContent = text;
+    this.trouble.hidden = text === null;
+  }
+
+  // --- Pointer ---
+
+  private pick(body: number | null, sight: Sight, pair: number[]): void {
+    if (!this.shooting.waits) return this.select(pair.length > 0 ? pair : toggled(this.selected, body));
+    try {
+      const { run, scene } = this.play;
+      if (!this.shooting.click(sight, run, scene, this.selected[0])) return;
+      const { shot } = this.shooting;
+      if (shot!.question) this.inquiry.offer(shot!.question);
+      this.paint();
+    } catch (error) {
+      this.say((error as Error).message); // two clicks at one place are no direction
+    }
+  }
+  private select(selected: number[]): void {
+    this.selected = selected;
     this.show();
     this.remember();
   }
   private drag(id: string, to: Vec, done: boolean): void {
-    const i = this.selected[0], body = this.scene.bodies[i];
+    const { run, scene } = this.play, i = this.selected[0], body = scene.bodies[i];
     if (!body) return;
-    const aimed = this.run.flat ? [to[0], to[1], 0] : to, place = this.run.place(i);
-    if (this.running && body.moves) {
-      this.pull = done ? null : { body: i, to: aimed };
+    const aimed = run.flat ? [to[0], to[1], 0] : to, place = run.place(i);
+    if (this.play.running && body.moves) {
+      this.play.pull = done ? null : { body: i, to: aimed };
       return;
     }
     const turn = (): Vec => unit(quatMultiply(quatBetween(rotate(place.rotation, [1, 0, 0]), sub(aimed, place.translation)), place.rotation));
     const next = id === "move" ? { ...place, translation: aimed } : { ...place, rotation: turn() };
-    if (!this.run.played) Object.assign(body, next);
-    this.run.put(i, next);
+    if (!run.played) Object.assign(body, next);
+    run.put(i, next);
     this.show();
-    if (done && !this.run.played) this.remember();
+    if (done && !run.played) this.remember();
   }
-  private handles(): Handle[] {
-    const i = this.selected[0];
-    if (i === undefined) return [];
-    const { translation, rotation } = this.run.place(i);
-    const reach = this.scene.bodies[i].shape.type === "plane" ? 1 : Math.min(this.stage.seen, reachOf(this.run.bounds(i)) * 1.2 + this.stage.seen / 20);
-    const name = this.scene.bodies[i].name;
-    return [
-      { id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: this.pull?.to ?? translation },
-      ...(this.running ? [] : [{ id: "turn", label: `Turn ${name}`, kind: "turn" as const, meaning: "made" as const, at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) }]),
-    ];
-  }
+  // --- What is true now ---
 
+  private get few(): boolean {
+    return this.play.scene.bodies.length <= mostDrawn;
+  }
   private show(): void {
-    const start = performance.now();
-    this.stage.crowd.move(this.run.poses());
-    this.chosen.forEach((select, k) => (select.value = String(this.selected[k] ?? "")));
-    const special = new Map<number, Meaning>();
-    if (!this.run.played && this.scene.bodies.length <= mostDrawn) for (const pair of this.run.contacts()) if (deepest(pair) < -visible * this.stage.seen) for (const i of [pair.a, pair.b]) if (this.scene.bodies[i]?.moves) special.set(i, "touch");
-    this.selected.forEach((i, k) => special.set(i, k ? "b" : "made"));
-    this.stage.crowd.paint(special);
+    const start = performance.now(), { run, scene, running, energy } = this.play;
+    this.stage.crowd.move(run.poses());
+    this.chooser.show(this.selected);
+    // To copy thousands of contacts out of the module takes longer than to draw the bodies.
+    this.found = this.few ? run.contacts() : [];
+    this.stage.crowd.paint(marked(scene, this.found, run.played, this.selected, this.stage.seen));
     this.paint();
-    this.times.draw = performance.now() - start;
-    if (!this.running || this.energy.length % (this.scene.bodies.length > mostDrawn ? 30 : 6) === 0) this.tell();
+    this.drawTime = performance.now() - start;
+    if (!running || energy.length % (this.few ? 6 : 30) === 0) this.tell();
   }
   private paint(): void {
-    // To copy thousands of contacts out of the module takes longer than to draw the bodies.
-    const few = this.scene.bodies.length <= mostDrawn, found = few ? this.run.contacts() : [];
-    const [first, other] = this.selected;
-    this.features = other === undefined ? [] : this.run.features(first, other, this.run.margin(first, other));
-    const gap = other === undefined ? null : ask({ ...this.question()!, query: "distance", margin: undefined } as Question);
-    const marked = new Set(this.selected);
-    this.stage.draw((d: Drawing) => {
-      for (const pair of found)
-        for (const manifold of pair.manifolds)
-          for (const p of manifold.points) {
-            d.point(p.a, p.distance <= 0 ? "touch" : "axis", { key: `${pair.a} ${pair.b}` });
-            if (marked.has(pair.a) || marked.has(pair.b)) d.arrow(p.a, add(p.a, scale(manifold.normal, this.stage.seen / 10)), "axis", { key: `${pair.a} ${pair.b}` });
-          }
-      if (this.broadPhase && few) this.run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
-      this.run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
-      this.features.forEach((of, i) => of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${i}`)));
-      if (other !== undefined) d.text(this.run.place(other).translation, "B", "b");
-      if (gap && gap.distance! > 0) d.line(gap.a as unknown as Vec, gap.b as unknown as Vec, "axis", { dashed: true, label: digits(gap.distance, 4) });
-      if (this.pull) d.line(this.run.place(this.pull.body).translation, this.pull.to, "made", { wide: true });
-      if (this.shot) drawShot(d, this.shot, this.scene, this.stage.seen);
-    }, this.handles(), `${this.scene.name}: ${this.scene.bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
+    const { play, found, selected, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
+    const overlay = { found, selected, shot: this.shooting.shot, broadPhase: this.broadPhase && few, seen };
+    this.draws++;
+    this.stage.draw((d) => drawOverlay(d, play, overlay), handlesOf(play, selected[0], seen),
+      `${name}: ${bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
   private tell(): void {
-    const found = this.run.contacts();
-    const points = found.reduce((sum, p) => sum + p.manifolds.reduce((n, m) => n + m.points.length, 0), 0);
-    this.counter.textContent = `${this.scene.bodies.length} bodies · ${found.length} pairs · ${points} contacts` +
-      (this.run.played ? ` · step ${digits(this.times.step, 3)} ms · drawing ${digits(this.times.draw, 3)} ms` : "");
-    const name = (i: number): string => this.scene.bodies[i]?.name ?? String(i);
-    this.pairs.show({
-      caption: found.length > 30 ? `The first 30 of ${found.length} pairs` : "Pairs in contact", columns: ["pair", "points", "deepest"],
-      rows: found.slice(0, 30).map((p) => ({
-        cells: [`${name(p.a)} × ${name(p.b)}`, p.manifolds.reduce((n, m) => n + m.points.length, 0), p.manifolds.length > 0 ? deepest(p) : "inside"],
-        key: `${p.a} ${p.b}`, mark: this.selected.includes(p.a) && this.selected.includes(p.b) ? "winner" as const : undefined })),
-    });
-    this.plot.replaceChildren();
-    if (this.energy.length > 1) {
-      const tail = <T,>(v: T[]): T[] => v.slice(-300), last = Math.min(300, this.energy.length) - 1;
-      this.plot.append(drawGraph({ caption: "energy", at: last, series: [{ name: digits(this.energy.at(-1), 4), meaning: "made", values: tail(this.energy) }] }),
-        drawGraph({ caption: "deepest penetration", at: last, series: [{ name: digits(this.depth.at(-1), 3), meaning: "touch", values: tail(this.depth) }] }));
-    }
-    this.explain();
-  }
-  private explain(): void {
-    this.tellMaterial();
-    const q = this.question();
-    if (!q) {
-      if (this.shot && this.selected.length === 0) return;
-      const [i] = this.selected;
-      this.info.replaceChildren(h("h2", {}, i === undefined ? "Select a body" : this.scene.bodies[i].name),
-        h("p", {}, i === undefined ? "Click one to move it, a second one to see why the two touch or do not." : "Click another to see what the two have to do with each other."));
-      this.table.show(i === undefined ? undefined : propertiesOf(this.run, this.scene.bodies[i], i, this.run.contacts()));
-      return;
-    }
-    const [i, j] = this.selected, answer = ask(q), distance = ask({ ...q, query: "distance", margin: undefined } as Question);
-    this.info.replaceChildren(
-      h("h2", {}, `${this.scene.bodies[i].name} and ${this.scene.bodies[j].name}`),
-      h("p", {}, answer.error ?? distance.error ?? `${answer.overlap ? "They touch" : "They are apart"}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`),
-      ...lessonsOf(q, distance.distance! > 0).map(({ lesson, shows, state }) =>
-        h("p", {}, h("a", { href: address(`/lesson/${lesson}`, { s: JSON.stringify(state) }) }, `Step through ${shows}`))));
-    this.asked.value = line(q);
-    this.table.show({ caption: "Points of the pair", columns: ["features", "distance"],
-      rows: (answer.manifolds ?? []).flatMap((m) => m.points).map((p, k) => ({ cells: [featureWords(p.feature, q.dimension), p.distance], key: `point ${k}` })) });
+    const { scene, run, stepTime } = this.play, found = this.few ? this.found : run.contacts();
+    this.counter.textContent = counted(scene.bodies.length, found) +
+      (run.played ? ` · step ${digits(stepTime, 3)} ms · drawing ${digits(this.drawTime, 3)} ms` : "");
+    this.pairs.show(pairRows(found, "Pairs in contact", (i) => scene.bodies[i]?.name ?? String(i), this.selected, (bodies) => this.select(bodies)));
+    this.plot.replaceChildren(...graphsOf(this.play));
+    const [i] = this.selected;
+    this.materials.replaceChildren(...(i === undefined ? [] : materialFields(run, i, scene.bodies[i], (refused) => this.say(refused))));
+    if (this.shooting.shot && i === undefined) return;
+    this.inquiry.show({ run, bodies: scene.bodies, selected: this.selected, pairs: found });
   }
 
-  /** The controls as the settings are. */
-  private controls(): void {
-    this.steps.value = String(this.subSteps);
-    this.falls.checked = this.heavy;
-  }
   private page(): HTMLElement {
-    const chooser = h("input", { type: "file", multiple: true, class: "hidden", accept: ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture", "aria-label": "Open a file",
-      onchange: (event: Event) => void this.chosenFiles([...((event.target as HTMLInputElement).files ?? [])]) }) as HTMLInputElement;
-    const again = (): void => this.begin();
+    const takeAim = (kind: "ray" | "cast"): void => this.shooting.takeAim(kind, this.play.run, this.selected[0]);
     return h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
-        this.list, button("Open a file", () => chooser.click()), chooser,
-        button("Shoot a ray", () => this.takeAim("ray")), button("Cast the body", () => this.takeAim("cast")),
+        this.list, ...this.source.elements,
+        button("Shoot a ray", () => takeAim("ray")), button("Cast the body", () => takeAim("cast")),
         h("label", {}, "Sub-steps ", this.steps), h("label", {}, this.falls, " Gravity"),
         h("label", {}, h("input", { type: "checkbox", "data-broad-phase": true, onchange: (e: Event) => { this.broadPhase = (e.target as HTMLInputElement).checked; this.paint(); } }), " Broad phase")),
       h("div", { class: "board" },
         h("div", { class: "picture" }, this.stage.element,
           h("div", { class: "timeline", role: "group", "aria-label": "Time" },
-            button("Step back", () => this.back(), { "data-back": true }), this.play, button("One step", () => { this.stop(); this.step(); }, { "data-step": true }), button("Start again", again)),
+            button("Step back", () => this.play.back(), { "data-back": true }), this.toggle,
+            button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin())),
           this.counter, this.trouble),
-        h("div", { class: "side" }, h("div", { class: "choices" }, ...this.chosen), this.info, this.materials, this.table.element, this.plot, this.pairs.element,
-          h("details", {}, h("summary", {}, "As a question"), this.asked,
-            h("p", { class: "actions" }, button("Copy", () => void navigator.clipboard.writeText(this.asked.value)), button("Ask it", () => {
-              try {
-                this.unwatch();
-                this.open(sceneOfQuestion(JSON.parse(this.asked.value) as Question));
-                this.remember();
-              } catch (error) {
-                this.say((error as Error).message);
-              }
-            }))))));
+        h("div", { class: "side" }, this.chooser.element, this.inquiry.info, this.materials, this.inquiry.table.element, this.plot, this.pairs.element,
+          this.chooser.tree, this.inquiry.element)));
   }
 }

@@ -2,22 +2,35 @@
 
 import { graze } from "../graze.ts";
 import { flatSolidDrawn, solidDrawn, type Solid } from "../parts/solid.ts";
-import type { Vec } from "../question.ts";
-import { placesOfPlane } from "./run.ts";
+import type { Shape, Vec } from "../question.ts";
+import type { SceneBody } from "./model.ts";
+import { placesOfPlane, type Pair } from "./run.ts";
 
 export interface CapturedBody {
+  /** By its kind, and its number in the world. */
   name: string;
   solid: Solid;
   flat: boolean;
+  /** As a question has it; or why none can. */
+  shape: Shape | null;
+  refused: string;
 }
-export interface CapturedPair {
-  a: string;
-  b: string;
-  points: { at: Vec; normal: Vec; distance: number }[];
+/** What a frame found: the places of contact as they were when it was looked for, which in a simulation is before bodies
+ *  are moved. */
+export interface CapturedPair extends Pair {
+  manifolds: { normal: Vec; points: CapturedPoint[] }[];
+}
+export interface CapturedPoint {
+  a: Vec;
+  b: Vec;
+  distance: number;
+  /** In the hexadecimal digits of the protocol. */
+  feature: string;
+  impulse: Vec;
 }
 export interface CapturedFrame {
   /** Seven numbers for each of `bodies`; those of bodies that are not there mean nothing. */
-  poses: Float32Array;
+  poses: Float64Array;
   there: ReadonlySet<number>;
   pairs: CapturedPair[];
   deepest: number;
@@ -40,8 +53,18 @@ export function moves({ frames }: Captured, body: number): boolean {
   return poses.some((pose) => pose.some((x, i) => x !== poses[0][i]));
 }
 
+/** Bodies of a frame as those of a scene, to be asked about. Throws what says that a question cannot have one of them. */
+export function bodiesAt(captured: Captured, frame: number, numbers: number[]): SceneBody[] {
+  const { poses } = captured.frames[frame];
+  return numbers.map((i) => {
+    const { name, shape, refused } = captured.bodies[i], pose = Array.from(poses.subarray(7 * i, 7 * i + 7));
+    if (!shape) throw new Error(`${name}: ${refused}`);
+    return { name, shape, translation: pose.slice(0, 3), rotation: pose.slice(3), moves: moves(captured, i), captured: true };
+  });
+}
+
 /** What plays a capture and draws it. */
-type Library = Pick<typeof graze, "replay" | "draw" | "plane">;
+type Library = Pick<typeof graze, "replay" | "draw" | "plane" | "protocolShape">;
 
 /** The library in the scalar of a capture; float's, which nothing else here needs, is fetched when it is asked for. */
 async function libraryFor(bytes: ArrayBuffer): Promise<Library> {
@@ -61,6 +84,14 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
     flat
       ? flatSolidDrawn((on) => library.plane.draw.shape(shape as graze.plane.Shape, {}, on), area!.size)
       : solidDrawn((on) => library.draw.shape(shape as graze.Shape, {}, on), area!.size);
+  const words = (shape: graze.Shape | graze.plane.Shape): { shape: Shape | null; refused: string } => {
+    try {
+      const made = flat ? library.plane.protocolShape(shape as graze.plane.Shape) : library.protocolShape(shape as graze.Shape);
+      return { shape: made, refused: "" };
+    } catch (error) {
+      return { shape: null, refused: (error as Error).message };
+    }
+  };
   /** The number of a body as it looks now: one that gets another shape is drawn as another. */
   const place = (world: graze.WorldQueries | graze.plane.WorldQueries, index: number, id: graze.BodyId): number => {
     const shape = world.shape(id);
@@ -70,7 +101,7 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
       let at = known.get(key);
       if (at === undefined) {
         const endless = shape.kind === "halfSpace" || shape.kind === "halfPlane";
-        at = bodies.push({ name: `body ${index}`, solid: solid(shape), flat: endless }) - 1;
+        at = bodies.push({ name: `${shape.kind} ${index}`, solid: solid(shape), flat: endless, ...words(shape) }) - 1;
         known.set(key, at);
       }
       return at;
@@ -80,18 +111,19 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
   };
   const report = library.replay(bytes, (world) => {
     area ??= flat ? library.plane.draw.area(world as graze.plane.WorldQueries) : library.draw.area(world as graze.WorldQueries);
-    const poses = Float32Array.from(flat ? placesOfPlane(world.poses()) : world.poses()), there = new Map<number, number>();
+    const poses = Float64Array.from(flat ? placesOfPlane(world.poses()) : world.poses()), there = new Map<number, number>();
     for (let i = 0; 7 * i < poses.length; i++) {
       const id = world.bodyAt(i);
       if (id) there.set(place(world, i, id), i);
     }
-    const kept = new Float32Array(7 * bodies.length);
+    const kept = new Float64Array(7 * bodies.length);
     for (const [body, i] of there) kept.set(poses.subarray(7 * i, 7 * i + 7), 7 * body);
-    const pairs = world.contacts().map((pair): CapturedPair => ({
-      a: `body ${pair.a}`, b: `body ${pair.b}`,
-      points: pair.manifolds.flatMap((m) => m.points.map((p) => ({ at: p.a as Vec, normal: m.normal as Vec, distance: p.distance }))),
+    const numbers = new Map([...there].map(([body, i]) => [i, body]));
+    const pairs = world.contacts().map(({ a, b, overlap, manifolds }): CapturedPair => ({
+      a: numbers.get(a)!, b: numbers.get(b)!, overlap, manifolds: manifolds.map((m) => ({ normal: m.normal,
+        points: m.points.map((p) => ({ a: p.a, b: p.b, distance: p.distance, impulse: p.impulse, feature: (p.feature >>> 0).toString(16) })) })),
     }));
-    const deepest = Math.max(0, ...pairs.flatMap((pair) => pair.points.map((p) => -p.distance)));
+    const deepest = Math.max(0, ...pairs.flatMap((pair) => pair.manifolds.flatMap((m) => m.points.map((p) => -p.distance))));
     frames.push({ poses: kept, there: new Set(there.keys()), pairs: pairs.slice(0, mostPairs), deepest });
   });
   if (!area) throw new Error("the capture has no whole frame");

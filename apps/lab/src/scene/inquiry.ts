@@ -47,9 +47,9 @@ export class Inquiry {
   offer(question: Question): void {
     this.asked.value = line(question);
   }
-  show(of: Selection): void {
-    const [first, other] = of.selected;
-    if (first === undefined) {
+  show(of: Selection | null): void {
+    const [first, other] = of?.selected ?? [];
+    if (!of || first === undefined) {
       this.tell("Select a body", "Click one, or a pair of the table, to see why two touch or do not.");
       this.table.show(undefined);
     } else if (other === undefined) {

@@ -16,6 +16,8 @@ export interface SceneBody extends Body {
   aboutCenter?: boolean;
   dynamics?: graze.Dynamics | graze.plane.Dynamics;
   trigger?: boolean;
+  /** Of a frame of a capture: nobody knows its filter. */
+  captured?: boolean;
   filter?: { category: number; mask: number };
   material?: graze.Material | graze.plane.Material;
 }

@@ -18,7 +18,7 @@ export function propertiesOf(run: Run, body: SceneBody, number: number, pairs: P
     ["shape", body.shape.margin ? `${body.shape.type}, rounded by ${body.shape.margin}` : body.shape.type],
     ["kind", kind(body)], ["place", vector(translation, 5)], ["turned", vector(rotation, 4)],
     ...(box ? [["box from", vector(box.lower, 5)], ["box to", vector(box.upper, 5)]] as [string, string][] : []),
-    ["category", bits(body.filter?.category ?? 1)], ["mask", body.filter ? bits(body.filter.mask) : "all"],
+    ...(body.captured ? [] : [["category", bits(body.filter?.category ?? 1)], ["mask", body.filter ? bits(body.filter.mask) : "all"]] as [string, string][]),
     ...(motion ? [["mass", motion.mass], ["velocity", vector(motion.linear, 4)]] as [string, string | number][] : []),
     ["pairs in contact", touching.length],
   ];

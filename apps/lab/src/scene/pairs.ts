@@ -1,0 +1,25 @@
+// The pairs that touch, as a table: a row selects its two bodies.
+
+import type { Numbers } from "../parts/table.ts";
+import type { Pair } from "./run.ts";
+
+const mostListed = 30;
+
+export const pointsOf = (pair: Pair): number => pair.manifolds.reduce((n, m) => n + m.points.length, 0);
+export const deepest = (pair: Pair): number => Math.min(...pair.manifolds.flatMap((m) => m.points.map((x) => x.distance)));
+/** What of a drawing lights up with the row of a pair. */
+export const keyOf = (pair: { a: number; b: number }): string => `${pair.a} ${pair.b}`;
+/** The bodies of such a key; of another one none. */
+export const bodiesOf = (key: string | null): number[] => (key && /^\d+ \d+$/.test(key) ? key.split(" ").map(Number) : []);
+/** "16 bodies · 12 pairs · 48 contacts" */
+export const counted = (bodies: number, pairs: Pair[]): string =>
+  `${bodies} bodies · ${pairs.length} pairs · ${pairs.reduce((sum, p) => sum + pointsOf(p), 0)} contacts`;
+
+export function pairRows(pairs: Pair[], caption: string, name: (body: number) => string, selected: number[], select: (bodies: number[]) => void): Numbers {
+  return {
+    caption: pairs.length > mostListed ? `The first ${mostListed} of ${pairs.length} pairs` : caption, columns: ["pair", "points", "deepest"],
+    rows: pairs.slice(0, mostListed).map((p) => ({
+      cells: [`${name(p.a)} × ${name(p.b)}`, pointsOf(p), pointsOf(p) > 0 ? deepest(p) : "inside"], key: keyOf(p), choose: () => select([p.a, p.b]),
+      mark: selected.includes(p.a) && selected.includes(p.b) ? "winner" as const : undefined })),
+  };
+}

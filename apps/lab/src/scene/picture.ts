@@ -1,0 +1,89 @@
+// How a scene is drawn: its bodies together, and what touches, is shot, held or selected on top of them.
+
+import { digits } from "../parts/dom.ts";
+import type { Looks } from "../parts/crowd.ts";
+import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
+import { drawGraph } from "../parts/graph.ts";
+import { solidOf } from "../parts/solid.ts";
+import { add, length, rotate, scale, sub } from "../parts/vec.ts";
+import type { Vec } from "../question.ts";
+import type { Scene } from "./model.ts";
+import { drawPair } from "./pair.ts";
+import { deepest, keyOf } from "./pairs.ts";
+import type { Play } from "./play.ts";
+import { reachOf, type Pair, type Run } from "./run.ts";
+import { drawShot, type Shot } from "./shots.ts";
+
+/** Bodies that are deeper in each other than that are marked: this part of what is seen. */
+const visible = 1 / 4000;
+
+/** A view of everything. */
+function whole(run: Run, scene: Scene): View {
+  let lower: Vec = [Infinity, Infinity, Infinity], upper: Vec = [-Infinity, -Infinity, -Infinity];
+  for (const [i, body] of scene.bodies.entries()) {
+    if (body.shape.type === "plane") continue;
+    const bounds = run.bounds(i, true);
+    lower = lower.map((x, k) => Math.min(x, bounds.lower[k]));
+    upper = upper.map((x, k) => Math.max(x, bounds.upper[k]));
+  }
+  if (!lower.every(Number.isFinite)) return { center: [0, 0, 0], reach: 3 };
+  return { center: scale(add(lower, upper), 0.5), reach: Math.max(1e-6, length(sub(upper, lower)) * 0.55) };
+}
+/** What the stage looks at when the scene is opened. */
+export const viewOf = (run: Run, scene: Scene): View => ({ ...(scene.view ?? whole(run, scene)), flat: run.flat });
+
+/** The bodies of a scene for the crowd, by shape, and what their colours say. */
+export function crowdOf({ bodies }: Scene, flat: boolean, reach: number): [Looks[], Meaning[]] {
+  return [
+    bodies.map(({ shape, trigger }) => ({ key: `${trigger ?? false}${JSON.stringify(shape)}`, make: () => solidOf(shape, flat, reach), flat: shape.type === "plane" || (trigger ?? false) })),
+    bodies.map((b) => (b.trigger ? "trigger" : b.moves ? "a" : "out"))];
+}
+/** The bodies that look otherwise than usual: deep in another, while nothing is played, and selected. */
+export function marked(scene: Scene, found: Pair[], played: boolean, selected: number[], seen: number): Map<number, Meaning> {
+  const special = new Map<number, Meaning>();
+  for (const pair of played ? [] : found)
+    if (deepest(pair) < -visible * seen)
+      for (const i of [pair.a, pair.b]) if (scene.bodies[i]?.moves) special.set(i, "touch");
+  selected.forEach((i, k) => special.set(i, k ? "b" : "made"));
+  return special;
+}
+
+/** What is drawn on top of the bodies, `found` of what touches. */
+export interface Overlay {
+  found: Pair[];
+  selected: number[];
+  shot: Shot | null;
+  broadPhase: boolean;
+  /** Half of the height that is seen. */
+  seen: number;
+}
+export function drawOverlay(d: Drawing, { scene, run, pull }: Play, { found, selected, shot, broadPhase, seen }: Overlay): void {
+  for (const pair of found)
+    for (const manifold of pair.manifolds)
+      for (const p of manifold.points) {
+        d.point(p.a, p.distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
+        if (selected.includes(pair.a) || selected.includes(pair.b)) d.arrow(p.a, add(p.a, scale(manifold.normal, seen / 10)), "axis", { key: keyOf(pair) });
+      }
+  if (broadPhase) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
+  run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
+  const [first, other] = selected;
+  if (other !== undefined) drawPair(d, run, first, other);
+  if (other !== undefined) d.text(run.place(other).translation, "B", "b");
+  if (pull) d.line(run.place(pull.body).translation, pull.to, "made", { wide: true });
+  if (shot) drawShot(d, shot, scene, seen);
+}
+/** By what the first selected body is moved and, while it stands still, turned. */
+export function handlesOf({ run, scene, pull, running }: Play, body: number | undefined, seen: number): Handle[] {
+  if (body === undefined) return [];
+  const { translation, rotation } = run.place(body), { name, shape } = scene.bodies[body];
+  const reach = shape.type === "plane" ? 1 : Math.min(seen, reachOf(run.bounds(body)) * 1.2 + seen / 20);
+  const turn: Handle = { id: "turn", label: `Turn ${name}`, kind: "turn", meaning: "made", at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) };
+  return [{ id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: pull?.to ?? translation }, ...(running ? [] : [turn])];
+}
+/** Energy and deepest penetration over the last steps. */
+export function graphsOf({ energy, depth }: Play): Node[] {
+  if (energy.length < 2) return [];
+  const tail = (v: number[]): number[] => v.slice(-300), at = Math.min(300, energy.length) - 1;
+  return [drawGraph({ caption: "energy", at, series: [{ name: digits(energy.at(-1), 4), meaning: "made", values: tail(energy) }] }),
+    drawGraph({ caption: "deepest penetration", at, series: [{ name: digits(depth.at(-1), 3), meaning: "touch", values: tail(depth) }] })];
+}

@@ -1,0 +1,119 @@
+// A scene in time: played, stepped, and stepped back through the last ten seconds.
+
+import type { graze } from "../graze.ts";
+import type { Vec } from "../question.ts";
+import type { Scene } from "./model.ts";
+import { Run } from "./run.ts";
+
+const frame = 1 / 60;
+/** Ten seconds of states to step back to; fewer of large scenes. */
+const mostStates = (bodies: number): number => (bodies > 300 ? 120 : 600);
+const nothing: Scene = { name: "empty", bodies: [] };
+
+export interface Listener {
+  /** After every step, forward or back. */
+  onStep(): void;
+  onRunning(running: boolean): void;
+  onTrouble(text: string): void;
+}
+
+export class Play {
+  scene = nothing;
+  run = new Run(nothing);
+  subSteps = 8;
+  /** Whether the scene's gravity acts. */
+  heavy = true;
+  /** Of every step that can be gone back. */
+  energy: number[] = [];
+  depth: number[] = [];
+  /** Of the last step, in milliseconds. */
+  stepTime = 0;
+  /** The spring that somebody holds a body by. */
+  pull: { body: number; to: Vec } | null = null;
+  private states: graze.State[] = [];
+  private ticking = 0;
+  private readonly listener: Listener;
+
+  constructor(listener: Listener) {
+    this.listener = listener;
+  }
+  dispose(): void {
+    this.stop();
+    this.forget();
+    this.run.dispose();
+  }
+
+  get running(): boolean {
+    return this.ticking !== 0;
+  }
+  get gravity(): Vec {
+    return this.heavy ? (this.scene.gravity ?? [0, -9.81, 0]) : [0, 0, 0];
+  }
+  /** Another scene. Throws what the library refuses; there is an empty one then. */
+  open(scene: Scene): void {
+    this.dispose();
+    this.pull = null;
+    this.scene = nothing;
+    this.run = new Run(nothing);
+    const made = new Run(scene);
+    this.run.dispose();
+    this.run = made;
+    this.scene = scene;
+  }
+  /** The scene from its beginning, where its bodies were put. */
+  begin(): void {
+    this.open(this.scene);
+  }
+  toggle(): void {
+    if (this.running) return this.stop();
+    const tick = (): void => {
+      this.ticking = requestAnimationFrame(tick);
+      this.advance();
+    };
+    this.ticking = requestAnimationFrame(tick);
+    this.listener.onRunning(true);
+  }
+  stop(): void {
+    cancelAnimationFrame(this.ticking);
+    this.ticking = 0;
+    this.listener.onRunning(false);
+  }
+  step(): void {
+    this.stop();
+    this.advance();
+  }
+  back(): void {
+    this.stop();
+    const state = this.states.pop();
+    if (!state) return;
+    this.run.restore(state);
+    state.dispose();
+    this.energy.pop();
+    this.depth.pop();
+    this.listener.onStep();
+  }
+
+  private advance(): void {
+    try {
+      this.run.play(this.subSteps, this.gravity);
+      this.states.push(this.run.save());
+      if (this.states.length > mostStates(this.scene.bodies.length)) this.states.shift()!.dispose();
+      if (this.pull) this.run.pull(this.pull.body, this.pull.to);
+      const start = performance.now();
+      const { energy, deepest } = this.run.step(frame);
+      this.stepTime = performance.now() - start;
+      this.energy.push(energy);
+      this.depth.push(deepest);
+      this.listener.onStep();
+    } catch (error) {
+      this.stop();
+      this.listener.onTrouble((error as Error).message);
+    }
+  }
+  private forget(): void {
+    for (const state of this.states) state.dispose();
+    this.states = [];
+    this.energy = [];
+    this.depth = [];
+  }
+}

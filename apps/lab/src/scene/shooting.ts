@@ -1,0 +1,65 @@
+// Rays and casts by clicks: what the next click is for, and what came of the last.
+
+import { digits, vector } from "../parts/dom.ts";
+import { add, length, scale, sub } from "../parts/vec.ts";
+import type { Vec } from "../question.ts";
+import type { Scene } from "./model.ts";
+import type { Run } from "./run.ts";
+import { castBody, shootRay, type Shot } from "./shots.ts";
+
+export type Kind = Shot["kind"];
+/** A line of sight through the pointer. */
+export interface Sight {
+  origin: Vec;
+  direction: Vec;
+}
+
+export class Shooting {
+  shot: Shot | null = null;
+  /** In the plane a ray has a click for its origin, too. */
+  private aim: { kind: Kind; from?: Vec } | null = null;
+  private readonly tell: (title: string, words: string) => void;
+
+  constructor(tell: (title: string, words: string) => void) {
+    this.tell = tell;
+  }
+  get waits(): boolean {
+    return this.aim !== null;
+  }
+  forget(): void {
+    this.aim = this.shot = null;
+  }
+  takeAim(kind: Kind, run: Run, body: number | undefined): void {
+    const blind = kind === "cast" && body === undefined;
+    this.aim = blind ? null : { kind };
+    this.tell(kind === "ray" ? "Shoot a ray" : "Cast a body",
+      blind ? "Select the body first." : kind === "ray" && run.flat ? "Click where it begins, then where it shall go." : "Click where it shall go.");
+  }
+  /** The click that a ray or a cast of `body` waits for: a place in the plane, a line of sight in space. Whether a shot came
+   *  of it. */
+  click(sight: Sight, run: Run, scene: Scene, body: number | undefined): boolean {
+    const { aim } = this;
+    if (!aim) return false;
+    if (aim.kind === "cast" && body === undefined) {
+      this.takeAim("cast", run, body);
+      return false;
+    }
+    const place = run.flat ? add(sight.origin, scale(sight.direction, -sight.origin[2] / sight.direction[2])) : null;
+    if (aim.kind === "ray" && place && !aim.from) {
+      this.aim = { ...aim, from: place };
+      return false;
+    }
+    this.aim = null;
+    const target = place ?? run.raycast(sight)?.point ?? add(sight.origin, scale(sight.direction, length(sight.origin)));
+    // In space a ray comes from beneath the eye: from the eye itself it would be seen as a point.
+    const from = aim.from ?? add(sight.origin, [0, -length(sub(target, sight.origin)) / 4, 0]);
+    this.shot = aim.kind === "ray" ? shootRay(run, { origin: from, direction: sub(target, from) }) : castBody(run, body!, target);
+    this.tellShot(this.shot, scene);
+    return true;
+  }
+  private tellShot({ kind, hit, body }: Shot, scene: Scene): void {
+    const met = hit ? scene.bodies[hit.body].name : "nothing";
+    this.tell(kind === "ray" ? `The ray hits ${met}` : `${scene.bodies[body!].name} meets ${met} on its way`,
+      hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");
+  }
+}

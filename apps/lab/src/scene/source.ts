@@ -1,0 +1,65 @@
+// Where a scene comes from: files that somebody chose or dropped, and one that `graze view` serves and that is read again
+// when it changes.
+
+import { button, h } from "../parts/dom.ts";
+import { readCapture, type Captured } from "./captured.ts";
+import type { Scene } from "./model.ts";
+import { kindOf, openFile } from "./open.ts";
+import { WatchedFile } from "./watched.ts";
+
+const accepted = ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture";
+
+/** What is told of files. */
+export interface Reader {
+  onScene(scene: Scene): void;
+  onCapture(name: string, captured: Captured): void;
+  onTrouble(text: string): void;
+}
+
+export class Source {
+  /** A button that opens a file, and the field behind it. */
+  readonly elements: HTMLElement[];
+  /** Where the served file is. */
+  served: string | null = null;
+  private watched: WatchedFile | null = null;
+  private readonly reader: Reader;
+
+  constructor(reader: Reader) {
+    this.reader = reader;
+    const field = h("input", { type: "file", multiple: true, class: "hidden", accept: accepted, "aria-label": "Open a file",
+      onchange: () => void this.chosen([...(field.files ?? [])]) }) as HTMLInputElement;
+    this.elements = [button("Open a file", () => field.click()), field];
+  }
+  /** What is dropped on the element is opened. */
+  takeDrops(element: HTMLElement): void {
+    element.addEventListener("dragover", (event) => event.preventDefault());
+    element.addEventListener("drop", (event) => {
+      event.preventDefault();
+      void this.chosen([...(event.dataTransfer?.files ?? [])]);
+    });
+  }
+  watch(path: string): void {
+    this.served = path;
+    this.watched = new WatchedFile(path, { onFile: (file) => this.read(file), onTrouble: (text) => this.reader.onTrouble(text) });
+  }
+  /** Something else was chosen: the file is not looked after any more. */
+  unwatch(): void {
+    this.watched?.end();
+    this.watched = this.served = null;
+  }
+  /** A scene, and with it the files of its buffers. */
+  private async chosen(files: File[]): Promise<void> {
+    const scene = files.find((file) => kindOf(file) !== "bin") ?? files[0];
+    if (!scene) return;
+    this.unwatch();
+    await this.read(scene, files);
+  }
+  private async read(file: File, beside: File[] = []): Promise<void> {
+    try {
+      if (kindOf(file) === "capture") this.reader.onCapture(file.name, await readCapture(await file.arrayBuffer()));
+      else this.reader.onScene(await openFile(file, beside));
+    } catch (error) {
+      this.reader.onTrouble((error as Error).message);
+    }
+  }
+}

@@ -1,0 +1,102 @@
+// Lessons of axes, contacts and polygons: what a page says is what the library says.
+
+import assert from "node:assert/strict";
+import { axisRows, example, step } from "./lesson-page.mjs";
+import { drag, query, short, shown, test, traced, visit } from "./harness.mjs";
+
+for (const id of ["separating-axes-plane", "fifteen-axes"])
+  test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
+    const page = await visit(`#/lesson/${id}`);
+    await page.click('button[aria-label^="Last"]');
+    const before = await page.textContent(".numbers");
+    await drag(page, "move-b", 37, -23);
+    await drag(page, "turn-b", -20, 31);
+    assert.notEqual(await page.textContent(".numbers"), before);
+    const { state } = await shown(page);
+    const { trace } = JSON.parse(query(JSON.stringify({ ...state.q, explain: true })));
+    const axes = trace.axes.filter((x) => x.name !== "normal");
+    await step(page, /^(They are apart|The least overlap wins|A gap: )/);
+    const rows = await axisRows(page);
+    assert.deepEqual(rows.map((r) => [r.name, r.overlap]), axes.map((x) => [x.name, x.overlap]));
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+test("separating axes: what is said of a gap is true, whatever is nearest", async () => {
+  const page = await visit("#/lesson/separating-axes-plane");
+  await example(page, "Corner to corner");
+  const { state } = await shown(page), { trace } = await traced(page);
+  assert.equal(trace.winner, "normal");
+  const axes = trace.axes.filter((x) => x.name !== "normal");
+  const widest = axes.reduce((best, x) => (x.overlap < best.overlap ? x : best));
+  await step(page, /^They are apart/);
+  assert.ok((await page.textContent(".words")).includes(`${widest.name} shows the widest gap, ${short(-widest.overlap)}`));
+  assert.match(await page.textContent(".words"), /It is not the distance/);
+  assert.deepEqual((await axisRows(page)).filter((r) => r.wins).map((r) => r.name), [widest.name]);
+  const { distance } = JSON.parse(query(JSON.stringify({ ...state.q, query: "distance" })));
+  assert.ok(-widest.overlap < distance - 0.01);
+  await page.click("[data-next]");
+  assert.ok((await page.textContent(".words")).includes(`The true distance, ${short(distance)}`));
+  assert.ok(await page.isDisabled("[data-next]"));
+  await example(page, "A gap on the last axis");
+  const last = (await traced(page)).trace.axes.filter((x) => x.name !== "normal");
+  assert.deepEqual(last.map((x) => x.overlap < 0), [false, false, false, true]);
+  await step(page, /^They are apart/);
+  assert.match(await page.textContent(".words"), /B1 shows the widest gap.*It is the distance too/);
+  // A0 overlaps, and the nearest are corners: nothing negative is called a gap.
+  const mixed = await visit("#/lesson/separating-axes-plane?s=" + encodeURIComponent(JSON.stringify({ q: { ...state.q, b: { ...state.q.b, translation: [2.6, 2.6], rotation: 0.9 } } })));
+  const far = (await traced(mixed)).trace;
+  assert.ok(far.axes.some((x) => x.overlap > 0) && far.axes.some((x) => x.overlap < 0), JSON.stringify(far.axes));
+  await mixed.click('button[aria-label^="Last"]');
+  for (const row of await axisRows(mixed)) assert.equal(row.overlap, far.axes.find((x) => x.name === row.name.replace("a to b", "normal")).overlap);
+  assert.doesNotMatch(await mixed.textContent(".words p"), /−/);
+  assert.deepEqual([...page.trouble, ...mixed.trouble], []);
+  await page.context().close();
+  await mixed.context().close();
+});
+
+test("fifteen axes: the examples are what they are called, and gaps are bounds", async () => {
+  const page = await visit("#/lesson/fifteen-axes");
+  await example(page, "Edge on edge");
+  assert.match((await traced(page)).trace.winner, /×/);
+  await example(page, "What six axes miss");
+  const { overlap, trace } = await traced(page);
+  assert.equal(overlap, false);
+  assert.ok(trace.axes.filter((x) => x.name !== "normal").every((x) => x.overlap >= 0 || x.name.includes("×")));
+  await page.click('button[aria-label^="Last"]');
+  assert.match(await page.textContent(".words p"), /wrong on the safe side/);
+  await example(page, "Corner to corner");
+  await page.click('button[aria-label^="Last"]');
+  const { distance } = JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, query: "distance" })));
+  const [widest] = (await axisRows(page)).filter((r) => r.wins);
+  assert.ok(-widest.overlap < distance - 0.01);
+  assert.ok((await page.textContent(".words")).includes(`at least ${short(-widest.overlap)}`) && (await page.textContent(".words")).includes(`the distance is ${short(distance)}`));
+  await page.context().close();
+});
+
+test("contact set: the reference face is the one whose sides cut, and edges are not cut", async () => {
+  const page = await visit("#/lesson/contact-set");
+  const { trace } = await traced(page);
+  const near = (face, p) => Math.min(...face.map((x) => Math.hypot(...x.map((v, i) => v - p[i]))));
+  const whose = near(trace.faces.b, trace.cuts[0].from) < 1e-9 ? "B" : "A";
+  await step(page, /^Reference and incident/);
+  assert.ok((await page.textContent(".words p")).includes(`the reference face, here ${whose}'s`));
+  await example(page, "Edge on edge");
+  assert.equal((await traced(page)).manifolds[0].points.length, 1);
+  await step(page, /^Two edges cross$/);
+  await page.click("[data-next]");
+  assert.match(await page.textContent(".words h2"), /^Point 1: edge .* of A × edge .* of B$/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("Minkowski sum: a corner is the sum that stands below it", async () => {
+  const page = await visit("#/lesson/minkowski");
+  await page.click('.choices button:text-is("sum A ⊕ B")');
+  await step(page, /^Corner 2 of/);
+  const formula = (await page.$$eval(".words math", (list) => list.map((m) => m.textContent)))[1].replaceAll("−", "-");
+  const [ax, ay, bx, by, x, y] = formula.match(/-?[\d.]+(e-?\d+)?/g).map(Number);
+  assert.ok(formula.includes(")+("), formula);
+  assert.ok(Math.abs(ax + bx - x) < 2e-3 && Math.abs(ay + by - y) < 2e-3, formula);
+  await page.context().close();
+});

@@ -1,0 +1,122 @@
+// The viewer opens captures.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { scene } from "./scene-page.mjs";
+import { graze, here, query, short, shown, test } from "./harness.mjs";
+
+/** Fifteen boxes that fall into a heap: two seconds, as a program captures them. */
+function capturedHeap() {
+  const frames = [];
+  const simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) });
+  const box = new graze.Box([1, 1, 1]);
+  const floor = new graze.HalfSpace();
+  simulation.add({ shape: floor, fixed: true });
+  for (let i = 0; i < 15; i++)
+    simulation.add({ shape: box, translation: [(i % 3) * 0.9 - 0.9, 1 + Math.floor(i / 3) * 1.2, (i % 2) * 0.3] }, { density: 1 });
+  for (let i = 0; i < 120; i++) simulation.step(1 / 60);
+  for (const made of [simulation, box, floor]) made.dispose();
+  return Buffer.concat(frames);
+}
+
+test("viewer: opens a capture, and scrubs through it", async () => {
+  const page = await scene("shapes");
+  const bytes = capturedHeap();
+  await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: bytes });
+  await page.waitForSelector("[data-next]");
+  assert.ok((await page.textContent(".intro")).includes("A simulation in double: 120 frames, played again. It comes to the same bits."));
+  const first = await shown(page);
+  assert.deepEqual([first.frame, first.frames, first.bodies], [0, 120, 16]);
+  await page.click("[data-next]");
+  assert.equal((await shown(page)).frame, 1);
+  await page.evaluate(() => {
+    const scrub = document.querySelector("input[type=range]");
+    scrub.value = "90";
+    scrub.dispatchEvent(new Event("input"));
+  });
+  const later = await shown(page);
+  assert.equal(later.frame, 90);
+  assert.ok(later.pairs > 10, `${later.pairs} pairs`);
+  assert.ok((await page.textContent(".counter")).startsWith(`16 bodies · ${later.pairs} pairs`));
+  await page.click('[aria-label="Last frame"]');
+  assert.ok(await page.isDisabled("[data-next]"), "there is a frame after the last");
+  await page.click('nav a:text-is("Lessons")');
+  await page.click('nav a:text-is("Viewer")');
+  await page.waitForSelector("input[type=file]", { state: "attached" });
+  bytes[5000] ^= 1;
+  await page.setInputFiles("input[type=file]", { name: "damaged.capture", mimeType: "application/octet-stream", buffer: bytes });
+  await page.waitForSelector(".trouble:not([hidden])");
+  assert.match(await page.textContent(".trouble"), /frame \d+, from byte \d+: expected a frame as it was written, got other bytes/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: opens captures of the plane, and in float", async () => {
+  const page = await scene("shapes");
+  const captures = [
+    ["whole-plane-simulation", "A simulation of the plane in double: 90 frames", 4], ["whole-plane-world", "A world of the plane in double: 3 frames", 3],
+    ["whole-file", "A world in float: ", 0]];
+  for (const [name, words, bodies] of captures) {
+    await page.click('nav a:text-is("Lessons")');
+    await page.click('nav a:text-is("Viewer")');
+    await page.waitForSelector("input[type=file]", { state: "attached" });
+    const buffer = readFileSync(join(here, "../../fuzz/corpus/capture", name));
+    await page.setInputFiles("input[type=file]", { name: `${name}.capture`, mimeType: "application/octet-stream", buffer });
+    await page.waitForSelector("[data-next]");
+    const said = await page.textContent(".intro");
+    assert.ok(said.includes(words) && said.includes("It comes to the same bits."), said);
+    await page.click('[aria-label="Last frame"]');
+    const last = await shown(page);
+    assert.equal(last.frame, last.frames - 1);
+    if (bodies) assert.equal(last.bodies, bodies);
+    if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, `${name}.png`) });
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("captures: a frame is asked as a scene is", async () => {
+  const page = await scene("shapes");
+  await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: capturedHeap() });
+  await page.waitForSelector("[data-next]");
+  await page.click('[aria-label="Last frame"]');
+  // A pair, by its row.
+  const row = page.locator(".numbers button.choose", { hasText: /box \d+ × box/ }).first();
+  const pair = (await row.textContent()).split(" × ");
+  await row.click();
+  assert.equal(await page.textContent(".words h2"), pair.join(" and "));
+  const said = await page.textContent(".words"), asked = JSON.parse(await page.inputValue("textarea"));
+  const { distance } = JSON.parse(query(JSON.stringify({ ...asked, query: "distance", margin: undefined })));
+  assert.ok(said.includes(`signed distance ${short(distance, 6)}`), said);
+  const captions = await page.$$eval(".numbers caption", (list) => list.map((c) => c.textContent));
+  assert.ok(captions.includes(`Found by the run, A is ${pair[0]}`), `${captions}`);
+  const found = await page.$$eval(".numbers table", (list) => [...list[0].tBodies[0].rows].map((r) => r.textContent));
+  for (const line of found) assert.match(line, /(vertex|edge|face) .* of A × (vertex|edge|face) .* of B.*\(/);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-pair.png"), fullPage: true });
+  // A body, by its name in the list of all.
+  await page.click("[data-tree] > summary");
+  await page.click('[data-tree] button:text-is("halfSpace 0")');
+  assert.deepEqual((await shown(page)).selected.at(-1), 0);
+  await page.selectOption('[data-body="1"]', "");
+  await page.click('[data-tree] button[aria-pressed="true"]');
+  await page.click('[data-tree] button:text-is("box 3")');
+  assert.equal(await page.textContent(".words h2"), "box 3");
+  assert.match(await page.textContent(".side"), /shape\s*box.*kind\s*moves/s);
+  assert.doesNotMatch(await page.textContent(".side"), /category/);
+  // By a click in the drawing: whatever is seen in its middle, and nothing at its edge.
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  await page.mouse.click(picture.x + 3, picture.y + 3);
+  assert.deepEqual((await shown(page)).selected, []);
+  await page.mouse.click(picture.x + picture.width / 2, picture.y + picture.height / 2);
+  assert.ok((await shown(page)).selected.length > 0);
+  const { pairs } = await shown(page);
+  await page.click('button:text-is("Open this frame as a scene")');
+  await page.waitForSelector("[data-play]");
+  const opened = await shown(page);
+  assert.equal(opened.bodies, 16);
+  // The bodies were moved since their contacts were found, and a scene has a margin of its own: nearly as many.
+  assert.ok(Math.abs(opened.pairs - pairs) <= 3, `${opened.pairs} pairs, ${pairs} in the frame`);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});

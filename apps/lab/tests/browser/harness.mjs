@@ -1,0 +1,117 @@
+// The lab in headless Chromium, and what all of its tests do there.
+//
+//   LAB_URL=http://...                a server that runs already, in place of the built lab in dist/
+//   GRAZE=build/release/bin/graze     the native program answers the questions, else the npm package in Node
+//   ONLY=text                         the tests whose names contain it
+//   JOBS=number                       how many run at once
+//   SCREENSHOTS=folder                pictures of every lesson, light, dark and as a phone shows it
+
+import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join, normalize } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+export const here = fileURLToPath(new URL("../..", import.meta.url));
+const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
+
+/** Serves dist/ on a free port of the loopback address. */
+async function serve() {
+  const dist = join(here, "dist");
+  const server = createServer((request, response) => {
+    const path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname));
+    try {
+      const file = join(dist, path === "/" ? "index.html" : path);
+      const bytes = readFileSync(file);
+      response.writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" }).end(bytes);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((done) => server.listen(0, "127.0.0.1", done));
+  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+export const graze = await import(new URL("../../../../bindings/js/dist/double.js", import.meta.url));
+await graze.init();
+export const query = process.env.GRAZE
+  ? (line) => spawnSync(process.env.GRAZE, ["query"], { input: `${line}\n`, encoding: "utf8" }).stdout.trim()
+  : graze.query;
+export const server = process.env.LAB_URL ? { address: process.env.LAB_URL, close() {} } : await serve();
+export const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+export const axe = readFileSync(join(here, "node_modules/axe-core/axe.min.js"), "utf8");
+
+export async function visit(hash, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, bypassCSP: options.bypassCSP ?? false, ...options });
+  const page = await context.newPage();
+  page.trouble = [];
+  page.on("console", (m) => m.type() === "error" && page.trouble.push(m.text()));
+  page.on("pageerror", (e) => page.trouble.push(e.message));
+  page.on("request", (r) => {
+    if (!r.url().startsWith(server.address) && !/^(data|blob):/.test(r.url())) page.trouble.push(`asks for ${r.url()}`);
+  });
+  await page.goto(server.address + hash);
+  await page.waitForSelector("h1");
+  await frame(page);
+  return page;
+}
+/** Tests wait for frames most of the time: several pages at once take a fraction of it. */
+const atOnce = Number(process.env.JOBS ?? 4);
+const tests = [];
+let failed = 0;
+export function test(name, body) {
+  if (!process.env.ONLY || name.includes(process.env.ONLY)) tests.push({ name, body });
+}
+async function runTests() {
+  for (let next = tests.shift(); next; next = tests.shift()) {
+    const start = performance.now();
+    try {
+      await next.body();
+      console.log(`ok    ${next.name} (${Math.round(performance.now() - start)} ms)`);
+    } catch (error) {
+      failed++;
+      console.log(`FAIL  ${next.name}\n      ${String(error.message).split("\n").join("\n      ")}`);
+    }
+  }
+}
+export const frame = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+export const shown = (page) => page.evaluate(() => window.lab.shown);
+/** The numbers beside the picture, but for times, which are never twice the same. */
+export const numbers = (page) =>
+  page.evaluate(() => {
+    const copy = document.querySelector(".numbers").cloneNode(true);
+    for (const table of copy.querySelectorAll("table"))
+      for (const timed of [...table.rows[0].cells].filter((cell) => cell.textContent.includes("µs")))
+        for (const row of [...table.rows].slice(1)) row.cells[timed.cellIndex].remove();
+    return copy.textContent;
+  });
+
+/** Here a processor draws in place of a graphics card: fewer pixels, less time. */
+export const small = { viewport: { width: 1000, height: 600 } };
+
+/** Drags a handle by the mouse. */
+export async function drag(page, id, dx, dy) {
+  const box = await (await page.$(`[data-handle="${id}"]`)).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx / 2, y + dy / 2, { steps: 4 });
+  await page.mouse.move(x + dx, y + dy, { steps: 4 });
+  await page.mouse.up();
+  await frame(page);
+}
+export const traced = async (page) => JSON.parse(query(JSON.stringify({ ...(await shown(page)).question, explain: true })));
+export const short = (x, digits = 4) => String(Number(x.toPrecision(digits))).replaceAll("-", "−");
+
+/** Runs what was asked for, and ends the process. */
+export async function runAll() {
+  await Promise.all(Array.from({ length: atOnce }, runTests));
+  await browser.close();
+  server.close();
+  console.log(failed ? `${failed} failed` : "all passed");
+  process.exit(failed ? 1 : 0);
+}

@@ -1,0 +1,211 @@
+// Lessons that iterate or search: every step shows the trace's numbers, and what is said of the end is true.
+
+import assert from "node:assert/strict";
+import { example, step } from "./lesson-page.mjs";
+import { drag, frame, graze, query, shown, short, small, test, traced, visit } from "./harness.mjs";
+
+test("GJK: every iteration's bounds are those of the trace, by keyboard too", async () => {
+  const page = await visit("#/lesson/gjk");
+  await page.focus('[data-handle="move-b"]');
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Shift+ArrowUp");
+  await frame(page);
+  const { state, steps } = await shown(page);
+  const [x, y] = state.q.b.translation;
+  assert.ok(Math.abs((3.4 - x) / (y - 1.1) - 50) < 1e-6, `five steps left and a tenth up, not one of them lost: ${x}, ${y}`);
+  const { trace } = JSON.parse(query(JSON.stringify({ ...state.q, explain: true })));
+  assert.equal(steps, trace.gjk.length + 2);
+  for (const step of trace.gjk) {
+    await page.click("[data-next]");
+    const said = await page.getAttribute("svg[role=img]", "aria-label");
+    assert.ok(said.includes(`between ${short(step.lower)} and ${short(step.upper)}`), said);
+  }
+  await page.context().close();
+});
+
+test("GJK: what ends the search is said as it is: inside, on an edge, far away, in space", async () => {
+  const page = await visit("#/lesson/gjk");
+  const lastIteration = async () => {
+    const { trace } = await traced(page);
+    await step(page, new RegExp(`^Iteration ${trace.gjk.length}:`));
+    return trace;
+  };
+  await example(page, "Origin inside");
+  await lastIteration();
+  assert.match(await page.textContent(".words h2"), /O is inside the triangle/);
+  assert.deepEqual(await page.$$eval(".numbers tbody th", (list) => list.map((c) => c.textContent)), ["w1", "w2", "w3"]);
+  await example(page, "Origin on an edge");
+  await lastIteration();
+  assert.match(await page.textContent(".words"), /O lies on a side of a triangle.*the shapes touch/);
+  assert.doesNotMatch(await page.textContent(".words"), /inside/);
+  await example(page, "Very far away");
+  const seen = await page.$$eval(".stage2 .shape", (list) => list.map((x) => x.getBoundingClientRect().toJSON()));
+  const frame = await page.$eval(".stage2", (x) => x.getBoundingClientRect().toJSON());
+  assert.equal(seen.length, 2);
+  for (const shape of seen) assert.ok(shape.left > frame.left && shape.right < frame.right && shape.top > frame.top && shape.bottom < frame.bottom, JSON.stringify(shape));
+  const { upper } = (await lastIteration()).gjk.at(-1), { distance } = await traced(page);
+  assert.notEqual(upper.toPrecision(15), distance.toPrecision(15));
+  await page.click('button[aria-label^="Last"]');
+  for (const x of [upper, distance]) assert.ok((await page.textContent(".numbers")).includes(short(x, 15)));
+  await page.click('button:text-is("Start again")');
+  assert.ok((await page.$$eval(".stage2 .shape", (list) => list.length)) === 2);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+
+  const space = await visit("#/lesson/gjk-space"), { trace } = await traced(space);
+  for (const [i, { lower, upper }] of trace.gjk.entries()) {
+    await space.click("[data-next]");
+    const formulas = await space.$$eval(".words math", (list) => list.map((m) => m.textContent));
+    const told = Number(formulas[2].split("=")[1].replaceAll("−", "-"));
+    assert.ok(Math.abs(told - (upper - lower)) <= 0.06 * (upper - lower), `${i}: ${formulas} for ${upper - lower}`);
+  }
+  await space.context().close();
+});
+
+/** Of lessons whose steps are those of a trace: how many steps come before, and the numbers of each as the library has them. */
+const walks = {
+  epa: ({ trace }) => [1, trace.epa.map((s) => [s.polygon.length, s.faceDepth, s.foundDepth])],
+  "time-of-impact": ({ trace }) => [2, (trace.steps ?? []).map((s) => [s.t, s.distance])],
+  "contact-set": ({ trace, manifolds }) => [2 + trace.cuts.length, manifolds[0].points.map((p) => [p.distance])],
+};
+for (const [id, walk] of Object.entries(walks))
+  test(`${id}: every step shows the trace's numbers to the last digit`, async () => {
+    const page = await visit(`#/lesson/${id}`);
+    for (const label of [null, await page.textContent(".example")]) {
+      if (label) await example(page, label);
+      await page.click('button[aria-label^="First"]');
+      await frame(page);
+      const { question } = await shown(page), answer = JSON.parse(query(JSON.stringify({ ...question, explain: true })));
+      if (answer.distance > 0 || answer.hit === false || !answer.trace.method) continue; // nothing to walk through
+      const [before, list] = walk(answer);
+      for (let i = 1; i < before; i++) await page.click("[data-next]");
+      for (const step of list) {
+        await page.click("[data-next]");
+        const told = await page.$eval(".numbers tbody tr:last-child", (row) => [...row.cells].map((c) => c.getAttribute("title")).filter(Boolean));
+        assert.deepEqual(told.map(Number), step, JSON.stringify(question));
+      }
+    }
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+test("large hulls: every layer's counts and the total are the library's", async () => {
+  const page = await visit("#/lesson/hulls");
+  await drag(page, "direction", -60, 40);
+  const { state, steps } = await shown(page);
+  const count = state.choice.count, u = ["x", "y", "z"].map((k) => state.choice[k]), length = Math.hypot(...u);
+  const hull = new graze.ConvexHull(Array.from({ length: count }, (_, i) => {
+    const y = 1 - (2 * i + 1) / count, r = Math.sqrt(1 - y * y), angle = i * Math.PI * (3 - Math.sqrt(5));
+    return [1.3 * r * Math.cos(angle), 0.9 * y, 0.9 * r * Math.sin(angle)];
+  }));
+  const { trace } = graze.traced.support(hull, u.map((x) => x / length));
+  assert.equal(steps, trace.layers.length + 4);
+  await page.click("[data-next]");
+  for (const layer of trace.layers) {
+    await page.click("[data-next]");
+    const said = await page.getAttribute("canvas[role=img]", "aria-label");
+    assert.ok(said.startsWith(`${layer.lookedAt.length} of ${layer.vertices.toLocaleString("en")} points`), said);
+  }
+  await page.click("[data-next]");
+  assert.equal(await page.textContent(".words h2"), `${trace.products} instead of 1,000`);
+  hull.dispose();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("broad phases: the box that asks meets other bodies where it is dragged to", async () => {
+  for (const kind of ["tree", "sort and sweep", "grid"]) {
+    const page = await visit("#/lesson/broad-phases", small);
+    await page.click(`.choices button:text-is("${kind}")`);
+    await page.click("[data-next]");
+    const said = () => page.getAttribute("canvas[role=img]", "aria-label");
+    const before = await said();
+    await drag(page, "ask", 90, -60);
+    assert.notEqual(await said(), before);
+    const [, hits, met, parts] = /(\d+) bodies .* (\d+) of (\d+) parts/.exec(await said()).map(Number);
+    assert.ok(hits < 100 && met <= parts && (parts > 0) === (kind !== "sort and sweep"), await said());
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
+});
+
+test("a stack: the deepest contact after a second is the library's", async () => {
+  const page = await visit("#/lesson/stack");
+  await page.click('.choices button:text-is("4")');
+  const simulation = new graze.Simulation({ sleep: false, subSteps: 4, mostSubSteps: 4 });
+  const box = new graze.Box([1, 1, 1]), floor = new graze.HalfSpace(), rough = { staticFriction: 0.6, dynamicFriction: 0.6 };
+  simulation.add({ shape: floor, fixed: true }, {}, rough);
+  for (let i = 0; i < 10; i++) simulation.add({ shape: box, translation: [i % 2 === 0 ? 0.04 : -0.04, 0.5 + i, 0] }, { mass: 1 }, rough);
+  for (let i = 0; i < 60; i++) simulation.step(1 / 60);
+  await page.click('button[aria-label^="Last"]');
+  const cells = await page.$$eval(".numbers tr.is-now td[title]", (list) => list.map((cell) => cell.title));
+  assert.equal(Number(cells[0]), simulation.report().deepest * 1000);
+  for (const made of [simulation, box, floor]) made.dispose();
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("EPA: the way out ends on the nearest side, in space the polytope grows, and both have a last word", async () => {
+  const page = await visit("#/lesson/epa");
+  const { trace, distance } = await traced(page);
+  for (const _ of trace.epa) {
+    await page.click("[data-next]");
+    const off = await page.evaluate(() => {
+      const line = (kind) => ["x1", "y1", "x2", "y2"].map((k) => Number(document.querySelector(`.stage2 line.of-${kind}.wide`).getAttribute(k)));
+      const [x1, y1, x2, y2] = line("axis"), [, , x, y] = line("made");
+      return Math.abs((x2 - x1) * (y - y1) - (y2 - y1) * (x - x1)) / Math.hypot(x2 - x1, y2 - y1);
+    });
+    assert.ok(off < 0.5, `the tip is ${off} pixels from the side`);
+  }
+  await page.click("[data-next]");
+  assert.ok((await page.textContent(".words")).includes(short(distance, 8)));
+  assert.ok(await page.isDisabled("[data-next]"));
+  await page.context().close();
+
+  const space = await visit("#/lesson/epa-space");
+  for (const label of [null, "Same centre, same axis"]) {
+    if (label) await example(space, label);
+    await space.click('button[aria-label^="First"]');
+    const answer = await traced(space), { epa, polytope } = answer.trace;
+    assert.ok(!(await space.textContent(".words p")).includes("as it is at the end"), "the corners are not in the order of the steps");
+    assert.equal((await shown(space)).steps, epa.length + 2);
+    // A corner for each step beside those of the tetrahedron, and two triangles more.
+    assert.equal(polytope.points.length, epa.length + 4);
+    const picture = await space.$(".stage3 canvas"), before = await picture.screenshot();
+    for (let i = 0; i < 3; i++) await space.click("[data-next]");
+    await frame(space);
+    assert.notDeepEqual(await picture.screenshot(), before);
+    await space.click('button[aria-label^="Last"]');
+    assert.equal(await space.textContent(".words h2"), "Depth and normal");
+    assert.ok((await space.textContent(".words")).includes(short(answer.distance, 8)));
+  }
+  assert.deepEqual(space.trouble, []);
+  await space.context().close();
+});
+
+test("time of impact: frames miss what the cast finds, hulls answer whether, and a thousand turns how long it takes", async () => {
+  const page = await visit("#/lesson/time-of-impact");
+  for (const label of [null, "Ball and thin wall"]) {
+    if (label) await example(page, label);
+    await step(page, /^Frame by frame$/);
+    assert.match(await page.textContent(".words p"), /In none of them .* A tunnels/);
+    assert.equal((await traced(page)).hit, true);
+  }
+  await step(page, /^All that A sweeps$/);
+  assert.match(await page.textContent(".words p"), /whether they meet at all: yes/);
+  await example(page, "Turning on the spot");
+  const { t, trace } = await traced(page);
+  assert.ok(t > 0 && trace.steps.length > 1);
+  await example(page, "A thousand turns");
+  const turned = await traced(page);
+  assert.ok(turned.hit && turned.bounded === undefined && turned.trace.steps.length < 30, `${turned.trace.steps.length} steps`);
+  const moves = turned.trace.steps;
+  await step(page, /^The start/);
+  for (let i = 0; i + 1 < moves.length; i++) {
+    const told = (await page.$$eval(".words math", (list) => list.map((m) => m.textContent)))[1];
+    assert.ok(told.endsWith(`=${short(moves[i + 1].t, 8)}`), told);
+    await page.click("[data-next]");
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});

@@ -1,0 +1,58 @@
+// Lessons of planes and of resolution, and their programs.
+
+import assert from "node:assert/strict";
+import { example } from "./lesson-page.mjs";
+import { drag, frame, query, shown, test, traced, visit } from "./harness.mjs";
+
+test("planes: three points, a distance and a normal give the same plane, and a line gives none", async () => {
+  const page = await visit("#/lesson/planes-boxes");
+  const before = (await traced(page)).distance, rest = async () => Math.abs((await traced(page)).distance - before);
+  await page.click('.choices button:text-is("three points")');
+  await frame(page);
+  assert.equal(await rest(), 0);
+  await drag(page, "point-1", 0, -30);
+  assert.ok(await rest() > 1e-3, "the plane follows its points");
+  const { state } = await shown(page), n = (await traced(page)).normal;
+  const at = (name) => [0, 1, 2].map((k) => state.choice[`${name}${k}`]);
+  const along = (p) => p.reduce((sum, x, i) => sum + x * n[i], 0);
+  for (const name of ["q", "r"]) assert.ok(Math.abs(along(at(name)) - along(at("p"))) < 1e-9, `${name} is not in the plane`);
+  await page.click('.choices button:text-is("normal and distance")');
+  await frame(page);
+  const apart = (await traced(page)).distance;
+  await drag(page, "foot", 0, -40);
+  assert.ok((await traced(page)).distance < apart - 1e-3, "the plane comes nearer to the box above it");
+  await example(page, "Three points on a line");
+  assert.match(await page.textContent(".words h2"), /no plane/);
+  await page.click('.choices button:text-is("three points")');
+  await drag(page, "point-2", 0, 60);
+  assert.equal(await page.textContent(".words h2"), "By three points");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("programs: a lesson without a question of the protocol offers none to copy", async () => {
+  for (const [id, languages, asked] of [["spheres", 3, true], ["broad-phases", 2, false], ["filters", 3, false]]) {
+    const page = await visit(`#/lesson/${id}`);
+    assert.equal(await page.$$eval(".code details", (list) => list.length), languages + (asked ? 1 : 0), id);
+    assert.equal(await page.isVisible('button:text-is("Copy as a question")'), asked, id);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
+});
+
+test("resolution: impulse and approach are the library's to the last digit", async () => {
+  const page = await visit("#/lesson/resolution");
+  for (const example of [null, ...(await page.$$(".example"))]) {
+    if (example) await example.click();
+    await page.click('button[aria-label^="First"]');
+    await frame(page);
+    const { question } = await shown(page), { trace, normalImpulse } = JSON.parse(query(JSON.stringify({ ...question, explain: true })));
+    const title = (row) => page.$eval(`.numbers tbody tr:nth-child(${row}) td:not(.mark)`, (cell) => Number(cell.getAttribute("title")));
+    await page.click("[data-next]");
+    assert.equal(await title(1), trace.relativeVelocity.normal);
+    await page.click("[data-next]");
+    assert.equal(await title(1), trace.effectiveMass);
+    assert.equal(await title(2), normalImpulse);
+  }
+  await page.context().close();
+});

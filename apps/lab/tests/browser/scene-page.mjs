@@ -1,0 +1,16 @@
+// What tests do in the viewer.
+
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { here, visit } from "./harness.mjs";
+
+export const scene = (name) => visit(`#/scene?scene=${name}`);
+export const files = join(here, "../../examples/scenes");
+
+/** What touches lights up with its row: another picture than without. */
+export async function lightsUp(page) {
+  const picture = await page.$(".stage3 canvas"), plain = await picture.screenshot();
+  await page.hover(".numbers tbody tr:first-child");
+  await page.waitForTimeout(200);
+  assert.notDeepEqual(await picture.screenshot(), plain);
+}

@@ -1,0 +1,77 @@
+// The playground: scenes in time.
+
+import assert from "node:assert/strict";
+import { scene } from "./scene-page.mjs";
+import { shown, small, test, visit } from "./harness.mjs";
+
+for (const name of ["shapes", "pyramid", "heavy", "cradle", "bridge"])
+  test(`scene ${name}: steps forward, back, and forward again`, async () => {
+    const page = await scene(name);
+    const before = await shown(page);
+    await page.click("[data-step]");
+    const first = await shown(page);
+    for (let i = 0; i < 10; i++) await page.click("[data-step]");
+    const after = await shown(page);
+    assert.equal(after.frames, 11);
+    assert.notDeepEqual(after.poses, before.poses);
+    assert.ok(after.poses.every(Number.isFinite));
+    assert.ok(after.deepest < 0.1, `${after.deepest} deep`);
+    for (let i = 0; i < 10; i++) await page.click("[data-back]");
+    // To the last digits but few: a restored pose is made unit anew.
+    const near = (x, y) => assert.ok(x.every((v, i) => Math.abs(v - y[i]) <= 1e-9), "the poses differ");
+    near((await shown(page)).poses, first.poses);
+    for (let i = 0; i < 10; i++) await page.click("[data-step]");
+    near((await shown(page)).poses, after.poses);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  });
+
+test("every other scene goes on from step to step", async () => {
+  for (const name of ["tower", "domino", "slope", "cards", "arch", "bounce", "book", "chain", "bullets", "far"]) {
+    const page = await visit(`#/scene?scene=${name}`, small), before = await shown(page);
+    for (let i = 0; i < 3; i++) await page.click("[data-step]");
+    const after = await shown(page);
+    assert.equal(after.frames, 3, name);
+    assert.notDeepEqual(after.poses, before.poses, name);
+    assert.ok(after.poses.every(Number.isFinite) && after.deepest < 0.1, name);
+    assert.deepEqual(page.trouble, []);
+    await page.context().close();
+  }
+});
+
+test("viewer: a body's material counts from the next step on", async () => {
+  const slid = async (friction) => {
+    const page = await scene("slope");
+    await page.selectOption('[data-body="0"]', { label: "μ = 0.2" });
+    if (friction !== undefined) {
+      await page.fill('[data-material] label:has-text("Friction") input', String(friction));
+      await page.dispatchEvent('[data-material] label:has-text("Friction") input', "change");
+    }
+    const before = (await shown(page)).poses.slice(-7);
+    for (let i = 0; i < 15; i++) await page.click("[data-step]");
+    const after = (await shown(page)).poses.slice(-7);
+    assert.deepEqual(page.trouble, []);
+    if (friction === undefined) {
+      await page.fill('[data-material] label:has-text("Restitution") input', "2");
+      await page.dispatchEvent('[data-material] label:has-text("Restitution") input', "change");
+      assert.match(await page.textContent(".trouble:not([hidden])"), /restitution: expected a number from 0 to 1, got 2/);
+    }
+    await page.context().close();
+    return Math.hypot(...[0, 1, 2].map((k) => after[k] - before[k]));
+  };
+  const smooth = await slid(undefined), rough = await slid(1);
+  assert.ok(smooth > rough + 0.03, `${smooth} m, and ${rough} m where it is rough`); // both fall a little at first
+});
+
+test("a still page draws nothing, and uses no other address", async () => {
+  const page = await scene("tower");
+  await page.waitForTimeout(500);
+  const frames = await page.evaluate(() => new Promise((done) => {
+    let asked = 0;
+    const real = window.requestAnimationFrame;
+    window.requestAnimationFrame = (f) => (asked++, real(f));
+    setTimeout(() => done(asked), 500);
+  }));
+  assert.equal(frames, 0);
+  await page.context().close();
+});

@@ -1,0 +1,114 @@
+// The viewer: what is selected, dragged and shot, and the address.
+
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { lightsUp, scene } from "./scene-page.mjs";
+import { axe, drag, query, shown, test, visit } from "./harness.mjs";
+
+test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
+  const page = await scene("heavy");
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  assert.equal(await page.textContent(".words h2"), "light");
+  const before = await shown(page);
+  assert.ok(before.pairs >= 1);
+  await page.selectOption('[data-body="1"]', { label: "heavy" });
+  assert.match(await page.textContent(".numbers tbody th"), /(vertex|edge|face) .* of A × (vertex|edge|face) .* of B/);
+  await lightsUp(page);
+  if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-features.png") });
+  await page.selectOption('[data-body="1"]', "");
+  await drag(page, "move", 200, 0);
+  const after = await shown(page);
+  assert.ok(after.poses[7] > before.poses[7] + 0.5, `${before.poses[7]} to ${after.poses[7]}`);
+  await page.selectOption('[data-body="1"]', { label: "heavy" });
+  assert.match(await page.textContent(".words h2"), /light and heavy/);
+  const asked = await page.inputValue("textarea");
+  const answer = JSON.parse(query(JSON.stringify({ ...JSON.parse(asked), query: "distance", margin: undefined })));
+  const said = await page.textContent(".words");
+  assert.ok(said.includes(String(Number(answer.distance.toPrecision(6))).replaceAll("-", "−")), said);
+  await page.click('a:text-is("Step through its axes")');
+  await page.waitForSelector("[data-next]");
+  assert.equal(await page.textContent(".words h2"), "Fifteen candidates");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: its address holds bodies, selection and settings; undo and redo take them back and forth", async () => {
+  const page = await scene("heavy");
+  const start = await shown(page);
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await drag(page, "move", 150, -60);
+  const moved = await shown(page);
+  assert.notDeepEqual(moved.poses, start.poses);
+  await page.selectOption('[data-body="1"]', { label: "heavy" });
+  await page.selectOption('label:has-text("Sub-steps") select', "4");
+  const other = await visit(await page.evaluate(() => location.hash));
+  assert.deepEqual((await shown(other)).poses, moved.poses);
+  assert.equal(await other.textContent(".words h2"), "light and heavy");
+  assert.equal(await other.inputValue('label:has-text("Sub-steps") select'), "4");
+  const { draws } = await shown(page);
+  for (let i = 0; i < 4; i++) await page.keyboard.press("Control+z");
+  assert.deepEqual((await shown(page)).poses, start.poses);
+  assert.equal((await shown(page)).draws, draws + 4, "each is drawn once");
+  assert.equal(await page.evaluate(() => location.hash), "#/scene?scene=heavy", "the address follows");
+  for (let i = 0; i < 4; i++) await page.keyboard.press("Control+Shift+z");
+  assert.deepEqual((await shown(page)).poses, moved.poses);
+  // A file that is short enough is in the address as a whole.
+  await page.setInputFiles("input[type=file]", { name: "two.json", mimeType: "text/plain",
+    buffer: Buffer.from('{"dimension":2,"bodies":[{"shape":{"type":"plane"}},{"name":"disc","motion":"dynamic","translation":[0,3],"shape":{"type":"circle","circle":{"radius":1}}}]}') });
+  await page.waitForTimeout(300);
+  await page.selectOption('[data-body="0"]', { label: "disc" });
+  assert.match(await page.textContent(".numbers"), /shape\s*circle.*kind\s*moves/s);
+  const third = await visit(await page.evaluate(() => location.hash));
+  assert.equal((await shown(third)).bodies, 2);
+  assert.equal(await third.textContent(".words h2"), "disc");
+  const broken = await visit('#/scene?scene=heavy&at={"places":{"1":3}}');
+  assert.deepEqual((await shown(broken)).poses, start.poses);
+  for (const one of [page, other, third, broken]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
+});
+
+test("viewer: a pair is selected by its row and by its point, a body by the list of all", async () => {
+  const page = await scene("heavy");
+  await page.click('.numbers button.choose:text-is("light × heavy")');
+  assert.equal(await page.textContent(".words h2"), "light and heavy");
+  await page.click("[data-tree] > summary");
+  await page.click('[data-tree] button:text-is("light")');
+  assert.equal(await page.textContent(".words h2"), "heavy");
+  await page.click('[data-tree] button:text-is("heavy")');
+  assert.equal(await page.textContent(".words h2"), "Select a body");
+  // A corner of the light box on the floor: the point that is seen lowest.
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  const points = await page.evaluate(() => window.lab.pointsSeen);
+  const [x, y] = points.reduce((best, p) => (p[1] > best[1] ? p : best));
+  await page.mouse.click(picture.x + x, picture.y + y);
+  assert.equal(await page.textContent(".words h2"), "floor and light");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: what is shot can be asked again", async () => {
+  const page = await scene("heavy");
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  await page.click('button:text-is("Shoot a ray")');
+  await page.mouse.click(picture.x + picture.width / 2, picture.y + picture.height / 2);
+  const words = await page.textContent(".words"), asked = JSON.parse(await page.inputValue("textarea"));
+  assert.equal(asked.query, "raycast");
+  const { t } = JSON.parse(query(JSON.stringify(asked)));
+  assert.ok(words.includes(`after ${String(Number(t.toPrecision(6)))}`), `${words}, not ${t}`);
+  await page.context().close();
+});
+
+test("viewer has no finding of axe, and fits a phone", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });
+    await page.click("[data-step]");
+    await page.click("[data-step]");
+    await page.evaluate(axe);
+    const found = await page.evaluate(() => window.axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
+    assert.deepEqual(found.violations.map((v) => `${colorScheme} ${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3)}`), []);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+    await page.context().close();
+  }
+});
