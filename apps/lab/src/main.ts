@@ -29,7 +29,7 @@ function viewer(values: Record<string, string>): Room {
     if (text) location.hash = address("/scene", { s: text });
     else enter(viewer({ s: JSON.stringify(scene) }));
   };
-  return new SceneRoom(values, (name, captured, served) => enter(new CaptureRoom(name, captured, { served, at: values.at }, enterScene)));
+  return new SceneRoom(values, (name, captured, served) => enter(new CaptureRoom(name, captured, { served, at: values.at, view: values.view }, enterScene)));
 }
 function open(): void {
   const { path, values } = readPlace();

@@ -58,5 +58,9 @@ export interface Stage {
   onPoint: (key: string | null) => void;
   light(key: string | null): void;
   look(view: View): void;
+  /** How the drawing is looked at where somebody changed that, as numbers for the address; null as `look` has it. */
+  camera: Vec | null;
+  /** After somebody changed that. */
+  onCamera: () => void;
   dispose(): void;
 }

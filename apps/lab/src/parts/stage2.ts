@@ -18,10 +18,12 @@ export class Stage2 implements Stage, Drawing {
   readonly element = h("div", { class: "stage stage2" });
   onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
   onPoint: (key: string | null) => void = () => {};
+  onCamera: () => void = () => {};
   private readonly picture = svg("svg", { role: "img" });
   private readonly handles: Handles;
   private readonly observer: ResizeObserver;
   private view: View = { center: [0, 0], reach: 3 };
+  private moved = false;
   private size: [number, number] = [600, 480];
   private layers: SVGElement[] = [];
   private last: { paint: (d: Drawing) => void; handles: Handle[]; says: string } | null = null;
@@ -56,7 +58,23 @@ export class Stage2 implements Stage, Drawing {
 
   look(view: View): void {
     this.view = { ...view };
+    this.moved = false;
     this.redraw();
+  }
+  /** The middle of what is seen, and half of its height. */
+  get camera(): Vec | null {
+    return this.moved ? [...this.view.center, this.view.reach] : null;
+  }
+  set camera(of: Vec | null) {
+    if (!of || of.length !== 3 || of[2] <= 0) return;
+    this.view = { center: of.slice(0, 2), reach: of[2] };
+    this.moved = true;
+    this.redraw();
+  }
+  private cameraMoved(): void {
+    this.moved = true;
+    this.redraw();
+    this.onCamera();
   }
 
   light(key: string | null): void {
@@ -192,7 +210,7 @@ export class Stage2 implements Stage, Drawing {
           this.view.center[1] + (event.clientY - before[1]) / s,
         ];
       }
-      this.redraw();
+      this.cameraMoved();
     });
     const end = (event: PointerEvent): void => void pointers.delete(event.pointerId);
     for (const name of ["pointerup", "pointercancel", "pointerleave"])
@@ -201,7 +219,7 @@ export class Stage2 implements Stage, Drawing {
       if (!event.ctrlKey && !event.shiftKey) return; // the page scrolls
       event.preventDefault();
       this.view.reach *= Math.exp(event.deltaY / 500);
-      this.redraw();
+      this.cameraMoved();
     }, { passive: false });
   }
 }

@@ -20,16 +20,19 @@ export class Stage3 implements Stage, Drawing {
   readonly element = h("div", { class: "stage stage3" });
   onDrag: (id: string, to: Vec, done: boolean) => void = () => {};
   onPoint: (key: string | null) => void = () => {};
+  onCamera: () => void = () => {};
   /** A click: on which body, by its place in the order of `shape` calls, the ray through the pointer, and the key of the
    *  point that lies there. */
   onPick: (body: number | null, ray: { origin: Vec; direction: Vec }, key: string | null) => void = () => {};
+  /** Whether the ground's lines are drawn. */
+  hasGrid = true;
   /** Bodies beyond those that are drawn one by one. */
   readonly crowd = new Crowd();
   private readonly canvas = document.createElement("canvas");
   private readonly labels = h("div", { class: "labels", "aria-hidden": "true" });
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
-  private readonly camera = new THREE.PerspectiveCamera(40, 1, 0.01, 5000);
+  private readonly eye = new THREE.PerspectiveCamera(40, 1, 0.01, 5000);
   private readonly controls: OrbitControls;
   private readonly handles: Handles;
   private readonly observer: ResizeObserver;
@@ -46,6 +49,7 @@ export class Stage3 implements Stage, Drawing {
   private waiting = 0;
   private reach = 3;
   private flat = false;
+  private moved = false;
   private size: [number, number] = [600, 480];
   private readonly solids = new Map<string, Solid>();
 
@@ -63,9 +67,10 @@ export class Stage3 implements Stage, Drawing {
       (id, to, done) => this.onDrag(id, to, done),
     );
     this.element.append(this.canvas, this.labels, this.handles.element);
-    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls = new OrbitControls(this.eye, this.canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.request());
+    this.controls.addEventListener("end", () => this.cameraMoved());
     const sun = new THREE.DirectionalLight(0xffffff, 1.6);
     sun.position.set(3, 8, 5);
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667788, 1.7), sun, this.drawn, this.crowd.group);
@@ -74,8 +79,8 @@ export class Stage3 implements Stage, Drawing {
       if (frame.width === 0) return;
       this.size = [frame.width, frame.height];
       this.renderer.setSize(frame.width, frame.height, false);
-      this.camera.aspect = frame.width / frame.height;
-      this.camera.updateProjectionMatrix();
+      this.eye.aspect = frame.width / frame.height;
+      this.eye.updateProjectionMatrix();
       this.request();
     });
     this.observer.observe(this.element);
@@ -109,12 +114,29 @@ export class Stage3 implements Stage, Drawing {
     const from = v3(view.flat ? [0, 0, 1] : (view.from ?? [0.55, 0.5, 1])).normalize();
     this.lieFlat(view.flat ?? false);
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(from, (view.reach * 1.15) / Math.tan((20 * Math.PI) / 180));
-    this.camera.near = view.reach / 200;
-    this.camera.far = view.reach * 400;
-    this.camera.updateProjectionMatrix();
+    this.eye.position.copy(center).addScaledVector(from, (view.reach * 1.15) / Math.tan((20 * Math.PI) / 180));
+    this.eye.near = view.reach / 200;
+    this.eye.far = view.reach * 400;
+    this.eye.updateProjectionMatrix();
     this.controls.update();
+    this.moved = false;
     this.request();
+  }
+  /** Where the camera stands, and what it looks at. */
+  get camera(): Vec | null {
+    return this.moved ? [...this.eye.position.toArray(), ...this.controls.target.toArray()] : null;
+  }
+  set camera(of: Vec | null) {
+    if (!of || of.length !== 6) return;
+    this.eye.position.set(of[0], of[1], of[2]);
+    this.controls.target.set(of[3], of[4], of[5]);
+    this.controls.update();
+    this.moved = true;
+    this.request();
+  }
+  private cameraMoved(): void {
+    this.moved = true;
+    this.onCamera();
   }
   /** What lies in the plane is pushed about instead of turned. */
   private lieFlat(flat: boolean): void {
@@ -286,6 +308,7 @@ export class Stage3 implements Stage, Drawing {
     this.request();
   }
   private axes(): void {
+    if (!this.hasGrid) return;
     const grid = new THREE.GridHelper(this.reach * 8, 16, color("grid"), color("grid"));
     (grid.material as THREE.Material).transparent = true;
     (grid.material as THREE.Material).opacity = 0.5;
@@ -298,7 +321,7 @@ export class Stage3 implements Stage, Drawing {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame(() => {
       this.waiting = 0;
-      this.renderer.render(this.scene, this.camera);
+      this.renderer.render(this.scene, this.eye);
       this.discard();
       this.handles.place();
       this.texts.forEach(({ at }, i) => {
@@ -312,19 +335,19 @@ export class Stage3 implements Stage, Drawing {
   // --- Pointer and camera ---
 
   private pixel(p: Vec): [number, number] {
-    this.camera.updateMatrixWorld();
-    const q = v3(p).project(this.camera);
+    this.eye.updateMatrixWorld();
+    const q = v3(p).project(this.eye);
     if (q.z > 1) return [-1000, -1000];
     return [((q.x + 1) / 2) * this.size[0], ((1 - q.y) / 2) * this.size[1]];
   }
   private caster(x: number, y: number): THREE.Raycaster {
     const caster = new THREE.Raycaster();
-    this.camera.updateMatrixWorld();
-    caster.setFromCamera(new THREE.Vector2((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]), this.camera);
+    this.eye.updateMatrixWorld();
+    caster.setFromCamera(new THREE.Vector2((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]), this.eye);
     return caster;
   }
   private facing(x: number, y: number, near: Vec): Vec {
-    const normal = this.camera.getWorldDirection(new THREE.Vector3());
+    const normal = this.eye.getWorldDirection(new THREE.Vector3());
     const hit = this.caster(x, y).ray.intersectPlane(
       new THREE.Plane().setFromNormalAndCoplanarPoint(normal, v3(near)), new THREE.Vector3());
     return hit ? hit.toArray() : near;
@@ -352,7 +375,7 @@ export class Stage3 implements Stage, Drawing {
   private turnCamera(event: KeyboardEvent): void {
     const turns: Record<string, [number, number]> = {
       ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
-    const offset = this.camera.position.clone().sub(this.controls.target);
+    const offset = this.eye.position.clone().sub(this.controls.target);
     if (event.key === "+" || event.key === "-") offset.multiplyScalar(event.key === "+" ? 0.9 : 1.1);
     else if (turns[event.key] && this.flat) {
       const [x, y] = turns[event.key];
@@ -364,8 +387,9 @@ export class Stage3 implements Stage, Drawing {
       offset.setFromSpherical(ball);
     } else return;
     event.preventDefault();
-    this.camera.position.copy(this.controls.target).add(offset);
+    this.eye.position.copy(this.controls.target).add(offset);
     this.controls.update();
+    this.cameraMoved();
     this.request();
   }
 }

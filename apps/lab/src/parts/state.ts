@@ -26,6 +26,19 @@ export function parse<T>(text: string | undefined, otherwise: T, accepts: (value
   }
 }
 
+/** The numbers of a camera in an address: as many digits as anybody sees. */
+export const cameraText = (camera: readonly number[]): string => camera.map((x) => Number(x.toPrecision(6))).join(",");
+export function cameraOf(text: string | undefined): number[] | null {
+  const numbers = text?.split(",").map(Number) ?? [];
+  return numbers.length > 0 && numbers.every(Number.isFinite) ? numbers : null;
+}
+/** Calls `act` once things have been still for a while: a browser refuses hundreds of addresses a minute. */
+export function whenStill(act: () => void, milliseconds = 250): { call(): void; cancel(): void } {
+  let timer = 0;
+  const cancel = (): void => window.clearTimeout(timer);
+  return { cancel, call: () => (cancel(), (timer = window.setTimeout(act, milliseconds))) };
+}
+
 /** Past and future of one value. */
 export class History<T> {
   private past: string[] = [];

@@ -2,20 +2,30 @@
 
 import { h } from "./dom.ts";
 
+/** The speeds that there are, of which the first is usual. */
+export const speeds = [1, 0.125, 0.25, 0.5, 2, 4];
+const speedWords = new Map([[0.125, "⅛ ×"], [0.25, "¼ ×"], [0.5, "½ ×"], [1, "1 ×"], [2, "2 ×"], [4, "4 ×"]]);
+export const speedSelect = (): HTMLSelectElement =>
+  h("select", { class: "speed", "aria-label": "Speed of play", title: "Speed of play" },
+    ...[...speedWords].map(([value, text]) => h("option", { value, selected: value === 1 }, text))) as HTMLSelectElement;
+
 export class Timeline {
   readonly element: HTMLElement;
   private count = 1;
   private at = 0;
   private timer: number | undefined;
+  /** How many times as fast as usual it plays. */
+  private pace = 1;
   private readonly onStep: (step: number) => void;
   private readonly period: number;
   private readonly scrub: HTMLInputElement;
   private readonly next: HTMLButtonElement;
   private readonly play: HTMLButtonElement;
+  private readonly speeds = speedSelect();
   private readonly where = h("output", { class: "where" });
 
-  /** `period`: milliseconds from one to the next while it plays. */
-  constructor(onStep: (step: number) => void, word = "step", period = 900) {
+  /** `period`: milliseconds from one to the next while it plays. `onSpeed`: somebody chose another speed. */
+  constructor(onStep: (step: number) => void, word = "step", period = 900, onSpeed: () => void = () => {}) {
     this.onStep = onStep;
     this.period = period;
     const button = (label: string, sign: string, act: () => void): HTMLButtonElement =>
@@ -32,7 +42,19 @@ export class Timeline {
       button(`Previous ${word}`, "◀", () => this.go(this.at - 1)),
       this.play,
       button(`Last ${word}`, "▶|", () => this.go(this.count - 1)),
-      this.scrub, this.where, this.next);
+      this.scrub, this.where, this.speeds, this.next);
+    this.speeds.addEventListener("change", () => {
+      this.speed = Number(this.speeds.value);
+      onSpeed();
+    });
+  }
+  get speed(): number {
+    return this.pace;
+  }
+  set speed(pace: number) {
+    this.pace = pace;
+    this.speeds.value = String(pace);
+    if (this.timer !== undefined) this.start();
   }
 
   show(at: number, count: number): void {
@@ -59,6 +81,12 @@ export class Timeline {
     if (this.at >= this.count - 1) this.onStep(0);
     this.play.textContent = "❚❚";
     this.play.setAttribute("aria-label", "Pause");
-    this.timer = window.setInterval(() => this.go(this.at + 1), this.period);
+    this.start();
+  }
+  /** Faster than pictures are drawn, it leaves some out. */
+  private start(): void {
+    window.clearInterval(this.timer);
+    const period = Math.max(this.period / this.pace, 1000 / 60), stride = Math.max(1, Math.round(period / (this.period / this.pace)));
+    this.timer = window.setInterval(() => this.go(this.at + stride), period);
   }
 }

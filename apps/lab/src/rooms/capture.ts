@@ -5,28 +5,34 @@ import { button, digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { featureWords } from "../parts/features.ts";
 import { drawGraph } from "../parts/graph.ts";
+import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
-import { address, parse } from "../parts/state.ts";
+import { address, cameraOf, cameraText, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
-import { Timeline } from "../parts/timeline.ts";
+import { speeds, Timeline } from "../parts/timeline.ts";
 import { add, scale } from "../parts/vec.ts";
 import { bodiesAt, moves, type Captured, type CapturedFrame } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { Inquiry } from "../scene/inquiry.ts";
+import { captureLayers } from "../scene/layers.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
 import { drawPair } from "../scene/pair.ts";
 import { bodiesOf, counted, keyOf, pairRows } from "../scene/pairs.ts";
 import { Run } from "../scene/run.ts";
 import type { Room } from "./room.ts";
 
-/** Which frame is shown, and which bodies are selected. */
+/** Which frame is shown, which bodies are selected, and how it is played and drawn. */
 interface Moment {
   frame: number;
   selected: number[];
+  speed: number;
+  layers: string[];
 }
+const start: Moment = { frame: 0, selected: [], speed: 1, layers: [] };
 const isMoment = (value: unknown): boolean => {
-  const { frame, selected } = (value ?? {}) as Partial<Moment>;
-  return Number.isInteger(frame) && Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger);
+  const { frame, selected, speed, layers } = { ...start, ...(value as Partial<Moment> | null) };
+  return Number.isInteger(frame) && Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) &&
+    speeds.includes(speed) && Array.isArray(layers) && layers.every((layer) => typeof layer === "string");
 };
 /** The selected bodies of a frame in a world of their own. */
 interface Asked {
@@ -38,12 +44,16 @@ interface Asked {
 export interface Origin {
   served: string | null;
   at?: string;
+  /** The camera that the address holds. */
+  view?: string;
 }
 
 export class CaptureRoom implements Room {
   readonly element: HTMLElement;
   private readonly stage = new Stage3();
-  private readonly timeline = new Timeline((frame) => this.go(frame), "frame", 1000 / 60);
+  private readonly timeline = new Timeline((frame) => this.go(frame), "frame", 1000 / 60, () => this.write());
+  private readonly layers = new Layers(captureLayers, () => this.show());
+  private readonly still = whenStill(() => this.write());
   private readonly pairs = new Table();
   private readonly found = new Table();
   private readonly plot = h("div", { class: "plot" });
@@ -78,15 +88,20 @@ export class CaptureRoom implements Room {
     this.element = h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, name), h("p", { class: "intro" }, `A ${kind}: ${frames.length} frames, played again. ${end}`)),
       h("div", { class: "board" },
-        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble,
+        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble, this.layers.element,
           h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
         h("div", { class: "side" }, this.chooser.element, this.inquiry.info, this.found.element, this.inquiry.table.element, this.plot, this.pairs.element,
           this.chooser.tree, this.inquiry.element)));
-    const moment = parse<Moment>(origin.at, { frame: 0, selected: [] }, isMoment);
+    const moment = { ...start, ...parse<Partial<Moment>>(origin.at, {}, isMoment) };
+    this.layers.switched = moment.layers;
+    this.timeline.speed = moment.speed;
+    this.stage.camera = cameraOf(origin.view);
+    this.stage.onCamera = () => this.still.call();
     this.selected = moment.selected.filter((i) => i >= 0 && i < bodies.length);
     this.go(Math.max(0, Math.min(moment.frame, frames.length - 1)));
   }
   dispose(): void {
+    this.still.cancel();
     this.timeline.stop();
     this.asked?.run.dispose();
     this.stage.dispose();
@@ -114,8 +129,10 @@ export class CaptureRoom implements Room {
   }
   /** What the address of a served capture holds; another is nowhere to be found again. */
   private write(): void {
-    const { served } = this.origin, { frame, selected } = this;
-    if (served) history.replaceState(null, "", address("/scene", { file: served, at: JSON.stringify({ frame, selected }) }));
+    const { served } = this.origin, { frame, selected } = this, { camera } = this.stage;
+    if (!served) return;
+    const at = JSON.stringify({ frame, selected, speed: this.timeline.speed, layers: this.layers.switched });
+    history.replaceState(null, "", address("/scene", { file: served, at, ...(camera ? { view: cameraText(camera) } : {}) }));
   }
   private open(onScene: (scene: Scene) => void): void {
     try {
@@ -145,6 +162,8 @@ export class CaptureRoom implements Room {
     this.ask();
     this.timeline.show(this.frame, frames.length);
     this.chooser.show(this.selected);
+    this.stage.hasGrid = this.layers.has("grid");
+    this.stage.crowd.group.visible = this.layers.has("bodies");
     this.stage.crowd.move(poses, there);
     this.stage.crowd.paint(new Map(this.selected.map((i, k) => [i, k ? "b" : "made"])));
     this.stage.draw((d) => this.draw(d), [], `Frame ${this.frame + 1} of ${frames.length}: ${there.size} bodies, ${pairs.length} pairs.`);
@@ -153,18 +172,18 @@ export class CaptureRoom implements Room {
     this.plot.replaceChildren(drawGraph({ caption: "deepest penetration", at: this.frame,
       series: [{ name: digits(frames[this.frame].deepest, 3), meaning: "touch", values: frames.map((x) => x.deepest) }] }));
     this.tell();
-    this.write();
+    this.still.call();
   }
   private draw(d: Drawing): void {
     for (const pair of this.now.pairs)
       for (const { normal, points } of pair.manifolds)
         for (const { a, distance } of points) {
-          d.point(a, distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
-          d.arrow(a, add(a, scale(normal, this.captured.size / 25)), "axis", { key: keyOf(pair) });
+          if (this.layers.has("contacts")) d.point(a, distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
+          if (this.layers.has("normals")) d.arrow(a, add(a, scale(normal, this.captured.size / 25)), "axis", { key: keyOf(pair) });
         }
     if (!this.asked) return;
     const { run, numbers } = this.asked;
-    if (numbers.length === 2) drawPair(d, run, 0, 1);
+    if (numbers.length === 2 && this.layers.has("pair")) drawPair(d, run, 0, 1);
     numbers.forEach((_, k) => d.text(run.place(k).translation, k ? "B" : "A", k ? "b" : "made"));
   }
   /** What is asked about the selected bodies where they are, and what the run itself found. */

@@ -10,9 +10,9 @@ import { drawGraph } from "../parts/graph.ts";
 import { fit, formula } from "../parts/math.ts";
 import { Stage2 } from "../parts/stage2.ts";
 import { Stage3 } from "../parts/stage3.ts";
-import { address, History, parse } from "../parts/state.ts";
+import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
-import { Timeline } from "../parts/timeline.ts";
+import { speeds, Timeline } from "../parts/timeline.ts";
 import { copy, type Question, type State } from "../question.ts";
 import type { Room } from "./room.ts";
 
@@ -28,7 +28,8 @@ export class LessonRoom implements Room {
   private readonly history: History<State>;
   private readonly stage: Stage;
   private readonly table = new Table();
-  private readonly timeline = new Timeline((step) => this.go(step));
+  private readonly timeline = new Timeline((step) => this.go(step), "step", 900, () => this.remember());
+  private readonly still = whenStill(() => this.remember());
   private readonly words = h("div", { class: "words", "aria-live": "polite" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly plot = h("div", { class: "plot" });
@@ -48,12 +49,16 @@ export class LessonRoom implements Room {
     this.stage.onDrag = (id, to, done) => this.change(lesson.drag(this.state, id, to), done);
     this.stage.onPoint = (key) => this.light(key);
     this.table.onPoint = (key) => this.light(key);
+    this.stage.onCamera = () => this.still.call();
+    this.timeline.speed = speeds.includes(Number(values.speed)) ? Number(values.speed) : 1;
     this.element = this.page();
     this.show();
+    this.stage.camera = cameraOf(values.view);
   }
 
   dispose(): void {
     cancelAnimationFrame(this.waiting);
+    this.still.cancel();
     this.timeline.stop();
     this.stage.dispose();
   }
@@ -104,6 +109,9 @@ export class LessonRoom implements Room {
     const values: Record<string, string> = {};
     if (this.step) values.step = String(this.step);
     if (JSON.stringify(this.state) !== JSON.stringify(this.lesson.start)) values.s = JSON.stringify(this.state);
+    if (this.timeline.speed !== 1) values.speed = String(this.timeline.speed);
+    const { camera } = this.stage;
+    if (camera) values.view = cameraText(camera);
     history.replaceState(null, "", address(`/lesson/${this.lesson.id}`, values));
   }
 

@@ -1,14 +1,16 @@
 // The viewer and the playground: a scene whose contacts are live while a body is dragged, and which can be played.
 
 import { button, digits, h } from "../parts/dom.ts";
+import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
-import { address, History, parse } from "../parts/state.ts";
+import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import { quatBetween, quatMultiply, rotate, sub, unit } from "../parts/vec.ts";
 import type { Question, Vec } from "../question.ts";
 import type { Captured } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { Inquiry } from "../scene/inquiry.ts";
+import { sceneLayers } from "../scene/layers.ts";
 import { materialFields } from "../scene/materials.ts";
 import type { Scene } from "../scene/model.ts";
 import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
@@ -18,6 +20,7 @@ import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, viewOf } from "../sc
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { scenes } from "../scene/scenes.ts";
+import { Settings } from "../scene/settings.ts";
 import { Shooting, type Sight } from "../scene/shooting.ts";
 import { Source } from "../scene/source.ts";
 import type { Room } from "./room.ts";
@@ -35,7 +38,6 @@ export class SceneRoom implements Room {
   private readonly shooting: Shooting;
   private readonly chooser: Chooser;
   private selected: number[] = [];
-  private broadPhase = false;
   /** The key of a scene of the list. */
   private key: string | null = null;
   /** Where the bodies stood when the scene was opened, and what was done since. */
@@ -52,15 +54,17 @@ export class SceneRoom implements Room {
   private readonly counter = h("p", { class: "counter" });
   private readonly note = h("p", { class: "intro" });
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
+  private readonly layers = new Layers(sceneLayers, () => this.changed());
+  private readonly still = whenStill(() => this.write());
   private readonly list: HTMLSelectElement;
   private readonly toggle = button("Play", () => this.play.toggle(), { class: "accent", "data-play": true });
-  private readonly steps = h("select", { onchange: () => this.begin({ subSteps: Number(this.steps.value) }) },
-    ...[8, 1, 2, 4, 16].map((n) => h("option", { value: n }, String(n)))) as HTMLSelectElement;
-  private readonly falls = h("input", { type: "checkbox", checked: true, onchange: () => this.setGravity(this.falls.checked) }) as HTMLInputElement;
+  private readonly settings = new Settings((changed) => this.set(changed));
+  /** What the address holds of a served file that has not come yet. */
+  private expected: { moment: Moment; camera: Vec | null } | null = null;
 
   constructor(values: Record<string, string>, onCapture: OnCapture) {
     this.source = new Source({
-      onScene: (scene) => (this.open(scene), this.remember()), onTrouble: (text) => this.say(text),
+      onScene: (scene) => this.opened(scene), onTrouble: (text) => this.say(text),
       onCapture: (name, captured) => onCapture(name, captured, this.source.served) });
     this.play = new Play({
       onStep: () => this.show(), onTrouble: (text) => this.say(text),
@@ -73,14 +77,29 @@ export class SceneRoom implements Room {
     this.pairs.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
     this.list = h("select", { "aria-label": "Scene", onchange: () => this.choose(this.list.value) },
       ...Object.entries(scenes).map(([key, make]) => h("option", { value: key }, make().name))) as HTMLSelectElement;
+    this.stage.onCamera = () => this.still.call();
     this.element = this.page();
     this.source.takeDrops(this.element);
-    const moment = parse<Moment>(values.at, beginning, isMoment), refused = this.openAsked(values, moment);
-    if (refused !== null) {
-      this.openListed(values.scene && scenes[values.scene] ? values.scene : "shapes", moment);
-      if (refused) this.say(refused);
+    this.begun(values);
+  }
+  private begun(values: Record<string, string>): void {
+    const moment = { ...beginning, ...parse<Partial<Moment>>(values.at, {}, isMoment) }, camera = cameraOf(values.view);
+    if (values.file) {
+      this.openListed("shapes");
+      this.expected = { moment, camera };
+      return this.source.watch(values.file);
     }
-    if (values.file) this.source.watch(values.file);
+    const refused = this.openAsked(values, moment);
+    if (refused !== null) this.openListed(values.scene && scenes[values.scene] ? values.scene : "shapes", moment);
+    if (refused) this.say(refused);
+    this.stage.camera = camera;
+  }
+  /** A file has come; of a served one the address may say more. */
+  private opened(scene: Scene): void {
+    this.open(scene, null, this.expected?.moment);
+    if (this.expected) this.stage.camera = this.expected.camera;
+    this.expected = null;
+    this.remember();
   }
   /** Opens the question, or the scene of its own, that the address holds; else what is wrong with it, empty where there is
    *  none. */
@@ -98,6 +117,7 @@ export class SceneRoom implements Room {
     this.open(scenes[key](), key, moment);
   }
   dispose(): void {
+    this.still.cancel();
     this.source.unwatch();
     this.play.dispose();
     this.stage.dispose();
@@ -117,7 +137,8 @@ export class SceneRoom implements Room {
   // --- What the address and undo hold ---
 
   private get moment(): Moment {
-    return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy };
+    return { places: movedBodies(this.play.scene, this.before), selected: this.selected, subSteps: this.play.subSteps, gravity: this.play.heavy,
+      speed: this.play.speed, layers: this.layers.switched };
   }
   /** After everything that somebody did, but for playing. */
   private remember(): void {
@@ -134,6 +155,8 @@ export class SceneRoom implements Room {
       values.s = text;
     }
     if (JSON.stringify(moment) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
+    const { camera } = this.stage;
+    if (camera) values.view = cameraText(camera);
     history.replaceState(null, "", address("/scene", values));
   }
   /** Takes what a moment says over, but for its drawing. */
@@ -141,8 +164,9 @@ export class SceneRoom implements Room {
     const { scene } = this.play;
     this.play.subSteps = moment.subSteps;
     this.play.heavy = moment.gravity;
-    this.steps.value = String(moment.subSteps);
-    this.falls.checked = moment.gravity;
+    this.play.speed = moment.speed;
+    this.layers.switched = moment.layers;
+    this.settings.show(moment);
     for (const [i, body] of scene.bodies.entries()) Object.assign(body, moment.places[i] ?? this.before[i]);
     this.selected = moment.selected.filter((i) => i >= 0 && i < scene.bodies.length);
   }
@@ -164,8 +188,16 @@ export class SceneRoom implements Room {
     this.restore({ ...this.moment, ...settings });
     this.history.push(this.moment);
   }
-  private setGravity(on: boolean): void {
-    this.play.heavy = on;
+  /** Other layers than before. */
+  private changed(): void {
+    this.show();
+    this.remember();
+  }
+  /** Sub-steps are what a simulation begins with, the rest counts from the next step on. */
+  private set({ subSteps, gravity = this.play.heavy, speed = this.play.speed }: Partial<Moment>): void {
+    if (subSteps !== undefined) return this.begin({ subSteps });
+    this.play.heavy = gravity;
+    this.play.speed = speed;
     this.play.run.setGravity(this.play.gravity);
     this.remember();
   }
@@ -178,7 +210,7 @@ export class SceneRoom implements Room {
     this.openListed(key);
     this.remember();
   }
-  private open(scene: Scene, key: string | null = null, moment: Moment = { ...beginning, subSteps: this.play.subSteps, gravity: this.play.heavy }): void {
+  private open(scene: Scene, key: string | null = null, moment: Moment = { ...this.moment, places: {}, selected: [] }): void {
     this.key = key;
     this.trouble.hidden = true;
     this.shooting.forget();
@@ -268,8 +300,10 @@ export class SceneRoom implements Room {
   }
   private paint(): void {
     const { play, found, selected, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
-    const overlay = { found, selected, shot: this.shooting.shot, broadPhase: this.broadPhase && few, seen };
+    const overlay = { found, selected, shot: this.shooting.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
+    this.stage.hasGrid = this.layers.has("grid");
+    this.stage.crowd.group.visible = this.layers.has("bodies");
     this.stage.draw((d) => drawOverlay(d, play, overlay), handlesOf(play, selected[0], seen),
       `${name}: ${bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
@@ -292,14 +326,13 @@ export class SceneRoom implements Room {
       h("div", { class: "choices" },
         this.list, ...this.source.elements,
         button("Shoot a ray", () => takeAim("ray")), button("Cast the body", () => takeAim("cast")),
-        h("label", {}, "Sub-steps ", this.steps), h("label", {}, this.falls, " Gravity"),
-        h("label", {}, h("input", { type: "checkbox", "data-broad-phase": true, onchange: (e: Event) => { this.broadPhase = (e.target as HTMLInputElement).checked; this.paint(); } }), " Broad phase")),
+        ...this.settings.elements),
       h("div", { class: "board" },
         h("div", { class: "picture" }, this.stage.element,
           h("div", { class: "timeline", role: "group", "aria-label": "Time" },
             button("Step back", () => this.play.back(), { "data-back": true }), this.toggle,
-            button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin())),
-          this.counter, this.trouble),
+            button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed),
+          this.counter, this.trouble, this.layers.element),
         h("div", { class: "side" }, this.chooser.element, this.inquiry.info, this.materials, this.inquiry.table.element, this.plot, this.pairs.element,
           this.chooser.tree, this.inquiry.element)));
   }

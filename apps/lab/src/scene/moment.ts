@@ -1,6 +1,7 @@
 // What the address and undo hold of the viewer: where bodies were put, which are selected, and how time runs.
 
 import type { Vec } from "../question.ts";
+import { speeds } from "../parts/timeline.ts";
 import type { Scene } from "./model.ts";
 import type { Place } from "./run.ts";
 
@@ -10,9 +11,13 @@ export interface Moment {
   selected: number[];
   subSteps: number;
   gravity: boolean;
+  /** How many times as fast as usual it plays. */
+  speed: number;
+  /** The layers that are not drawn as they are at first. */
+  layers: string[];
 }
 
-export const beginning: Moment = { places: {}, selected: [], subSteps: 8, gravity: true };
+export const beginning: Moment = { places: {}, selected: [], subSteps: 8, gravity: true, speed: 1, layers: [] };
 
 const isNumbers = (value: unknown, count: number): value is Vec =>
   Array.isArray(value) && value.length === count && value.every((x) => typeof x === "number" && Number.isFinite(x));
@@ -21,10 +26,11 @@ const isPlace = (value: unknown): value is Place =>
 
 /** Whether what an address holds is a moment. */
 export function isMoment(value: unknown): boolean {
-  const { places, selected, subSteps, gravity } = (value ?? {}) as Partial<Moment>;
+  const { places, selected, subSteps, gravity, speed, layers } = { ...beginning, ...(value as Partial<Moment> | null) };
   return typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
     Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) &&
-    [1, 2, 4, 8, 16].includes(subSteps as number) && typeof gravity === "boolean";
+    [1, 2, 4, 8, 16].includes(subSteps) && typeof gravity === "boolean" && speeds.includes(speed) &&
+    Array.isArray(layers) && layers.every((layer) => typeof layer === "string");
 }
 
 /** The moved bodies of a scene that began as `before`. */

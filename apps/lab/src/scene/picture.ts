@@ -53,24 +53,25 @@ export interface Overlay {
   found: Pair[];
   selected: number[];
   shot: Shot | null;
-  broadPhase: boolean;
+  /** Whether a layer is drawn, by its id in `sceneLayers`. */
+  draws: (layer: string) => boolean;
   /** Half of the height that is seen. */
   seen: number;
 }
-export function drawOverlay(d: Drawing, { scene, run, pull }: Play, { found, selected, shot, broadPhase, seen }: Overlay): void {
+export function drawOverlay(d: Drawing, { scene, run, pull }: Play, { found, selected, shot, draws, seen }: Overlay): void {
   for (const pair of found)
     for (const manifold of pair.manifolds)
       for (const p of manifold.points) {
-        d.point(p.a, p.distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
-        if (selected.includes(pair.a) || selected.includes(pair.b)) d.arrow(p.a, add(p.a, scale(manifold.normal, seen / 10)), "axis", { key: keyOf(pair) });
+        if (draws("contacts")) d.point(p.a, p.distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
+        if (draws("normals") && (selected.includes(pair.a) || selected.includes(pair.b))) d.arrow(p.a, add(p.a, scale(manifold.normal, seen / 10)), "axis", { key: keyOf(pair) });
       }
-  if (broadPhase) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
-  run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
+  if (draws("broad")) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
+  if (draws("joints")) run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
   const [first, other] = selected;
-  if (other !== undefined) drawPair(d, run, first, other);
+  if (other !== undefined && draws("pair")) drawPair(d, run, first, other);
   if (other !== undefined) d.text(run.place(other).translation, "B", "b");
   if (pull) d.line(run.place(pull.body).translation, pull.to, "made", { wide: true });
-  if (shot) drawShot(d, shot, scene, seen);
+  if (shot && draws("shots")) drawShot(d, shot, scene, seen);
 }
 /** By what the first selected body is moved and, while it stands still, turned. */
 export function handlesOf({ run, scene, pull, running }: Play, body: number | undefined, seen: number): Handle[] {

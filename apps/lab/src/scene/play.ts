@@ -23,6 +23,8 @@ export class Play {
   subSteps = 8;
   /** Whether the scene's gravity acts. */
   heavy = true;
+  /** Steps a picture. */
+  speed = 1;
   /** Of every step that can be gone back. */
   energy: number[] = [];
   depth: number[] = [];
@@ -66,9 +68,10 @@ export class Play {
   }
   toggle(): void {
     if (this.running) return this.stop();
+    let due = 0;
     const tick = (): void => {
       this.ticking = requestAnimationFrame(tick);
-      this.advance();
+      for (due += this.speed; due >= 1 && this.running; due--) this.advance(due >= 2);
     };
     this.ticking = requestAnimationFrame(tick);
     this.listener.onRunning(true);
@@ -93,7 +96,8 @@ export class Play {
     this.listener.onStep();
   }
 
-  private advance(): void {
+  /** `hidden`: another step follows before anything is drawn. */
+  private advance(hidden = false): void {
     try {
       this.run.play(this.subSteps, this.gravity);
       this.states.push(this.run.save());
@@ -104,7 +108,7 @@ export class Play {
       this.stepTime = performance.now() - start;
       this.energy.push(energy);
       this.depth.push(deepest);
-      this.listener.onStep();
+      if (!hidden) this.listener.onStep();
     } catch (error) {
       this.stop();
       this.listener.onTrouble((error as Error).message);

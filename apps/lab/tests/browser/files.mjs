@@ -61,7 +61,8 @@ test("viewer: a drawing of the plane is opened, dragged, shot at, and played", a
   const after = await shown(page), moved = after.poses.findIndex((x, i) => x !== before.poses[i]);
   assert.ok(after.poses[moved] > before.poses[moved] && after.poses[moved + 1] > before.poses[moved + 1], "right and up");
   assert.ok(after.poses.every((x, i) => ![2, 3, 4].includes(i % 7) || x === 0), "a body left the plane");
-  await page.check("[data-broad-phase]");
+  await page.click(".legend > summary");
+  await page.check("[data-layer=broad]");
   await page.click('button:text-is("Shoot a ray")');
   const picture = await (await page.$(".stage3 canvas")).boundingBox();
   await page.mouse.click(picture.x + picture.width * 0.3, picture.y + 20);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { lightsUp, scene } from "./scene-page.mjs";
-import { axe, drag, query, shown, test, visit } from "./harness.mjs";
+import { axe, drag, frame, query, shown, test, visit } from "./harness.mjs";
 
 test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
@@ -110,5 +110,63 @@ test("viewer has no finding of axe, and fits a phone", async () => {
     assert.deepEqual(found.violations.map((v) => `${colorScheme} ${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3)}`), []);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
     await page.context().close();
+  }
+});
+
+test("viewer: layers are switched off and on, the address holds them, the speed and the camera", async () => {
+  const page = await scene("heavy");
+  await page.click('.numbers button.choose:text-is("light × heavy")');
+  const points = () => page.evaluate(() => window.lab.pointsSeen.length);
+  const picture = () => page.$(".stage3 canvas").then((canvas) => canvas.screenshot());
+  const some = await points(), plain = await picture();
+  assert.ok(some > 0);
+  await page.click(".legend > summary");
+  for (const layer of ["contacts", "normals", "pair", "grid", "bodies"]) {
+    const before = await picture();
+    await page.uncheck(`[data-layer=${layer}]`);
+    await frame(page);
+    assert.notDeepEqual(await picture(), before, layer);
+  }
+  assert.equal(await points(), 0);
+  for (const layer of ["contacts", "normals", "pair", "grid"]) await page.check(`[data-layer=${layer}]`);
+  assert.equal(await points(), some);
+  await page.selectOption(".speed", "0.25");
+  await page.focus(".stage3 canvas");
+  for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => location.hash.includes("view="));
+  assert.notDeepEqual(await picture(), plain);
+  const other = await visit(await page.evaluate(() => location.hash));
+  assert.equal(await other.isChecked("[data-layer=bodies]"), false);
+  assert.equal(await other.isChecked("[data-layer=contacts]"), true);
+  assert.equal(await other.inputValue(".speed"), "0.25");
+  const seen = (p) => p.evaluate(() => window.lab.pointsSeen);
+  for (const [i, [x, y]] of (await seen(other)).entries()) {
+    const [px, py] = (await seen(page))[i];
+    assert.ok(Math.hypot(px - x, py - y) < 1, `${[x, y]}, not ${[px, py]}: another camera`);
+  }
+  // A quarter as fast: at most one step for four pictures.
+  const steps = await other.evaluate(() => new Promise((done) => {
+    document.querySelector("[data-play]").click();
+    let pictures = 0;
+    const tick = () => (++pictures < 24 ? requestAnimationFrame(tick) : done([window.lab.shown.frames, pictures]));
+    requestAnimationFrame(tick);
+  }));
+  assert.ok(steps[0] >= 4 && steps[0] <= 7, `${steps[0]} steps in ${steps[1]} pictures`);
+  const lesson = await visit("#/lesson/gjk");
+  await lesson.mouse.move(300, 500);
+  const box = await (await lesson.$(".stage2 > svg")).boundingBox();
+  await lesson.mouse.move(box.x + 20, box.y + 20);
+  await lesson.mouse.down();
+  await lesson.mouse.move(box.x + 90, box.y + 60, { steps: 4 });
+  await lesson.mouse.up();
+  await lesson.selectOption(".speed", "2");
+  await lesson.waitForFunction(() => location.hash.includes("view="));
+  const again = await visit(await lesson.evaluate(() => location.hash));
+  const where = (p) => p.$eval(".stage2 .shape", (x) => [x.getBoundingClientRect().x, x.getBoundingClientRect().y].map(Math.round));
+  assert.deepEqual(await where(again), await where(lesson));
+  assert.equal(await again.inputValue(".speed"), "2");
+  for (const one of [page, other, lesson, again]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
   }
 });

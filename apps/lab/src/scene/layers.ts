@@ -1,0 +1,22 @@
+// The layers of scenes and captures.
+
+import type { Layer } from "../parts/layers.ts";
+
+const bodies: Layer = { id: "bodies", label: "Bodies", entries: [
+  { meaning: "a", sign: "■", says: "moves" }, { meaning: "out", sign: "■", says: "stands" }, { meaning: "made", sign: "■", says: "selected, A" },
+  { meaning: "b", sign: "■", says: "selected, B" }] };
+const contacts: Layer = { id: "contacts", label: "Contacts", entries: [
+  { meaning: "touch", sign: "●", says: "touches" }, { meaning: "axis", sign: "●", says: "nearly touches" }] };
+const normals: Layer = { id: "normals", label: "Normals", entries: [{ meaning: "axis", sign: "→", says: "from A to B" }] };
+const pair: Layer = { id: "pair", label: "Selected pair", entries: [
+  { meaning: "made", sign: "—", says: "feature of A" }, { meaning: "b", sign: "—", says: "feature of B" }, { meaning: "axis", sign: "┄", says: "distance" }] };
+
+export const sceneLayers: Layer[] = [
+  { ...bodies, entries: [...bodies.entries, { meaning: "trigger", sign: "■", says: "trigger" }, { meaning: "touch", sign: "■", says: "deep in another" }] },
+  contacts, normals, pair,
+  { id: "joints", label: "Joints", entries: [{ meaning: "ink", sign: "—", says: "to the anchors" }, { meaning: "touch", sign: "—", says: "gap" }] },
+  { id: "shots", label: "Rays and casts", entries: [{ meaning: "made", sign: "→", says: "way" }, { meaning: "touch", sign: "●", says: "hit" }] },
+  { id: "broad", label: "Broad phase", off: true, entries: [{ meaning: "ink", sign: "□", says: "box of a body" }, { meaning: "out", sign: "□", says: "box of the tree" }] },
+  { id: "grid", label: "Grid", entries: [] },
+];
+export const captureLayers: Layer[] = [bodies, contacts, normals, pair, { id: "grid", label: "Grid", entries: [] }];
