@@ -1,8 +1,8 @@
-import { ask, fewest, type ContactPoint } from "../graze.ts";
+import { ask, fewest, type Answer, type Axis, type ContactPoint } from "../graze.ts";
 import { digits } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
-import { add, length, quatAbout, scale, sub, toWorld } from "../parts/vec.ts";
-import { box, sizeOf, type Body, type State, type Vec } from "../question.ts";
+import { add, inverse, length, quatAbout, rotate, scale, sub, toWorld } from "../parts/vec.ts";
+import { box, convex, sizeOf, type Body, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [2.1, 0, 0], b: [1.5, 0, 0] };
@@ -24,15 +24,61 @@ function crossing(q: State["q"], feature: string): { a: [Vec, Vec]; b: [Vec, Vec
   const id = Number.parseInt(feature, 16), [a, b] = [Math.floor(id / 65536), id & 0xffff];
   return a >> 14 === 2 && b >> 14 === 2 ? { a: edgeOf(q.a, a), b: edgeOf(q.b!, b) } : null;
 }
+/** The product of edges that overlaps least of all axes, and where these edges come nearest to each other; none where a face's
+ *  axis has the least, or the trace has no axes. */
+function leastByEdges({ a, b }: State["q"], axes: Axis[]): { name: string; overlap: number; edges: Record<"a" | "b", [Vec, Vec]>; at: Record<"a" | "b", Vec> } | null {
+  const tried = axes.filter((x) => x.name !== "normal"), least = tried.reduce((best, x) => (x.overlap < best.overlap ? x : best), tried[0]);
+  const named = least && /^A(\d)×B(\d)$/.exec(least.name);
+  if (!named) return null;
+  const toB = sub(b!.translation!, a.translation!), outward = least.direction.reduce((sum, x, k) => sum + x * toB[k], 0) < 0 ? -1 : 1;
+  /** The edge along an axis of the box that lies furthest along a direction. */
+  const edge = (body: Body, along: number, sign: number): [Vec, Vec] => {
+    const half = scale(sizeOf(body.shape), 0.5), u = rotate(inverse(body.rotation), scale(least.direction, sign));
+    const end = (x: number): Vec => toWorld(body, half.map((h, k) => (k === along ? x * h : u[k] < 0 ? -h : h)));
+    return [end(-1), end(1)];
+  };
+  const edges = { a: edge(a, Number(named[1]), outward), b: edge(b!, Number(named[2]), -outward) };
+  const nearest = ask({ query: "distance", a: { shape: convex(edges.a) }, b: { shape: convex(edges.b) } });
+  return { name: least.name, overlap: least.overlap, edges, at: { a: nearest.a as unknown as Vec, b: nearest.b as unknown as Vec } };
+}
+/** What would be left of the points if the least overlap alone decided. */
+function withoutPreference(q: State["q"], { trace, manifolds }: Answer): Step {
+  const least = leastByEdges(q, trace.axes), points = manifolds?.[0]?.points ?? [];
+  const goes = least !== null && points.length > 1;
+  return {
+    title: goes ? `${points.length} points go, one is left` : "The points stay",
+    text: (least ? `The least overlap is that of ${least.name}, a product of two edges: without the preference for faces the contact would be where these edges come nearest to each other, a single point. ` +
+      (goes ? "On it no box stands: it tips, a face has the least overlap in the next frame, and so on. The library therefore takes an edge only where its overlap is less than that of the best face by more than 1/200 of the smaller box." : "The library takes the edges here, too: no face is nearly as good.")
+      : "The least overlap is that of a face, which is taken with the preference and without it. Try \"An edge wins by a hair\".") +
+      " The preference is a constant of the library's routines, none of its settings: this is worked out from the trace.",
+    numbers: { caption: "Points of contact", columns: ["by", "points", "least overlap"], rows: [
+      { cells: [`the library: ${trace.winner ?? ""}`, points.length, trace.axes.find((x) => x.name === trace.winner)?.overlap ?? ""], mark: "winner" },
+      ...(least ? [{ cells: [`least overlap alone: ${least.name}`, 1, least.overlap], mark: "out" as const }] : [])] },
+    says: least ? `By the least overlap alone one point is left of ${points.length}.` : "A face has the least overlap.",
+    draw(d) {
+      drawBodies(d, q, true);
+      points.forEach((p) => d.point(p.a, goes ? "out" : "touch", { wide: true }));
+      if (!least) return;
+      d.line(...least.edges.a, "a", { wide: true });
+      d.line(...least.edges.b, "b", { wide: true });
+      d.point(least.at.a, "a", { wide: true, label: "a" });
+      d.point(least.at.b, "b", { wide: true, label: "b" });
+    },
+  };
+}
 const table = (points: ContactPoint[], now: number): Step["numbers"] => ({
   caption: "Points of contact", columns: ["point", "distance", "features"],
   rows: points.map((p, i) => ({ cells: [`${i + 1}`, p.distance, featureWords(p.feature)], key: `point-${i}`, mark: i === now ? "now" as const : undefined })),
 });
 
+/** The least overlap is that of two edges, and a face is nearly as good. */
+const hair = situation([0.2, 0.58, 0.1], quatAbout([0.2, 1, 0.1], 0.5).map((x, i) => (i === 0 ? 0.002 : i === 2 ? 0.003 : x)));
+
 export const contactSet: Lesson = {
   id: "contact-set", number: 5, title: "The contact set", question: "Where do two boxes touch?",
   intro: "A normal and a depth are not enough to stand on. A solver wants the whole area of contact, as points whose names stay the same from frame to frame.",
   dimension: 3, view: { center: [0.1, 0.2, 0], reach: 2.4, from: [0.5, 0.45, 1] }, start: situation([0.7, 0.585, 0.5], quatAbout([0, 1, 0], 0.45)),
+  choices: [{ key: "faces", label: "Faces", options: [{ value: "preferred", label: "preferred" }, { value: "least", label: "least overlap alone" }] }],
   handles: (s) => [moveHandle(s, "a"), moveHandle(s, "b"), turnHandle(s, "b", arms.b), sizeHandle(s, "b")],
   drag: (s, id, to) => dragBody(s, id, to, arms),
   steps(state) {
@@ -49,6 +95,7 @@ export const contactSet: Lesson = {
       },
     }];
     if (!manifold) return steps;
+    if (state.choice?.faces === "least") return [...steps, withoutPreference(q, answer)];
     // One point of two edges on the axis of their product: the nearest points of the edges, whatever cutting would find too.
     const edges = manifold.points.length === 1 && answer.trace.winner?.includes("×") ? crossing(q, manifold.points[0].feature) : null;
     const faces = edges ? undefined : answer.trace.faces, cuts = edges ? [] : (answer.trace.cuts ?? []);
@@ -148,7 +195,8 @@ export const contactSet: Lesson = {
   ],
   wrong: [
     { label: "Tilted by a milliradian", note: "One side is up by a millimetre or two. Without a margin half of the points would go, and the box would rock from side to side. The points stay.", state: situation([0, 0.5995, 0], quatAbout([0, 0, 1], 0.001)) },
-    { label: "An edge wins by a hair", note: "The least overlap is that of two edges, and still the face is taken: read the reason.", state: situation([0.2, 0.58, 0.1], quatAbout([0.2, 1, 0.1], 0.5).map((x, i) => (i === 0 ? 0.002 : i === 2 ? 0.003 : x))) },
+    { label: "An edge wins by a hair", note: "The least overlap is that of two edges, and still the face is taken: read the reason.", state: hair },
+    { label: "The same without the preference", note: "What the least overlap alone would make of it: the last step.", state: { ...hair, choice: { faces: "least" } } },
   ],
   sources: ["I. Sutherland, G. Hodgman: Reentrant polygon clipping, Communications of the ACM 17 (1974)", "K. Erleben: Methodology for assessing mesh-based contact point methods, ACM Transactions on Graphics 37 (2018)", "D. Gregorius: Robust contact creation for physics simulations, Game Developers Conference 2015"],
 };

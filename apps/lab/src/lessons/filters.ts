@@ -36,9 +36,9 @@ function pairs(state: State): Set<string> {
 
 export const filters: Lesson = {
   id: "filters", number: 11, title: "Filters", question: "Which types may collide with which?",
-  intro: "Shots pass through shots, coins through enemies. Each body has a category, one bit or several, and a mask of the categories that it collides with. Two ANDs decide, before anything is computed.",
+  intro: "Switch the bits: each is a type, PESC from the right. Shots pass through shots, coins through enemies. Each body has a category, one bit or several, and a mask of the categories that it collides with. Two ANDs decide, before anything is computed.",
   dimension: 3, view: { center: [0, 0, 0], reach: 1.9, from: [0, 0.15, 1] }, start: situation(),
-  choices: names.map((name, i) => ({ key: `m${i}`, label: `Mask of ${name}`, options: [usual[i].mask, 15, 0].map((value) => ({ value, label: binary(value) })) })),
+  bits: names.flatMap((name, i) => [{ key: `c${i}`, label: `${name}: category`, names }, { key: `m${i}`, label: `${name}: mask`, names }]),
   handles: (s) => names.map((name, i) => ({ id: `body-${i}`, label: `Move ${name}`, kind: "move", meaning: "ink", at: placeOf(s, i) })),
   drag(s, id, to) {
     const i = id.slice(-1);

@@ -49,6 +49,14 @@ export interface Choice {
   options: { value: number | string | boolean; label: string }[];
 }
 
+/** A number of the state whose bits are switched one by one. */
+export interface Bits {
+  key: string;
+  label: string;
+  /** What each bit says, the lowest first. */
+  names: string[];
+}
+
 export interface Code {
   programs: Programs;
   /** The numbers and truths that each of them prints, in their order, for the test that runs them. */
@@ -64,11 +72,13 @@ export interface Lesson {
   question: string;
   /** Two or three sentences before the first step. */
   intro: string;
-  dimension: 2 | 3;
+  /** Of a function: another stage whenever what it gives changes. */
+  dimension: 2 | 3 | ((state: State) => 2 | 3);
   /** Of a function: looked at anew whenever what it gives changes. */
   view: View | ((state: State) => View);
   start: State;
   choices?: Choice[];
+  bits?: Bits[];
   handles(state: State): Handle[];
   /** The state after the handle was dragged to a point of the world. */
   drag(state: State, id: string, to: Vec): State;

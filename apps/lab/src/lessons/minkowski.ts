@@ -2,7 +2,7 @@ import { ask, type Support } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
 import { corners } from "../parts/outline.ts";
-import { add, length, scale, sub, unit } from "../parts/vec.ts";
+import { add, dot, length, mix, scale, sub, unit } from "../parts/vec.ts";
 import { box, convex, copy, type Body, type Question, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
@@ -36,10 +36,57 @@ const flat = (p: Vec): Vec => [p[0], p[1]];
 export const place = (s: Support): Vec => add(home, flat(sub(s.b, s.a)));
 export { home };
 
+/** Where on an outline, as the number of a corner and the part of the way to the next, the point nearest to another lies. */
+function nearestOn(outline: Vec[], to: Vec): number {
+  let best = 0, least = Infinity;
+  outline.forEach((p, k) => {
+    const side = sub(outline[(k + 1) % outline.length], p), t = Math.max(0, Math.min(0.9999, dot(sub(to, p), side) / dot(side, side)));
+    const away = length(sub(to, add(p, scale(side, t))));
+    if (away < least) [best, least] = [k + t, away];
+  });
+  return best;
+}
+/** The point there of which A and B have a part each. */
+function pointAt(corners: Support[], at: number): Support {
+  const k = Math.floor(at) % corners.length, next = corners[(k + 1) % corners.length];
+  return { a: mix(corners[k].a, next.a, at - Math.floor(at)), b: mix(corners[k].b, next.b, at - Math.floor(at)) };
+}
+const slideOf = (state: State): number => Number(state.choice?.slide ?? 0.4);
+
 export function drawOrigin(d: Drawing, at: Vec = home): void {
   d.line(add(at, [-0.18, 0]), add(at, [0.18, 0]), "ink", { wide: true });
   d.line(add(at, [0, -0.18]), add(at, [0, 0.18]), "ink", { wide: true });
   d.text(at, "O", "ink");
+}
+
+/** B in touch with A where the outline has the point: the outline as far as it grew, and where B was at each corner. */
+function sliding(state: State, corners: Support[]): Step {
+  const at = slideOf(state), sum = state.choice?.what === "sum", shape = corners.map(place), b = state.q.b!, made = pointAt(corners, at);
+  const passed = shape.slice(0, Math.floor(at) + 1);
+  /** Where B is when it makes a point of the outline. Of the sum it is carried by A's point instead, beside O. */
+  const moved = (s: Support): Body => ({ ...b, translation: add(b.translation!, sum ? sub(home, flat(s.a)) : sub(flat(s.a), flat(s.b))) });
+  const apart = sum ? null : ask({ ...state.q, b: moved(made) }).distance!;
+  return {
+    title: sum ? "A carries B round" : "B slides round A",
+    text: sum ? "Drag the point on the outline. B's origin goes round A, and what B reaches on its way is the sum: the outline follows a side of A while the same corner of B leads, and a side of B at each corner of A."
+      : "Drag the point on the outline. B slides round A without turning and without leaving it; what is drawn is how far B has to go from there to where it stands. Where B's corner slides along a side of A, the outline has that side; where A's corner slides along a side of B, that one.",
+    formula: [sum ? "p = a + b" : "p = b - a", `p = ${row(flat(sub(made.b, made.a)))}`],
+    numbers: { caption: "There", columns: ["", "value"], rows: [
+      { cells: ["of A", vector(sum ? scale(flat(made.a), -1) : flat(made.a), 4)] }, { cells: ["of B", vector(flat(made.b), 4)] },
+      { cells: ["p", vector(flat(sub(made.b, made.a)), 4)], mark: "winner" },
+      ...(apart === null ? [] : [{ cells: ["distance of A and the moved B", Math.abs(apart) < 1e-12 ? 0 : apart] }])] },
+    says: `The point ${vector(flat(sub(made.b, made.a)), 3)} of the outline, after ${passed.length} of ${shape.length} corners.`,
+    draw(d) {
+      drawBodies(d, state.q);
+      corners.slice(0, passed.length).forEach((corner) => d.shape(moved(corner), "b", { ghost: true }));
+      d.shape(moved(made), "b");
+      [...passed, place(made)].forEach((p, i, all) => i > 0 && d.line(all[i - 1], p, "made", { wide: true }));
+      shape.forEach((p, i) => d.line(p, shape[(i + 1) % shape.length], "made", { ghost: true }));
+      d.point(place(made), "made", { wide: true, label: "p" });
+      if (!sum) d.point(flat(made.a), "touch", { wide: true });
+      drawOrigin(d);
+    },
+  };
 }
 
 export const minkowski: Lesson = {
@@ -55,13 +102,15 @@ export const minkowski: Lesson = {
   start: situation([2.9, 0.9], 0.5),
   choices: [{ key: "what", label: "Show", options: [{ value: "difference", label: "difference B ⊖ A" }, { value: "sum", label: "sum A ⊕ B" }] }],
   handles(s): Handle[] {
-    const c = s.choice ?? {};
+    const c = s.choice ?? {}, outline = ask(asked(s)).trace.difference ?? [];
     return [
+      ...(outline.length > 0 ? [{ id: "slide", label: "Slide B round A", kind: "move" as const, meaning: "made" as const, at: place(pointAt(outline, slideOf(s))) }] : []),
       moveHandle(s, "a"), turnHandle(s, "a", arms.a), moveHandle(s, "b"), turnHandle(s, "b", arms.b),
       { id: "direction", label: "Turn the direction", kind: "turn", meaning: "axis", at: add(home, scale(unit([Number(c.x), Number(c.y)]), 2.3)) },
     ];
   },
   drag(s, id, to) {
+    if (id === "slide") return { ...s, choice: { ...s.choice, slide: nearestOn((ask(asked(s)).trace.difference ?? []).map(place), to) } };
     if (id !== "direction") return dragBody(s, id, to, arms);
     const u = unit(sub(to, home));
     return { ...s, choice: { ...s.choice, x: u[0], y: u[1] } };
@@ -87,6 +136,7 @@ export const minkowski: Lesson = {
         drawOrigin(d);
       },
     }];
+    if (corners.length > 0) steps.push(sliding(state, corners));
     corners.forEach((corner, i) => {
       const next = corners[(i + 1) % corners.length];
       const fromB = length(sub(next.b, corner.b)) > length(sub(next.a, corner.a));

@@ -1,8 +1,9 @@
 import { ask, weightedPoint } from "../graze.ts";
 import { digits, vector } from "../parts/dom.ts";
-import type { Handle } from "../parts/drawing.ts";
+import type { Drawing, Handle } from "../parts/drawing.ts";
 import { add, dot, length, mix, sub } from "../parts/vec.ts";
-import { circle, radiusOf, withBody, type State, type Vec } from "../question.ts";
+import { outlines } from "../parts/outline.ts";
+import { circle, radiusOf, sphere, withBody, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, type Lesson, type Step, type Which } from "./lesson.ts";
 
 const situation = (ra: number, rb: number, b: Vec): State => ({
@@ -13,14 +14,30 @@ const sizer = (s: State, which: Which): Handle => ({
   at: add(s.q[which]!.translation!, [0, radiusOf(s.q[which]!.shape)]),
 });
 
+const inSpace = (s: State): boolean => s.choice?.view === "space";
+/** The balls, the plane through their centres, and the circles in which it cuts them. */
+function drawBalls(draw: Drawing, { q }: State): void {
+  draw.polygon([[-2.6, -2.6], [4.4, -2.6], [4.4, 3], [-2.6, 3]], "ink", { ghost: true });
+  for (const which of ["a", "b"] as const) {
+    const body = q[which]!;
+    draw.shape({ shape: sphere(radiusOf(body.shape)), translation: [...body.translation!, 0] }, which);
+    for (const { points } of outlines(body, 8)) points.forEach((p, i) => draw.line(p, points[(i + 1) % points.length], which, { wide: true }));
+  }
+}
+
+function dragged(s: State, id: string, to: Vec): State {
+  if (!id.startsWith("radius")) return dragBody(s, id, to);
+  return withBody(s, id.slice(-1) as Which, (body) => { body.shape = circle(Math.max(0.05, length(sub(to, body.translation!)))); });
+}
+
 export const spheres: Lesson = {
   id: "spheres", number: 1, title: "Spheres", question: "Do two balls touch, without a square root?",
-  intro: "The simplest pair of all, drawn in the plane through both centres. Its answer already has everything: a distance, a normal, and the question which single point to call the contact.",
-  dimension: 2, view: { center: [0.9, 0.2], reach: 3.2 }, start: situation(1.4, 0.8, [1.7, 0.8]),
+  intro: "The simplest pair of all, drawn in a plane through both centres, and in space. Its answer already has everything: a distance, a normal, and the question which single point to call the contact.",
+  dimension: (s) => (inSpace(s) ? 3 : 2), view: (s) => (inSpace(s) ? { center: [0.9, 0.2, 0], reach: 2.7, from: [0.55, 0.45, 1] } : { center: [0.9, 0.2], reach: 3.2 }),
+  start: situation(1.4, 0.8, [1.7, 0.8]),
+  choices: [{ key: "view", label: "Seen", options: [{ value: "section", label: "section" }, { value: "space", label: "in space" }] }],
   handles: (s) => [moveHandle(s, "a"), moveHandle(s, "b"), sizer(s, "a"), sizer(s, "b")],
-  drag: (s, id, to) => id.startsWith("radius")
-    ? withBody(s, id.slice(-1) as Which, (body) => { body.shape = circle(Math.max(0.05, length(sub(to, body.translation!)))); })
-    : dragBody(s, id, to),
+  drag: (s, id, at) => dragged(s, id, at.slice(0, 2)),
   steps(state) {
     const { q } = state, answer = ask({ ...q, query: "distance" }), overlap = ask({ ...q, query: "overlap" }).overlap!;
     const ca = q.a.translation!, cb = q.b!.translation!, ra = radiusOf(q.a.shape), rb = radiusOf(q.b!.shape);
@@ -28,7 +45,8 @@ export const spheres: Lesson = {
     const pa = answer.a as unknown as Vec, pb = answer.b as unknown as Vec;
     const weighted = weightedPoint(q, d), middle = mix(pa, pb, 0.5);
     const centers = (draw: Parameters<Step["draw"]>[0]): void => {
-      drawBodies(draw, q);
+      if (inSpace(state)) drawBalls(draw, state);
+      else drawBodies(draw, q);
       draw.line(ca, cb, "axis", { dashed: true, label: "c" });
     };
     return [

@@ -2,7 +2,7 @@
 
 import { ask, line } from "../graze.ts";
 import { lessons } from "../lessons/index.ts";
-import type { Example, Lesson, Step } from "../lessons/lesson.ts";
+import type { Bits, Example, Lesson, Step } from "../lessons/lesson.ts";
 import { codeOf } from "../parts/code.ts";
 import { h } from "../parts/dom.ts";
 import type { Stage } from "../parts/drawing.ts";
@@ -26,7 +26,9 @@ export class LessonRoom implements Room {
   private step: number;
   private steps: Step[] = [];
   private readonly history: History<State>;
-  private readonly stage: Stage;
+  private stage!: Stage;
+  private dimension: 2 | 3 | null = null;
+  private readonly place = h("div", {});
   private readonly table = new Table();
   private readonly timeline = new Timeline((step) => this.go(step), "step", 900, () => this.remember());
   private readonly still = whenStill(() => this.remember());
@@ -45,13 +47,10 @@ export class LessonRoom implements Room {
     this.state = parse(values.s, copy(lesson.start), isState);
     this.step = Math.max(0, Number(values.step ?? 0) | 0);
     this.history = new History(this.state);
-    this.stage = lesson.dimension === 2 ? new Stage2() : new Stage3();
-    this.stage.onDrag = (id, to, done) => this.change(lesson.drag(this.state, id, to), done);
-    this.stage.onPoint = (key) => this.light(key);
     this.table.onPoint = (key) => this.light(key);
-    this.stage.onCamera = () => this.still.call();
     this.timeline.speed = speeds.includes(Number(values.speed)) ? Number(values.speed) : 1;
     this.element = this.page();
+    this.build();
     this.show();
     this.stage.camera = cameraOf(values.view);
   }
@@ -115,7 +114,21 @@ export class LessonRoom implements Room {
     history.replaceState(null, "", address(`/lesson/${this.lesson.id}`, values));
   }
 
+  /** The stage of the state's dimension. */
+  private build(): void {
+    const { lesson } = this, wanted = typeof lesson.dimension === "function" ? lesson.dimension(this.state) : lesson.dimension;
+    if (wanted === this.dimension) return;
+    if (this.dimension !== null) this.stage.dispose();
+    this.dimension = wanted;
+    this.stage = wanted === 2 ? new Stage2() : new Stage3();
+    this.stage.onDrag = (id, to, done) => this.change(lesson.drag(this.state, id, to), done);
+    this.stage.onPoint = (key) => this.light(key);
+    this.stage.onCamera = () => this.still.call();
+    this.place.replaceChildren(this.stage.element);
+    this.looked = "";
+  }
   private look(): void {
+    this.build();
     const { view } = this.lesson;
     const wanted = typeof view === "function" ? view(this.state) : view;
     const text = JSON.stringify(wanted);
@@ -166,7 +179,7 @@ export class LessonRoom implements Room {
         h("h1", {}, lesson.question),
         h("p", { class: "intro" }, lesson.intro)),
       h("div", { class: "board" },
-        h("div", { class: "picture" }, this.choices, this.stage.element, this.timeline.element, this.trouble),
+        h("div", { class: "picture" }, this.choices, this.place, this.timeline.element, this.trouble),
         h("div", { class: "side" }, this.words, this.plot, this.table.element)),
       h("div", { class: "more" },
         h("section", {}, h("h2", {}, "Try this"), h("ul", {}, ...lesson.tryThis.map(example)),
@@ -198,7 +211,15 @@ export class LessonRoom implements Room {
             type: "button", "aria-pressed": String(o.value === now),
             onclick: () => this.change({ ...copy(this.state), choice: { ...this.state.choice, [choice.key]: o.value } }, true),
           }, o.label)));
-    }));
+    }), ...(this.lesson.bits ?? []).map((of) => this.switches(of)));
+  }
+  /** A number's bits, the highest first as it is written, each a button. */
+  private switches({ key, label, names }: Bits): HTMLElement {
+    const now = Number(this.state.choice?.[key] ?? 0);
+    const bit = (name: string, i: number): HTMLElement =>
+      h("button", { type: "button", "aria-pressed": String((now >> i) % 2 === 1), "data-bit": `${key}-${i}`, "aria-label": `${label}: ${name}`, title: name,
+        onclick: () => this.change({ ...copy(this.state), choice: { ...this.state.choice, [key]: now ^ (1 << i) } }, true) }, String((now >> i) % 2));
+    return h("fieldset", { class: "bits" }, h("legend", {}, label), ...names.map(bit).reverse());
   }
   private showCode(): void {
     const question = this.question();

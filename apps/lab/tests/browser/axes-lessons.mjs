@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { axisRows, example, step } from "./lesson-page.mjs";
-import { drag, query, short, shown, test, traced, visit } from "./harness.mjs";
+import { drag, frame, graze, query, short, shown, test, traced, visit } from "./harness.mjs";
 
 for (const id of ["separating-axes-plane", "fifteen-axes"])
   test(`${id}: after a drag every overlap is the library's to the last digit`, async () => {
@@ -86,6 +86,88 @@ test("contact set: the reference face is the one whose sides cut, and edges are 
   await step(page, /^Two edges cross$/);
   await page.click("[data-next]");
   assert.match(await page.textContent(".words h2"), /^Point 1: edge .* of A × edge .* of B$/);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("contact set: without the preference for faces one point is left, where two edges come nearest", async () => {
+  const page = await visit("#/lesson/contact-set");
+  await example(page, "An edge wins by a hair");
+  const { trace, manifolds } = await traced(page);
+  const least = trace.axes.filter((x) => x.name !== "normal").reduce((best, x) => (x.overlap < best.overlap ? x : best));
+  assert.ok(/×/.test(least.name) && !/×/.test(trace.winner), `${least.name} against ${trace.winner}`);
+  await page.click('.choices button:text-is("least overlap alone")');
+  await page.click('button[aria-label^="Last"]');
+  const { length } = manifolds[0].points;
+  assert.equal(await page.textContent(".words h2"), `${length} points go, one is left`);
+  const rows = await page.$$eval(".numbers tbody tr", (list) => list.map((r) => [...r.cells].slice(1).map((c) => c.title || c.textContent)));
+  assert.deepEqual(rows[1], [`least overlap alone: ${least.name}`, "1", String(least.overlap)]);
+  await example(page, "Flat on it");
+  await page.click('.choices button:text-is("least overlap alone")');
+  await page.click('button[aria-label^="Last"]');
+  assert.equal(await page.textContent(".words h2"), "The points stay");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("spheres: in space the same numbers, and a drag there counts", async () => {
+  const page = await visit("#/lesson/spheres", { viewport: { width: 1000, height: 600 } });
+  await step(page, /^Signed distance/);
+  const flat = await page.textContent(".numbers");
+  await page.click('.choices button:text-is("in space")');
+  await page.waitForSelector(".stage3 canvas");
+  assert.equal(await page.textContent(".numbers"), flat);
+  await drag(page, "radius-b", 0, -25);
+  const { question } = await shown(page), after = JSON.parse(query(JSON.stringify({ ...question, query: "distance" }))).distance;
+  assert.notEqual(await page.textContent(".numbers"), flat);
+  assert.equal(Number(await page.$eval(".numbers tbody td[title]", (c) => c.title)), after);
+  await page.click('.choices button:text-is("section")');
+  await page.waitForSelector(".stage2 svg");
+  assert.equal(await page.$(".stage3"), null);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("Minkowski: B slides round A in touch with it, and the outline grows", async () => {
+  const page = await visit("#/lesson/minkowski");
+  await page.click("[data-next]");
+  assert.equal(await page.textContent(".words h2"), "B slides round A");
+  const grown = () => page.$$eval(".stage2 line.of-made.wide", (list) => list.length);
+  const handle = await (await page.$('[data-handle="slide"]')).boundingBox(), first = await grown();
+  // To the other side of the difference, whose middle is seen by its corners.
+  const [x, y] = await page.$$eval(".stage2 line.of-made", (list) => {
+    const ends = list.map((l) => l.getBoundingClientRect());
+    return [Math.min(...ends.map((r) => r.x)) + Math.max(...ends.map((r) => r.right)), Math.min(...ends.map((r) => r.y)) + Math.max(...ends.map((r) => r.bottom))].map((s) => s / 2);
+  });
+  await drag(page, "slide", 2 * (x - handle.x), 2 * (y - handle.y));
+  assert.notEqual(await grown(), first);
+  const told = await page.$$eval(".numbers td[title]", (list) => list.map((c) => Number(c.title)));
+  assert.ok(told.length === 1 && Math.abs(told[0]) < 1e-9, `${told}: B does not touch A`);
+  await page.click('.choices button:text-is("sum A ⊕ B")');
+  await page.click('button[aria-label^="First"]');
+  await page.click("[data-next]");
+  assert.equal(await page.textContent(".words h2"), "A carries B round");
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("filters: bits are switched one by one, and the pairs are those of a world", async () => {
+  const page = await visit("#/lesson/filters", { viewport: { width: 1000, height: 600 } });
+  await page.click("[data-bit=m0-2]"); // the player now collides with shots
+  await page.click("[data-bit=m2-0]"); // and shots with players
+  await page.click("[data-bit=c3-1]"); // a coin is an enemy too
+  const { state } = await shown(page), c = state.choice;
+  assert.deepEqual([c.m0, c.m2, c.c3], [0b1110, 0b0011, 0b1010]);
+  const world = new graze.World(), ball = new graze.Sphere(0.7);
+  for (let i = 0; i < 4; i++) world.add({ shape: ball, translation: [c[`x${i}`], c[`y${i}`], 0], filter: { category: c[`c${i}`], mask: c[`m${i}`], group: c[`g${i}`] } });
+  world.update();
+  const reported = world.contacts().filter((p) => p.overlap).length;
+  assert.match(await page.textContent(".words p"), new RegExp(`the world reports ${reported} of them`));
+  assert.equal(await page.getAttribute("[data-bit=m0-2]", "aria-pressed"), "true");
+  await page.keyboard.press("Control+z");
+  await frame(page);
+  assert.equal((await shown(page)).state.choice.c3, 0b1000);
+  for (const made of [world, ball]) made.dispose();
   assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
