@@ -2,7 +2,7 @@
 // laws of mechanics: colliders, filters, materials and motions.
 #include <gtest/gtest.h>
 
-#include "physics_scene.hpp"
+#include "kept_scene.hpp"
 
 namespace graze::io::conformance_test {
 namespace {
@@ -32,6 +32,11 @@ std::size_t box_mesh(PhysicsScene& scene, float half) {
                              2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5});
 }
 
+constexpr const char* type_names[] = {"a sphere", "a box", "a capsule", "a cylinder", "a hull", "a mesh"};
+std::string numbered(const std::string& name, int number) {
+  return name + (number < 10 ? "-0" : "-") + std::to_string(number);
+}
+
 /// A shape of each type whose top and bottom are `half` from its origin.
 Json geometry(PhysicsScene& scene, int type, double half) {
   const auto shaped = [&](const Json& json) { return Json{{"shape", scene.shape(json)}}; };
@@ -58,7 +63,8 @@ TEST(Conformance, ColliderTypeMatrix) {
                  below == 2 ? lying : Quatd{});
       scene.node("above", {{"collider", {{"geometry", geometry(scene, above, 0.5)}}}, {"motion", {{"mass", 1}}}},
                  {0, 0.501, 0}, above == 2 ? lying : Quatd{});
-      const Played played(scene, 20);
+      const std::string says = std::string(type_names[above]) + " stays on " + type_names[below];
+      const Played played(kept(scene, numbered("collider-type-matrix", 6 * below + above), says), 20);
       for (const SimulationFrame& frame : played.frames)
         ASSERT_GT(frame.bodies[0].pose.translation.y, 0) << below << " " << above << " at " << frame.time;
       EXPECT_LE(played.summary.deepest, 0.002) << below << " " << above;
@@ -78,7 +84,8 @@ TEST(Conformance, FiltersIncludeAndExclude) {
     scene.node("floor", with(collider(ground), "collisionFilter", floor), {0, -0.5, 0});
     scene.node("solid", with(moving(cube), "collisionFilter", solid), {-2, 1, 0});
     scene.node("ghost", with(moving(cube), "collisionFilter", ghost), {2, 1, 0});
-    const Played played(scene, 2);
+    const Played played(kept(scene, numbered("collision-filter", include ? 0 : 1), "one lies, the other falls through"),
+                        2);
     EXPECT_NEAR(played.end("solid").pose.translation.y, 0.5, 0.002);
     EXPECT_NEAR(played.end("ghost").pose.translation.y, 1 - g * 2, 1e-9);
   }
@@ -96,7 +103,8 @@ TEST(Conformance, FiltersOfCompounds) {
     const auto body = scene.node("body", {{"motion", {{"mass", 2}}}}, {0, 0.6, 0});
     scene.put_below(body, scene.node("left", collider(cube), {-1, 0, 0}));
     scene.put_below(body, scene.node("right", with(collider(cube), "collisionFilter", ghost), {1, 0, 0}));
-    const Played played(scene, 1);
+    const Played played(
+        kept(scene, numbered("collision-filter", include ? 2 : 3), "one weight swings through the floor"), 1);
     double lowest_left = 1, lowest_right = 1;
     for (const SimulationFrame& frame : played.frames) {
       lowest_left = std::min(lowest_left, transform(frame.bodies[0].pose, Vec3d{-1, 0, 0}).y);
@@ -126,7 +134,7 @@ TEST(Conformance, MaterialsRestitution) {
     const auto material = scene.material({{"restitution", e}, {"restitutionCombine", "maximum"}});
     scene.node("ball " + std::to_string(e), with(moving(ball), "physicsMaterial", material), {3.0 * e, 4.5, 0});
   }
-  const Played played(scene, 2.5);
+  const Played played(kept(scene, "materials-00", "restitution: rebounds of 1 m and of 4 m"), 2.5);
   EXPECT_NEAR(rebound(played, "ball 0"), 1.00, 0.01);
   EXPECT_NEAR(rebound(played, "ball 1"), 4.00, 0.01);
 }
@@ -140,7 +148,7 @@ TEST(Conformance, MaterialsCombine) {
     const auto material = scene.material({{"restitution", 0}, {"restitutionCombine", mode}});
     scene.node(mode, with(moving(ball), "physicsMaterial", material), {mode[1] == 'i' ? 3.0 : -3.0, 4.5, 0});
   }
-  const Played played(scene, 2.5);
+  const Played played(kept(scene, "materials-01", "modes to combine: one stays down, one rebounds by 1 m"), 2.5);
   EXPECT_LE(rebound(played, "minimum"), 0.01);
   EXPECT_NEAR(rebound(played, "maximum"), 1.00, 0.01);
 }
@@ -156,7 +164,7 @@ TEST(Conformance, MaterialsFriction) {
     scene.node("mu " + std::to_string(mu), with(moving(plate), "physicsMaterial", material),
                rotate(turn, Vec3d{5, 0.1, mu / 2.0}), turn);
   }
-  const Played played(scene, 2);
+  const Played played(kept(scene, "materials-02", "friction at 45 degrees: one slides, one holds"), 2);
   const double way = g * (1 - 0.3) * std::sqrt(0.5) * 2;
   EXPECT_NEAR(length(played.place("mu 0", 2) - played.place("mu 0", 0)), way, 0.005 * way);
   EXPECT_LE(length(played.place("mu 10", 2) - played.place("mu 10", 0)), 1e-3);
@@ -175,7 +183,9 @@ TEST(Conformance, MotionProperties) {
     add("still", 0, {{"gravityFactor", 0}});
     add("going", 5, {{"gravityFactor", 0}, {"linearVelocity", {1, 0, 0}}});
     add("turning", -5, {{"gravityFactor", 0}, {"angularVelocity", {1, 0, 0}}});
-    const Played played(scene, 2);
+    const Played played(kept(scene, numbered("motion-properties", turned ? 1 : 0),
+                             turned ? "velocities below a turned parent" : "still, going, turning, without gravity"),
+                        2);
     const Vec3d axis = turned ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
     EXPECT_LE(length(played.end("still").pose.translation), 1e-12);
     EXPECT_LE(length(played.end("going").pose.translation - axis * 7.0), 1e-9);
@@ -191,7 +201,7 @@ TEST(Conformance, KinematicBodiesAreNotPushed) {
   PhysicsScene scene;
   scene.node("around", collider(scene.box(3, 3, 3)));
   scene.node("inside", moving(scene.box(1, 1, 1), {{"isKinematic", true}}));
-  const Played played(scene, 2);
+  const Played played(kept(scene, "motion-properties-05", "a kinematic body is not pushed"), 2);
   EXPECT_EQ(played.end("inside").pose.translation, Vec3d{});
 }
 
@@ -203,7 +213,8 @@ TEST(Conformance, MassesShareTheirMomentum) {
     scene.node("striking", moving(ball, {{"mass", mass}, {"gravityFactor", 0}, {"linearVelocity", {5, 0, 0}}}),
                {-2, 0, 0});
     scene.node("struck", moving(ball, {{"mass", 1}, {"gravityFactor", 0}}));
-    const Played played(scene, 1);
+    const std::string says = std::to_string(mass) + " kg at 5 m/s into 1 kg";
+    const Played played(kept(scene, "motion-properties-06-mass-" + std::to_string(mass), says), 1);
     EXPECT_NEAR(played.end("struck").linear.x, 5.0 * mass / (mass + 1), 0.01) << mass;
     EXPECT_NEAR(played.end("striking").linear.x * mass + played.end("struck").linear.x, 5.0 * mass, 1e-9 * mass);
   }
@@ -217,7 +228,7 @@ TEST(Conformance, InfiniteInertiaDoesNotTip) {
   const Quatd turn = Quatd::from_axis_angle({0, 0, 1}, pi / 5);
   scene.node("stiff", moving(cube, {{"mass", 1}, {"inertiaDiagonal", {0, 0, 0}}}), {-3, 1.5, 0}, turn);
   scene.node("free", moving(cube, {{"mass", 1}}), {3, 1.5, 0}, turn);
-  const Played played(scene, 3);
+  const Played played(kept(scene, "motion-properties-07", "infinite inertia: one stands on its edge, one tips"), 3);
   const double edge = std::sqrt(0.5) * std::cos(pi / 4 - pi / 5);
   EXPECT_NEAR(played.end("stiff").pose.translation.y, edge, 0.002);
   EXPECT_NEAR(std::abs(played.end("stiff").pose.rotation.w), std::cos(pi / 10), 1e-12);

@@ -2,7 +2,7 @@
 // a scene promises besides.
 #include <gtest/gtest.h>
 
-#include "physics_scene.hpp"
+#include "kept_scene.hpp"
 
 namespace graze::io::joint_scenes_test {
 namespace {
@@ -39,7 +39,8 @@ double gap(const Played& played, const SimulationFrame& frame, const Vec3d& pivo
 }
 
 TEST(JointScenes, FixedStays) {
-  const Played played(jointed({{"limits", {together, straight({0, 1, 2})}}}, {2, 0, 0}, {-1, 0, 0}));
+  const Played played(kept(jointed({{"limits", {together, straight({0, 1, 2})}}}, {2, 0, 0}, {-1, 0, 0}),
+                           "joint-00-fixed", "nothing moves"));
   for (const SimulationFrame& frame : played.frames) {
     EXPECT_LE(gap(played, frame, {2, 0, 0}, {-1, 0, 0}), 1e-3);
     EXPECT_LE(length(frame.bodies[0].pose.translation - Vec3d{3, 0, 0}), 1e-3);
@@ -53,14 +54,14 @@ TEST(JointScenes, SliderSlidesToItsStop) {
                      {{{"linearAxes", {1, 2}}, {"min", 0}, {"max", 0}},
                       straight({0, 1, 2}),
                       {{"linearAxes", {0}}, {"min", -2}, {"max", 2}}}}};
-  const Played free(jointed(slider, {}, {}, slope));
+  const Played free(kept(jointed(slider, {}, {}, slope), "joint-05-slider", "it slides to its stop, 2 m down"));
   const Vec3d axis = rotate(slope, Vec3d{1, 0, 0});
   EXPECT_LE(length(free.end("body").pose.translation + axis * 2.0), 1e-3);
   // From above along the axis: the cubes, both 1 m wide, meet. The fixed one is not turned, so the gap is found at
   // rest.
   PhysicsScene scene = jointed(slider, {}, {}, slope, {{"mass", 2}}, true);
   scene.at(1)["translation"] = {axis.x * 1.9, axis.y * 1.9, 0};
-  const Played colliding(scene);
+  const Played colliding(kept(scene, "joint-06-slider-collides", "it slides to the fixed box"));
   const double way = dot(colliding.end("body").pose.translation, axis);
   EXPECT_NEAR(way, 0.5 + std::sqrt(0.5), 2e-3);
 }
@@ -68,7 +69,8 @@ TEST(JointScenes, SliderSlidesToItsStop) {
 /// No further than 1 m apart, ever.
 TEST(JointScenes, DistanceIsNeverLonger) {
   const Played played(
-      jointed({{"limits", {{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1}}}}}, {3, 0, 0}, {0.5, 0.5, 0.5}));
+      kept(jointed({{"limits", {{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 1}}}}}, {3, 0, 0}, {0.5, 0.5, 0.5}),
+           "joint-07-distance", "a corner is never further than 1 m away"));
   for (const SimulationFrame& frame : played.frames)
     ASSERT_LE(gap(played, frame, {3, 0, 0}, {0.5, 0.5, 0.5}), 1.001) << frame.time;
 }
@@ -78,7 +80,8 @@ TEST(JointScenes, DistanceIsNeverLonger) {
 TEST(JointScenes, AHingeOffTheCentreSwings) {
   const double d = 0.5, amplitude = 0.3;
   const Vec3d pivot{3, 0, 0}, socket{-d * std::sin(amplitude), d * std::cos(amplitude), 0};
-  const Played played(jointed({{"limits", {together, straight({0, 1})}}}, pivot, socket));
+  const Played played(kept(jointed({{"limits", {together, straight({0, 1})}}}, pivot, socket), "joint-08-hinge",
+                           "a pendulum, whose hinge is off the centre of mass"));
   const double first = played.frames.front().potential_energy, deep = 2 * g * d * (1 - std::cos(amplitude));
   std::vector<double> crossings;
   double before = d * std::sin(amplitude);
@@ -101,7 +104,8 @@ TEST(JointScenes, AHingeOffTheCentreSwings) {
 TEST(JointScenes, AngularDriveReachesItsSpeed) {
   const Json drive{
       {"type", "angular"}, {"mode", "acceleration"}, {"axis", 0}, {"velocityTarget", pi / 2}, {"damping", 1}};
-  const Played played(jointed({{"limits", {together, straight({1, 2})}}, {"drives", {drive}}}, {3, 0, 0}, {}));
+  const Played played(kept(jointed({{"limits", {together, straight({1, 2})}}, {"drives", {drive}}}, {3, 0, 0}, {}),
+                           "joint-09-angular-drive", "it comes to a quarter turn a second"));
   for (const SimulationFrame& frame : played.frames)
     EXPECT_NEAR(frame.bodies[0].angular.x, pi / 2 * (1 - std::exp(-frame.time)), 0.005) << frame.time;
 }
@@ -109,9 +113,9 @@ TEST(JointScenes, AngularDriveReachesItsSpeed) {
 TEST(JointScenes, LinearDriveRestsUnderItsWeight) {
   const Json drive{{"type", "linear"},    {"mode", "acceleration"}, {"axis", 1},
                    {"positionTarget", 2}, {"stiffness", 100},       {"damping", 1}};
-  const Played played(jointed({{"limits", {{{"linearAxes", {0, 2}}, {"min", 0}, {"max", 0}}, straight({0, 1, 2})}},
-                               {"drives", {drive}}},
-                              {3, 0, 0}, {}),
+  const Json limits{{{"linearAxes", {0, 2}}, {"min", 0}, {"max", 0}}, straight({0, 1, 2})};
+  const Played played(kept(jointed({{"limits", limits}, {"drives", {drive}}}, {3, 0, 0}, {}), "joint-10-linear-drive",
+                           "it swings and rests under its weight, at 1.902 m"),
                       20);
   const double rest = 2 - g / 100, w = std::sqrt(99.75);
   for (const SimulationFrame& frame : played.frames) {

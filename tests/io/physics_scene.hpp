@@ -54,6 +54,9 @@ class PhysicsScene {
 
   std::string text() const {
     Json whole = json_;
+    whole["scenes"][0]["nodes"] = roots();
+    whole["scene"] = 0;
+    whole["extensionsUsed"] = {"KHR_implicit_shapes", "KHR_physics_rigid_bodies"};
     if (!data_.empty()) whole["buffers"][0] = {{"byteLength", data_.size()}, {"uri", data_uri(data_)}};
     return whole.dump();
   }
@@ -64,6 +67,17 @@ class PhysicsScene {
   }
 
  private:
+  /// The nodes that are nobody's child.
+  Json roots() const {
+    std::vector<bool> child(json_["nodes"].size());
+    for (const Json& node : json_["nodes"])
+      if (node.contains("children"))
+        for (const Json& below : node["children"]) child[below.get<std::size_t>()] = true;
+    Json found = Json::array();
+    for (std::size_t i = 0; i < child.size(); ++i)
+      if (!child[i]) found.push_back(i);
+    return found;
+  }
   static std::size_t push(Json& list, const Json& json) {
     list.push_back(json);
     return list.size() - 1;

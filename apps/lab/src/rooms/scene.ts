@@ -8,6 +8,7 @@ import { Table } from "../parts/table.ts";
 import { quatBetween, quatMultiply, rotate, sub, unit } from "../parts/vec.ts";
 import type { Question, Vec } from "../question.ts";
 import type { Captured } from "../scene/captured.ts";
+import { Catalogue } from "../scene/catalogue.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { Inquiry } from "../scene/inquiry.ts";
 import { sceneLayers } from "../scene/layers.ts";
@@ -19,7 +20,6 @@ import { bodiesOf, counted, pairRows } from "../scene/pairs.ts";
 import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, viewOf } from "../scene/picture.ts";
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
-import { scenes } from "../scene/scenes.ts";
 import { Settings } from "../scene/settings.ts";
 import { Shooting, type Sight } from "../scene/shooting.ts";
 import { Source } from "../scene/source.ts";
@@ -56,10 +56,10 @@ export class SceneRoom implements Room {
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly layers = new Layers(sceneLayers, () => this.changed());
   private readonly still = whenStill(() => this.write());
-  private readonly list: HTMLSelectElement;
+  private readonly catalogue: Catalogue;
   private readonly toggle = button("Play", () => this.play.toggle(), { class: "accent", "data-play": true });
   private readonly settings = new Settings((changed) => this.set(changed));
-  /** What the address holds of a served file that has not come yet. */
+  /** What the address holds of a scene that has not come yet. */
   private expected: { moment: Moment; camera: Vec | null } | null = null;
 
   constructor(values: Record<string, string>, onCapture: OnCapture) {
@@ -69,14 +69,13 @@ export class SceneRoom implements Room {
     this.play = new Play({
       onStep: () => this.show(), onTrouble: (text) => this.say(text),
       onRunning: (running) => (this.toggle.textContent = running ? "Pause" : "Play") });
+    this.catalogue = new Catalogue((scene, key) => this.opened(scene, key), () => this.source.unwatch());
     this.inquiry = new Inquiry((question) => this.askIt(question), (text) => this.say(text));
     this.shooting = new Shooting((title, words) => this.inquiry.tell(title, words));
     this.chooser = new Chooser((selected) => this.select(selected));
     this.stage.onPick = (body, sight, key) => this.pick(body, sight, bodiesOf(key));
     this.stage.onDrag = (id, to, done) => this.drag(id, to, done);
     this.pairs.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
-    this.list = h("select", { "aria-label": "Scene", onchange: () => this.choose(this.list.value) },
-      ...Object.entries(scenes).map(([key, make]) => h("option", { value: key }, make().name))) as HTMLSelectElement;
     this.stage.onCamera = () => this.still.call();
     this.element = this.page();
     this.source.takeDrops(this.element);
@@ -84,38 +83,26 @@ export class SceneRoom implements Room {
   }
   private begun(values: Record<string, string>): void {
     const moment = { ...beginning, ...parse<Partial<Moment>>(values.at, {}, isMoment) }, camera = cameraOf(values.view);
-    if (values.file) {
-      this.openListed("shapes");
-      this.expected = { moment, camera };
-      return this.source.watch(values.file);
+    this.expected = { moment, camera };
+    if (values.file) this.open(this.play.scene);
+    if (values.file) return this.source.watch(values.file);
+    try {
+      const scene = values.q ? sceneOfQuestion(JSON.parse(values.q) as Question) : parse<Scene | null>(values.s, null, isScene);
+      if (scene) this.opened(scene);
+      else this.catalogue.open(values.scene ?? "shapes");
+    } catch (error) {
+      this.catalogue.open("shapes");
+      this.say((error as Error).message);
     }
-    const refused = this.openAsked(values, moment);
-    if (refused !== null) this.openListed(values.scene && scenes[values.scene] ? values.scene : "shapes", moment);
-    if (refused) this.say(refused);
-    this.stage.camera = camera;
   }
-  /** A file has come; of a served one the address may say more. */
-  private opened(scene: Scene): void {
-    this.open(scene, null, this.expected?.moment);
+  /** A scene has come, to which the address may have said more. */
+  private opened(scene: Scene, key: string | null = null): void {
+    this.open(scene, key, this.expected?.moment);
     if (this.expected) this.stage.camera = this.expected.camera;
     this.expected = null;
     this.remember();
   }
-  /** Opens the question, or the scene of its own, that the address holds; else what is wrong with it, empty where there is
-   *  none. */
-  private openAsked({ q, s }: Record<string, string>, moment: Moment): string | null {
-    try {
-      const scene = q ? sceneOfQuestion(JSON.parse(q) as Question) : parse<Scene | null>(s, null, isScene);
-      if (!scene) return "";
-      this.open(scene, null, moment);
-      return null;
-    } catch (error) {
-      return (error as Error).message;
-    }
-  }
-  private openListed(key: string, moment = beginning): void {
-    this.open(scenes[key](), key, moment);
-  }
+
   dispose(): void {
     this.still.cancel();
     this.source.unwatch();
@@ -204,12 +191,6 @@ export class SceneRoom implements Room {
 
   // --- Scenes ---
 
-  private choose(key: string): void {
-    if (!scenes[key]) return;
-    this.source.unwatch();
-    this.openListed(key);
-    this.remember();
-  }
   private open(scene: Scene, key: string | null = null, moment: Moment = { ...this.moment, places: {}, selected: [] }): void {
     this.key = key;
     this.trouble.hidden = true;
@@ -224,9 +205,7 @@ export class SceneRoom implements Room {
       this.before = this.selected = [];
     }
     this.history = new History(this.moment);
-    this.list.querySelector("[data-file]")?.remove();
-    if (!key) this.list.append(h("option", { value: "", "data-file": true }, this.play.scene.name));
-    this.list.value = key ?? "";
+    this.catalogue.show(key, this.play.scene.name);
     this.put();
     this.show();
   }
@@ -324,7 +303,7 @@ export class SceneRoom implements Room {
     return h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
-        this.list, ...this.source.elements,
+        this.catalogue.element, ...this.source.elements,
         button("Shoot a ray", () => takeAim("ray")), button("Cast the body", () => takeAim("cast")),
         ...this.settings.elements),
       h("div", { class: "board" },

@@ -17,6 +17,8 @@ interface Placed extends Place {
   number: number;
   scale: Vec;
   mover: number | null;
+  /** The node above it. */
+  above: number | null;
 }
 
 const defaults: Record<string, object> = {
@@ -52,6 +54,8 @@ class GltfReader {
   private readonly filter: (filter: NamedFilter) => SceneBody["filter"];
   private readonly plain: boolean;
   private readonly bodies: SceneBody[] = [];
+  /** The bodies of nodes whose colliders stand. */
+  private readonly standing = new Map<number, number>();
   /** The bodies of the nodes that move. */
   private readonly bodyOf = new Map<number, number>();
 
@@ -62,7 +66,7 @@ class GltfReader {
       systems: f.collisionSystems, collideWith: f.collideWithSystems, notCollideWith: f.notCollideWithSystems }));
     this.filter = filtersOf(this.named);
     this.plain = !(gltf.nodes ?? []).some((n) => n.extensions?.KHR_physics_rigid_bodies?.collider || n.extensions?.KHR_physics_rigid_bodies?.trigger);
-    for (const root of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) this.visit(root, new THREE.Matrix4(), null);
+    for (const root of gltf.scenes?.[gltf.scene ?? 0]?.nodes ?? []) this.visit(root, new THREE.Matrix4(), null, null);
   }
 
   read(name: string): Scene {
@@ -86,7 +90,7 @@ class GltfReader {
   private rigid({ node }: Placed) {
     return node.extensions?.KHR_physics_rigid_bodies;
   }
-  private visit(number: number, above: THREE.Matrix4, moverAbove: number | null): void {
+  private visit(number: number, above: THREE.Matrix4, moverAbove: number | null, parent: number | null): void {
     const node = this.gltf.nodes?.[number];
     if (!node || this.placed.has(number)) throw new Unreadable(`nodes[${number}]: missing, or a node has two parents`);
     const own = node.matrix ? new THREE.Matrix4().fromArray(node.matrix) : new THREE.Matrix4().compose(
@@ -94,8 +98,8 @@ class GltfReader {
     const matrix = above.clone().multiply(own), position = new THREE.Vector3(), turn = new THREE.Quaternion(), size = new THREE.Vector3();
     matrix.decompose(position, turn, size);
     const mover = node.extensions?.KHR_physics_rigid_bodies?.motion ? number : moverAbove;
-    this.placed.set(number, { node, number, mover, translation: position.toArray(), rotation: turn.toArray(), scale: size.toArray() });
-    for (const child of node.children ?? []) this.visit(child, matrix, mover);
+    this.placed.set(number, { node, number, mover, above: parent, translation: position.toArray(), rotation: turn.toArray(), scale: size.toArray() });
+    for (const child of node.children ?? []) this.visit(child, matrix, mover, number);
   }
   private shapeOf(at: Placed): Shape | null {
     const rigid = this.rigid(at), geometry = (rigid?.collider ?? rigid?.trigger)?.geometry;
@@ -117,6 +121,7 @@ class GltfReader {
     const material = rigid?.collider?.physicsMaterial, mover = rigid?.trigger ? null : at.mover;
     const children = parts.map((part): Body => ({ shape: part.shape, ...seenFrom(at, part.at) }));
     if (mover !== null) this.bodyOf.set(mover, this.bodies.length);
+    else if (!rigid?.trigger) this.standing.set(at.number, this.bodies.length);
     return {
       name: (mover === null ? at.node.name : this.placed.get(mover)!.node.name) ?? `node ${at.number}`,
       shape: parts.length === 1 ? shape : { type: "compound", compound: { children } },
@@ -141,14 +146,18 @@ class GltfReader {
       },
     };
   }
+  /** The body that a joint's node belongs to: what moves it, or the collider that stands at it or above it; else the world. */
+  private jointed({ mover, number, above }: Placed): number | null {
+    if (mover !== null) return this.bodyOf.get(mover) ?? null;
+    return this.standing.get(number) ?? (above === null ? null : this.jointed(this.placed.get(above)!));
+  }
   /** The joint of a node, if it has one between bodies that can move against each other. */
   private joint(at: Placed): SceneJoint[] {
     const own = this.rigid(at)?.joint;
     if (!own) return [];
     const other = this.placed.get(own.connectedNode), described = this.physics?.physicsJoints?.[own.joint];
     if (!other || !described) throw new Unreadable(`nodes[${at.number}]: a joint without ${other ? "a description" : "another node"}`);
-    const body = ({ mover }: Placed): number | null => (mover === null ? null : (this.bodyOf.get(mover) ?? null));
-    const [a, b] = [body(at), body(other)];
+    const [a, b] = [this.jointed(at), this.jointed(other)];
     if (a === b) return [];
     return [{ a, b, frames: [at, other], limits: described.limits?.map(limitOf), drives: described.drives?.map(driveOf), enableCollision: own.enableCollision }];
   }
