@@ -9,9 +9,9 @@
 
 namespace graze::io {
 
-/// Writes a shape of space. Throws `InvalidValue` for one that the protocol has no words for: a user's own, and a mesh or
-/// a height field that is seen from its front alone. A ball beside its origin becomes a compound of one child, a segment
-/// the hull of its two ends.
+/// Writes a shape of space. Throws `InvalidValue` for one that the protocol has no words for: a user's own, and a mesh
+/// or a height field that is seen from its front alone. A ball beside its origin becomes a compound of one child, a
+/// segment the hull of its two ends.
 template <class T>
 void write_shape(JsonWriter& out, const Shape<T>& shape);
 

@@ -11,7 +11,8 @@
 
 namespace graze::io {
 
-/// Whether two JSON texts say the same, numbers to 1e-12: those of sines differ from one mathematical library to the next.
+/// Whether two JSON texts say the same, numbers to 1e-12: those of sines differ from one mathematical library to the
+/// next.
 inline bool same_json(const std::string& one, const std::string& other) {
   const auto a = nlohmann::json::parse(one).flatten(), b = nlohmann::json::parse(other).flatten();
   if (a.size() != b.size()) return false;

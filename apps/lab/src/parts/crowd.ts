@@ -18,6 +18,7 @@ export class Crowd {
   readonly group = new THREE.Group();
   private batches: Batch[] = [];
   private meanings: Meaning[] = [];
+  private special: ReadonlyMap<number, Meaning> = new Map();
 
   /** Other bodies than before. */
   set(looks: Looks[], meanings: Meaning[]): void {
@@ -57,9 +58,14 @@ export class Crowd {
   }
   /** The meaning of bodies other than usual. */
   paint(special: ReadonlyMap<number, Meaning> = new Map()): void {
+    this.special = special;
+    this.repaint();
+  }
+  /** The same in the colours of another theme. */
+  repaint(): void {
     const shade = new THREE.Color();
     for (const { mesh, bodies } of this.batches) {
-      bodies.forEach((body, i) => mesh.setColorAt(i, shade.set(color(special.get(body) ?? this.meanings[body]))));
+      bodies.forEach((body, i) => mesh.setColorAt(i, shade.set(color(this.special.get(body) ?? this.meanings[body]))));
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
   }

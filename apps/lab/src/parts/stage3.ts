@@ -84,7 +84,7 @@ export class Stage3 implements Stage, Drawing {
       this.request();
     });
     this.observer.observe(this.element);
-    this.stopTheme = onTheme(() => this.redraw());
+    this.stopTheme = onTheme(() => (this.crowd.repaint(), this.redraw()));
     this.canvas.addEventListener("keydown", (event) => this.turnCamera(event));
     let down: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));

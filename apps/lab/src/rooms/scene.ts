@@ -5,11 +5,11 @@ import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
-import { quatBetween, quatMultiply, rotate, sub, unit } from "../parts/vec.ts";
 import type { Question, Vec } from "../question.ts";
 import type { Captured } from "../scene/captured.ts";
 import { Catalogue } from "../scene/catalogue.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
+import { dragBody } from "../scene/drag.ts";
 import { Inquiry } from "../scene/inquiry.ts";
 import { sceneLayers } from "../scene/layers.ts";
 import { materialFields } from "../scene/materials.ts";
@@ -114,11 +114,6 @@ export class SceneRoom implements Room {
     const { scene, run, energy, depth, stepTime } = this.play;
     return { bodies: scene.bodies.length, pairs: run.contacts().filter((p) => p.overlap).length, frames: energy.length,
       poses: Array.from(run.poses()), deepest: depth.at(-1) ?? 0, draws: this.draws, times: { step: stepTime, draw: this.drawTime } };
-  }
-
-  /** For the tests: where on the stage points of contact lie. */
-  get pointsSeen(): [number, number][] {
-    return this.stage.pointsSeen;
   }
 
   // --- What the address and undo hold ---
@@ -247,20 +242,12 @@ export class SceneRoom implements Room {
     this.remember();
   }
   private drag(id: string, to: Vec, done: boolean): void {
-    const { run, scene } = this.play, i = this.selected[0], body = scene.bodies[i];
-    if (!body) return;
-    const aimed = run.flat ? [to[0], to[1], 0] : to, place = run.place(i);
-    if (this.play.running && body.moves) {
-      this.play.pull = done ? null : { body: i, to: aimed };
-      return;
-    }
-    const turn = (): Vec => unit(quatMultiply(quatBetween(rotate(place.rotation, [1, 0, 0]), sub(aimed, place.translation)), place.rotation));
-    const next = id === "move" ? { ...place, translation: aimed } : { ...place, rotation: turn() };
-    if (!run.played) Object.assign(body, next);
-    run.put(i, next);
+    const [i] = this.selected;
+    if (i === undefined || !dragBody(this.play, i, id, to, done)) return;
     this.show();
-    if (done && !run.played) this.remember();
+    if (done && !this.play.run.played) this.remember();
   }
+
   // --- What is true now ---
 
   private get few(): boolean {

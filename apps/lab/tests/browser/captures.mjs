@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { scene } from "./scene-page.mjs";
-import { graze, here, query, short, shown, test } from "./harness.mjs";
+import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
 /** Fifteen boxes that fall into a heap: two seconds, as a program captures them. */
 function capturedHeap() {
@@ -119,4 +119,35 @@ test("captures: a frame is asked as a scene is", async () => {
   assert.ok(Math.abs(opened.pairs - pairs) <= 3, `${opened.pairs} pairs, ${pairs} in the frame`);
   assert.deepEqual(page.trouble, []);
   await page.context().close();
+});
+
+test("captures: the address of one that is served holds frame, selection, layers and camera; of a scene what was done", async () => {
+  const served = { ...small, files: { "heap.capture": capturedHeap(), "two.json": Buffer.from(JSON.stringify({ dimension: 2, bodies: [
+    { shape: { type: "plane" } }, { name: "disc", motion: "dynamic", translation: [0, 3], shape: { type: "circle", circle: { radius: 1 } } }] })) } };
+  const page = await visit("#/scene?file=heap.capture", served);
+  await page.waitForSelector("[data-next]");
+  await page.evaluate(() => {
+    for (let i = 0; i < 30; i++) document.querySelector("[data-next]").click();
+  });
+  await page.click(".numbers button.choose");
+  await page.click(".legend > summary");
+  await page.uncheck("[data-layer=grid]");
+  await page.selectOption(".speed", "0.5");
+  await page.focus(".stage3 canvas");
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction(() => /frame%22%3A30.*grid.*view=/.test(location.hash));
+  const other = await visit(await page.evaluate(() => location.hash), served);
+  await other.waitForSelector("[data-next]");
+  assert.deepEqual(await shown(other), await shown(page));
+  assert.equal((await shown(other)).selected.length, 2);
+  assert.equal(await other.isChecked("[data-layer=grid]"), false);
+  assert.equal(await other.inputValue(".speed"), "0.5");
+  const file = await visit(`#/scene?file=two.json&at=${encodeURIComponent('{"selected":[1],"places":{"1":{"translation":[2,4,0],"rotation":[0,0,0,1]}}}')}`, served);
+  await file.waitForFunction(() => window.lab.shown.bodies === 2);
+  assert.equal(await file.textContent(".words h2"), "disc");
+  assert.deepEqual((await shown(file)).poses.slice(7, 9), [2, 4]);
+  for (const one of [page, other, file]) {
+    assert.deepEqual(one.trouble, []);
+    await one.context().close();
+  }
 });

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { lightsUp, scene } from "./scene-page.mjs";
-import { axe, drag, frame, query, shown, test, visit } from "./harness.mjs";
+import { axe, drag, frame, query, shown, small, test, visit } from "./harness.mjs";
 
 test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
@@ -80,7 +80,7 @@ test("viewer: a pair is selected by its row and by its point, a body by the list
   assert.equal(await page.textContent(".words h2"), "Select a body");
   // A corner of the light box on the floor: the point that is seen lowest.
   const picture = await (await page.$(".stage3 canvas")).boundingBox();
-  const points = await page.evaluate(() => window.lab.pointsSeen);
+  const points = await page.evaluate(() => window.lab.stage.pointsSeen);
   const [x, y] = points.reduce((best, p) => (p[1] > best[1] ? p : best));
   await page.mouse.click(picture.x + x, picture.y + y);
   assert.equal(await page.textContent(".words h2"), "floor and light");
@@ -114,9 +114,9 @@ test("viewer has no finding of axe, and fits a phone", async () => {
 });
 
 test("viewer: layers are switched off and on, the address holds them, the speed and the camera", async () => {
-  const page = await scene("heavy");
+  const page = await visit("#/scene?scene=heavy", small);
   await page.click('.numbers button.choose:text-is("light × heavy")');
-  const points = () => page.evaluate(() => window.lab.pointsSeen.length);
+  const points = () => page.evaluate(() => window.lab.stage.pointsSeen.length);
   const picture = () => page.$(".stage3 canvas").then((canvas) => canvas.screenshot());
   const some = await points(), plain = await picture();
   assert.ok(some > 0);
@@ -135,11 +135,11 @@ test("viewer: layers are switched off and on, the address holds them, the speed 
   for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowLeft");
   await page.waitForFunction(() => location.hash.includes("view="));
   assert.notDeepEqual(await picture(), plain);
-  const other = await visit(await page.evaluate(() => location.hash));
+  const other = await visit(await page.evaluate(() => location.hash), small);
   assert.equal(await other.isChecked("[data-layer=bodies]"), false);
   assert.equal(await other.isChecked("[data-layer=contacts]"), true);
   assert.equal(await other.inputValue(".speed"), "0.25");
-  const seen = (p) => p.evaluate(() => window.lab.pointsSeen);
+  const seen = (p) => p.evaluate(() => window.lab.stage.pointsSeen);
   for (const [i, [x, y]] of (await seen(other)).entries()) {
     const [px, py] = (await seen(page))[i];
     assert.ok(Math.hypot(px - x, py - y) < 1, `${[x, y]}, not ${[px, py]}: another camera`);
@@ -169,4 +169,17 @@ test("viewer: layers are switched off and on, the address holds them, the speed 
     assert.deepEqual(one.trouble, []);
     await one.context().close();
   }
+});
+
+test("viewer: bodies have the colours of another theme at once", async () => {
+  const page = await visit("#/scene?scene=heavy", { viewport: { width: 1000, height: 600 }, colorScheme: "light" });
+  const picture = () => page.$(".stage3 canvas").then((canvas) => canvas.screenshot());
+  await page.click("button.theme");
+  await frame(page);
+  const dark = await picture();
+  await page.selectOption('[data-body="0"]', { label: "light" });
+  await page.selectOption('[data-body="0"]', "");
+  await frame(page);
+  assert.deepEqual(await picture(), dark);
+  await page.context().close();
 });
