@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { scene } from "./scene-page.mjs";
+import { press, scene } from "./scene-page.mjs";
 import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
 /** Fifteen boxes that fall into a heap: two seconds, as a program captures them. */
@@ -126,9 +126,7 @@ test("captures: the address of one that is served holds frame, selection, layers
     { shape: { type: "plane" } }, { name: "disc", motion: "dynamic", translation: [0, 3], shape: { type: "circle", circle: { radius: 1 } } }] })) } };
   const page = await visit("#/scene?file=heap.capture", served);
   await page.waitForSelector("[data-next]");
-  await page.evaluate(() => {
-    for (let i = 0; i < 30; i++) document.querySelector("[data-next]").click();
-  });
+  await press(page, "[data-next]", 30);
   await page.click(".numbers button.choose");
   await page.click(".legend > summary");
   await page.uncheck("[data-layer=grid]");

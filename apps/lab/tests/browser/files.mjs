@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { files, lightsUp, scene } from "./scene-page.mjs";
+import { files, lightsUp, press, scene } from "./scene-page.mjs";
 import { drag, query, shown, test } from "./harness.mjs";
 
 test("viewer: opens the project's scenes, and says what is wrong with a broken file", async () => {
@@ -72,11 +72,11 @@ test("viewer: a drawing of the plane is opened, dragged, shot at, and played", a
   await page.mouse.click(picture.x + picture.width * 0.6, picture.y + picture.height - 20);
   assert.match(await page.textContent(".words h2"), /^ball meets (?!nothing)/);
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-plane.png") });
-  for (let i = 0; i < 30; i++) await page.click("[data-step]");
+  await press(page, "[data-step]", 30);
   const later = await shown(page);
   assert.equal(later.frames, 30);
   assert.ok(later.poses.every(Number.isFinite));
-  for (let i = 0; i < 29; i++) await page.click("[data-back]");
+  await press(page, "[data-back]", 29);
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "viewer-plane-played.png") });
   const text = (name, content) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content) });
   await open(text("flat.json", '{"dimension":2,"bodies":[{"shape":{"type":"plane"}},{"name":"disc","motion":"dynamic","translation":[0,3],"shape":{"type":"circle","circle":{"radius":1}}}]}'));
@@ -126,7 +126,7 @@ test("viewer: a glTF's bodies of several colliders move as one, and its joints h
   await page.waitForTimeout(300);
   assert.ok(!(await page.isVisible(".trouble")), await page.textContent(".trouble"));
   assert.deepEqual(await page.$$eval('[data-body="0"] option', (list) => list.map((o) => o.textContent)), ["no body", "dumbbell", "pendulum", "oval"]);
-  for (let i = 0; i < 30; i++) await page.click("[data-step]");
+  await press(page, "[data-step]", 30);
   const { poses } = await shown(page), at = (i) => poses.slice(7 * i, 7 * i + 3);
   // A second of half a second at one radian each: the first ball, whose frame the body has, has turned about the middle.
   const [x, y, z] = at(0), angle = 30 / 60;

@@ -2,9 +2,14 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { here, visit } from "./harness.mjs";
+import { here, small, visit } from "./harness.mjs";
 
-export const scene = (name) => visit(`#/scene?scene=${name}`);
+export const scene = (name) => visit(`#/scene?scene=${name}`, small);
+/** Presses a button so many times, without a look at the page in between. */
+export const press = (page, button, times) =>
+  page.evaluate(([selector, count]) => {
+    for (let i = 0; i < count; i++) document.querySelector(selector).click();
+  }, [button, times]);
 export const files = join(here, "../../examples/scenes");
 
 /** What touches lights up with its row: another picture than without. */

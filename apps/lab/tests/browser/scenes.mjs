@@ -1,7 +1,7 @@
 // The playground: scenes in time.
 
 import assert from "node:assert/strict";
-import { scene } from "./scene-page.mjs";
+import { press, scene } from "./scene-page.mjs";
 import { shown, small, test, visit } from "./harness.mjs";
 
 for (const name of ["shapes", "pyramid", "heavy", "cradle", "bridge"])
@@ -40,7 +40,7 @@ test("every other scene goes on from step to step", async () => {
 });
 
 test("conformance scenes: each kind is chosen from the list and plays, and what is to be seen is seen", async () => {
-  const page = await visit("#/scene?scene=shapes", small);
+  const page = await scene("shapes");
   await page.waitForSelector("optgroup option", { state: "attached" });
   const keys = await page.$$eval("optgroup option", (list) => list.map((o) => o.value));
   assert.ok(keys.length >= 56, `${keys.length} scenes`);
@@ -58,9 +58,7 @@ test("conformance scenes: each kind is chosen from the list and plays, and what 
   // By the address: a slider that goes to its stop two metres down, in four seconds.
   const slider = await visit("#/scene?scene=joint-05-slider", small);
   await slider.waitForFunction(() => /Joint 05 slider/.test(document.querySelector(".intro").textContent));
-  await slider.evaluate(() => {
-    for (let i = 0; i < 240; i++) document.querySelector("[data-step]").click();
-  });
+  await press(slider, "[data-step]", 240);
   const [x, y] = (await shown(slider)).poses.slice(7, 14);
   assert.ok(Math.abs(Math.hypot(x, y) - 2) < 1e-3 && x < 0 && y < 0, `${[x, y]}`);
   for (const one of [page, slider]) {
@@ -78,7 +76,7 @@ test("viewer: a body's material counts from the next step on", async () => {
       await page.dispatchEvent('[data-material] label:has-text("Friction") input', "change");
     }
     const before = (await shown(page)).poses.slice(-7);
-    for (let i = 0; i < 15; i++) await page.click("[data-step]");
+    await press(page, "[data-step]", 15);
     const after = (await shown(page)).poses.slice(-7);
     assert.deepEqual(page.trouble, []);
     if (friction === undefined) {

@@ -114,7 +114,7 @@ test("viewer has no finding of axe, and fits a phone", async () => {
 });
 
 test("viewer: layers are switched off and on, the address holds them, the speed and the camera", async () => {
-  const page = await visit("#/scene?scene=heavy", small);
+  const page = await scene("heavy");
   await page.click('.numbers button.choose:text-is("light × heavy")');
   const points = () => page.evaluate(() => window.lab.stage.pointsSeen.length);
   const picture = () => page.$(".stage3 canvas").then((canvas) => canvas.screenshot());
