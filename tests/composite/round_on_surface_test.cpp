@@ -7,6 +7,7 @@
 #include "common/specimen.hpp"
 #include "composite/internal_edges/ghost_contacts.hpp"
 #include "composite/internal_edges/occluders.hpp"
+#include "graze/query.hpp"
 #include "narrow/pair_table.hpp"
 
 namespace graze {
