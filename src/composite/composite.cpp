@@ -1,21 +1,15 @@
 #include "composite/composite.hpp"
 
-#include "composite/flat_faces.hpp"
-#include "composite/internal_edges/ghost_contacts.hpp"
 #include "composite/leaf_pairs.hpp"
-#include "composite/merge_manifolds.hpp"
 #include "composite/solid.hpp"
 #include "composite/spanning_points.hpp"
-#include "composite/triangle_run.hpp"
+#include "composite/touching_pieces.hpp"
 #include "narrow/pair_table.hpp"
 #include "shape/rounding.hpp"
 
 namespace graze {
 
 namespace {
-
-template <class T>
-constexpr T infinity = std::numeric_limits<T>::infinity();
 
 /// Whether two pieces are further apart along the best normal so far than what is nearest: two support points tell,
 /// where the distance takes an iteration. Triangles have been asked before.
@@ -32,29 +26,6 @@ bool ruled_out(const Part<T>& a, const Part<T>& b, const Distance<T>& best) {
   const Vec3<T> low = transform(b_in_a, support(shape_b, rotate(conjugate(b_in_a.rotation), -normal)));
   const T slack = T(32) * std::numeric_limits<T>::epsilon() * (max_abs(high) + max_abs(low));
   return dot(low - high, normal) > best.distance + slack;
-}
-
-/// Whether a triangle that pushes from its front alone, for this reason, would push along a direction that leads from
-/// its back. A sliver's normal is rounding, and along an edge the direction lies in the triangle's plane but for that:
-/// both push.
-template <class T>
-bool from_behind(const Part<T>& part, Pushes reason, const Vec3<T>& outward) {
-  const auto* triangle = part.pushes == reason ? part.shape.template as<Triangle<T>>() : nullptr;
-  if (!triangle) return false;
-  const Vec3<T> u = triangle->point(1) - triangle->point(0), v = triangle->point(2) - triangle->point(0);
-  const T along = dot(rotate(part.pose.rotation, cross(u, v)), outward);
-  return along < -same_normal<T> * max_abs(u) * max_abs(v);
-}
-
-/// The same of either of two pieces, the normal of whose contact leads from A to B.
-template <class T>
-bool from_behind(const Part<T>& a, const Part<T>& b, Pushes reason, const Vec3<T>& normal) {
-  return from_behind(a, reason, normal) || from_behind(b, reason, -normal);
-}
-
-template <class T>
-bool is_compound(const Shape<T>& shape) {
-  return shape.template as<Compound<T>>() != nullptr;
 }
 
 /// What lies inside a solid mesh is deeper than its surface is far.
@@ -84,7 +55,7 @@ Distance<T> any_distance(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T
     }
   };
   visit_convex_pairs<T>({a, pose_a}, {b, pose_b}, {best.distance, &best.normal}, PairVisitor<T>(nearer));
-  if (!found) best.distance = infinity<T>;
+  if (!found) best.distance = std::numeric_limits<T>::infinity();
   return has_solid_mesh(a) || has_solid_mesh(b) ? or_enclosed(best, a, pose_a, b, pose_b) : best;
 }
 
@@ -132,71 +103,6 @@ T size_about_origin(const Shape<T>& shape) {
   });
 }
 
-template <class T>
-void name_pieces(Manifold<T>& manifold, const Part<T>& a, const Part<T>& b) {
-  manifold.piece_a = a.number;
-  manifold.piece_b = b.number;
-}
-
-/// What is found of the contacts of two shapes, piece by piece.
-template <class T>
-struct TouchingPieces {
-  const Part<T>&a, &b;  ///< the whole shapes
-  const Surroundings<T>& beside;
-  T margin;
-  bool singly;  ///< without kernels
-  ManifoldGroups<T> groups;
-  FlatFaces<T> faces{a, b, margin};
-  T least_distance = infinity<T>;
-  Manifold<T> instead = {};  ///< what is left where nothing else is
-
-  void operator()(const Part<T>& pa, const Part<T>& pb) {
-    Manifold<T> manifold;
-    take(pa, pb, convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold), manifold);
-  }
-  void operator()(const TriangleRun<T>& run) {
-    const auto alone = [&](std::size_t i) {
-      if (run.question.may_reach(run.corners(i), margin)) run.with_pair(i, *this);
-    };
-    if (singly || run.count < few)
-      for (std::size_t i = 0; i < run.count; ++i) alone(i);
-    else
-      visit_run_contacts(
-          run, margin,
-          [&](std::size_t i, T distance, Manifold<T>& manifold) {
-            run.with_pair(i, [&](const Part<T>& pa, const Part<T>& pb) { take(pa, pb, distance, manifold); });
-          },
-          alone);
-  }
-
- private:
-  static LeafInContext<T> in_context(const Part<T>& whole, const Part<T>& piece,
-                                     std::span<const PlacedRef<T>> beside) {
-    const auto* mesh = piece.pushes != Pushes::either_way ? whole.shape.template as<Mesh<T>>() : nullptr;
-    const bool of_body = mesh && mesh->data().outward;
-    return {whole.shape, whole.pose, piece.shape, piece.pose, beside, piece.number, piece.patch, of_body};
-  }
-
-  static constexpr std::size_t few = 3;  ///< fewer triangles are asked as quickly one by one
-
-  /// The manifold of a pair of pieces, and their distance.
-  void take(const Part<T>& pa, const Part<T>& pb, T distance, Manifold<T>& manifold) {
-    if (from_behind(pa, pb, Pushes::frontward, manifold.normal)) return;
-    const bool nearest = distance < least_distance;
-    least_distance = least(least_distance, distance);
-    if (manifold.points.empty()) return;
-    if (faces.passes_over(pa, pb, beside.empty())) return;
-    name_pieces(manifold, pa, pb);
-    Settled<T> settled = settle_normal(in_context(a, pa, beside.of_a), in_context(b, pb, beside.of_b), margin,
-                                       manifold, distance);
-    const bool behind = from_behind(pa, pb, Pushes::outward, settled.manifold.normal);
-    if (nearest) instead = behind && distance <= T(0) ? settled.manifold : settled.instead;
-    if (behind || settled.manifold.points.empty()) return;
-    if (faces.stand(pa, pb, settled.manifold) == FlatFaces<T>::Standing::on_known_face) return;
-    groups.add(settled.manifold);
-  }
-};
-
 /// A point for what lies inside a solid mesh. The way from within to the surface is no contact then: it would push
 /// inward.
 template <class T>
@@ -230,8 +136,7 @@ template <class T>
   found.groups.finish();
   const bool solid = has_solid_mesh(a) || has_solid_mesh(b);
   if (solid) add_enclosed(a, pose_a, b, pose_b, first, found.least_distance, manifolds);
-  // What touches is not left without a point.
-  if (manifolds.size() == first && !found.instead.points.empty()) manifolds.push_back(found.instead);
+  if (manifolds.size() == first) found.add_last_resort();
   const T size = least(size_about_origin(a), size_about_origin(b));
   for (std::size_t i = first; i < manifolds.size(); ++i) keep_spanning(manifolds[i], size);
   return found.least_distance;

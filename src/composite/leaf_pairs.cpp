@@ -31,7 +31,7 @@ Part<T> met_by(const Part<T>& whole, const Shape<T>& other, const Pose<T>& seen)
   Part<T> met = whole;
   met.pushes = one_sided(whole.shape)                         ? Pushes::frontward
                : comes_from_outside(whole.shape, other, seen) ? Pushes::outward
-                                                                : Pushes::either_way;
+                                                              : Pushes::either_way;
   return met;
 }
 

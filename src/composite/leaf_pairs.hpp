@@ -44,7 +44,7 @@ struct Nearness {
 };
 
 template <class T>
-struct TriangleRun;  // triangles_together.hpp
+struct TriangleRun;  // triangle_run.hpp
 
 /// Whom the pairs are shown to: somebody's function, called as `f(part_a, part_b)`, which may return false to end the
 /// visit; if it can also be called as `f(run)`, triangles that there are kernels for are shown several at a time. Known

@@ -53,26 +53,46 @@ std::uint64_t hash_of(const Vec3<T>& p) {
 }  // namespace
 
 EdgeUses::EdgeUses(std::span<const Index> triangles, std::size_t points) : begin_(points + 1, 0) {
-  // The directed edges in the order of their lesser end: the other end times two, and in which direction.
-  const auto each_edge = [&](const auto& f) {
-    for (const Index& t : triangles) {
+  const auto each_use = [&](const auto& f) {
+    for (std::uint32_t number = 0; number < triangles.size(); ++number) {
+      const Index& t = triangles[number];
       if (repeats_corner(t)) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t from = t[i], to = t[(i + 1) % 3];
-        from < to ? f(from, std::uint64_t{to} * 2) : f(to, std::uint64_t{from} * 2 + 1);
+        f(least(from, to), Use{greatest(from, to), number, from < to});
       }
     }
   };
-  each_edge([&](std::uint32_t low, std::uint64_t) { ++begin_[low + 1]; });
+  each_use([&](std::uint32_t low, const Use&) { ++begin_[low + 1]; });
   for (std::size_t i = 0; i < points; ++i) begin_[i + 1] += begin_[i];
-  ends_.resize(begin_[points]);
+  uses_.resize(begin_[points]);
   std::vector<std::uint32_t> filled(begin_.begin(), begin_.end() - 1);
-  each_edge([&](std::uint32_t low, std::uint64_t end) { ends_[filled[low]++] = end; });
-  for (std::size_t i = 0; i < points; ++i) std::sort(ends_.begin() + begin_[i], ends_.begin() + begin_[i + 1]);
+  each_use([&](std::uint32_t low, const Use& use) { uses_[filled[low]++] = use; });
+  const auto before = [](const Use& a, const Use& b) {
+    return a.high != b.high ? a.high < b.high : a.upwards != b.upwards ? a.upwards : a.triangle < b.triangle;
+  };
+  for (std::size_t i = 0; i < points; ++i) std::sort(uses_.begin() + begin_[i], uses_.begin() + begin_[i + 1], before);
 }
 
 bool EdgeUses::bound_solid() const {
-  return !ends_.empty() && each([](std::uint32_t, std::uint32_t, bool paired) { return paired; });
+  return !uses_.empty() && each([](std::uint32_t, std::uint32_t, bool paired) { return paired; });
+}
+
+std::vector<TrianglesAcross> EdgeUses::across(std::span<const Index> triangles) const {
+  std::vector<TrianglesAcross> out(triangles.size(), {no_triangle, no_triangle, no_triangle});
+  const auto set = [&](std::uint32_t low, const Use& use, std::uint32_t next) {
+    const Index& t = triangles[use.triangle];
+    const std::uint32_t from = use.upwards ? low : use.high;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t[i] == from) out[use.triangle][i] = next;
+  };
+  for (std::uint32_t i = 0; i + 1 < begin_.size(); ++i)
+    for (std::size_t first = begin_[i], end = first; first < begin_[i + 1]; first = end) {
+      end = end_of_edge(i, first);
+      if (end - first == 1) continue;
+      for (std::size_t at = first; at < end; ++at) set(i, uses_[at], uses_[at + 1 < end ? at + 1 : first].triangle);
+    }
+  return out;
 }
 
 template <class T>

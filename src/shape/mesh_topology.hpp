@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "graze/shape/mesh.hpp"
+#include "shape/mesh_data.hpp"
 
 namespace graze {
 
@@ -17,22 +17,39 @@ class EdgeUses {
   /// Whether the triangles bound a solid: every edge is run through once in each direction.
   bool bound_solid() const;
 
+  /// Of each triangle, by the number of the corner where its edge begins, the next one that uses this edge:
+  /// `no_triangle` where there is no other. The third use of an edge follows the second, and the first the
+  /// last.
+  std::vector<TrianglesAcross> across(std::span<const std::array<std::uint32_t, 3>> triangles) const;
+
   /// Calls `f(i, j, paired)` for the edges between points i < j, until it returns false; `paired`: run through once in
   /// each direction, and not more. Returns whether it went to the end.
   template <class F>
   bool each(F&& f) const {
     for (std::uint32_t i = 0; i + 1 < begin_.size(); ++i)
       for (std::size_t at = begin_[i], next = at; at < begin_[i + 1]; at = next) {
-        while (next < begin_[i + 1] && ends_[next] / 2 == ends_[at] / 2) ++next;
-        const bool paired = next - at == 2 && ends_[at] % 2 == 0 && ends_[at + 1] % 2 == 1;
-        if (!f(i, static_cast<std::uint32_t>(ends_[at] / 2), paired)) return false;
+        next = end_of_edge(i, at);
+        const bool paired = next - at == 2 && uses_[at].upwards && !uses_[at + 1].upwards;
+        if (!f(i, uses_[at].high, paired)) return false;
       }
     return true;
   }
 
  private:
+  /// An edge as a triangle has it: its greater end, and whether it is run through from the lesser.
+  struct Use {
+    std::uint32_t high, triangle;
+    bool upwards;
+  };
+  /// Behind the last use of the edge that begins at `at`, of which point i is the lesser end.
+  std::size_t end_of_edge(std::uint32_t i, std::size_t at) const {
+    std::size_t next = at + 1;
+    while (next < begin_[i + 1] && uses_[next].high == uses_[at].high) ++next;
+    return next;
+  }
+
   std::vector<std::uint32_t> begin_;  ///< of each point: where the edges of which it is the lesser end begin
-  std::vector<std::uint64_t> ends_;
+  std::vector<Use> uses_;             ///< those of one edge side by side, upwards first
 };
 
 /// Triangles lie level whose normals differ by less than this: an eighth of the sine below which a contact's normal

@@ -30,7 +30,7 @@ class GRAZE_API Mesh {
   using Index = std::array<std::uint32_t, 3>;  ///< three numbers of points
 
   /// `triangles` index `points`, counter-clockwise seen from outside. Cost n log n, half a second for a million
-  /// triangles; besides points and triangles some 50 bytes for each triangle are kept. A `solid` mesh is a body and no
+  /// triangles; besides points and triangles some 65 bytes for each triangle are kept. A `solid` mesh is a body and no
   /// skin: what lies wholly inside it touches it. Throws `InvalidValue`, also for a solid that is not `closed`.
   Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides sides = Sides::both, bool solid = false);
   Mesh(const Mesh& lender, Lent) : data_(std::shared_ptr<void>(), lender.data_.get()) {}

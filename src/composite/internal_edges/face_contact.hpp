@@ -1,6 +1,6 @@
 // What a contact stands on, before anybody looks for its neighbours.
 //
-// Guarantee: a contact that stands clear is one that `settle_normal` (internal_edges.hpp) leaves as it is, up to
+// Guarantee: a contact that stands clear is one that `settle_normal` (ghost_contacts.hpp) leaves as it is, up to
 // rounding.
 #pragma once
 

@@ -31,21 +31,20 @@ bool lies_open(const LeafInContext<T>& self, const Vec3<T>& outward) {
   return dot(front, rotate(conjugate(self.pose.rotation), outward)) >= T(0);
 }
 
-/// The outward normal that a surface has instead of one that leaves the Voronoi region of its feature. Of a triangle
-/// its own face's, on the side where the other shape is, unless a sheet covers that; of a solid piece that of the
+/// Whether a piece is a triangle of a surface around which is nothing else. What covers it is a triangle of that, too,
+/// which reaches into the other shape and has a contact of its own.
+template <class T>
+bool is_of_lone_surface(const LeafInContext<T>& self) {
+  return self.beside.empty() && (self.whole.template as<Mesh<T>>() || self.whole.template as<HeightField<T>>());
+}
+
+/// The outward normal that a solid piece has instead of one that leaves the Voronoi region of its feature: that of the
 /// neighbour which rises above it, as far as the other shape touches that, or of a face of its own, if nothing rises
 /// above those.
 template <class T>
 std::optional<Vec3<T>> normal_of_surface(const LeafInContext<T>& self, const Placed<T>& neighbour,
                                          const LeafInContext<T>& other, const Vec3<T>& point, const Vec3<T>& outward,
                                          T margin) {
-  if (const auto* triangle = self.piece.template as<Triangle<T>>()) {
-    const Vec3<T> face = normal_towards(*triangle, self.pose, other, point);
-    if (face == Vec3<T>{}) return std::nullopt;
-    if (lies_open(self, face)) return face;
-    const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
-    return over ? over->normal : face;
-  }
   if (const auto* triangle = neighbour.shape.template as<Triangle<T>>()) {
     const Vec3<T> face = normal_towards(*triangle, neighbour.pose, other, point);
     if (face != Vec3<T>{} && !riser_around(self, point, face, Among::all)) return face;
@@ -137,11 +136,25 @@ struct Correction {
   Vec3<T> normal;                             ///< outward
   std::optional<Distance<T>> least_way = {};  ///< from the piece to the other shape, if the normal is of that
   bool elsewhere = false;                     ///< the contact is another piece's
+  std::optional<Vec3<T>> seen_from = {};      ///< it is so where this place on the piece is covered
 };
 
 template <class T>
 std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal) {
   return normal ? std::optional(Correction<T>{*normal}) : std::nullopt;
+}
+
+/// What a triangle has instead of a normal that leaves the Voronoi region of its feature: its face's, on the side where
+/// the other shape is, unless a sheet covers that.
+template <class T>
+std::optional<Correction<T>> along_face(const LeafInContext<T>& self, const Triangle<T>& triangle,
+                                        const LeafInContext<T>& other, const Vec3<T>& point) {
+  const Vec3<T> face = normal_towards(triangle, self.pose, other, point);
+  if (face == Vec3<T>{}) return std::nullopt;
+  if (lies_open(self, face)) return Correction<T>{face};
+  if (is_of_lone_surface(self)) return Correction<T>{face, {}, false, point};
+  const std::optional<OnSurface<T>> over = surface_over(self, point, face, other);
+  return Correction<T>{over ? over->normal : face};
 }
 
 /// The least way out of a triangle, if its normal is one of the surface's and not that of the triangle's face. That of
@@ -242,9 +255,13 @@ std::optional<Correction<T>> corrected(const LeafInContext<T>& self, const LeafI
     const bool stands = face_along(self, outward, standing_lean<T>) != Vec3<T>{};
     if (neighbour && (of_other || (!stands && is_on_ridge(self, other, point))))
       return Correction<T>{outward, {}, true};
-    if (neighbour) return as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
+    if (neighbour)
+      return triangle ? along_face(self, *triangle, other, point)
+                      : as_correction(normal_of_surface(self, *neighbour, other, point, outward, margin));
   }
   if (open) return std::nullopt;
+  if (is_of_lone_surface(self))
+    return is_covered(self, point, outward, other) ? std::optional(Correction<T>{outward, {}, true}) : std::nullopt;
   const std::optional<OnSurface<T>> over = surface_over(self, point, outward, other);
   return as_correction(over ? std::optional(over->normal) : std::nullopt);
 }
@@ -332,12 +349,19 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const SeenContact<T> seen{sliver ? found : now, side, on_face ? face : outward, on_face, distance};
     const auto right = least_deep(self, other, seen, corrected(self, other, seen, margin));
-    if (right && right->elsewhere) {
+    const auto is_of_other = [&] {
       now = between_same_pieces(now);
       settled.instead = manifold;
+    };
+    if (right && right->elsewhere) {
+      is_of_other();
     } else if (right) {
       if (!sliver) found = now;
       now = laid_along(a, b, of_a, right->normal, margin, found);
+      if (right->seen_from && !now.points.empty() && is_covered(self, *right->seen_from, right->normal, other)) {
+        is_of_other();
+        continue;
+      }
       if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
       // Whether the two are as deep as that at all, nothing laid along the normal has shown.
       if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found, distance);

@@ -5,7 +5,8 @@
 // lies in the Voronoi region of the feature that it stands on (Mirtich 1998, "V-Clip", section 2), which is to say that
 // nothing of the surface around its point rises above the plane through the point that it is the normal of.
 //
-// Where a normal is none, what rises (`risers.hpp`) or what lies over the contact (`cover.hpp`) tells the surface's.
+// Where a normal is none, what rises (`voronoi_neighbours.hpp`) or what lies over the contact (`occluders.hpp`) tells
+// the surface's.
 //
 // Guarantee: no contact of a solid has a normal that is not the surface's. What would have one is laid along the least
 // way out of the triangle if that is a ridge's or a corner's own, and then has the place where the two are deepest;
@@ -13,12 +14,14 @@
 // that. No contact that is inside its region is lost, unless it leads to the back of all around it and another piece
 // lies over it.
 //
-// Regions are told from each other by 1e-4 (sine) and by what coordinates lose by rounding (`piece_of.hpp`): a normal
-// that leaves one by less is kept. It is decided by where the pieces lie and not by which vertices they share, so that
+// Regions are told from each other by 1e-4 (sine) and by what coordinates lose by rounding (`leaf_in_context.hpp`): a
+// normal that leaves one by less is kept. It is decided by where the pieces lie and not by which vertices they share:
 // duplicated vertices, T-junctions, seams of height fields and of neighbouring bodies, solids beside sheets among them,
-// are all alike. What a mesh knows of its level triangles only saves the search; that for risers is among the triangles
-// at hand (`mesh_patch.hpp`) and most often ends at corners, so that knowing each edge's two sides beforehand saves
-// nothing.
+// are all alike. What a surface knows of itself spares searches and decides nothing: which triangles lie level, and
+// which lies beyond each edge, where nearly every neighbour that rises is found (`voronoi_neighbours.hpp`).
+//
+// What covers a triangle of a surface that has nothing beside it is another of its triangles. That one reaches into the
+// other shape and has a contact of its own: the covered one is left to it.
 #pragma once
 
 #include "composite/internal_edges/leaf_in_context.hpp"

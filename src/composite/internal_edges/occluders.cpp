@@ -142,12 +142,18 @@ struct BestCover {
   }
 };
 
+/// The boxes along a sight, in the frame of what is looked at.
+template <class T>
+RayQuestion<T> boxes_along(const Sight<T>& sight, const Pose<T>& pose) {
+  const Vec3<T> from = inverse_transform(pose, sight.from), to = inverse_transform(pose, sight.to), way = to - from;
+  return {
+      from, {T(1) / way.x, T(1) / way.y, T(1) / way.z}, T(0), T(1), sight.slack + place_noise(from) + place_noise(to)};
+}
+
 /// Offers all pieces of `whole` that cover the beginning of the sight.
 template <class T>
 void look_along(const Shape<T>& whole, const Pose<T>& pose, const Sight<T>& sight, BestCover<T>& best) {
-  const Vec3<T> from = inverse_transform(pose, sight.from), to = inverse_transform(pose, sight.to), way = to - from;
-  const RayQuestion<T> question{
-      from, {T(1) / way.x, T(1) / way.y, T(1) / way.z}, T(0), T(1), sight.slack + place_noise(from) + place_noise(to)};
+  const RayQuestion<T> question = boxes_along(sight, pose);
   if (whole.convex() && question(bounds(whole, Pose<T>{})) > T(1)) return;  // of others the hierarchy tells
   const auto look = [&](const Shape<T>& piece, const Pose<T>& at, std::uint32_t) {
     if (!piece.convex()) {
@@ -187,6 +193,27 @@ std::optional<OnSurface<T>> surface_over(const LeafInContext<T>& self, const Vec
 }
 
 template <class T>
+bool is_covered(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
+                const LeafInContext<T>& other) {
+  const Sight<T> sight = sight_of(self, point, outward, other);
+  const RayQuestion<T> question = boxes_along(sight, self.whole_pose);
+  bool covered = false;
+  with_surface(self.whole, [&](const auto& surface) {
+    const auto covers = [&](std::uint32_t number) {
+      const auto [a, b, c] = surface.triangle(number);
+      covered = crossing(Triangle<T>(a, b, c), self.whole_pose, surface.sides == Sides::front, sight).has_value();
+      return covered;
+    };
+    for (const std::uint32_t next : surface.across(self.number))
+      if (next != no_triangle && covers(next)) return;
+    visit(
+        surface.hierarchy(), question, [] { return T(1); },
+        [&](std::uint32_t number) { return question(bounds_of(surface.triangle(number))) > T(1) || !covers(number); });
+  });
+  return covered;
+}
+
+template <class T>
 std::optional<OnSurface<T>> own_surface(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                         const LeafInContext<T>& other) {
   const auto seen = entry(self.piece, self.pose, sight_of(self, point, outward, other));
@@ -197,6 +224,7 @@ std::optional<OnSurface<T>> own_surface(const LeafInContext<T>& self, const Vec3
   template T distance_to(const LeafInContext<T>&, const Vec3<T>&);                                                     \
   template std::optional<OnSurface<T>> surface_over(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&,           \
                                                     const LeafInContext<T>&);                                          \
+  template bool is_covered(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&, const LeafInContext<T>&);          \
   template std::optional<OnSurface<T>> own_surface(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&,            \
                                                    const LeafInContext<T>&);
 GRAZE_INSTANTIATE(float)

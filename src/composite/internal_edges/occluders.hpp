@@ -31,6 +31,12 @@ template <class T>
 std::optional<OnSurface<T>> surface_over(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                          const LeafInContext<T>& other);
 
+/// Whether `surface_over` finds something for a triangle of a mesh or height field that is the whole and has nothing
+/// beside it. It ends at the first that covers, and looks across the edges of the triangle before it searches.
+template <class T>
+bool is_covered(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
+                const LeafInContext<T>& other);
+
 /// The surface of the solid `self` itself that is seen from the middle of `other` where it looks at the contact, if
 /// nothing rises above that.
 template <class T>

@@ -42,11 +42,44 @@ T reach_on(const HeightFieldData<T>& field, T noise) {
   return on_piece<T> * max_abs(field.hierarchy().bounds().extent()) + noise;
 }
 
-/// A triangle of a mesh or height field that touches `p` and rises there.
+/// Whether the edge from `a` to `b` touches `p` and the third corner of a triangle at it rises there: then
+/// `rises_above` says so of that triangle.
+template <class T>
+bool rises_beyond(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& corner, const Vec3<T>& p, const Vec3<T>& n,
+                  T at_place) {
+  const Vec3<T> to_corner = corner - p;
+  const T away = length(to_corner);
+  const T size = std::sqrt(greatest(away * away, greatest(length_squared(a - p), length_squared(b - p))));
+  const T noise = at_place + coordinate_noise(size), reach = on_piece<T> * size + noise;
+  return dot(to_corner, n) > region_slack<T> * away + noise &&
+         length_squared(closest_point<T>({a, b}, p) - p) <= reach * reach;
+}
+
+/// The triangle across an edge of triangle `number` that `p` lies on, if it rises there: nearly all contacts on edges
+/// end here, without a search.
 template <class T, class Surface>
-std::optional<std::uint32_t> rising_triangle(const Surface& surface, const MeshPatch<T>* patch, const Vec3<T>& p,
-                                             const Vec3<T>& n, T noise) {
+std::optional<std::uint32_t> rising_across(const Surface& surface, std::uint32_t number, const Vec3<T>& p,
+                                           const Vec3<T>& n, T noise) {
+  const std::array<Vec3<T>, 3> own = surface.triangle(number);
+  const TrianglesAcross& across = surface.across(number);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (across[i] == no_triangle) continue;
+    const Vec3<T>&from = own[i], &to = own[(i + 1) % 3];
+    const std::array<Vec3<T>, 3> next = surface.triangle(across[i]);
+    const auto* corner =
+        std::find_if(next.begin(), next.end() - 1, [&](const auto& q) { return q != from && q != to; });
+    if (rises_beyond(from, to, *corner, p, n, noise)) return across[i];
+  }
+  return std::nullopt;
+}
+
+/// A triangle of a mesh or height field that touches `p` and rises there. `near`: one that `p` may lie on, if known.
+template <class T, class Surface>
+std::optional<std::uint32_t> rising_triangle(const Surface& surface, std::optional<std::uint32_t> near,
+                                             const MeshPatch<T>* patch, const Vec3<T>& p, const Vec3<T>& n, T noise) {
   std::optional<std::uint32_t> found;
+  if (near) found = rising_across(surface, *near, p, n, noise);
+  if (found) return found;
   const Aabb<T> region = inflated(Aabb<T>{p, p}, reach_on(surface, noise));
   const auto look = [&](std::uint32_t number) {
     const std::array<Vec3<T>, 3> t = surface.triangle(number);
@@ -75,7 +108,10 @@ std::optional<Placed<T>> riser(const Shape<T>& whole, const Pose<T>& pose, const
   const Vec3<T> local = inverse_transform(pose, point);
   const T noise = place_noise(point);
   const auto of_surface = [&](const auto& surface) {
-    const auto number = rising_triangle(surface, self.patch, local, rotate(conjugate(pose.rotation), outward), noise);
+    const bool own = &whole == &self.whole && self.piece.template as<Triangle<T>>();
+    const auto near = own ? std::optional(self.number) : std::nullopt;
+    const Vec3<T> n = rotate(conjugate(pose.rotation), outward);
+    const auto number = rising_triangle(surface, near, self.patch, local, n, noise);
     if (number) found.emplace(Placed<T>{triangle_shape(surface.triangle(*number)), pose});
   };
   if (with_surface(whole, of_surface)) return found;
@@ -130,6 +166,15 @@ std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T
 }
 
 template <class T>
+bool rises_across_edge(const Shape<T>& surface, std::uint32_t triangle, const Vec3<T>& point, const Vec3<T>& outward,
+                       T noise) {
+  bool rises = false;
+  with_surface(surface,
+               [&](const auto& data) { rises = rising_across(data, triangle, point, outward, noise).has_value(); });
+  return rises;
+}
+
+template <class T>
 FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>& self, const Vec3<T>& point) {
   FixedVector<Vec3<T>, 16> faces;
   const auto* mesh = self.whole.template as<Mesh<T>>();
@@ -154,6 +199,7 @@ FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>& self, const Vec3<T
 #define GRAZE_INSTANTIATE(T)                                                                                           \
   template bool piece_rises_above(const Shape<T>&, const Pose<T>&, const Vec3<T>&, const Vec3<T>&);                    \
   template std::optional<Placed<T>> riser_around(const LeafInContext<T>&, const Vec3<T>&, const Vec3<T>&, Among);      \
+  template bool rises_across_edge(const Shape<T>&, std::uint32_t, const Vec3<T>&, const Vec3<T>&, T);                  \
   template FixedVector<Vec3<T>, 16> faces_around(const LeafInContext<T>&, const Vec3<T>&);
 GRAZE_INSTANTIATE(float)
 GRAZE_INSTANTIATE(double)

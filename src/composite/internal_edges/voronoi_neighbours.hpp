@@ -1,7 +1,7 @@
 // The neighbours of a piece that rise above a plane: where there is one, the plane's normal is none of the surface.
 //
 // Guarantee: a normal of a flat or concave edge always has one, that of a convex edge inside its Voronoi region never,
-// up to the tolerances of `piece_of.hpp`.
+// up to the tolerances of `leaf_in_context.hpp`.
 #pragma once
 
 #include <algorithm>
@@ -37,6 +37,13 @@ enum class Among { others, all };
 template <class T>
 std::optional<Placed<T>> riser_around(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T>& outward,
                                       Among among = Among::others);
+
+/// Whether a triangle that shares an edge with one of a mesh or height field rises above the plane through a point on
+/// this: then `riser_around` finds one, too. In the surface's frame; `noise`: what the point may be off by for where
+/// the surface is. Nothing is searched, and false says nothing.
+template <class T>
+bool rises_across_edge(const Shape<T>& surface, std::uint32_t triangle, const Vec3<T>& point, const Vec3<T>& outward,
+                       T noise);
 
 /// The directions that the fronts of a mesh's triangles have where they touch a point, in the world: each once, and no
 /// more than there is room for.

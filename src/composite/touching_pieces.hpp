@@ -1,0 +1,164 @@
+// The contacts of two shapes as their pieces are visited: settled among their neighbours, laid on flat faces, joined.
+//
+// Guarantee: what touches has a point, though every contact of its pieces be a ghost. Runs of triangles give the bits
+// of triangles one by one.
+#pragma once
+
+#include <optional>
+
+#include "composite/composite.hpp"
+#include "composite/flat_faces.hpp"
+#include "composite/internal_edges/ghost_contacts.hpp"
+#include "composite/internal_edges/round_on_surface.hpp"
+#include "composite/leaf_pairs.hpp"
+#include "composite/merge_manifolds.hpp"
+#include "composite/triangle_run.hpp"
+#include "narrow/pair_table.hpp"
+
+namespace graze {
+
+template <class T>
+bool is_compound(const Shape<T>& shape) {
+  return shape.template as<Compound<T>>() != nullptr;
+}
+
+/// Whether a triangle that pushes from its front alone, for this reason, would push along a direction that leads from
+/// its back. A sliver's normal is rounding, and along an edge the direction lies in the triangle's plane but for that:
+/// both push.
+template <class T>
+bool from_behind(const Part<T>& part, Pushes reason, const Vec3<T>& outward) {
+  const auto* triangle = part.pushes == reason ? part.shape.template as<Triangle<T>>() : nullptr;
+  if (!triangle) return false;
+  const Vec3<T> u = triangle->point(1) - triangle->point(0), v = triangle->point(2) - triangle->point(0);
+  const T along = dot(rotate(part.pose.rotation, cross(u, v)), outward);
+  return along < -same_normal<T> * max_abs(u) * max_abs(v);
+}
+
+/// The same of either of two pieces, the normal of whose contact leads from A to B.
+template <class T>
+bool from_behind(const Part<T>& a, const Part<T>& b, Pushes reason, const Vec3<T>& normal) {
+  return from_behind(a, reason, normal) || from_behind(b, reason, -normal);
+}
+
+template <class T>
+void name_pieces(Manifold<T>& manifold, const Part<T>& a, const Part<T>& b) {
+  manifold.piece_a = a.number;
+  manifold.piece_b = b.number;
+}
+
+/// The contact of a triangle that was passed over as a ghost while nothing nearer was known.
+template <class T>
+struct NearGhost {
+  std::uint32_t triangle;
+  bool surface_is_a;
+  Pushes pushes;
+  T distance;
+  Manifold<T> manifold;
+};
+
+/// What is found of the contacts of two shapes, piece by piece.
+template <class T>
+struct TouchingPieces {
+  const Part<T>&a, &b;  ///< the whole shapes
+  const Surroundings<T>& beside;
+  T margin;
+  bool singly;  ///< without kernels
+  ManifoldGroups<T> groups;
+  FlatFaces<T> faces{a, b, margin};
+  T least_distance = std::numeric_limits<T>::infinity();
+  Manifold<T> instead = {};                ///< what is left where nothing else is
+  std::optional<NearGhost<T>> ghost = {};  ///< the same, if it is still to be laid along the surface
+
+  void operator()(const Part<T>& pa, const Part<T>& pb) {
+    Manifold<T> manifold;
+    take(pa, pb, convex_contacts(pa.shape, pa.pose, pb.shape, pb.pose, margin, manifold), manifold);
+  }
+  void operator()(const TriangleRun<T>& run) {
+    const auto alone = [&](std::size_t i) {
+      if (run.question.may_reach(run.corners(i), margin)) run.with_pair(i, *this);
+    };
+    if (singly || run.count < few) {
+      for (std::size_t i = 0; i < run.count; ++i) alone(i);
+      return;
+    }
+    const std::optional<RoundOnSurface<T>> round = round_on_surface(run);
+    const auto touching = [&](std::size_t i, T distance, Manifold<T>& manifold) {
+      if (round && round->is_ghost(run.number[i], manifold, run.surface_is_a))
+        return pass_over(run, i, distance, manifold);
+      run.with_pair(i, [&](const Part<T>& pa, const Part<T>& pb) { take(pa, pb, distance, manifold); });
+    };
+    visit_run_contacts(run, margin, touching, alone);
+  }
+
+  /// What touches is not left without a point.
+  void add_last_resort() {
+    if (ghost) {
+      const Part<T>& whole = ghost->surface_is_a ? a : b;
+      Corners<T> corners;
+      with_surface(whole.shape, [&](const auto& surface) { corners = surface.triangle(ghost->triangle); });
+      const Shape<T> shape = triangle_shape(corners);
+      Part<T> piece = whole.piece(shape, whole.pose, ghost->triangle);
+      piece.pushes = ghost->pushes;
+      const Part<T>&pa = ghost->surface_is_a ? piece : a, &pb = ghost->surface_is_a ? b : piece;
+      name_pieces(ghost->manifold, pa, pb);
+      instead = settled(pa, pb, ghost->distance, ghost->manifold).instead;
+    }
+    if (!instead.points.empty()) groups.add(instead);
+  }
+
+ private:
+  static LeafInContext<T> in_context(const Part<T>& whole, const Part<T>& piece, std::span<const PlacedRef<T>> beside) {
+    const auto* mesh = piece.pushes != Pushes::either_way ? whole.shape.template as<Mesh<T>>() : nullptr;
+    const bool of_body = mesh && mesh->data().outward;
+    return {whole.shape, whole.pose, piece.shape, piece.pose, beside, piece.number, piece.patch, of_body};
+  }
+
+  static constexpr std::size_t few = 3;  ///< fewer triangles are asked as quickly one by one
+
+  /// The surface and the round body of a run, if edges tell which of its contacts are ghosts: it is no child, pushes to
+  /// both sides, and nothing is beside it.
+  std::optional<RoundOnSurface<T>> round_on_surface(const TriangleRun<T>& run) const {
+    const Part<T>& whole = run.surface_is_a ? a : b;
+    const bool alone = (run.surface_is_a ? beside.of_a : beside.of_b).empty();
+    if (is_compound(whole.shape) || !alone || run.surface.pushes == Pushes::frontward) return std::nullopt;
+    return RoundOnSurface<T>::of(whole.shape, whole.pose, run.body.shape, run.body.pose);
+  }
+  void pass_over(const TriangleRun<T>& run, std::size_t i, T distance, const Manifold<T>& manifold) {
+    if (!(distance < least_distance)) return;
+    least_distance = distance;
+    ghost = NearGhost<T>{run.number[i], run.surface_is_a, run.surface.pushes, distance, manifold};
+  }
+
+  /// What the pieces around two make of their contact.
+  struct Taken {
+    bool behind;  ///< it leads from the back of a surface that pushes outward
+    Manifold<T> manifold, instead;
+  };
+  Taken settled(const Part<T>& pa, const Part<T>& pb, T distance, const Manifold<T>& manifold) const {
+    Settled<T> found =
+        settle_normal(in_context(a, pa, beside.of_a), in_context(b, pb, beside.of_b), margin, manifold, distance);
+    const bool behind = from_behind(pa, pb, Pushes::outward, found.manifold.normal);
+    if (behind && distance <= T(0)) found.instead = found.manifold;
+    return {behind, found.manifold, found.instead};
+  }
+
+  /// The manifold of a pair of pieces, and their distance.
+  void take(const Part<T>& pa, const Part<T>& pb, T distance, Manifold<T>& manifold) {
+    if (from_behind(pa, pb, Pushes::frontward, manifold.normal)) return;
+    const bool nearest = distance < least_distance;
+    least_distance = least(least_distance, distance);
+    if (manifold.points.empty()) return;
+    if (faces.passes_over(pa, pb, beside.empty())) return;
+    name_pieces(manifold, pa, pb);
+    Taken taken = settled(pa, pb, distance, manifold);
+    if (nearest) {
+      instead = taken.instead;
+      ghost.reset();
+    }
+    if (taken.behind || taken.manifold.points.empty()) return;
+    if (faces.stand(pa, pb, taken.manifold) == FlatFaces<T>::Standing::on_known_face) return;
+    groups.add(taken.manifold);
+  }
+};
+
+}  // namespace graze
