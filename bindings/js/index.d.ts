@@ -1124,7 +1124,7 @@ export declare namespace plane {
   function raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
   function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
   function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
-  /** As in space; of all but a UserConvex. */
+  /** A shape of the plane as a question of the protocol has it. Throws `InvalidValue` for a UserConvex. */
   function protocolShape(shape: Shape): ProtocolShape;
   const traced: {
     overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<boolean>;

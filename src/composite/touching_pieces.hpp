@@ -4,6 +4,7 @@
 // of triangles one by one.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "composite/composite.hpp"
@@ -17,6 +18,7 @@
 
 namespace graze {
 
+/// Whether a shape is a compound.
 template <class T>
 bool is_compound(const Shape<T>& shape) {
   return shape.template as<Compound<T>>() != nullptr;
@@ -34,12 +36,13 @@ bool from_behind(const Part<T>& part, Pushes reason, const Vec3<T>& outward) {
   return along < -same_normal<T> * max_abs(u) * max_abs(v);
 }
 
-/// The same of either of two pieces, the normal of whose contact leads from A to B.
+/// Whether either of two pieces, the normal of whose contact leads from A to B, would push from its back.
 template <class T>
 bool from_behind(const Part<T>& a, const Part<T>& b, Pushes reason, const Vec3<T>& normal) {
   return from_behind(a, reason, normal) || from_behind(b, reason, -normal);
 }
 
+/// Sets the numbers of the pieces that a manifold is of.
 template <class T>
 void name_pieces(Manifold<T>& manifold, const Part<T>& a, const Part<T>& b) {
   manifold.piece_a = a.number;
@@ -56,7 +59,7 @@ struct NearGhost {
   Manifold<T> manifold;
 };
 
-/// What is found of the contacts of two shapes, piece by piece.
+/// The contacts of two shapes, found piece by piece.
 template <class T>
 struct TouchingPieces {
   const Part<T>&a, &b;  ///< the whole shapes
@@ -66,8 +69,8 @@ struct TouchingPieces {
   ManifoldGroups<T> groups;
   FlatFaces<T> faces{a, b, margin};
   T least_distance = std::numeric_limits<T>::infinity();
-  Manifold<T> instead = {};                ///< what is left where nothing else is
-  std::optional<NearGhost<T>> ghost = {};  ///< the same, if it is still to be laid along the surface
+  Manifold<T> instead = {};                ///< the last resort, where nothing else is left
+  std::optional<NearGhost<T>> ghost = {};  ///< the last resort, if it is still to be laid along the surface
 
   void operator()(const Part<T>& pa, const Part<T>& pb) {
     Manifold<T> manifold;
@@ -90,7 +93,7 @@ struct TouchingPieces {
     visit_run_contacts(run, margin, touching, alone);
   }
 
-  /// What touches is not left without a point.
+  /// Adds the point without which what touches would have none.
   void add_last_resort() {
     if (ghost) {
       const Part<T>& whole = ghost->surface_is_a ? a : b;
@@ -129,7 +132,7 @@ struct TouchingPieces {
     ghost = NearGhost<T>{run.number[i], run.surface_is_a, run.surface.pushes, distance, manifold};
   }
 
-  /// What the pieces around two make of their contact.
+  /// The contact of two pieces after a look at the pieces around them.
   struct Taken {
     bool behind;  ///< it leads from the back of a surface that pushes outward
     Manifold<T> manifold, instead;

@@ -1,6 +1,4 @@
 // Scenes of the plane as JSON.
-#include <cmath>
-
 #include "graze/error.hpp"
 #include "graze/io/plane_scene.hpp"
 #include "io/json_value.hpp"
@@ -13,12 +11,6 @@ namespace {
 using plane::Vec2d;
 
 JsonWriter& put(JsonWriter& out, const Vec2d& v) { return out.open('[').number(v.x).number(v.y).close(']'); }
-
-void write_pose(JsonWriter& out, const plane::Pose2d& pose) {
-  put(out.key("translation"), pose.translation);
-  if (pose.rotation.sine != 0 || pose.rotation.cosine != 1)
-    out.key("rotation").number(std::atan2(pose.rotation.sine, pose.rotation.cosine));
-}
 
 /// How a body is moved, without what is so by default.
 void write_motion(JsonWriter& out, const PlaneSceneBody& body) {

@@ -42,10 +42,7 @@ class PlaneMeasures {
     key("children").open('[');
     for (const auto& child : c.children()) {
       write_shape(out_.open('{').key("shape"), child.shape);
-      put(out_.key("translation"), child.pose.translation);
-      const auto& turn = child.pose.rotation;
-      if (turn.sine != T(0) || turn.cosine != T(1))
-        out_.key("rotation").number(std::atan2(double(turn.sine), double(turn.cosine)));
+      write_pose(out_, child.pose);
       out_.close('}');
     }
     out_.close(']');
@@ -69,6 +66,14 @@ class PlaneMeasures {
 }  // namespace
 
 template <class T>
+void write_pose(JsonWriter& out, const plane::Pose2<T>& pose) {
+  put(out.key("translation"), pose.translation);
+  const auto& turn = pose.rotation;
+  if (turn.sine != T(0) || turn.cosine != T(1))
+    out.key("rotation").number(std::atan2(double(turn.sine), double(turn.cosine)));
+}
+
+template <class T>
 void write_shape(JsonWriter& out, const plane::Shape<T>& shape) {
   const char* type = shape.name();  // kinds are called as in the protocol
   out.open('{').key("type").raw('"' + std::string(type) + '"').key(type).open('{');
@@ -78,6 +83,8 @@ void write_shape(JsonWriter& out, const plane::Shape<T>& shape) {
   out.close('}');
 }
 
+template void write_pose(JsonWriter&, const plane::Pose2<float>&);
+template void write_pose(JsonWriter&, const plane::Pose2<double>&);
 template void write_shape(JsonWriter&, const plane::Shape<float>&);
 template void write_shape(JsonWriter&, const plane::Shape<double>&);
 

@@ -15,6 +15,10 @@ namespace graze::io {
 template <class T>
 void write_shape(JsonWriter& out, const Shape<T>& shape);
 
+/// Writes where something stands in the plane: the keys `translation` and, where it is turned, `rotation` in radians.
+template <class T>
+void write_pose(JsonWriter& out, const plane::Pose2<T>& pose);
+
 /// Writes a shape of the plane. Throws `InvalidValue` for a user's own.
 template <class T>
 void write_shape(JsonWriter& out, const plane::Shape<T>& shape);

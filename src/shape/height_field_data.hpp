@@ -68,14 +68,14 @@ struct HeightFieldData {
     return {first, point(c, r + 1), last};
   }
 
-  /// Each cell is cut from its first corner to its last: the even triangle lies at the next column, the odd at the next
-  /// row.
+  /// The triangles across the edges of one. Each cell is cut from its first corner to its last: the even triangle lies
+  /// at the next column, the odd at the next row.
   TrianglesAcross across(std::uint32_t number) const {
     const std::uint32_t at = number / 2, c = at % (columns - 1), r = at / (columns - 1), odd = number % 2;
-    // Below zero it wraps round to more than there are.
     const auto in_cell = [&](std::uint32_t column, std::uint32_t row) {
-      const bool there = column < columns - 1 && row < rows - 1 && cell(column, row).low <= cell(column, row).high;
-      return there ? 2 * (row * (columns - 1) + column) + 1 - odd : no_triangle;
+      if (column >= columns - 1 || row >= rows - 1) return no_triangle;  // below zero they wrap round
+      const Span s = cell(column, row);
+      return s.low <= s.high ? 2 * (row * (columns - 1) + column) + 1 - odd : no_triangle;
     };
     if (odd != 0) return {in_cell(c - 1, r), in_cell(c, r + 1), number - 1};
     return {number + 1, in_cell(c + 1, r), in_cell(c, r - 1)};

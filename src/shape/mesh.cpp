@@ -112,7 +112,7 @@ Mesh<T>::Mesh(std::vector<Vec3<T>> points, std::vector<Index> triangles, Sides s
       throw InvalidValue("solid", "triangles that bound a solid", "a mesh that is not closed");
     data->solid = solid;
     data->level = level_triangles<T>(points, triangles, edges);
-    data->beyond = edges.across(triangles);
+    data->neighbours = edges.across(triangles);
   }
   data->points = std::move(points);
   data->triangles = std::move(triangles);

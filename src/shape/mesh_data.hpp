@@ -23,13 +23,13 @@ struct MeshData {
   bool closed = false;             ///< bounds a solid
   bool outward = false;            ///< the same, and its fronts lead out of it: its volume is positive
   std::vector<bool> level;         ///< of each triangle: lies level with all around it
-  std::vector<TrianglesAcross> beyond;  ///< the edges of each triangle
+  std::vector<TrianglesAcross> neighbours;  ///< of each triangle
   Sides sides = Sides::both;
   bool solid = false;                  ///< its inside counts; then it is closed
   std::vector<std::uint32_t> islands;  ///< a point, by number, of each connected part
 
   const WideTree<T>& hierarchy() const { return tree; }
-  const TrianglesAcross& across(std::uint32_t number) const { return beyond[number]; }
+  const TrianglesAcross& across(std::uint32_t number) const { return neighbours[number]; }
   std::array<Vec3<T>, 3> triangle(std::uint32_t number) const {
     const auto& t = triangles[number];
     return {points[t[0]], points[t[1]], points[t[2]]};

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "shape/mesh_data.hpp"
+#include "graze/shape/mesh.hpp"
+#include "shape/triangles_across.hpp"
 
 namespace graze {
 
@@ -17,9 +18,8 @@ class EdgeUses {
   /// Whether the triangles bound a solid: every edge is run through once in each direction.
   bool bound_solid() const;
 
-  /// Of each triangle, by the number of the corner where its edge begins, the next one that uses this edge:
-  /// `no_triangle` where there is no other. The third use of an edge follows the second, and the first the
-  /// last.
+  /// The triangles across the edges of each triangle. An edge that more than two use leads from each to the next, and
+  /// from the last to the first.
   std::vector<TrianglesAcross> across(std::span<const std::array<std::uint32_t, 3>> triangles) const;
 
   /// Calls `f(i, j, paired)` for the edges between points i < j, until it returns false; `paired`: run through once in

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/specimen.hpp"
+#include "composite/height_grid.hpp"
 #include "composite/internal_edges/ghost_contacts.hpp"
 #include "composite/internal_edges/occluders.hpp"
 #include "graze/query.hpp"
@@ -28,25 +28,13 @@ constexpr Relief reliefs[] = {Relief::smooth, Relief::creased, Relief::crumpled,
 /// Eleven cells each way of half a unit, or triangles anywhere in their place.
 template <class T>
 Shape<T> relief_of(Relief relief, Random& random) {
-  constexpr std::uint32_t side = 12;
   const float rough = relief == Relief::smooth ? 0.01f : relief == Relief::crumpled ? 1.0f : 0.2f;
-  const auto height = [&] { return static_cast<T>(uniform(random, -rough, rough)); };
-  if (relief == Relief::field) {
-    std::vector<T> heights(side * side);
-    for (T& h : heights) h = height();
-    return HeightField<T>(side, side, heights, T(0.5), T(0.5));
-  }
-  std::vector<Vec3<T>> points;
-  std::vector<typename Mesh<T>::Index> triangles;
-  for (std::uint32_t i = 0; i < side * side; ++i) {
-    points.push_back({T(i % side) / 2 - 3, height(), T(i / side) / 2 - 3});
-    if (i % side + 1 == side || i / side + 1 == side) continue;
-    triangles.push_back({i, i + side, i + 1});
-    triangles.push_back({i + 1, i + side, i + side + 1});
-  }
+  const testing::HeightGrid<T> grid(12, 0.5f, rough, random);
+  if (relief == Relief::field) return grid.field();
+  std::vector<Vec3<T>> points = grid.points();
   if (relief == Relief::soup)
     for (Vec3<T>& p : points) p = converted<T>(random_vector(random, 1));
-  return Mesh<T>(points, triangles);
+  return Mesh<T>(points, grid.triangles());
 }
 
 template <class T>

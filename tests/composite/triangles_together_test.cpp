@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "common/specimen.hpp"
 #include "composite/composite.hpp"
+#include "composite/height_grid.hpp"
 #include "graze/query.hpp"
 
 namespace graze {
@@ -26,32 +26,19 @@ enum class Terrain { rough, level, degenerate, soup, field, in_compound };
 constexpr Terrain terrains[] = {Terrain::rough, Terrain::level, Terrain::degenerate,
                                 Terrain::soup,  Terrain::field, Terrain::in_compound};
 
-/// Some `side` x `side` cells about the origin, of half the width of the bodies below, or less.
+/// Eleven cells each way about the origin, of half the width of the bodies below, or less.
 template <class T>
 Shape<T> terrain_of(Terrain terrain, Sides sides, Random& random) {
-  const std::uint32_t side = 12;
   const float cell = uniform(random, 0.1f, 0.5f), rough = terrain == Terrain::level ? 0 : 0.1f;
-  const auto height = [&] { return static_cast<T>(uniform(random, -rough, rough)); };
-  if (terrain == Terrain::field) {
-    std::vector<T> heights(side * side);
-    for (T& h : heights) h = height();
-    return HeightField<T>(side, side, heights, static_cast<T>(cell), static_cast<T>(cell), sides);
-  }
-  std::vector<Vec3<T>> points;
-  std::vector<typename Mesh<T>::Index> triangles;
-  for (std::uint32_t i = 0; i < side * side; ++i) {
-    const float x = static_cast<float>(i % side) - 6, z = static_cast<float>(i / side) - 6;
-    points.push_back({static_cast<T>(x * cell), height(), static_cast<T>(z * cell)});
-    if (i % side + 1 == side || i / side + 1 == side) continue;
-    triangles.push_back({i, i + side, i + 1});
-    triangles.push_back({i + 1, i + side, i + side + 1});
-  }
+  const testing::HeightGrid<T> grid(12, cell, rough, random);
+  if (terrain == Terrain::field) return grid.field(sides);
+  std::vector<Vec3<T>> points = grid.points();
   if (terrain == Terrain::degenerate)
     for (auto& p : points)
       if (random() % 4 == 0) p = points[random() % points.size()];
   if (terrain == Terrain::soup)
     for (Vec3<T>& p : points) p = converted<T>(random_vector(random, 1));
-  const Mesh<T> mesh(points, triangles, sides);
+  const Mesh<T> mesh(points, grid.triangles(), sides);
   if (terrain != Terrain::in_compound) return mesh;
   return Compound<T>({{mesh}, {Box<T>({T(1), T(0.5), T(1)}), {{T(0), T(-0.25), T(0)}, {}}}});
 }

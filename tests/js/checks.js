@@ -295,7 +295,7 @@ export const checks = [
       equal(entry.plane.protocolShape(new entry.plane.Chain([[0, 0], [1, 0], [1, 2]], { sides: "front" })),
         { type: "chain", chain: { points: [[0, 0], [1, 0], [1, 2]], sides: "one" } }, "a chain");
     }
-    // Of float all bits, widened.
+    // All bits of a float, widened.
     equal(graze.protocolShape(new graze.Sphere(0.1)).sphere.radius, Math.fround(0.1), "a float's radius");
     equal(queries.protocolShape, undefined, "not in graze/queries");
   }],

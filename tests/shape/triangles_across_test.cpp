@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/specimen.hpp"
 #include "shape/height_field_data.hpp"

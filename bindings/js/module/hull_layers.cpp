@@ -6,18 +6,7 @@
 #include "graze/shape/support_trace.hpp"
 
 #include "c/arguments.hpp"
-
-#ifdef GRAZE_JS_DOUBLE
-#define EXPORTED(name) __attribute__((export_name("graze_js_hull_" name "_d")))
-#define GRAZE_C_TAG 0x67720d00u  // as in c/double.cpp
-#define TYPE(name) Graze##name##d
-using T = double;
-#else
-#define EXPORTED(name) __attribute__((export_name("graze_js_hull_" name "_f")))
-#define GRAZE_C_TAG 0x67720f00u  // as in c/float.cpp
-#define TYPE(name) Graze##name##f
-using T = float;
-#endif
+#include "scalar.hpp"
 
 #include "c/shape_handle.inc"
 
@@ -47,7 +36,7 @@ void show(const std::uint32_t** first, std::size_t* count) {
 
 extern "C" {
 
-EXPORTED("vertices")
+EXPORTED("hull_vertices")
 GrazeStatus graze_js_hull_vertices(const TYPE(Shape) * shape, const graze::Vec3<T>** first, std::size_t* count) {
   return guarded([&] {
     const auto& vertices = hull_of(shape).data().vertices;
@@ -57,7 +46,7 @@ GrazeStatus graze_js_hull_vertices(const TYPE(Shape) * shape, const graze::Vec3<
 }
 
 /// A layer: how many vertices and edges, then the vertices, then two ends an edge.
-EXPORTED("layers")
+EXPORTED("hull_layers")
 GrazeStatus graze_js_hull_layers(const TYPE(Shape) * shape, const std::uint32_t** first, std::size_t* count) {
   return guarded([&] {
     answer.clear();
@@ -73,7 +62,7 @@ GrazeStatus graze_js_hull_layers(const TYPE(Shape) * shape, const std::uint32_t*
 
 /// The vertex, whether all were scanned, the products; then a layer: how many vertices, which won, how many were looked
 /// at, and these.
-EXPORTED("support")
+EXPORTED("hull_support")
 GrazeStatus graze_js_hull_support(const TYPE(Shape) * shape, const graze::Vec3<T>* direction,
                                   const std::uint32_t** first, std::size_t* count) {
   return guarded([&] {
@@ -97,7 +86,7 @@ GrazeStatus graze_js_hull_support(const TYPE(Shape) * shape, const graze::Vec3<T
 }
 
 /// Of the last support query: the product of each vertex that was looked at, those of all layers one behind the other.
-EXPORTED("products")
+EXPORTED("hull_products")
 GrazeStatus graze_js_hull_products(const double** first, std::size_t* count) {
   *first = products.data();
   *count = products.size();

@@ -4,18 +4,7 @@
 
 #include "c/arguments.hpp"
 #include "io/shape_writer.hpp"
-
-#ifdef GRAZE_JS_DOUBLE
-#define EXPORTED(name) __attribute__((export_name("graze_js_" name "_d")))
-#define GRAZE_C_TAG 0x67720d00u  // as in c/double.cpp
-#define TYPE(name) Graze##name##d
-using T = double;
-#else
-#define EXPORTED(name) __attribute__((export_name("graze_js_" name "_f")))
-#define GRAZE_C_TAG 0x67720f00u  // as in c/float.cpp
-#define TYPE(name) Graze##name##f
-using T = float;
-#endif
+#include "scalar.hpp"
 
 #include "c/plane_shape_handle.inc"
 #include "c/shape_handle.inc"

@@ -31,8 +31,8 @@ bool lies_open(const LeafInContext<T>& self, const Vec3<T>& outward) {
   return dot(front, rotate(conjugate(self.pose.rotation), outward)) >= T(0);
 }
 
-/// Whether a piece is a triangle of a surface around which is nothing else. What covers it is a triangle of that, too,
-/// which reaches into the other shape and has a contact of its own.
+/// Whether a piece is a triangle of a surface that nothing else is around: any cover of it is another triangle of that
+/// surface, which reaches into the other shape and has a contact of its own.
 template <class T>
 bool is_of_lone_surface(const LeafInContext<T>& self) {
   return self.beside.empty() && (self.whole.template as<Mesh<T>>() || self.whole.template as<HeightField<T>>());
@@ -133,10 +133,10 @@ bool leans_over(const LeafInContext<T>& self, const Vec3<T>& point, const Vec3<T
 /// What a contact has instead of a normal that is none of the surface's.
 template <class T>
 struct Correction {
-  Vec3<T> normal;                             ///< outward
-  std::optional<Distance<T>> least_way = {};  ///< from the piece to the other shape, if the normal is of that
-  bool elsewhere = false;                     ///< the contact is another piece's
-  std::optional<Vec3<T>> seen_from = {};      ///< it is so where this place on the piece is covered
+  Vec3<T> normal;                              ///< outward
+  std::optional<Distance<T>> least_way = {};   ///< from the piece to the other shape, if the normal is of that
+  bool elsewhere = false;                      ///< the contact is another piece's
+  std::optional<Vec3<T>> unless_covered = {};  ///< a place on the piece; where it is covered, the contact is elsewhere
 };
 
 template <class T>
@@ -144,7 +144,7 @@ std::optional<Correction<T>> as_correction(const std::optional<Vec3<T>>& normal)
   return normal ? std::optional(Correction<T>{*normal}) : std::nullopt;
 }
 
-/// What a triangle has instead of a normal that leaves the Voronoi region of its feature: its face's, on the side where
+/// The correction of a triangle's normal that leaves the Voronoi region of its feature: the face's, on the side where
 /// the other shape is, unless a sheet covers that.
 template <class T>
 std::optional<Correction<T>> along_face(const LeafInContext<T>& self, const Triangle<T>& triangle,
@@ -325,6 +325,15 @@ std::optional<Correction<T>> least_deep(const LeafInContext<T>& self, const Leaf
   return right;
 }
 
+/// Whether a corrected contact is another piece's, after it was laid: where the piece is not met along its face,
+/// nothing need be known of what covers it.
+template <class T>
+bool is_of_another_piece(const LeafInContext<T>& self, const LeafInContext<T>& other, const Correction<T>& right,
+                         const Manifold<T>& laid) {
+  return right.elsewhere ||
+         (right.unless_covered && !laid.points.empty() && is_covered(self, *right.unless_covered, right.normal, other));
+}
+
 }  // namespace
 
 template <class T>
@@ -349,19 +358,14 @@ Settled<T> settle_normal(const LeafInContext<T>& a, const LeafInContext<T>& b, T
     const auto side = of_a ? &ContactPoint<T>::a : &ContactPoint<T>::b;
     const SeenContact<T> seen{sliver ? found : now, side, on_face ? face : outward, on_face, distance};
     const auto right = least_deep(self, other, seen, corrected(self, other, seen, margin));
-    const auto is_of_other = [&] {
-      now = between_same_pieces(now);
-      settled.instead = manifold;
-    };
-    if (right && right->elsewhere) {
-      is_of_other();
-    } else if (right) {
+    if (right && !right->elsewhere) {
       if (!sliver) found = now;
       now = laid_along(a, b, of_a, right->normal, margin, found);
-      if (right->seen_from && !now.points.empty() && is_covered(self, *right->seen_from, right->normal, other)) {
-        is_of_other();
-        continue;
-      }
+    }
+    if (right && is_of_another_piece(self, other, *right, now)) {
+      now = between_same_pieces(now);
+      settled.instead = manifold;
+    } else if (right) {
       if (right->least_way) add_deepest(self, of_a, *right->least_way, found, now);
       // Whether the two are as deep as that at all, nothing laid along the normal has shown.
       if (now.points.empty()) settled.instead = furthest_below(self, other, of_a, right->normal, found, distance);

@@ -5,8 +5,8 @@
 // lies in the Voronoi region of the feature that it stands on (Mirtich 1998, "V-Clip", section 2), which is to say that
 // nothing of the surface around its point rises above the plane through the point that it is the normal of.
 //
-// Where a normal is none, what rises (`voronoi_neighbours.hpp`) or what lies over the contact (`occluders.hpp`) tells
-// the surface's.
+// The surface's normal in place of one that is none is told by the neighbour that rises (`voronoi_neighbours.hpp`) or
+// by what lies over the contact (`occluders.hpp`).
 //
 // Guarantee: no contact of a solid has a normal that is not the surface's. What would have one is laid along the least
 // way out of the triangle if that is a ridge's or a corner's own, and then has the place where the two are deepest;
@@ -20,8 +20,8 @@
 // are all alike. What a surface knows of itself spares searches and decides nothing: which triangles lie level, and
 // which lies beyond each edge, where nearly every neighbour that rises is found (`voronoi_neighbours.hpp`).
 //
-// What covers a triangle of a surface that has nothing beside it is another of its triangles. That one reaches into the
-// other shape and has a contact of its own: the covered one is left to it.
+// A triangle of a surface that has nothing beside it is covered by another of its triangles, which reaches into the
+// other shape and has a contact of its own: the covered one has none.
 #pragma once
 
 #include "composite/internal_edges/leaf_in_context.hpp"

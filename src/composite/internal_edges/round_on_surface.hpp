@@ -23,7 +23,7 @@ namespace graze {
 template <class T>
 class RoundOnSurface {
  public:
-  /// None of another body.
+  /// Empty for another body.
   static std::optional<RoundOnSurface> of(const Shape<T>& surface, const Pose<T>& surface_pose, const Shape<T>& body,
                                           const Pose<T>& body_pose) {
     const auto in_frame = [&](const Vec3<T>& p) { return inverse_transform(surface_pose, transform(body_pose, p)); };
@@ -42,8 +42,8 @@ class RoundOnSurface {
         standing_point<T>(manifold.points, surface_is_a ? &ContactPoint<T>::a : &ContactPoint<T>::b);
     const Vec3<T> point = inverse_transform(pose_, touched);
     const Vec3<T> outward = rotate(conjugate(pose_.rotation), surface_is_a ? manifold.normal : -manifold.normal);
-    return is_beside_face(triangle, outward, place_noise(touched)) &&
-           rises_across_edge(surface_, triangle, point, outward, place_noise(touched));
+    const T noise = place_noise(touched);
+    return is_beside_face(triangle, outward, noise) && rises_across_edge(surface_, triangle, point, outward, noise);
   }
 
  private:

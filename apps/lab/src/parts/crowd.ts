@@ -61,7 +61,7 @@ export class Crowd {
     this.special = special;
     this.repaint();
   }
-  /** The same in the colours of another theme. */
+  /** Paints all bodies once more, in the colours of another theme. */
   repaint(): void {
     const shade = new THREE.Color();
     for (const { mesh, bodies } of this.batches) {

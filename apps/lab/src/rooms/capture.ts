@@ -11,7 +11,7 @@ import { address, cameraOf, cameraText, parse, whenStill } from "../parts/state.
 import { Table } from "../parts/table.ts";
 import { speeds, Timeline } from "../parts/timeline.ts";
 import { add, scale } from "../parts/vec.ts";
-import { bodiesAt, moves, type Captured, type CapturedFrame } from "../scene/captured.ts";
+import { bodiesAt, type Captured, type CapturedFrame } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { Inquiry } from "../scene/inquiry.ts";
 import { captureLayers } from "../scene/layers.ts";
@@ -63,7 +63,6 @@ export class CaptureRoom implements Room {
   private readonly chooser: Chooser;
   private readonly captured: Captured;
   private readonly origin: Origin;
-  private readonly usual: Meaning[];
   private frame = 0;
   private selected: number[] = [];
   private asked: Asked | null = null;
@@ -81,10 +80,10 @@ export class CaptureRoom implements Room {
     this.chooser = new Chooser((selected) => this.select(selected));
     this.pairs.onPoint = this.found.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
     this.stage.onPick = (body, _, key) => this.select(bodiesOf(key).length > 0 ? bodiesOf(key) : toggled(this.selected, body));
-    this.usual = bodies.map((_, i) => (moves(captured, i) ? "a" : "out"));
-    this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), this.usual);
+    const usual = bodies.map((body): Meaning => (body.moves ? "a" : "out"));
+    this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), usual);
     this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: report.plane });
-    this.chooser.set(bodies.map(({ name }, i) => ({ name, moves: this.usual[i] === "a" })));
+    this.chooser.set(bodies);
     this.element = h("article", { class: "lesson" },
       h("header", {}, h("h1", {}, name), h("p", { class: "intro" }, `A ${kind}: ${frames.length} frames, played again. ${end}`)),
       h("div", { class: "board" },

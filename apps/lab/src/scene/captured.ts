@@ -11,6 +11,8 @@ export interface CapturedBody {
   name: string;
   solid: Solid;
   flat: boolean;
+  /** Whether it is somewhere else in a later frame than in the first in which it is. */
+  moves: boolean;
   /** As a question has it; or why none can. */
   shape: Shape | null;
   refused: string;
@@ -47,8 +49,7 @@ export interface Captured {
 /** Of more pairs the points are counted and not kept. */
 const mostPairs = 200;
 
-/** Whether a body is somewhere else in a later frame than in the first in which it is. */
-export function moves({ frames }: Captured, body: number): boolean {
+function movesIn(frames: CapturedFrame[], body: number): boolean {
   const poses = frames.filter(({ there }) => there.has(body)).map((frame) => frame.poses.subarray(7 * body, 7 * body + 7));
   return poses.some((pose) => pose.some((x, i) => x !== poses[0][i]));
 }
@@ -57,9 +58,9 @@ export function moves({ frames }: Captured, body: number): boolean {
 export function bodiesAt(captured: Captured, frame: number, numbers: number[]): SceneBody[] {
   const { poses } = captured.frames[frame];
   return numbers.map((i) => {
-    const { name, shape, refused } = captured.bodies[i], pose = Array.from(poses.subarray(7 * i, 7 * i + 7));
+    const { name, moves, shape, refused } = captured.bodies[i], pose = Array.from(poses.subarray(7 * i, 7 * i + 7));
     if (!shape) throw new Error(`${name}: ${refused}`);
-    return { name, shape, translation: pose.slice(0, 3), rotation: pose.slice(3), moves: moves(captured, i), captured: true };
+    return { name, shape, translation: pose.slice(0, 3), rotation: pose.slice(3), moves, captured: true };
   });
 }
 
@@ -101,7 +102,7 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
       let at = known.get(key);
       if (at === undefined) {
         const endless = shape.kind === "halfSpace" || shape.kind === "halfPlane";
-        at = bodies.push({ name: `${shape.kind} ${index}`, solid: solid(shape), flat: endless, ...words(shape) }) - 1;
+        at = bodies.push({ name: `${shape.kind} ${index}`, solid: solid(shape), flat: endless, moves: false, ...words(shape) }) - 1;
         known.set(key, at);
       }
       return at;
@@ -127,5 +128,6 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
     frames.push({ poses: kept, there: new Set(there.keys()), pairs: pairs.slice(0, mostPairs), deepest });
   });
   if (!area) throw new Error("the capture has no whole frame");
+  for (const [i, body] of bodies.entries()) body.moves = movesIn(frames, i);
   return { report, scalar, bodies, frames, ...(area as { center: Vec; size: number }) };
 }
