@@ -187,6 +187,16 @@ accuracy: ## measure the largest errors, beside Bullet, ODE and FCL, and write b
 	@build/release/bin/bench_accuracy > build/ACCURACY.md
 	@mv build/ACCURACY.md bench/ACCURACY.md
 
+# Two milliseconds a pair and thread, nearly all of them for the truth: minutes for 2,000 of each two kinds.
+PAIRS ?= 2000
+.PHONY: extremes
+extremes: ## measure the errors of hard pairs (PAIRS=2000 of each two kinds), and write bench/EXTREMES.md
+	@scripts/setup.sh bench
+	$(call configure,bench)
+	cmake --build --preset bench --parallel $(JOBS) --target bench_extremes
+	@build/release/bin/bench_extremes --pairs $(PAIRS) > build/EXTREMES.md
+	@mv build/EXTREMES.md bench/EXTREMES.md
+
 .PHONY: format
 format: ## format all sources in place
 	@scripts/setup.sh lint

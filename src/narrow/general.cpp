@@ -2,6 +2,7 @@
 
 #include "narrow/core/core_inside.hpp"
 #include "narrow/depth/ball_hulls.hpp"
+#include "narrow/depth/coaxial_depth.hpp"
 #include "narrow/depth/newton_depth.hpp"
 #include "narrow/general_search.hpp"
 #include "narrow/gjk/epa.hpp"
@@ -115,8 +116,10 @@ GeneralDistance iteratively(const Shape<T>& a, const Shape<T>& b, const Posed& b
   }
   const double tolerable = depth_goal * difference.size() + noise;
   EpaResult e = depth_of(difference, g.simplex, tolerable);
-  if (e.upper - e.lower > tolerable)
+  if (e.upper - e.lower > tolerable) {
     prove_by_inside(a, b, b_in_a, noise, 0.5 * tolerance<double> * difference.size(), e);
+    e.lower = greatest(e.lower, least(e.upper, depth_as_coaxial(a, b, b_in_a) - noise));
+  }
   return judged(difference, centered(-e.upper, e.normal, e.a, e.b), e.upper - e.lower, noise);
 }
 
