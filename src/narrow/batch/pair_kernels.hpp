@@ -103,7 +103,8 @@ struct alignas(64) MetBoxes {
     rotation = translation + 3,
     clipping = rotation + 9,
     limits = clipping + 7,
-    distance = limits + 4,
+    swapped = limits + 4,
+    distance,
     columns
   };
 
