@@ -22,7 +22,8 @@ reference::Shape reference_shape(const Body& body) {
   case Kind::ellipsoid: return reference::ellipsoid(s);
   case Kind::half_space: return reference::halfspace();
   case Kind::hull:
-  case Kind::triangle: break;
+  case Kind::triangle:
+  case Kind::mesh: break;  // none is asked about
   }
   std::vector<reference::Vector> points;
   for (const Vec3d& p : body.corners->points) points.push_back(wide(p));

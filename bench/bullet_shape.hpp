@@ -21,6 +21,20 @@ inline btTransform transform(const Posed& pose) {
                      vector(pose.translation));
 }
 
+/// A mesh with the triangles that it points to.
+class MeshShape final : private std::unique_ptr<btTriangleMesh>, public btBvhTriangleMeshShape {
+ public:
+  explicit MeshShape(std::unique_ptr<btTriangleMesh> triangles)
+      : std::unique_ptr<btTriangleMesh>(std::move(triangles)), btBvhTriangleMeshShape(get(), true) {}
+};
+
+inline std::unique_ptr<btCollisionShape> mesh_shape(const Corners& corners) {
+  auto triangles = std::make_unique<btTriangleMesh>();
+  for (const auto& [i, j, k] : corners.faces)
+    triangles->addTriangle(vector(corners.points[i]), vector(corners.points[j]), vector(corners.points[k]));
+  return std::make_unique<MeshShape>(std::move(triangles));
+}
+
 /// Null for what it lacks. Margins are 0, so that its shapes are those of everybody else: it rounds corners by 0.04 of
 /// the unit otherwise.
 inline std::unique_ptr<btCollisionShape> shape(const Body& body) {
@@ -39,6 +53,7 @@ inline std::unique_ptr<btCollisionShape> shape(const Body& body) {
     made = std::make_unique<btTriangleShape>(vector(p[0]), vector(p[1]), vector(p[2]));
     break;
   }
+  case Kind::mesh: made = mesh_shape(*body.corners); break;
   case Kind::hull: {
     auto hull = std::make_unique<btConvexHullShape>();
     for (const Vec3d& p : body.corners->points) hull->addPoint(vector(p), false);

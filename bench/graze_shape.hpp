@@ -18,12 +18,17 @@ Shape<T> graze_shape(const Body& body) {
   case Kind::ellipsoid: return Ellipsoid<T>(s);
   case Kind::half_space: return HalfSpace<T>();
   case Kind::hull:
-  case Kind::triangle: break;
+  case Kind::triangle:
+  case Kind::mesh: break;
   }
   std::vector<Vec3<T>> points;
   for (const Vec3d& p : body.corners->points) points.push_back(converted<T>(p));
   if (body.kind == Kind::triangle) return Triangle<T>(points[0], points[1], points[2]);
-  return ConvexHull<T>(points);
+  if (body.kind == Kind::hull) return ConvexHull<T>(points);
+  std::vector<typename Mesh<T>::Index> triangles;
+  for (const auto& [i, j, k] : body.corners->faces)
+    triangles.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k)});
+  return Mesh<T>(std::move(points), std::move(triangles));
 }
 
 }  // namespace graze::bench

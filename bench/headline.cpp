@@ -42,6 +42,18 @@ Set random_set(const char* name, Kind a, Kind b, std::vector<Query> asked) {
   return {name, [a, b](std::size_t count) { return make_pairs(a, b, count, 1, make_touching(), different); }, asked};
 }
 
+Set hull_set(const char* name, std::size_t vertices, std::vector<Query> asked) {
+  const auto make = [vertices](std::size_t count) {
+    return make_hull_pairs(vertices, count, make_touching(), different);
+  };
+  return {name, make, asked};
+}
+
+/// A tenth of the pairs: each of them is hundreds of others.
+Set mesh_set(const char* name, Kind kind, std::vector<Query> asked) {
+  return {name, [kind](std::size_t count) { return make_on_mesh(kind, 1 + count / 10, different); }, asked};
+}
+
 std::vector<Set> all_sets() {
   constexpr Query overlap = Query::overlap, distance = Query::distance, contacts = Query::contacts;
   const auto rays_at = [](Kind kind) {
@@ -58,6 +70,12 @@ std::vector<Set> all_sets() {
           random_set("box-triangle", Kind::box, Kind::triangle, {contacts}),
           random_set("cylinder-cylinder", Kind::cylinder, Kind::cylinder, {contacts}),
           random_set("hull-hull", Kind::hull, Kind::hull, {overlap, distance, contacts}),
+          hull_set("hull8-hull8", 8, {overlap, distance, contacts}),
+          hull_set("hull64-hull64", 64, {overlap, distance, contacts}),
+          mesh_set("sphere-mesh", Kind::sphere, {overlap, contacts}),
+          mesh_set("capsule-mesh", Kind::capsule, {overlap, contacts}),
+          mesh_set("box-mesh", Kind::box, {overlap, contacts}),
+          mesh_set("hull-mesh", Kind::hull, {overlap, contacts}),
           {"ray-box", rays_at(Kind::box), {Query::raycast}},
           {"ray-hull", rays_at(Kind::hull), {Query::raycast}},
           {"box-box", ways_of(Kind::box), {Query::cast}},

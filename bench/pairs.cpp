@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "random.hpp"
 
@@ -28,10 +29,10 @@ std::vector<std::array<int, 3>> hull_faces(const std::vector<Vec3d>& points) {
   return faces;
 }
 
-Corners make_corners(Kind kind, const Vec3d& extent, double scale, Random& random) {
+Corners make_corners(Kind kind, const Vec3d& extent, double scale, std::size_t vertices, Random& random) {
   Corners corners;
   if (kind == Kind::hull) {
-    for (int i = 0; i < 32; ++i) corners.points.push_back(as_float(scaled(random.direction(), extent)));
+    for (std::size_t i = 0; i < vertices; ++i) corners.points.push_back(as_float(scaled(random.direction(), extent)));
     corners.faces = hull_faces(corners.points);
     return corners;
   }
@@ -41,13 +42,15 @@ Corners make_corners(Kind kind, const Vec3d& extent, double scale, Random& rando
   } while (length(cross(p[1] - p[0], p[2] - p[0])) < 0.5 * scale * scale);  // no slivers: they are a test, not a race
   const Vec3d center = (p[0] + p[1] + p[2]) / 3.0;
   for (const Vec3d& v : p) corners.points.push_back(as_float(v - center));
+  corners.faces = {{0, 1, 2}};
   return corners;
 }
 
 /// Bodies one after the other, of which hulls and triangles come again from a number on.
 class Bodies {
  public:
-  Bodies(double scale, std::size_t different, Random& random) : scale_(scale), different_(different), random_(random) {}
+  Bodies(double scale, std::size_t different, Random& random, std::size_t vertices = 32)
+      : scale_(scale), different_(different), vertices_(vertices), random_(random) {}
 
   Body next(Kind kind) {
     Body body{kind};
@@ -67,14 +70,14 @@ class Bodies {
   Shared corners(Kind kind, const Vec3d& extent) {
     std::vector<Shared>& made = kind == Kind::hull ? hulls_ : triangles_;
     if (made.size() < different_) {
-      made.push_back(std::make_shared<const Corners>(make_corners(kind, extent, scale_, random_)));
+      made.push_back(std::make_shared<const Corners>(make_corners(kind, extent, scale_, vertices_, random_)));
       return made.back();
     }
     return made[static_cast<std::size_t>(random_.number(0, 1) * static_cast<double>(made.size()))];
   }
 
   double scale_;
-  std::size_t different_;
+  std::size_t different_, vertices_;
   Random& random_;
   std::vector<Shared> hulls_, triangles_;
 };
@@ -89,7 +92,8 @@ double Body::reach() const {
   case Kind::cylinder:
   case Kind::cone: return std::sqrt(size.x * size.x + size.y * size.y / 4);
   case Kind::ellipsoid: return std::max({size.x, size.y, size.z});
-  case Kind::half_space: return 0;
+  case Kind::half_space:
+  case Kind::mesh: return 0;
   case Kind::hull:
   case Kind::triangle: break;
   }
@@ -100,10 +104,10 @@ double Body::reach() const {
 
 double Pair::size() const { return std::max(a.reach(), b.reach()); }
 
-std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching,
-                             std::size_t different) {
-  Random random(1 + static_cast<std::uint64_t>(a) * kind_count + static_cast<std::uint64_t>(b));
-  Bodies bodies(scale, different, random);
+namespace {
+
+std::vector<Pair> half_touching(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching,
+                                Bodies& bodies, Random& random) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < count; ++i) {
     Pair pair{bodies.next(a), bodies.next(b)};
@@ -123,6 +127,94 @@ std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, co
     Posed pose = placed(i % 2 == 0 ? std::max(0.0, low - push) : high + push);
     if (plane) pose.translation += cross(direction, random.in_cube(scale));
     pair.a.pose = as_float(pose);
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, const MakeTouching& make_touching,
+                             std::size_t different) {
+  Random random(1 + static_cast<std::uint64_t>(a) * kind_count + static_cast<std::uint64_t>(b));
+  Bodies bodies(scale, different, random);
+  return half_touching(a, b, count, scale, make_touching, bodies, random);
+}
+
+std::vector<Pair> make_hull_pairs(std::size_t vertices, std::size_t count, const MakeTouching& make_touching,
+                                  std::size_t different) {
+  Random random(23 + vertices);
+  Bodies bodies(1, different, random, vertices);
+  return half_touching(Kind::hull, Kind::hull, count, 1, make_touching, bodies, random);
+}
+
+namespace {
+
+/// The distance of the bumpy ball's surface from its centre, in a direction: waves by Chebyshev's polynomials, which
+/// need no function that differs between libraries.
+double bumpy_radius(const Vec3d& direction) {
+  const auto wave = [](int order, double x) {
+    double before = 1, now = x;
+    for (int i = 1; i < order; ++i) {
+      const double next = 2 * x * now - before;
+      before = now;
+      now = next;
+    }
+    return now;
+  };
+  return 10 * (1 + 0.01 * wave(15, direction.x) * wave(12, direction.y));
+}
+
+/// An octahedron each of whose sides is cut into as many triangles as the square of `cuts`, blown up to the bumpy ball.
+Corners bumpy_ball(int cuts) {
+  Corners mesh;
+  std::map<std::array<int, 3>, int> numbers;
+  const auto number_of = [&](const std::array<int, 3>& grid) {
+    const auto [at, is_new] = numbers.try_emplace(grid, static_cast<int>(mesh.points.size()));
+    if (is_new) {
+      const Vec3d d = normalized(Vec3d{double(grid[0]), double(grid[1]), double(grid[2])});
+      mesh.points.push_back(as_float(d * bumpy_radius(d)));
+    }
+    return at->second;
+  };
+  for (int side = 0; side < 8; ++side) {
+    const int x = side & 1 ? -1 : 1, y = side & 2 ? -1 : 1, z = side & 4 ? -1 : 1;
+    const auto at = [&](int i, int j) { return number_of({x * i, y * j, z * (cuts - i - j)}); };
+    const auto add = [&](int a, int b, int c) {
+      mesh.faces.push_back(x * y * z > 0 ? std::array{a, b, c} : std::array{a, c, b});
+    };
+    for (int i = 0; i < cuts; ++i)
+      for (int j = 0; i + j < cuts; ++j) {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < cuts) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  return mesh;
+}
+
+double least_half_edge(const Body& body) {
+  const Vec3d& s = body.size;
+  switch (body.kind) {
+  case Kind::box: return std::min({s.x, s.y, s.z}) / 2;
+  case Kind::hull: return body.reach() / 2;
+  default: return s.x;
+  }
+}
+
+}  // namespace
+
+std::vector<Pair> make_on_mesh(Kind kind, std::size_t count, std::size_t different) {
+  Random random(29 + static_cast<std::uint64_t>(kind));
+  Bodies bodies(1, different, random);
+  Body mesh{Kind::mesh};
+  mesh.corners = std::make_shared<const Corners>(bumpy_ball(94));
+  mesh.pose = as_float(Posed{random.in_cube(2), random.rotation()});
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < count; ++i) {
+    Pair pair{bodies.next(kind), mesh};
+    const Vec3d direction = random.direction();
+    const double away = bumpy_radius(direction) + random.number(-0.5, 1.5) * least_half_edge(pair.a);
+    pair.a.pose.translation = as_float(transform(mesh.pose, direction * away));
     pairs.push_back(std::move(pair));
   }
   return pairs;

@@ -15,15 +15,16 @@
 
 namespace graze::bench {
 
-enum class Kind { sphere, capsule, box, cylinder, cone, ellipsoid, hull, triangle, half_space };
+/// Meshes stand behind those that are paired with each other.
+enum class Kind { sphere, capsule, box, cylinder, cone, ellipsoid, hull, triangle, half_space, mesh };
 inline constexpr std::size_t kind_count = 9;
 inline constexpr const char* kind_names[kind_count] = {"sphere",    "capsule", "box",      "cylinder",  "cone",
                                                        "ellipsoid", "hull32",  "triangle", "half-space"};
 
-/// The vertices of a hull, 32 of them, or of a triangle.
+/// The vertices of a hull, of a triangle or of a mesh.
 struct Corners {
   std::vector<Vec3d> points;
-  std::vector<std::array<int, 3>> faces;  ///< of a hull: its triangles, counter-clockwise seen from outside
+  std::vector<std::array<int, 3>> faces;  ///< triangles, counter-clockwise seen from outside
 };
 
 /// A shape about its own origin, and where it stands. Heights run along Y, a cone's apex is on top; the half-space is
@@ -31,10 +32,10 @@ struct Corners {
 struct Body {
   Kind kind{};
   Vec3d size{};                              ///< box: edge lengths; ellipsoid: radii; else x the radius, y the height
-  std::shared_ptr<const Corners> corners{};  ///< of hulls and triangles, which may share them
+  std::shared_ptr<const Corners> corners{};  ///< of hulls, triangles and meshes, which may share them
   Posed pose{};
 
-  /// The radius about the shape's own origin; 0 for the half-space.
+  /// The radius about the shape's own origin; 0 for the half-space and for meshes, on which bodies are small.
   double reach() const;
 };
 
@@ -61,6 +62,14 @@ std::vector<Pair> make_pairs(Kind a, Kind b, std::size_t count, double scale, co
 /// degree, the middle of
 /// the faces between 0.02 deep and 0.01 apart, half edges of 0.2 to 1.
 std::vector<Pair> make_stacked(std::size_t count);
+
+/// Pairs with hulls of so many vertices in place of 32; else as `make_pairs` at scale 1.
+std::vector<Pair> make_hull_pairs(std::size_t vertices, std::size_t count, const MakeTouching& make_touching,
+                                  std::size_t different);
+
+/// Bodies of a kind, half edges and radii 0.25 to 1, at the surface of one mesh: a ball of radius 10 with bumps, of
+/// 70,688 triangles. Their middles are up to 0.5 of their least half edge inside and up to 1.5 outside.
+std::vector<Pair> make_on_mesh(Kind kind, std::size_t count, std::size_t different);
 
 /// Two of a kind, boxes or hulls; A moves past B so that about every other pair meets on the way.
 std::vector<Pair> make_ways(Kind kind, std::size_t count,

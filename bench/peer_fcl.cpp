@@ -98,11 +98,15 @@ class Fcl {
     case Kind::cone: return std::make_shared<fcl::Coned>(s.x, s.y);
     case Kind::ellipsoid: return std::make_shared<fcl::Ellipsoidd>(s.x, s.y, s.z);
     case Kind::half_space: return std::make_shared<fcl::Halfspaced>(fcl::Vector3d(0, 1, 0), 0.0);
-    case Kind::triangle: {
+    case Kind::triangle:
+    case Kind::mesh: {
       auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+      std::vector<fcl::Vector3d> points;
+      for (const Vec3d& p : body.corners->points) points.push_back(vector(p));
+      std::vector<fcl::Triangle> triangles;
+      for (const auto& [i, j, k] : body.corners->faces) triangles.emplace_back(i, j, k);
       mesh->beginModel();
-      mesh->addTriangle(vector(body.corners->points[0]), vector(body.corners->points[1]),
-                        vector(body.corners->points[2]));
+      mesh->addSubModel(points, triangles);
       mesh->endModel();
       return mesh;
     }

@@ -43,7 +43,7 @@ class Side {
  private:
   using Shapes = std::variant<std::vector<Sphere<float>>, std::vector<Capsule<float>>, std::vector<Box<float>>,
                               std::vector<Cylinder<float>>, std::vector<Ellipsoid<float>>, std::vector<Triangle<float>>,
-                              std::vector<ConvexHull<float>>, std::vector<HalfSpace<float>>>;
+                              std::vector<ConvexHull<float>>, std::vector<HalfSpace<float>>, std::vector<Mesh<float>>>;
   Shapes shapes_;
   std::vector<Posef> poses_;
 };

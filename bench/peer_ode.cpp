@@ -78,6 +78,8 @@ class Ode {
  private:
   /// A mesh of one triangle has no tree, which ODE's functions for hull and mesh follow all the same.
   bool crashes() const {
+    if (std::all_of(data_.begin(), data_.end(), [](const Data& data) { return data.indices.size() != 3; }))
+      return false;
     const auto is = [&](std::size_t k, int type) { return dGeomGetClass(geoms_[k]) == type; };
     return is(1, dTriMeshClass) && (is(0, dTriMeshClass) || is(0, dConvexClass));
   }
@@ -102,7 +104,8 @@ class Ode {
     case Kind::box: geom = dCreateBox(nullptr, number(s.x), number(s.y), number(s.z)); break;
     case Kind::cylinder: geom = dCreateCylinder(nullptr, number(s.x), number(s.y)); break;
     case Kind::hull: geom = convex(*shared.of(body, [&](const Body& b) { return convex_data(b); })); break;
-    case Kind::triangle: geom = triangle(*shared.of(body, [&](const Body& b) { return triangle_data(b); })); break;
+    case Kind::triangle:
+    case Kind::mesh: geom = mesh(*shared.of(body, [&](const Body& b) { return mesh_data(b); })); break;
     case Kind::half_space: {
       const Vec3d n = normalized(rotate(body.pose.rotation, Vec3d{0, 1, 0}));
       return dCreatePlane(nullptr, number(n.x), number(n.y), number(n.z), number(dot(n, t)));
@@ -138,20 +141,20 @@ class Ode {
     return dCreateConvex(nullptr, data.planes.data(), static_cast<unsigned>(data.planes.size() / 4), data.points.data(),
                          static_cast<unsigned>(data.points.size() / 3), data.polygons.data());
   }
-  const Data* triangle_data(const Body& body) {
+  const Data* mesh_data(const Body& body) {
     Data& data = data_of(body);
-    data.indices = {0, 1, 2};
+    for (const auto& face : body.corners->faces)
+      for (const int index : face) data.indices.push_back(static_cast<dTriIndex>(index));
     data.mesh = dGeomTriMeshDataCreate();
-    const int stride = 3 * sizeof(dReal);
+    const int point = 3 * sizeof(dReal), triangle = 3 * sizeof(dTriIndex);
+    const int points = static_cast<int>(data.points.size() / 3), indices = static_cast<int>(data.indices.size());
     if constexpr (single_precision)
-      dGeomTriMeshDataBuildSingle(data.mesh, data.points.data(), stride, 3, data.indices.data(), 3,
-                                  3 * sizeof(dTriIndex));
+      dGeomTriMeshDataBuildSingle(data.mesh, data.points.data(), point, points, data.indices.data(), indices, triangle);
     else
-      dGeomTriMeshDataBuildDouble(data.mesh, data.points.data(), stride, 3, data.indices.data(), 3,
-                                  3 * sizeof(dTriIndex));
+      dGeomTriMeshDataBuildDouble(data.mesh, data.points.data(), point, points, data.indices.data(), indices, triangle);
     return &data;
   }
-  static dGeomID triangle(const Data& data) { return dCreateTriMesh(nullptr, data.mesh, nullptr, nullptr, nullptr); }
+  static dGeomID mesh(const Data& data) { return dCreateTriMesh(nullptr, data.mesh, nullptr, nullptr, nullptr); }
 
   std::deque<Data> data_;  // addresses stay
   std::vector<dGeomID> geoms_, rays_;
