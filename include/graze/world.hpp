@@ -26,14 +26,14 @@ namespace graze {
 template <class T>
 struct WorldSettings {
   /// Contacts are reported up to this far apart; by default up to `contact_margin` of the two.
-  std::optional<T> margin;
+  std::optional<T> margin = std::nullopt;
   /// A last word on a pair that its filters allow. Called from the thread that calls `update`, but for fast bodies from
   /// the executor's.
-  std::function<bool(BodyId, BodyId)> allow;
+  std::function<bool(BodyId, BodyId)> allow = nullptr;
   /// Points of contact that a pair of bodies has at most, so that a solver has a bounded number to push at: those that
   /// `reduce` of its manifolds leaves. Impulses are carried on to the points that are left again in the next update. By
   /// default a pair has all of its points. Costs so many times the points of a pair that has more.
-  std::optional<std::size_t> points_per_pair;
+  std::optional<std::size_t> points_per_pair = std::nullopt;
 };
 
 /// Bodies in place, and what touches.
