@@ -9,6 +9,7 @@ namespace graze::plane {
 
 using graze::greatest;
 using graze::least;
+using graze::select;
 
 /// A vector or point of the plane, in the caller's unit of length.
 template <class T>
@@ -83,6 +84,12 @@ constexpr Vec2<T> least(const Vec2<T>& a, const Vec2<T>& b) {
 template <class T>
 constexpr Vec2<T> greatest(const Vec2<T>& a, const Vec2<T>& b) {
   return {greatest(a.x, b.x), greatest(a.y, b.y)};
+}
+
+/// `yes` where the condition holds, else `no`.
+template <class M, class T>
+constexpr Vec2<T> select(const M& condition, const Vec2<T>& yes, const Vec2<T>& no) {
+  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
 }
 
 /// The largest absolute coordinate: the size that tolerances refer to.

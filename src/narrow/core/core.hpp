@@ -7,6 +7,7 @@
 #include "graze/lines.hpp"
 #include "graze/shape.hpp"
 #include "graze/wide.hpp"
+#include "simd/lane_of.hpp"
 
 namespace graze {
 
@@ -108,16 +109,6 @@ bool has_untapered_side(const Capsule<T>& capsule) {
   return even & long_enough;  // not &&: of many, each jump would have to be guessed
 }
 
-/// The number in a lane; a scalar is its own.
-template <class S>
-struct LaneOf {
-  using type = S;
-};
-template <class S>
-requires requires { typename S::Lane; }
-struct LaneOf<S> {
-  using type = typename S::Lane;
-};
 /// The distance from one to the next number, of a scalar or of each lane.
 template <class S>
 inline constexpr typename LaneOf<S>::type epsilon = std::numeric_limits<typename LaneOf<S>::type>::epsilon();

@@ -82,10 +82,6 @@ template <class S>
 [[gnu::always_inline]] inline S sign_of(const S& x) {
   return select(x < S(0), S(-1), S(1));
 }
-template <class M, class S>
-[[gnu::always_inline]] inline Vec2<S> select(const M& condition, const Vec2<S>& yes, const Vec2<S>& no) {
-  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y)};
-}
 template <class S>
 [[gnu::always_inline]] inline S clamped(const S& x, const S& half) {
   return greatest(-half, least(x, half));
