@@ -1,87 +1,236 @@
 // The rows of contacts: a row along the normal for each point, and for each manifold friction at its pressure centre
-// (`friction_rows.hpp`).
+// (`friction_rows.hpp`). Written once over S, a scalar or lanes, of which each has a manifold of its own.
 //
 // Guarantee: normal impulses push, friction stays in Coulomb's cone of the normal impulses of the same pass, in the
-// passes with and without bias alike. Only + - * / and sqrt; rows are solved in their own order.
+// passes with and without bias alike. Only + - * / and sqrt; the rows of a manifold are solved in their own order. What
+// a lane gets does not depend on what the others have: where it has fewer rows or rounds than they, rows push nothing,
+// and velocities without negative zeros (`RowVelocity`) stay bit for bit when nothing is added to them.
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "dynamics/contact_spring.hpp"
 #include "dynamics/friction_rows.hpp"
-#include "dynamics/solver_body.hpp"
-#include "graze/material.hpp"
-#include "graze/world/manifolds.hpp"
 
 namespace graze {
 
+/// What acts between two bodies.
+template <class S, class Space>
+struct Touching {
+  ContactMaterial<S> material{};
+  typename Space::Vec belt{};  ///< how the surface of B runs over that of A by itself, in world space
+  S size{};                    ///< the smaller of the two bodies
+};
+
+/// A point of contact as it was found.
+template <class S, class Space>
+struct FoundPoint {
+  typename Space::Vec position{}, impulse{};  ///< the impulse is that of the last step
+  S distance{};
+};
+
+/// What the rows of a manifold have to know of a body.
+template <class S, class Space>
+struct RowBody {
+  typename Space::Vec first_center{};
+  InverseMassIn<Space> mass{};
+};
+
 /// Points that share a normal.
-template <class T, class Space>
+template <class S, class Space>
 struct ManifoldRows {
   using Vec = typename Space::Vec;
+  using Turning = typename Space::Turning;
+  using Row = PointRow<S, Space>;
+  using Mask = decltype(S() < S());
+  using T = typename LaneOf<S>::type;
+  using Bodies = RowBodies<S, Space>;
 
-  std::uint32_t a{}, b{};  ///< places in the island
-  std::uint32_t first_row{}, row_count{};
-  std::uint32_t first_point{};  ///< in the world
-  Vec normal{};                 ///< from A to B
-  FrictionRows<T, Space> friction{};
-  T size{};          ///< the smaller of the two bodies
-  T inverse_mass{};  ///< of both together
-  ContactMaterial<T> material{};
+  Vec normal{};          ///< from A to B
+  S mass_a{}, mass_b{};  ///< inverse
+  Touching<S, Space> touching{};
+  FrictionRows<S, Space> friction{};
+
+  /// The rows of the points, of which there are `count`: others push nothing. `points[i]` is a `FoundPoint` for each
+  /// row, `share` what part of a point's impulse a sub-step has.
+  template <class Points>
+  void prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points, const S& count, T share,
+               std::span<Row> rows);
+  void warm_start(std::span<const Row> rows, Bodies& bodies) const;
+  /// One pass. With `bias` depth is recovered, without velocities alone count. Tells whether friction is at its limit.
+  Mask solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies);
+  /// Whether any point pushes.
+  Mask presses(std::span<const Row> rows) const;
+  /// The fastest approach of a point that pushes.
+  S approach(std::span<const Row> rows, const Bodies& bodies) const;
+  /// Calls `write(i, impulse)` with the impulse of each point, `times` as large: friction is spread so that it is the
+  /// same force and the same torque about the pressure centre.
+  template <class F>
+  void store(std::span<const Row> rows, T times, const F& write) const;
+
+ private:
+  /// A point that bears nothing yet, and comes closer by this part of the smaller body's size in a sub-step, is stopped
+  /// by a rigid row: a spring would leave a part of the speed, with which what is fast goes through.
+  static constexpr T blow = T(0.005);
+  /// How often a manifold that slides is solved in a pass: friction at its limit loads the points otherwise, and their
+  /// impulses are its limit; a few rounds agree.
+  static constexpr int sliding_rounds = 2;
+
+  void set_pressure_center(std::span<Row> rows, const S& count, const S& loaded, Vec& arm_a, Vec& arm_b) const;
+  void solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias, const Mask& active, Bodies& bodies);
+  S speed_along_normal(const Row& r, const Bodies& bodies) const {
+    return dot(bodies.b.linear - bodies.a.linear, normal) + dot(cross(r.arm_b, normal), bodies.b.angular) -
+           dot(cross(r.arm_a, normal), bodies.a.angular);
+  }
 };
 
-/// How rows of contacts recover depth in a sub-step.
-template <class T>
-struct ContactStep {
-  SubStep<T> time{};
-  Softness<T> soft{};
-  T gravity{};
-};
+/// Where the pressure of the points acts, by the impulses of the last step; of a contact that is new by how much
+/// nearer each point is than the furthest, and a thousandth of the size more, so that a face has it in its middle.
+template <class S, class Space>
+void ManifoldRows<S, Space>::set_pressure_center(std::span<Row> rows, const S& count, const S& loaded, Vec& arm_a,
+                                                 Vec& arm_b) const {
+  S furthest = rows.front().separation, sum(T(0)), number(T(0));
+  for (const Row& r : rows) furthest = greatest(furthest, r.separation);
+  Vec center_a{}, center_b{};
+  for (const Row& r : rows) {
+    const S by_depth = select(number < count, furthest - r.separation + touching.size * T(0.001), S(T(0)));
+    const S weight = select(loaded > S(T(0)), r.impulse, by_depth);
+    sum += weight;
+    center_a += r.arm_a * weight;
+    center_b += r.arm_b * weight;
+    number += T(1);
+  }
+  const S divisor = select(sum > S(T(0)), sum, S(T(1)));
+  arm_a = center_a / divisor;
+  arm_b = center_b / divisor;
+  for (Row& r : rows) r.distance = length(r.arm_a - arm_a);
+}
 
-/// The springs of a sub-step of h: their period is some sub-steps, damped beyond the critical, so that nothing
-/// swings (Catto 2024). Stiffer ones against what does not give, as Catto has them, shake heavy bodies that lie on
-/// light ones.
-template <class T>
-ContactStep<T> contact_step(const SubStep<T>& time, T gravity);
+template <class S, class Space>
+template <class Points>
+void ManifoldRows<S, Space>::prepare(const RowBody<S, Space>& a, const RowBody<S, Space>& b, const Points& points,
+                                     const S& count, T share, std::span<Row> rows) {
+  mass_a = a.mass.mass;
+  mass_b = b.mass.mass;
+  S loaded(T(0)), number(T(0));
+  Vec across{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const FoundPoint<S, Space> p = points[i];
+    Row r;
+    r.arm_a = p.position - a.first_center;
+    r.arm_b = p.position - b.first_center;
+    const Turning turn_a = cross(r.arm_a, normal), turn_b = cross(r.arm_b, normal);
+    r.spin_a = a.mass.inertia * turn_a;
+    r.spin_b = b.mass.inertia * turn_b;
+    r.separation = p.distance;
+    const S effective_mass = inverse_or_zero(mass_a + mass_b + dot(turn_a, r.spin_a) + dot(turn_b, r.spin_b));
+    r.effective_mass = select(number < count, effective_mass, S(T(0)));
+    const S along = dot(p.impulse, normal);
+    r.impulse = greatest(S(T(0)), along) * share;
+    across += (p.impulse - normal * along) * share;
+    loaded += r.impulse;
+    rows[i] = r;
+    number += T(1);
+  }
+  Vec arm_a{}, arm_b{};
+  set_pressure_center(rows, count, loaded, arm_a, arm_b);
+  friction.prepare(normal, arm_a, arm_b, a.mass, b.mass);
+  friction.take_over(normal, across, points, share, rows, touching.material);
+  friction.set_belt(normal, touching.belt);
+}
 
-/// How deep a contact of two free masses stands under a steady `force`, both `inverse_mass`es together.
-template <class T>
-T predicted_sink(T force, T inverse_mass, T h);
+template <class S, class Space>
+void ManifoldRows<S, Space>::warm_start(std::span<const Row> rows, Bodies& bodies) const {
+  S pressed(T(0));
+  Turning spun_a{}, spun_b{};
+  for (const Row& r : rows) {
+    pressed += r.impulse;
+    spun_a += r.spin_a * r.impulse;
+    spun_b += r.spin_b * r.impulse;
+  }
+  bodies.a.linear -= normal * (pressed * mass_a);
+  bodies.b.linear += normal * (pressed * mass_b);
+  bodies.a.angular -= spun_a;
+  bodies.b.angular += spun_b;
+  friction.warm_start(normal, mass_a, mass_b, bodies);
+}
 
-/// The bodies of a manifold and what acts between them.
-template <class T, class Space>
-struct TouchingBodies {
-  std::uint32_t a{}, b{};
-  ContactMaterial<T> material{};
-  typename Space::Vec surface_a{}, surface_b{};  ///< velocities of conveyors, in world space
-  T size{};
-};
+template <class S, class Space>
+void ManifoldRows<S, Space>::solve_normals(std::span<Row> rows, const ContactStep<T>& step, bool bias,
+                                           const Mask& active, Bodies& bodies) {
+  using std::sqrt;
+  const S zero(T(0)), one(T(1)), h(step.time.h);
+  const S& size = touching.size;
+  const S fastest_push = step.gravity > T(0) ? sqrt(S(step.gravity) * size) : size / S(T(20) * step.time.step);
+  // How a point's two material points moved against each other along the normal since it was found: the turning of both
+  // is moved to the normal, which all points share.
+  const S moved = dot(bodies.place_b.moved - bodies.place_a.moved, normal);
+  const Vec turned_a = turned_back_by(bodies.place_a.turned, normal);
+  const Vec turned_b = turned_back_by(bodies.place_b.turned, normal);
+  for (Row& r : rows) {
+    const S s = r.separation + (moved + dot(r.arm_b, turned_b) - dot(r.arm_a, turned_a));
+    const S speed = speed_along_normal(r, bodies);
+    const Mask apart = s > zero;
+    S wanted = select(apart, -s * step.time.inverse_h, zero), mass_scale = one, impulse_scale = zero;
+    if (bias) {
+      wanted = select(apart, wanted, least(-s * step.soft.bias_rate, fastest_push));
+      impulse_scale = select(apart, zero, S(step.soft.impulse_scale));
+      const Mask yields = (r.impulse > zero) | (-speed * h < size * blow);
+      mass_scale = select(apart, one, select(yields, S(step.soft.mass_scale), one));
+    }
+    const S change = r.effective_mass * (wanted - speed) * mass_scale - impulse_scale * r.impulse;
+    const S impulse = select(active, greatest(zero, r.impulse + change), r.impulse);
+    const S more = impulse - r.impulse;
+    r.impulse = impulse;
+    bodies.a.linear -= normal * (more * mass_a);
+    bodies.b.linear += normal * (more * mass_b);
+    bodies.a.angular -= r.spin_a * more;
+    bodies.b.angular += r.spin_b * more;
+  }
+}
 
-/// The rows of a manifold: its own, of which `own` are those of its points, at `first_row` of the island's. `share` is
-/// what part of a point's impulse a sub-step has.
-template <class T, class Space>
-ManifoldRows<T, Space> prepare(const TouchingBodies<T, Space>& touching, std::span<const SolverBody<T, Space>> bodies,
-                               const ContactManifold<T, Space>& manifold, std::span<const SolverPoint<T, Space>> points,
-                               T share, std::uint32_t first_row, std::span<PointRow<T, Space>> own);
+template <class S, class Space>
+auto ManifoldRows<S, Space>::solve(std::span<Row> rows, const ContactStep<T>& step, bool bias, Bodies& bodies) -> Mask {
+  Mask slides = S(T(0)) <= S(T(0));
+  for (int round = 0; round < sliding_rounds && any(slides); ++round) {
+    solve_normals(rows, step, bias, slides, bodies);
+    slides = friction.solve(normal, mass_a, mass_b, rows, touching.material, slides, bodies);
+  }
+  return slides;
+}
 
-template <class T, class Space>
-void warm_start(const ManifoldRows<T, Space>& m, std::span<const PointRow<T, Space>> rows, SolverBody<T, Space>& a,
-                SolverBody<T, Space>& b);
+template <class S, class Space>
+auto ManifoldRows<S, Space>::presses(std::span<const Row> rows) const -> Mask {
+  S pressed(T(0));
+  for (const Row& r : rows) pressed += r.impulse;
+  return pressed > S(T(0));
+}
 
-/// One pass. With `bias` depth is recovered, without velocities alone count. Tells whether friction is at its limit.
-template <class T, class Space>
-bool solve(ManifoldRows<T, Space>& m, std::span<PointRow<T, Space>> rows, SolverBody<T, Space>& a,
-           SolverBody<T, Space>& b, const ContactStep<T>& step, bool bias);
+template <class S, class Space>
+S ManifoldRows<S, Space>::approach(std::span<const Row> rows, const Bodies& bodies) const {
+  S fastest(T(0));
+  for (const Row& r : rows)
+    fastest = select(r.impulse > S(T(0)), greatest(fastest, -speed_along_normal(r, bodies)), fastest);
+  return fastest;
+}
 
-/// Notes along what the bodies are pressed, if they are: along the normal, and where friction holds in all directions.
-template <class T, class Space>
-void note_pressed(const ManifoldRows<T, Space>& m, std::span<const PointRow<T, Space>> rows, bool slides,
-                  SolverBody<T, Space>& a, SolverBody<T, Space>& b);
-
-/// Writes the impulses to the points, `times` as large: friction is spread so that it is the same force and the same
-/// torque about the pressure centre.
-template <class T, class Space>
-void store(const ManifoldRows<T, Space>& m, std::span<const PointRow<T, Space>> rows,
-           std::span<SolverPoint<T, Space>> points, T times);
+template <class S, class Space>
+template <class F>
+void ManifoldRows<S, Space>::store(std::span<const Row> rows, T times, const F& write) const {
+  S pressed(T(0));
+  Vec center{};
+  for (const Row& r : rows) {
+    pressed += r.impulse;
+    center += r.arm_a * r.impulse;
+  }
+  const S inverse = inverse_or_zero(pressed);
+  center = center * inverse;
+  const Vec push = friction.push(normal);
+  const Turning twist = friction.spread_twist(normal, rows, center, pressed, inverse, touching.material);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Vec across = (push + cross(twist, rows[i].arm_a - center)) * (rows[i].impulse * inverse);
+    write(i, (normal * rows[i].impulse + across) * times);
+  }
+}
 
 }  // namespace graze

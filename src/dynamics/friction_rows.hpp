@@ -1,245 +1,291 @@
 // Friction of a manifold at its pressure centre: in space two rows on a round cone, a twist about the normal, and
-// rolling; in the plane one row along the contact, and rolling.
+// rolling; in the plane one row along the contact, and rolling. Over S, a scalar or lanes (`contact_rows.hpp`).
 //
 // Guarantee: friction stays in Coulomb's cone of the normal impulses that it is solved with. Only + - * / and sqrt.
 #pragma once
 
 #include <span>
 
-#include "dynamics/solver_body.hpp"
+#include "dynamics/row_bodies.hpp"
 #include "graze/material.hpp"
 
 namespace graze {
 
 /// A point of contact.
-template <class T, class Space>
+template <class S, class Space>
 struct PointRow {
   using Vec = typename Space::Vec;
   using Turning = typename Space::Turning;
 
   Vec arm_a{}, arm_b{};        ///< from the centres of mass, where contacts were found
-  Turning turn_a{}, turn_b{};  ///< arm × normal
   Turning spin_a{}, spin_b{};  ///< what an impulse of 1 does to the angular velocities
-  T separation{};              ///< where contacts were found
-  T effective_mass{};
-  T impulse{};   ///< λ of a sub-step, >= 0
-  T distance{};  ///< from the pressure centre
+  S separation{};              ///< where contacts were found
+  S effective_mass{};
+  S impulse{};   ///< λ of a sub-step, >= 0
+  S distance{};  ///< from the pressure centre
 };
 
-template <class T>
-T inverse_or_zero(T value) {
-  return value > T(0) ? T(1) / value : T(0);
+template <class S>
+S inverse_or_zero(const S& value) {
+  const auto positive = value > S(0);
+  return select(positive, S(1) / select(positive, value, S(1)), S(0));
 }
 
-template <class T, class Space>
+template <class S, class Space>
 class FrictionRows;
 
-template <class T>
-class FrictionRows<T, Space<T>> {
-  using Body = SolverBody<T, Space<T>>;
-  using Rows = std::span<const PointRow<T, Space<T>>>;
+template <class S>
+class FrictionRows<S, Space<S>> {
+  using Vec = Vec3<S>;
+  using Bodies = RowBodies<S, Space<S>>;
+  using Rows = std::span<const PointRow<S, Space<S>>>;
+  using Mask = decltype(S() < S());
+  using T = typename LaneOf<S>::type;
 
  public:
   /// About the pressure centre, seen from the centres of mass.
-  void prepare(const Vec3<T>& normal, const Vec3<T>& arm_a, const Vec3<T>& arm_b, const Body& a, const Body& b) {
+  void prepare(const Vec& normal, const Vec& arm_a, const Vec& arm_b, const InverseMass<S>& a,
+               const InverseMass<S>& b) {
     u_ = any_perpendicular(normal);
-    v_ = cross(normal, u_);
+    const Vec v = cross(normal, u_);
     arm_a_ = arm_a;
     arm_b_ = arm_b;
+    const Vec turn_ua = cross(arm_a, u_), turn_ub = cross(arm_b, u_), turn_va = cross(arm_a, v),
+              turn_vb = cross(arm_b, v);
+    spin_ua_ = a.inertia * turn_ua;
+    spin_ub_ = b.inertia * turn_ub;
+    spin_va_ = a.inertia * turn_va;
+    spin_vb_ = b.inertia * turn_vb;
+    spin_na_ = a.inertia * normal;
+    spin_nb_ = b.inertia * normal;
     // The inverse of the tangential 2×2 block of K (see `impulse.hpp`).
-    const auto k = [&](const Vec3<T>& x, const Vec3<T>& y) {
-      return dot(cross(arm_a, x), a.mass.inertia * cross(arm_a, y)) +
-             dot(cross(arm_b, x), b.mass.inertia * cross(arm_b, y));
-    };
-    const T mass = a.mass.mass + b.mass.mass;
-    const T uu = mass + k(u_, u_), vv = mass + k(v_, v_), uv = k(u_, v_);
-    const T inverse = inverse_or_zero(uu * vv - uv * uv);
+    const S mass = a.mass + b.mass;
+    const S uu = mass + (dot(turn_ua, spin_ua_) + dot(turn_ub, spin_ub_));
+    const S vv = mass + (dot(turn_va, spin_va_) + dot(turn_vb, spin_vb_));
+    const S uv = dot(turn_ua, spin_va_) + dot(turn_ub, spin_vb_);
+    const S inverse = inverse_or_zero(uu * vv - uv * uv);
     mass_[0] = vv * inverse;
     mass_[1] = -uv * inverse;
     mass_[2] = uu * inverse;
-    twist_mass_ = inverse_or_zero(dot(normal, (a.mass.inertia + b.mass.inertia) * normal));
+    twist_mass_ = inverse_or_zero(dot(normal, spin_na_ + spin_nb_));
   }
 
   /// Takes over what the points pushed in the last step, `share` of it: `friction` across the normal, and the twist.
   /// A point that was lost took its share of the pressure along, and others' shares may not hold without it.
   template <class Points>
-  void take_over(const Vec3<T>& normal, const Vec3<T>& friction, const Points& points, T share, Rows rows,
-                 const ContactMaterial<T>& material) {
-    push_u_ = dot(friction, u_);
-    push_v_ = dot(friction, v_);
-    T loaded(0), lever(0);
+  void take_over(const Vec& normal, const Vec& friction, const Points& points, T share, Rows rows,
+                 const ContactMaterial<S>& material) {
+    using std::sqrt;
+    S loaded(0), lever(0), twist(0);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      twist_ += dot(cross(rows[i].arm_a - arm_a_, points[i].impulse * share), normal);
+      twist += dot(cross(rows[i].arm_a - arm_a_, points[i].impulse * share), normal);
       loaded += rows[i].impulse;
       lever += rows[i].impulse * rows[i].distance;
     }
-    const T held = std::sqrt(push_u_ * push_u_ + push_v_ * push_v_);
-    const T most = material.static_friction * loaded;
-    if (held > most) {
-      push_u_ *= most / held;
-      push_v_ *= most / held;
-    }
-    const T twist_limit = material.dynamic_friction * lever;
-    twist_ = clamp(twist_, -twist_limit, twist_limit);
+    const S u = dot(friction, u_), v = dot(friction, cross(normal, u_));
+    const S held = sqrt(u * u + v * v), most = material.static_friction * loaded;
+    const auto beyond = held > most;
+    const S shorter = select(beyond, most / select(beyond, held, S(1)), S(1));
+    push_u_ = u * shorter;
+    push_v_ = v * shorter;
+    const S twist_limit = material.dynamic_friction * lever;
+    twist_ = clamp(twist, -twist_limit, twist_limit);
+    rolling_ = {};
   }
 
   /// How the surface of B runs over that of A by itself.
-  void set_belt(const Vec3<T>& belt) {
+  void set_belt(const Vec& normal, const Vec& belt) {
     belt_u_ = dot(belt, u_);
-    belt_v_ = dot(belt, v_);
+    belt_v_ = dot(belt, cross(normal, u_));
   }
 
-  void scale(T part) {
-    push_u_ *= part;
-    push_v_ *= part;
-    twist_ *= part;
+  void warm_start(const Vec& normal, const S& mass_a, const S& mass_b, Bodies& bodies) const {
+    const Vec along = push(normal);
+    bodies.a.linear -= along * mass_a;
+    bodies.b.linear += along * mass_b;
+    bodies.a.angular -= spin_ua_ * push_u_ + spin_va_ * push_v_ + spin_na_ * twist_;
+    bodies.b.angular += spin_ub_ * push_u_ + spin_vb_ * push_v_ + spin_nb_ * twist_;
+    if (bodies.roll) roll(rolling_, bodies);
   }
 
-  /// Friction with the total impulse of the points at hand; tells whether it reached its limit.
-  bool solve(const Vec3<T>& normal, Rows rows, const ContactMaterial<T>& material, Body& a, Body& b) {
-    T pressed(0), lever(0);
+  /// Friction with the total impulse of the points at hand, in the lanes that are active; tells whether it reached its
+  /// limit there.
+  Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
+             const Mask& active, Bodies& bodies) {
+    S pressed(0), lever(0);
     for (const auto& r : rows) {
       pressed += r.impulse;
       lever += r.impulse * r.distance;
     }
-    const Vec3<T> turning = b.angular - a.angular;
-    const T twist_limit = material.dynamic_friction * lever;
-    const T twist = clamp(twist_ - twist_mass_ * dot(turning, normal), -twist_limit, twist_limit);
-    const Vec3<T> twisted = normal * (twist - twist_);
-    twist_ = twist;
-    a.angular -= a.mass.inertia * twisted;
-    b.angular += b.mass.inertia * twisted;
-
-    if (material.rolling_friction > T(0)) {
-      const Vec3<T> rolls = b.angular - a.angular;
-      const Vec3<T> axis = normalized(rolls);
-      const T mass = inverse_or_zero(dot(axis, (a.mass.inertia + b.mass.inertia) * axis));
-      Vec3<T> rolling = rolling_ - rolls * mass;
-      const T limit = material.rolling_friction * pressed, l = length(rolling);
-      if (l > limit) rolling *= limit / l;
-      a.angular -= a.mass.inertia * (rolling - rolling_);
-      b.angular += b.mass.inertia * (rolling - rolling_);
-      rolling_ = rolling;
-    }
-
-    const Vec3<T> slip = b.velocity(arm_b_) - a.velocity(arm_a_);
-    const T su = dot(slip, u_) + belt_u_, sv = dot(slip, v_) + belt_v_;
-    T fu = push_u_ - (mass_[0] * su + mass_[1] * sv);
-    T fv = push_v_ - (mass_[1] * su + mass_[2] * sv);
-    const T needed = std::sqrt(fu * fu + fv * fv);
-    const bool slides = needed > material.static_friction * pressed;
-    if (slides) {
-      const T shorter = least(T(1), material.dynamic_friction * pressed / needed);
-      fu *= shorter;
-      fv *= shorter;
-    }
-    const Vec3<T> push = u_ * (fu - push_u_) + v_ * (fv - push_v_);
-    push_u_ = fu;
-    push_v_ = fv;
-    a.push(-push, arm_a_);
-    b.push(push, arm_b_);
-    return slides;
+    solve_twist(normal, material.dynamic_friction * lever, active, bodies);
+    if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
+    return solve_sliding(normal, mass_a, mass_b, pressed, material, active, bodies);
   }
 
-  /// What is pushed across the normal, and turned besides.
-  Vec3<T> push() const { return u_ * push_u_ + v_ * push_v_; }
-  Vec3<T> turn(const Vec3<T>& normal) const { return normal * twist_ + rolling_; }
-  const Vec3<T>& arm_a() const { return arm_a_; }
-  const Vec3<T>& arm_b() const { return arm_b_; }
+  /// What is pushed across the normal.
+  Vec push(const Vec& normal) const { return u_ * push_u_ + cross(normal, u_) * push_v_; }
 
   /// The twist as pushes on the points, which each push `cross` of this and its way from the pressure centre, times its
   /// part of the pressure: no point holds more of it than its own friction would. `inverse` is that of the pressure.
-  Vec3<T> spread_twist(const Vec3<T>& normal, Rows rows, const Vec3<T>& center, T pressed, T inverse,
-                       const ContactMaterial<T>& material) const {
-    T lever(0), furthest(0);
+  Vec spread_twist(const Vec& normal, Rows rows, const Vec& center, const S& pressed, const S& inverse,
+                   const ContactMaterial<S>& material) const {
+    using std::sqrt;
+    S lever(0), furthest(0);
     for (const auto& r : rows) {
-      const T square = length_squared(r.arm_a - center);
+      const S square = length_squared(r.arm_a - center);
       lever += r.impulse * inverse * square;
-      if (r.impulse > T(0)) furthest = greatest(furthest, square);
+      furthest = select(r.impulse > S(0), greatest(furthest, square), furthest);
     }
-    const T most = material.dynamic_friction * pressed * inverse_or_zero(std::sqrt(furthest));
+    const S most = material.dynamic_friction * pressed * inverse_or_zero(sqrt(furthest));
     return normal * clamp(twist_ * inverse_or_zero(lever), -most, most);
   }
 
  private:
-  Vec3<T> u_{}, v_{};          ///< across the normal
-  Vec3<T> arm_a_{}, arm_b_{};  ///< of the pressure centre
-  T mass_[3]{};                ///< the inverse of the 2×2 block of u and v: uu, uv, vv
-  T push_u_{}, push_v_{};
-  T twist_mass_{}, twist_{};
-  Vec3<T> rolling_{};
-  T belt_u_{}, belt_v_{};
-};
-
-template <class T>
-class FrictionRows<T, plane::Space<T>> {
-  using Vec = plane::Vec2<T>;
-  using Body = SolverBody<T, plane::Space<T>>;
-  using Rows = std::span<const PointRow<T, plane::Space<T>>>;
-
- public:
-  void prepare(const Vec& normal, const Vec& arm_a, const Vec& arm_b, const Body& a, const Body& b) {
-    u_ = left(normal);
-    arm_a_ = arm_a;
-    arm_b_ = arm_b;
-    turn_a_ = cross(arm_a, u_);
-    turn_b_ = cross(arm_b, u_);
-    mass_ = inverse_or_zero(a.mass.mass + b.mass.mass + turn_a_ * (a.mass.inertia * turn_a_) +
-                            turn_b_ * (b.mass.inertia * turn_b_));
-    rolling_mass_ = inverse_or_zero(a.mass.inertia + b.mass.inertia);
+  void solve_twist(const Vec& normal, const S& limit, const Mask& active, Bodies& bodies) {
+    const S turning = dot(bodies.b.angular - bodies.a.angular, normal);
+    const S twist = select(active, clamp(twist_ - twist_mass_ * turning, -limit, limit), twist_);
+    const S more = twist - twist_;
+    twist_ = twist;
+    bodies.a.angular -= spin_na_ * more;
+    bodies.b.angular += spin_nb_ * more;
   }
 
-  template <class Points>
-  void take_over(const Vec&, const Vec& friction, const Points&, T, Rows rows, const ContactMaterial<T>& material) {
-    T loaded(0);
-    for (const auto& r : rows) loaded += r.impulse;
-    const T most = material.static_friction * loaded;
-    push_ = clamp(dot(friction, u_), -most, most);
+  void solve_rolling(const S& limit, const Mask& active, Bodies& bodies) {
+    const Vec rolls = bodies.b.angular - bodies.a.angular, axis = normalized(rolls);
+    const S mass = inverse_or_zero(dot(axis, (bodies.inertia_a + bodies.inertia_b) * axis));
+    Vec rolling = rolling_ - rolls * mass;
+    const S l = length(rolling);
+    const auto beyond = l > limit;
+    rolling = select(active, rolling * select(beyond, limit / select(beyond, l, S(1)), S(1)), rolling_);
+    roll(rolling - rolling_, bodies);
+    rolling_ = rolling;
+  }
+  static void roll(const Vec& torque, Bodies& bodies) {
+    bodies.a.angular -= bodies.inertia_a * torque;
+    bodies.b.angular += bodies.inertia_b * torque;
   }
 
-  void set_belt(const Vec& belt) { belt_ = dot(belt, u_); }
-  void scale(T part) { push_ *= part; }
-
-  bool solve(const Vec&, Rows rows, const ContactMaterial<T>& material, Body& a, Body& b) {
-    T pressed(0);
-    for (const auto& r : rows) pressed += r.impulse;
-    if (material.rolling_friction > T(0)) {
-      const T limit = material.rolling_friction * pressed;
-      const T rolling = clamp(rolling_ - (b.angular - a.angular) * rolling_mass_, -limit, limit);
-      a.angular -= a.mass.inertia * (rolling - rolling_);
-      b.angular += b.mass.inertia * (rolling - rolling_);
-      rolling_ = rolling;
-    }
-    const T slip = dot(b.linear - a.linear, u_) + turn_b_ * b.angular - turn_a_ * a.angular + belt_;
-    T push = push_ - mass_ * slip;
-    const bool slides = std::abs(push) > material.static_friction * pressed;
-    if (slides) {
-      const T limit = material.dynamic_friction * pressed;
-      push = clamp(push, -limit, limit);
-    }
-    const T more = push - push_;
-    push_ = push;
-    a.linear -= u_ * (more * a.mass.mass);
-    b.linear += u_ * (more * b.mass.mass);
-    a.angular -= a.mass.inertia * (turn_a_ * more);
-    b.angular += b.mass.inertia * (turn_b_ * more);
+  Mask solve_sliding(const Vec& normal, const S& mass_a, const S& mass_b, const S& pressed,
+                     const ContactMaterial<S>& material, const Mask& active, Bodies& bodies) {
+    using std::sqrt;
+    const Vec v = cross(normal, u_);
+    const Vec slip =
+        (bodies.b.linear + cross(bodies.b.angular, arm_b_)) - (bodies.a.linear + cross(bodies.a.angular, arm_a_));
+    const S su = dot(slip, u_) + belt_u_, sv = dot(slip, v) + belt_v_;
+    const S fu = push_u_ - (mass_[0] * su + mass_[1] * sv), fv = push_v_ - (mass_[1] * su + mass_[2] * sv);
+    const S needed = sqrt(fu * fu + fv * fv);
+    const Mask slides = active & (needed > material.static_friction * pressed);
+    const S limit = material.dynamic_friction * pressed;
+    const S shorter = select(slides, least(S(1), limit / select(slides, needed, S(1))), S(1));
+    const S push_u = select(active, fu * shorter, push_u_), push_v = select(active, fv * shorter, push_v_);
+    const S more_u = push_u - push_u_, more_v = push_v - push_v_;
+    push_u_ = push_u;
+    push_v_ = push_v;
+    const Vec push = u_ * more_u + v * more_v;
+    bodies.a.linear -= push * mass_a;
+    bodies.b.linear += push * mass_b;
+    bodies.a.angular -= spin_ua_ * more_u + spin_va_ * more_v;
+    bodies.b.angular += spin_ub_ * more_u + spin_vb_ * more_v;
     return slides;
   }
 
-  Vec push() const { return u_ * push_; }
-  T turn(const Vec&) const { return rolling_; }
-  const Vec& arm_a() const { return arm_a_; }
-  const Vec& arm_b() const { return arm_b_; }
+  Vec u_{};                ///< across the normal; what is across both is v
+  Vec arm_a_{}, arm_b_{};  ///< of the pressure centre
+  Vec spin_ua_{}, spin_ub_{}, spin_va_{},
+      spin_vb_{};              ///< what an impulse of 1 along u or v does to the angular velocities
+  Vec spin_na_{}, spin_nb_{};  ///< and an angular impulse of 1 about the normal
+  S mass_[3]{};                ///< the inverse of the 2×2 block of u and v: uu, uv, vv
+  S push_u_{}, push_v_{};
+  S twist_mass_{}, twist_{};
+  Vec rolling_{};
+  S belt_u_{}, belt_v_{};
+};
+
+template <class S>
+class FrictionRows<S, plane::Space<S>> {
+  using Vec = plane::Vec2<S>;
+  using Bodies = RowBodies<S, plane::Space<S>>;
+  using Rows = std::span<const PointRow<S, plane::Space<S>>>;
+  using Mask = decltype(S() < S());
+  using T = typename LaneOf<S>::type;
+
+ public:
+  void prepare(const Vec& normal, const Vec& arm_a, const Vec& arm_b, const plane::InverseMass<S>& a,
+               const plane::InverseMass<S>& b) {
+    const Vec u = left(normal);
+    turn_a_ = cross(arm_a, u);
+    turn_b_ = cross(arm_b, u);
+    spin_a_ = a.inertia * turn_a_;
+    spin_b_ = b.inertia * turn_b_;
+    mass_ = inverse_or_zero(a.mass + b.mass + turn_a_ * spin_a_ + turn_b_ * spin_b_);
+    rolling_mass_ = inverse_or_zero(a.inertia + b.inertia);
+  }
+
+  template <class Points>
+  void take_over(const Vec& normal, const Vec& friction, const Points&, T, Rows rows,
+                 const ContactMaterial<S>& material) {
+    S loaded(0);
+    for (const auto& r : rows) loaded += r.impulse;
+    const S most = material.static_friction * loaded;
+    push_ = clamp(dot(friction, left(normal)), -most, most);
+    rolling_ = S(0);
+  }
+
+  void set_belt(const Vec& normal, const Vec& belt) { belt_ = dot(belt, left(normal)); }
+
+  void warm_start(const Vec& normal, const S& mass_a, const S& mass_b, Bodies& bodies) const {
+    shove(normal, push_, mass_a, mass_b, bodies);
+    if (bodies.roll) roll(rolling_, bodies);
+  }
+
+  Mask solve(const Vec& normal, const S& mass_a, const S& mass_b, Rows rows, const ContactMaterial<S>& material,
+             const Mask& active, Bodies& bodies) {
+    S pressed(0);
+    for (const auto& r : rows) pressed += r.impulse;
+    if (bodies.roll) solve_rolling(material.rolling_friction * pressed, active, bodies);
+    const S slip = dot(bodies.b.linear - bodies.a.linear, left(normal)) + turn_b_ * bodies.b.angular -
+                   turn_a_ * bodies.a.angular + belt_;
+    const S needed = push_ - mass_ * slip;
+    const Mask slides = active & (abs_of(needed) > material.static_friction * pressed);
+    const S limit = material.dynamic_friction * pressed;
+    const S push = select(active, select(slides, clamp(needed, -limit, limit), needed), push_);
+    const S more = push - push_;
+    push_ = push;
+    shove(normal, more, mass_a, mass_b, bodies);
+    return slides;
+  }
+
+  Vec push(const Vec& normal) const { return left(normal) * push_; }
   /// Nothing twists about a normal of the plane.
-  T spread_twist(const Vec&, Rows, const Vec&, T, T, const ContactMaterial<T>&) const { return T(0); }
+  S spread_twist(const Vec&, Rows, const Vec&, const S&, const S&, const ContactMaterial<S>&) const { return S(0); }
 
  private:
-  Vec u_{};                ///< across the normal
-  Vec arm_a_{}, arm_b_{};  ///< of the pressure centre
-  T turn_a_{}, turn_b_{};  ///< arm × u
-  T mass_{}, push_{};
-  T rolling_mass_{}, rolling_{};
-  T belt_{};
+  static S abs_of(const S& x) {
+    using std::abs;
+    return abs(x);
+  }
+  void shove(const Vec& normal, const S& push, const S& mass_a, const S& mass_b, Bodies& bodies) const {
+    bodies.a.linear -= left(normal) * (push * mass_a);
+    bodies.b.linear += left(normal) * (push * mass_b);
+    bodies.a.angular -= spin_a_ * push;
+    bodies.b.angular += spin_b_ * push;
+  }
+  void solve_rolling(const S& limit, const Mask& active, Bodies& bodies) {
+    const S wanted = clamp(rolling_ - (bodies.b.angular - bodies.a.angular) * rolling_mass_, -limit, limit);
+    const S rolling = select(active, wanted, rolling_);
+    roll(rolling - rolling_, bodies);
+    rolling_ = rolling;
+  }
+  static void roll(const S& torque, Bodies& bodies) {
+    bodies.a.angular -= bodies.inertia_a * torque;
+    bodies.b.angular += bodies.inertia_b * torque;
+  }
+
+  S turn_a_{}, turn_b_{};  ///< arm of the pressure centre × what is across the normal
+  S spin_a_{}, spin_b_{};  ///< what an impulse of 1 across the normal does to the angular velocities
+  S mass_{}, push_{};
+  S rolling_mass_{}, rolling_{};
+  S belt_{};
 };
 
 }  // namespace graze

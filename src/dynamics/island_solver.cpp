@@ -19,8 +19,8 @@ constexpr T calm_sink = T(0.5);
 template <class T>
 constexpr T fall_in_sub_step = T(0.02);
 
-/// Contacts or bodies of an island that a task has: enough that to hand it out costs little beside.
-constexpr std::size_t per_task = 64;
+/// Bodies, and chunks of contacts, of an island that a task has: enough that to hand it out costs little beside.
+constexpr std::size_t bodies_per_block = 64, chunks_per_task = 4;
 
 }  // namespace
 
@@ -29,14 +29,10 @@ void IslandSolver<T, Space>::clear(Executor* executor) {
   executor_ = executor;
   movable_.clear();
   contacts_.clear();
-  added_.clear();
-  touching_.clear();
   states_.clear();
   bodies_.clear();
-  inertias_.clear();
+  pushed_ = 0;
   immovable_.clear();
-  manifolds_.clear();
-  points_.clear();
   joints_.clear();
   joined_.clear();
   joint_bodies_.clear();
@@ -56,12 +52,15 @@ std::uint32_t IslandSolver<T, Space>::add(const IslandBody<T, Space>& body) {
   b.moved = b.center - b.first_center;
   b.turned = b.rotation == b.first_rotation ? RotationIn<Space>{} : b.rotation * conjugate(b.first_rotation);
   if (body.movable) b.mass = {body.inverse_mass, in_world(body.free.inverse_inertia, body.free.rotation)};
-  states_.push_back(body);
+  b.linear_before = b.linear;
+  b.angular_before = b.angular;
+  IslandBody<T, Space>& state = states_.emplace_back(body);
   movable_.push_back(body.movable ? 1 : 0);
   bodies_.push_back(b);
-  inertias_.push_back(body.movable
-                          ? in_world(finite_inertia(body.inertia, body.free.inverse_inertia), body.free.rotation)
-                          : InertiaIn<Space>{});
+  if (body.movable) {
+    state.world_inertia = in_world(finite_inertia(body.inertia, body.free.inverse_inertia), body.free.rotation);
+    ++pushed_;
+  }
   return static_cast<std::uint32_t>(bodies_.size() - 1);
 }
 
@@ -78,14 +77,13 @@ std::uint32_t IslandSolver<T, Space>::add_once(std::uint32_t index, const Island
 template <class T, class Space>
 void IslandSolver<T, Space>::add(const TouchingBodies<T, Space>& touching,
                                  std::span<const ContactManifold<T, Space>> manifolds) {
-  added_.push_back({touching, manifolds});
-  touching_.push_back({touching.a, touching.b});
+  contacts_.add(touching, manifolds);
 }
 
 /// Calls `f` with each number below `count`, on the island's threads.
 template <class T, class Space>
 template <class F>
-void IslandSolver<T, Space>::each(std::size_t count, const F& f) {
+void IslandSolver<T, Space>::each(std::size_t count, std::size_t per_task, const F& f) {
   if (!executor_ || count <= per_task) {
     for (std::size_t i = 0; i < count; ++i) f(i);
     return;
@@ -94,60 +92,27 @@ void IslandSolver<T, Space>::each(std::size_t count, const F& f) {
     for (std::size_t i = begin; i < end; ++i) f(i);
   });
 }
-
-/// Calls `f` with each contact and its bodies, one colour after the other. Of a body that nothing pushes, which several
-/// contacts of a colour have, `f` is given a copy.
+/// Calls `f` with blocks of the bodies that can be pushed.
 template <class T, class Space>
 template <class F>
-void IslandSolver<T, Space>::each_by_color(const F& f) {
-  const auto with_bodies = [&](Contact& contact) {
-    const auto [a, b] = std::pair(contact.touching.a, contact.touching.b);
-    if (movable_[a] != 0 && movable_[b] != 0) {
-      f(contact, bodies_[a], bodies_[b]);
-    } else if (movable_[a] != 0) {
-      SolverBody<T, Space> copy = bodies_[b];
-      f(contact, bodies_[a], copy);
-    } else {
-      SolverBody<T, Space> copy = bodies_[a];
-      f(contact, copy, bodies_[b]);
-    }
-  };
-  for (const Coloring::Range& color : coloring_.colors()) {
-    const auto contacts = std::span(contacts_).subspan(color.first, color.end - color.first);
-    if (color.ordered)
-      for (Contact& contact : contacts) with_bodies(contact);
-    else
-      each(contacts.size(), [&](std::size_t i) { with_bodies(contacts[i]); });
-  }
+void IslandSolver<T, Space>::each_pushed(const F& f) {
+  each((pushed_ + bodies_per_block - 1) / bodies_per_block, 1, [&](std::size_t block) {
+    const std::size_t first = block * bodies_per_block;
+    f(BodyBlock<T, Space>{&states_[first], &bodies_[first], std::min(bodies_per_block, pushed_ - first)});
+  });
 }
 
+/// Calls `f` with each bundle of contacts and its kernels, one colour after the other.
 template <class T, class Space>
-void IslandSolver<T, Space>::prepare_contacts(std::span<const SolverPoint<T, Space>> points, T share) {
-  coloring_.find(movable_, touching_);
-  std::uint32_t manifolds = 0, rows = 0;
-  for (const std::uint32_t i : coloring_.order()) {
-    Contact& contact = contacts_.emplace_back(added_[i]);
-    contact.first_manifold = manifolds;
-    contact.first_row = rows;
-    for (const ContactManifold<T, Space>& m : contact.found) {
-      contact.manifold_count += m.point_count != 0 ? 1 : 0;
-      rows += m.point_count;
-    }
-    manifolds += contact.manifold_count;
+template <class F>
+void IslandSolver<T, Space>::each_bundle(const F& f) {
+  for (const auto& color : contacts_.colors()) {
+    const std::size_t count = color.end_chunk - color.first_chunk;
+    each(count, color.ordered ? count : chunks_per_task, [&](std::size_t i) {
+      for (const ContactBundle<T, Space>& bundle : contacts_.bundles_of(color.first_chunk + i))
+        f(contacts_.kernels_of(bundle), bundle);
+    });
   }
-  manifolds_.resize(manifolds);
-  points_.resize(rows);
-  each(contacts_.size(), [&](std::size_t i) {
-    const Contact& contact = contacts_[i];
-    std::uint32_t row = contact.first_row, manifold = contact.first_manifold;
-    for (const ContactManifold<T, Space>& m : contact.found) {
-      if (m.point_count == 0) continue;
-      manifolds_[manifold++] =
-          prepare<T, Space>(contact.touching, bodies_, m, points.subspan(m.first_point, m.point_count), share, row,
-                            std::span(points_).subspan(row, m.point_count));
-      row += m.point_count;
-    }
-  });
 }
 
 template <class T, class Space>
@@ -157,107 +122,70 @@ void IslandSolver<T, Space>::add(JointInPlace<T, Space>& joint, std::uint32_t a,
 }
 
 template <class T, class Space>
-void IslandSolver<T, Space>::choose_sub_steps(T step, T gravity, int least, int most) {
+auto IslandSolver<T, Space>::load(std::span<const SolverPoint<T, Space>> points, T step, T share) const -> Load {
+  Load load;
+  contacts_.each_manifold([&](const TouchingBodies<T, Space>& touching, const ContactManifold<T, Space>& m) {
+    T pressed(0);
+    for (const SolverPoint<T, Space>& p : points.subspan(m.first_point, m.point_count))
+      pressed += greatest(T(0), dot(p.impulse, m.normal)) * share;
+    const T size = touching.between.size;
+    const T inverse_mass = bodies_[touching.a].mass.mass + bodies_[touching.b].mass.mass;
+    load.strain = greatest(load.strain, pressed / step * inverse_mass / size);
+    load.smallest = least(load.smallest, size);
+  });
+  return load;
+}
+
+template <class T, class Space>
+void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share,
+                                              int least, int most) {
   // What a joint holds moves along a chord of its arc: off by the square of the sub-step, a quarter of it with two for
   // one.
-  sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : manifolds_.empty() ? 1 : least;
-  const auto sinks = [&](const ManifoldRows<T, Space>& m, int count, T share) {
+  sub_steps_ = !joined_.empty() ? std::min(2 * least, most) : contacts_.empty() ? 1 : least;
+  if (contacts_.empty()) return;
+  const Load most_load = load(points, step, share);
+  const auto too_few = [&](int count, T part) {
     const T h = step / T(count);
-    if (gravity * h * h > fall_in_sub_step<T> * m.size) return true;
-    T pressed(0);
-    for (const PointRow<T, Space>& r : std::span(points_).subspan(m.first_row, m.row_count)) pressed += r.impulse;
-    return predicted_sink(pressed / step, m.inverse_mass, h) > share * visible_sink<T> * m.size;
+    return gravity * h * h > fall_in_sub_step<T> * most_load.smallest ||
+           predicted_sink(most_load.strain, h) > part * visible_sink<T>;
   };
-  // Points have the impulse of the whole step until the number is known.
-  const auto too_few = [&](int count, T share) {
-    return std::any_of(manifolds_.begin(), manifolds_.end(),
-                       [&](const ManifoldRows<T, Space>& m) { return sinks(m, count, share); });
-  };
-  while (sub_steps_ < most && too_few(sub_steps_, T(1))) sub_steps_ *= 2;
+  while (sub_steps_ < most && too_few(sub_steps_, T(1))) sub_steps_ = std::min(2 * sub_steps_, most);
   int last = 0;
   for (const IslandBody<T, Space>& body : states_)
     if (body.movable) last = std::max(last, body.sub_steps == 0 ? most : std::min(body.sub_steps, most));
-  if (!manifolds_.empty() && sub_steps_ < last)
-    sub_steps_ = std::max(sub_steps_, too_few(last / 2, calm_sink<T>) ? last : last / 2);
-  const T part = T(1) / T(sub_steps_);
-  for (PointRow<T, Space>& r : points_) r.impulse *= part;
-  for (ManifoldRows<T, Space>& m : manifolds_) m.friction.scale(part);
+  if (sub_steps_ < last) sub_steps_ = std::max(sub_steps_, too_few(last / 2, calm_sink<T>) ? last : last / 2);
 }
 
-template <class T, class Space>
-void IslandSolver<T, Space>::begin_body(std::size_t i, const SubStep<T>& time) {
-  IslandBody<T, Space>& state = states_[i];
-  SolverBody<T, Space>& body = bodies_[i];
-  if (!state.movable) {
-    body.linear_before = body.linear;
-    body.angular_before = body.angular;
-    return;
-  }
-  body.linear = state.free.linear;
-  body.pressed = SolverBody<T, Space>::Pressed::freely;
-  body.angular = angular_velocity(state.free);
-  body.linear_before = body.linear;
-  body.angular_before = body.angular;
-  const T h = time.h * state.share;
-  body.linear = (body.linear + state.acceleration * h) * (T(1) / (T(1) + state.linear_damping * h));
-  body.angular = (body.angular + body.mass.inertia * (state.torque * h)) * (T(1) / (T(1) + state.angular_damping * h));
-}
 template <class T, class Space>
 void IslandSolver<T, Space>::begin_sub_step(const SubStep<T>& time) {
-  each(bodies_.size(), [&](std::size_t i) { begin_body(i, time); });
+  each_pushed([&](const BodyBlock<T, Space>& block) { body_kernels_.begin(block, time); });
 }
 
-/// The angular momentum of what nothing turned stays bit for bit.
-template <class T, class Space>
-void IslandSolver<T, Space>::move_body(std::size_t i, const SubStep<T>& time) {
-  IslandBody<T, Space>& state = states_[i];
-  SolverBody<T, Space>& body = bodies_[i];
-  const T h = time.h * state.share;
-  FreeBodyIn<Space> moving = state.free;
-  moving.linear = body.moving_velocity();
-  typename Space::Turning gained{};
-  if (state.movable) {
-    if (!(body.angular == body.angular_before)) gained = inertias_[i] * (body.angular - body.angular_before);
-    moving.angular_momentum += body.pressed == SolverBody<T, Space>::Pressed::freely ? gained / T(2) : gained;
-  } else {
-    moving = spinning(moving, state.spin);
-  }
-  advance(moving, typename Space::Vec{}, h);
-  state.free.center = body.center = moving.center;
-  state.free.rotation = body.rotation = moving.rotation;
-  body.moved = body.center - body.first_center;
-  body.turned =
-      body.rotation == body.first_rotation ? RotationIn<Space>{} : body.rotation * conjugate(body.first_rotation);
-  if (!state.movable) return;
-  state.free.linear = body.linear;
-  state.free.angular_momentum += gained;
-  body.linear_before = body.linear;
-  body.angular = angular_velocity(state.free);
-  body.angular_before = body.angular;
-}
 template <class T, class Space>
 void IslandSolver<T, Space>::move(const SubStep<T>& time) {
-  each(bodies_.size(), [&](std::size_t i) { move_body(i, time); });
+  each_pushed([&](const BodyBlock<T, Space>& block) { body_kernels_.move(block, time); });
+  move_unpushed(time);
 }
 
-/// What the pass without bias changed.
+/// Moves what nothing pushes by the velocity that it is given.
 template <class T, class Space>
-void IslandSolver<T, Space>::end_body(std::size_t i) {
-  if (!states_[i].movable) return;
-  states_[i].free.linear = bodies_[i].linear;
-  if (!(bodies_[i].angular == bodies_[i].angular_before))
-    states_[i].free.angular_momentum += inertias_[i] * (bodies_[i].angular - bodies_[i].angular_before);
+void IslandSolver<T, Space>::move_unpushed(const SubStep<T>& time) {
+  for (std::size_t i = pushed_; i < bodies_.size(); ++i) {
+    IslandBody<T, Space>& state = states_[i];
+    SolverBody<T, Space>& body = bodies_[i];
+    FreeBodyIn<Space> moving = spinning(state.free, state.spin);
+    advance(moving, typename Space::Vec{}, time.h * state.influences.share);
+    state.free.center = body.center = moving.center;
+    state.free.rotation = body.rotation = moving.rotation;
+    body.moved = body.center - body.first_center;
+    body.turned =
+        body.rotation == body.first_rotation ? RotationIn<Space>{} : body.rotation * conjugate(body.first_rotation);
+  }
 }
+
 template <class T, class Space>
 void IslandSolver<T, Space>::end_sub_step() {
-  each(bodies_.size(), [&](std::size_t i) { end_body(i); });
-}
-
-template <class T, class Space>
-void IslandSolver<T, Space>::warm_start_contacts() {
-  each_by_color([&](Contact& contact, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
-    for (const ManifoldRows<T, Space>& m : manifolds_of(contact)) warm_start<T, Space>(m, rows_of(m), a, b);
-  });
+  each_pushed([&](const BodyBlock<T, Space>& block) { body_kernels_.end(block); });
 }
 
 template <class T, class Space>
@@ -267,7 +195,10 @@ void IslandSolver<T, Space>::solve_joints(bool bias) {
     SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
     if (!joint_system_.holds(j)) joints_[j].solve_loop(a, b, bias);
     joints_[j].solve_free(a, b, bias);
-    if (bias && !by_mean_) a.pressed = b.pressed = SolverBody<T, Space>::Pressed::tied;
+    if (bias && !by_mean_) {
+      a.tie();
+      b.tie();
+    }
   }
 }
 
@@ -282,23 +213,22 @@ void IslandSolver<T, Space>::arrive() {
 /// One pass. That with bias decides how bodies move, and notes along what they are pressed.
 template <class T, class Space>
 void IslandSolver<T, Space>::solve_rows(const ContactStep<T>& step, bool bias) {
-  each_by_color([&](Contact& contact, SolverBody<T, Space>& a, SolverBody<T, Space>& b) {
-    for (ManifoldRows<T, Space>& m : manifolds_of(contact)) {
-      const bool slides = graze::solve<T, Space>(m, rows_of(m), a, b, step, bias);
-      if (bias) graze::note_pressed<T, Space>(m, rows_of(m), slides, a, b);
-    }
-  });
+  each_bundle([&](const auto& kernels, const auto& bundle) { kernels.solve(bundle, bodies_.data(), step, bias); });
   solve_joints(bias);
 }
 
 template <class T, class Space>
-void IslandSolver<T, Space>::solve(T step, T gravity) {
+void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share) {
+  contacts_.build(movable_);
+  each_bundle([&](const auto& kernels, const auto& bundle) {
+    kernels.prepare(bundle, bodies_.data(), points.data(), share / T(sub_steps_));
+  });
   const T h = step / T(sub_steps_);
   SubStep<T> time{h, T(1) / h, step, false};
   joints_.resize(joined_.size());
   for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].prepare(*joined_[j], time);
   joint_system_.prepare(joints_, joint_bodies_, movable_);
-  time.joined_by_mean = by_mean_ = manifolds_.empty() && joint_system_.holds_all();
+  time.joined_by_mean = by_mean_ = contacts_.empty() && joint_system_.holds_all();
   for (JointRows<T, Space>& joint : joints_) joint.set_step(time);
   const ContactStep<T> contact = contact_step(time, gravity);
   for (int s = 0; s < sub_steps_; ++s) {
@@ -309,7 +239,7 @@ void IslandSolver<T, Space>::solve(T step, T gravity) {
       joints_[j].warm_start(a, b);
     }
     joint_system_.factor(joints_, bodies_);
-    warm_start_contacts();
+    each_bundle([&](const auto& kernels, const auto& bundle) { kernels.warm_start(bundle, bodies_.data()); });
     solve_rows(contact, true);
     move(time);
     if (by_mean_) arrive();
@@ -321,21 +251,14 @@ void IslandSolver<T, Space>::solve(T step, T gravity) {
 
 template <class T, class Space>
 void IslandSolver<T, Space>::find_residual() {
-  for (const ManifoldRows<T, Space>& m : manifolds_)
-    for (const PointRow<T, Space>& r : std::span(points_).subspan(m.first_row, m.row_count)) {
-      if (!(r.impulse > T(0))) continue;
-      const SolverBody<T, Space>&a = bodies_[m.a], &b = bodies_[m.b];
-      const T speed = dot(b.linear - a.linear, m.normal) + dot(r.turn_b, b.angular) - dot(r.turn_a, a.angular);
-      residual_ = greatest(residual_, -speed);
-    }
+  for (std::size_t chunk = 0; chunk < contacts_.chunk_count(); ++chunk)
+    for (const ContactBundle<T, Space>& bundle : contacts_.bundles_of(chunk))
+      residual_ = greatest(residual_, contacts_.kernels_of(bundle).approach(bundle, bodies_.data()));
 }
 
 template <class T, class Space>
 void IslandSolver<T, Space>::store(std::span<SolverPoint<T, Space>> points) {
-  each(manifolds_.size(), [&](std::size_t i) {
-    const ManifoldRows<T, Space>& m = manifolds_[i];
-    graze::store<T, Space>(m, rows_of(m), points.subspan(m.first_point, m.row_count), T(sub_steps_));
-  });
+  each_bundle([&](const auto& kernels, const auto& bundle) { kernels.store(bundle, T(sub_steps_), points.data()); });
   for (const JointRows<T, Space>& j : joints_) j.store();
 }
 

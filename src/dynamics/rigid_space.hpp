@@ -63,6 +63,13 @@ Vec3<T> turning_between(const Quat<T>& from, const Quat<T>& to, T time) {
   return turn.vector() * (per_sine / time);
 }
 
+/// What it adds to `v` to turn it back: `rotate(conjugate(q), v) - v`, without the rounding of the difference.
+template <class S>
+Vec3<S> turned_back_by(const Quat<S>& q, const Vec3<S>& v) {
+  const Vec3<S> t = cross(v, q.vector()) * S(2);
+  return t * q.w + cross(t, q.vector());
+}
+
 template <class T>
 bool is_finite(const Quat<T>& rotation) {
   return std::isfinite(rotation.w);
@@ -116,6 +123,10 @@ template <class T>
 T turning_between(const Rot2<T>& from, const Rot2<T>& to, T time) {
   const Rot2<T> turn = to * conjugate(from);
   return angle_of(turn.cosine, turn.sine) / time;
+}
+template <class S>
+Vec2<S> turned_back_by(const Rot2<S>& q, const Vec2<S>& v) {
+  return inverse_rotate(q, v) - v;
 }
 template <class T>
 bool is_finite(const Rot2<T>& rotation) {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "dynamics/body_mass.hpp"
-#include "dynamics/contact_rows.hpp"
 #include "dynamics/island_solver.hpp"
 #include "dynamics/islands.hpp"
 #include "dynamics/joints.hpp"

@@ -61,11 +61,8 @@ IslandBody<T, Space> SimulationParts<T, Space>::island_body(std::uint32_t index)
   b.inertia = body.mass.inertia;
   b.inverse_mass = body.mass.inverse_mass;
   b.spin = body.spin;
-  b.acceleration = settings.gravity * body.gravity_factor + body.force * body.mass.inverse_mass;
-  b.torque = body.torque;
-  b.linear_damping = body.linear_damping;
-  b.angular_damping = body.angular_damping;
-  b.share = shares[index];
+  b.influences = {settings.gravity * body.gravity_factor + body.force * body.mass.inverse_mass, body.torque,
+                  body.linear_damping, body.angular_damping, shares[index]};
   b.sub_steps = body.sub_steps;
   b.movable = body.movable;
   return b;
@@ -91,17 +88,17 @@ void SimulationParts<T, Space>::solve_island(IslandSolver<T, Space>& solver, con
       continue;
     }
     const SimulatedBody<T, Space>&body_a = bodies[pair->a], &body_b = bodies[pair->b];
-    const TouchingBodies<T, Space> touching{a,
-                                            b,
-                                            material_of(*pair),
-                                            rotate(found_at[pair->a].rotation, body_a.material.surface_velocity),
-                                            rotate(found_at[pair->b].rotation, body_b.material.surface_velocity),
-                                            least(body_a.size, body_b.size)};
+    const auto belt_of = [&](const SimulatedBody<T, Space>& body, std::uint32_t index) {
+      return rotate(found_at[index].rotation, body.material.surface_velocity);
+    };
+    const TouchingBodies<T, Space> touching{
+        a,
+        b,
+        {material_of(*pair), belt_of(body_b, pair->b) - belt_of(body_a, pair->a), least(body_a.size, body_b.size)}};
     solver.add(touching, contacts.manifolds_of(*pair));
   }
-  solver.prepare_contacts(contacts.points, share);
-  solver.choose_sub_steps(dt, gravity, settings.sub_steps, settings.most_sub_steps);
-  solver.solve(dt, gravity);
+  solver.choose_sub_steps(contacts.points, dt, gravity, share, settings.sub_steps, settings.most_sub_steps);
+  solver.solve(contacts.points, dt, gravity, share);
   solver.store(contacts.points);
   for (std::uint32_t i = 0; i < members.size(); ++i) {
     bodies[members[i]].free = solver.body(i);

@@ -5,52 +5,51 @@
 // needs a case of its own for it.
 #pragma once
 
-#include "dynamics/rigid_space.hpp"
+#include "dynamics/row_bodies.hpp"
 
 namespace graze {
+
+/// Along what contacts press a body in a sub-step; over S, a scalar or lanes.
+template <class S, class Space>
+struct Pressure {
+  using T = typename LaneOf<S>::type;
+
+  static constexpr T none = T(0), along_normal = T(1), everywhere = T(2);
+
+  typename Space::Vec normal{};
+  S kind = S(none);
+
+  /// Notes that a contact presses along its normal, and, where it does not slide, holds in all directions.
+  template <class Mask>
+  void add(const typename Space::Vec& along, const Mask& presses, const Mask& slides) {
+    using std::abs;
+    const Mask before = kind > S(none);
+    const Mask across = before & (abs(dot(along, normal)) < S(T(0.999)));
+    const Mask first = presses & slides & !before;
+    normal = select(first, along, normal);
+    kind = select(presses & (across | !slides), S(everywhere), select(first, S(along_normal), kind));
+  }
+};
 
 template <class T, class Space = graze::Space<T>>
 struct SolverBody {
   using Vec = typename Space::Vec;
   using Turning = typename Space::Turning;
 
+  // Lanes load what stands together at once: `RowVelocity`, `RowPlace`, `Pressure`.
   Vec linear{};  ///< of the centre of mass, in world space
   Turning angular{};
-  Vec linear_before{};  ///< the same at the beginning of the sub-step
+  Vec moved{};                 ///< center - first_center
+  RotationIn<Space> turned{};  ///< from first_rotation to rotation
+  Pressure<T, Space> pressure{};
+  InverseMassIn<Space> mass{};  ///< in world space, of this step
+  Vec linear_before{};          ///< at the beginning of the sub-step
   Turning angular_before{};
-  InverseMassIn<Space> mass{};  ///< in world space, of this sub-step
   // Where the body is now and where it was when its contacts were found; of the centre of mass and the principal axes.
   Vec center{}, first_center{};
   RotationIn<Space> rotation{}, first_rotation{};
-  Vec moved{};                 ///< center - first_center
-  RotationIn<Space> turned{};  ///< from first_rotation to rotation
 
-  /// Along what contacts press the body in this sub-step.
-  enum class Pressed : std::uint8_t { freely, along_normal, tied };
-  Pressed pressed = Pressed::freely;
-  Vec normal{};
-
-  void press(const Vec& along) {
-    if (pressed == Pressed::freely) {
-      pressed = Pressed::along_normal;
-      normal = along;
-    } else if (std::abs(dot(along, normal)) < T(0.999)) {
-      pressed = Pressed::tied;
-    }
-  }
-  void tie() { pressed = Pressed::tied; }
-  /// The velocity that moves the body in this sub-step: the mean of that before and after, which is exact under gravity
-  /// and sliding friction; but along what it is pressed, and in all directions where that is several or friction
-  /// holds it, the one after, which the rows made what they wanted. The mean would make what swings on friction that
-  /// holds, a wall that sways, gain energy: with forces of the old place it grows by 1 + (h w)² / 4 a sub-step.
-  Vec moving_velocity() const {
-    if (pressed == Pressed::tied) return linear;
-    const Vec half = (linear_before - linear) / T(2);
-    return linear + (pressed == Pressed::freely ? half : half - normal * dot(half, normal));
-  }
-
-  /// How the body's point moved since that was `arm` from the centre when contacts were found.
-  Vec displacement(const Vec& arm) const { return moved + (rotate(turned, arm) - arm); }
+  void tie() { pressure.kind = pressure.everywhere; }
   Vec velocity(const Vec& arm) const { return linear + cross(angular, arm); }
   /// Pushes by `impulse` at `arm` from the centre.
   void push(const Vec& impulse, const Vec& arm) {
@@ -61,8 +60,8 @@ struct SolverBody {
 
 /// A sub-step of duration h of an island. What rows press moves by h v₁ in it, v₁ being its velocity once the rows
 /// were solved with bias, so that a row that wants to move by d asks for the velocity d / h; all else moves by
-/// h (v₀ + v₁) / 2 (see `SolverBody::moving_velocity`). What joints hold moves by the mean too, unless contacts press
-/// something in the island: what both hold has to be moved by one rule.
+/// h (v₀ + v₁) / 2 (`moving_velocity` in `body_motion.kernel.cpp`). What joints hold moves by the mean too, unless
+/// contacts press something in the island: what both hold has to be moved by one rule.
 template <class T>
 struct SubStep {
   T h{};

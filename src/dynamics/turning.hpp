@@ -13,6 +13,9 @@ template <std::floating_point T>
 constexpr T dot(const T& a, const T& b) {
   return a * b;
 }
+template <class S>
+requires requires { typename S::Lane; }
+constexpr S dot(const S& a, const S& b) { return a * b; }
 template <std::floating_point T>
 T length(const T& turning) {
   return std::abs(turning);
