@@ -10,10 +10,13 @@ namespace {
 template <class T>
 constexpr T visible_sink = T(0.001);
 
-/// Fewer sub-steps soften every contact, which then sinks: only where it sinks by less than this part of the above, and
-/// by half at a time, for every change swings. Bodies that are new begin with the most.
+/// Fewer sub-steps soften every contact, and what lies on it sinks: a blow to the island, whose answer must not ask for
+/// more again. So they become fewer by one at a time, which changes the springs least, and only where the contacts
+/// would still sink by less than this part of the above: four times the load has to come before there are more.
+/// Measured: with half, towers of thirty boxes and more change their number for good and keep 2 J; with a quarter none
+/// of up to forty does, nor ten boxes under one of 1 to 110 times the mass.
 template <class T>
-constexpr T calm_sink = T(0.5);
+constexpr T calm_sink = T(0.25);
 
 /// A body is let fall by no more than this part of its size in a sub-step.
 template <class T>
@@ -149,11 +152,12 @@ void IslandSolver<T, Space>::choose_sub_steps(std::span<const SolverPoint<T, Spa
     return gravity * h * h > fall_in_sub_step<T> * most_load.smallest ||
            predicted_sink(most_load.strain, h) > part * visible_sink<T>;
   };
-  while (sub_steps_ < most && too_few(sub_steps_, T(1))) sub_steps_ = std::min(2 * sub_steps_, most);
+  while (sub_steps_ < most && too_few(sub_steps_, T(1))) ++sub_steps_;
+  // The load on a body that is new is not known yet: its island takes the most.
   int last = 0;
   for (const IslandBody<T, Space>& body : states_)
-    if (body.movable) last = std::max(last, body.sub_steps == 0 ? most : std::min(body.sub_steps, most));
-  if (sub_steps_ < last) sub_steps_ = std::max(sub_steps_, too_few(last / 2, calm_sink<T>) ? last : last / 2);
+    if (body.movable) last = std::max(last, body.sub_steps == 0 ? most + 1 : std::min(body.sub_steps, most));
+  if (sub_steps_ < last) sub_steps_ = last <= most && too_few(last - 1, calm_sink<T>) ? last : last - 1;
 }
 
 template <class T, class Space>

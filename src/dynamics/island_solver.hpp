@@ -29,7 +29,8 @@ class IslandSolver {
   void add(JointInPlace<T, Space>& joint, std::uint32_t a, std::uint32_t b);
 
   /// As many sub-steps as it takes, by the impulses of the last step, that no contact sinks visibly: from `least` to
-  /// `most`, and no fewer than half of the last step's. `share` is what the step has of the last one's impulses.
+  /// `most`, no fewer than one below the last step's, and the most where a body is new. `share` is what the step has of
+  /// the last one's impulses.
   void choose_sub_steps(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share, int least, int most);
   void solve(std::span<const SolverPoint<T, Space>> points, T step, T gravity, T share);
   /// Impulses to the world's points and to the joints.

@@ -161,6 +161,30 @@ TYPED_TEST(SimulationOf, TenBoxesStandAwake) {
   EXPECT_EQ(s.report().islands, 1u);
 }
 
+/// What the number of sub-steps changes must not change the number again: it settles, and the stack comes to rest.
+TYPED_TEST(SimulationOf, SubStepsSettleUnderAHeavyBox) {
+  using T = TypeParam;
+  for (const T heavy : {T(3), T(5), T(12), T(16)}) {
+    Simulation<T> s(settings<T>());
+    add_floor(s);
+    for (int i = 0; i <= 10; ++i) {
+      Dynamics<T> dynamics;
+      dynamics.mass = i == 10 ? heavy : T(1);
+      s.add({Box<T>({1, 1, 1}), {{T(0), T(i) + T(0.5), T(0)}, {}}}, dynamics);
+    }
+    for (int i = 0; i < 5 * 64; ++i) s.step(T(dt));
+    const int settled = s.report().most_sub_steps;
+    T energy = 0;
+    for (int i = 0; i < 5 * 64; ++i) {
+      s.step(T(dt));
+      ASSERT_EQ(s.report().most_sub_steps, settled) << heavy << ", " << i;
+      energy = std::max(energy, s.report().kinetic_energy);
+    }
+    // A fall of them all by a thousandth of a box would give 0.1 J and more.
+    EXPECT_LT(energy, T(1e-3)) << heavy;
+  }
+}
+
 TYPED_TEST(SimulationOf, SleepsAndWakes) {
   using T = TypeParam;
   Simulation<T> s(settings<T>(T(10), true));
