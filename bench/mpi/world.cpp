@@ -1,6 +1,6 @@
 // A world on many ranks: ghosts, bytes and memory a body, balance, and what an update costs beside that of one world.
 //
-//   mpirun -n RANKS bench_mpi_world [--bodies N] [--frames N] [--corner] [--beside]
+//   mpirun -n RANKS bench_mpi_world [--bodies N] [--frames N] [--corner] [--beside] [--float] [--blocks] [--moving N]
 //
 // Balls and boxes stand in a cube of a lattice, a little turned and out of place, so that each touches about three
 // others; from frame to frame every body moves by about 1e-3 of its size. Of ghosts and bytes the mean of the frames is
@@ -8,8 +8,11 @@
 // of each frame is printed, as the costs of the one before say. With
 // --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take turns
 // frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of the
-// machine is about the same in two updates that follow each other. The others sleep while one world works.
+// machine is about the same in two updates that follow each other. The others sleep while one world works. With
+// --moving only one body in so many moves in a frame. With --blocks contacts are handed over block by
+// block and nobody remembers who touched, as for granular matter of tens of millions of bodies; --float halves them.
 #include <mpi.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -30,11 +33,9 @@ namespace graze::bench {
 
 namespace {
 
-using T = double;
-
 struct Options {
-  std::size_t bodies = 100000, frames = 9;
-  bool corner = false, beside = false;
+  std::size_t bodies = 100000, frames = 9, moving = 1;
+  bool corner = false, beside = false, in_float = false, blocks = false;
 };
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -45,6 +46,7 @@ double median(std::vector<double> values) {
 }
 
 /// The bodies of the lattice by number: the same on every rank, and in every frame from themselves alone.
+template <class T>
 class Lattice {
  public:
   explicit Lattice(const Options& options)
@@ -52,7 +54,8 @@ class Lattice {
         side_(static_cast<std::uint64_t>(std::ceil(std::cbrt(static_cast<double>(options.bodies))))) {}
 
   graze::Body<T> body(std::uint64_t number, std::size_t frame) const {
-    const Shape<T> shape = number % 2 == 0 ? Shape<T>(Sphere<T>(0.54)) : Shape<T>(Box<T>({0.94, 0.94, 0.94}));
+    const Shape<T> shape =
+        number % 2 == 0 ? Shape<T>(Sphere<T>(T(0.54))) : Shape<T>(Box<T>({T(0.94), T(0.94), T(0.94)}));
     return {shape, pose(number, frame)};
   }
   Pose<T> pose(std::uint64_t number, std::size_t frame) const {
@@ -71,7 +74,10 @@ class Lattice {
         at[axis] += part * (fallen - at[axis]);
       }
     }
-    return {at + away + now.in_cube(1e-3), turn};
+    return {converted<T>(at + away + now.in_cube(1e-3)), converted<T>(turn)};
+  }
+  bool moves(std::uint64_t number, std::size_t frame) const {
+    return (number + frame) % options_.moving == 0;
   }
   std::uint64_t side() const { return side_; }
 
@@ -92,21 +98,30 @@ void meet_asleep() {
 
 struct Sums {
   double bodies = 0, ghosts = 0, pairs = 0, bytes = 0, memory = 0, most_bodies = 0, partition = 0, exchange = 0,
-         broad = 0, contacts = 0, events = 0;
+         broad = 0, contacts = 0, events = 0, most_held = 0;
 };
 
+/// The most memory that this process ever had.
+double held() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+template <class T>
 Sums sums_of(const mpi::World<T>& world) {
   const mpi::WorldReport& r = world.report();
   const auto d = [](std::uint64_t n) { return static_cast<double>(n); };
   const double mine[] = {d(r.bodies), d(r.ghosts), d(r.pairs), d(r.bytes), d(world.memory())};
-  const double most[] = {d(r.bodies), r.partition, r.exchange, r.broad, r.contacts, r.events};
+  const double most[] = {d(r.bodies), r.partition, r.exchange, r.broad, r.contacts, r.events, held()};
   Sums s;
   MPI_Allreduce(mine, &s.bodies, 5, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-  MPI_Allreduce(most, &s.most_bodies, 6, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  MPI_Allreduce(most, &s.most_bodies, 7, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   return s;
 }
 
 /// One world of all bodies, on rank 0.
+template <class T>
 struct One {
   explicit One(std::size_t threads) : executor(make_executor(threads)), world({}, executor.get()) {}
   std::unique_ptr<Executor> executor;
@@ -114,19 +129,24 @@ struct One {
   std::vector<BodyId> ids;
 };
 
+template <class T>
 void run(const Options& options) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  const Lattice lattice(options);
-  mpi::World<T> many(MPI_COMM_WORLD);
+  const Lattice<T> lattice(options);
+  mpi::WorldSettings<T> settings;
+  settings.events = !options.blocks;
+  mpi::World<T> many(MPI_COMM_WORLD, settings);
+  std::uint64_t points = 0;
+  const mpi::ContactVisitor<T> count = [&](const mpi::ContactBlock<T>& block) { points += block.contacts.points.size(); };
   // In slabs, as a program would read them.
   const std::uint64_t begin = options.bodies * static_cast<std::uint64_t>(rank) / static_cast<std::uint64_t>(ranks),
                       end = options.bodies * static_cast<std::uint64_t>(rank + 1) / static_cast<std::uint64_t>(ranks);
   for (std::uint64_t i = begin; i < end; ++i) many.add(i, lattice.body(i, 0));
-  std::unique_ptr<One> one;
+  std::unique_ptr<One<T>> one;
   if (options.beside && rank == 0) {
-    one = std::make_unique<One>(static_cast<std::size_t>(ranks));
+    one = std::make_unique<One<T>>(static_cast<std::size_t>(ranks));
     for (std::uint64_t i = 0; i < options.bodies; ++i) one->ids.push_back(one->world.add(lattice.body(i, 0)));
   }
   std::vector<double> clocks, clocks_of_one, ratios;
@@ -135,15 +155,17 @@ void run(const Options& options) {
   // Two frames to find the borders, which are not counted; and three after the fall, in which all lies still.
   const std::size_t first = options.corner ? 0 : 2, after = options.corner ? 3 : 0;
   for (std::size_t frame = 0; frame < options.frames + first + after; ++frame) {
-    for (const mpi::Key key : many.keys()) many.move(key, lattice.pose(key, frame));
+    for (const mpi::Key key : many.keys())
+      if (lattice.moves(key, frame)) many.move(key, lattice.pose(key, frame));
     MPI_Barrier(MPI_COMM_WORLD);
     const double before = seconds();
-    many.update();
+    options.blocks ? many.update(count) : many.update();
     MPI_Barrier(MPI_COMM_WORLD);
     const double clock = seconds() - before;
     double clock_of_one = 0;
     if (one) {
-      for (std::uint64_t i = 0; i < options.bodies; ++i) one->world.move(one->ids[i], lattice.pose(i, frame));
+      for (std::uint64_t i = 0; i < options.bodies; ++i)
+        if (lattice.moves(i, frame)) one->world.move(one->ids[i], lattice.pose(i, frame));
       const double then = seconds();
       one->world.update();
       clock_of_one = seconds() - then;
@@ -163,9 +185,9 @@ void run(const Options& options) {
   }
   if (rank != 0) return;
   const double n = static_cast<double>(options.bodies);
-  std::printf("%2d ranks, %zu bodies: pairs %.0f, ghosts %.0f (%.4f a body), bytes %.1f a body, memory %.0f a body, "
-              "update %.1f ms (partition %.1f, exchange %.1f, pairs %.1f, contacts %.1f, events %.1f)\n",
-              ranks, options.bodies, last.pairs, ghosts, ghosts / n, bytes / n, last.memory / n, 1e3 * median(clocks),
+  std::printf("%2d ranks, %zu bodies: pairs %.0f, ghosts %.0f (%.4f a body), bytes %.1f a body, memory %.0f a body, at most "
+              "%.0f MB a rank, update %.1f ms (partition %.1f, exchange %.1f, pairs %.1f, contacts %.1f, events %.1f)\n",
+              ranks, options.bodies, last.pairs, ghosts, ghosts / n, bytes / n, last.memory / n, last.most_held / 1e6, 1e3 * median(clocks),
               1e3 * last.partition, 1e3 * last.exchange, 1e3 * last.broad, 1e3 * last.contacts, 1e3 * last.events);
   if (one)
     std::printf("one world, %d threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n", ranks,
@@ -183,8 +205,11 @@ int main(int argc, char** argv) {
       .number("--frames", options.frames, "Updates that are counted")
       .flag("--corner", options.corner, "All bodies fall into one corner")
       .flag("--beside", options.beside, "One world of as many threads beside it")
+      .flag("--float", options.in_float, "In single precision")
+      .flag("--blocks", options.blocks, "Contacts are handed over block by block, and none are kept")
+      .number("--moving", options.moving, "One body in so many moves in a frame")
       .read(argc, argv);
   MPI_Init(&argc, &argv);
-  graze::bench::run(options);
+  options.in_float ? graze::bench::run<float>(options) : graze::bench::run<double>(options);
   MPI_Finalize();
 }

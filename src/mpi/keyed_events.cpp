@@ -26,26 +26,35 @@ struct KeyedEvents::Claim {
 };
 
 /// The events that this rank knows by itself, and what it has to ask of the judges of the others.
-void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers,
-                              ByRank<Claim>& claims) {
+void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, ByRank<Claim>& claims) {
   const auto judge = [&](Key a, Key b) -> auto& { return claims[Hash()(std::pair(a, b)) / 7 % claims.size()]; };
+  std::swap(events_, last_);
   events_.clear();
-  auto last = touching_.begin();
+  auto last = last_.cbegin();
+  const auto end = last_.cend();
+  const auto skip_ends = [&] {
+    while (last != end && last->kind == EventKind::end) ++last;
+  };
+  const auto take = [&]() -> const KeyedEvent& {
+    const KeyedEvent& taken = *last++;
+    skip_ends();
+    return taken;
+  };
+  skip_ends();
   const auto miss = [&](const KeyedEvent& e) { judge(e.a, e.b).push_back({e.a, e.b, 0, 0, e.trigger}); };
   auto was_apart = apart_.begin();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const KeyedPair& p = pairs[i];
+  for (const KeyedPair& p : pairs) {
     while (was_apart != apart_.end() && *was_apart < std::pair(p.a, p.b)) ++was_apart;
-    while (last != touching_.end() && keys_of(*last) < std::pair(p.a, p.b)) miss(*last++);
-    if (last != touching_.end() && keys_of(*last) == std::pair(p.a, p.b))
-      events_.push_back({p.a, p.b, EventKind::stay, (last++)->trigger});
+    while (last != end && keys_of(*last) < std::pair(p.a, p.b)) miss(take());
+    if (last != end && keys_of(*last) == std::pair(p.a, p.b))
+      events_.push_back({p.a, p.b, EventKind::stay, take().trigger});
     // What was found here and did not touch, nobody else found: this rank knows by itself.
     else if (was_apart == apart_.end() || *was_apart != std::pair(p.a, p.b))
-      judge(p.a, p.b).push_back({p.a, p.b, 1, p.overlap, triggers[i]});
+      judge(p.a, p.b).push_back({p.a, p.b, 1, p.overlap, p.trigger});
     else if (p.overlap)
-      events_.push_back({p.a, p.b, EventKind::begin, triggers[i] != 0});
+      events_.push_back({p.a, p.b, EventKind::begin, p.trigger});
   }
-  while (last != touching_.end()) miss(*last++);
+  while (last != end) miss(take());
 }
 
 /// Keeps the pairs that were found here and have no event: they are near and do not touch.
@@ -59,10 +68,9 @@ void KeyedEvents::keep_apart(std::span<const KeyedPair> pairs) {
 }
 
 /// The verdict goes to who found the pair, and on an end to who missed it.
-void KeyedEvents::update(Together& together, std::span<const KeyedPair> pairs,
-                         const std::vector<std::uint8_t>& triggers) {
+void KeyedEvents::update(Together& together, std::span<const KeyedPair> pairs) {
   ByRank<Claim> claims = together.nothing<Claim>();
-  together.alone([&] { find_claims(pairs, triggers, claims); });
+  together.alone([&] { find_claims(pairs, claims); });
   const ByRank<Claim> heard = together.exchange(claims);
   ByRank<KeyedEvent> verdicts = together.nothing<KeyedEvent>();
   together.alone([&] {
@@ -92,9 +100,6 @@ void KeyedEvents::update(Together& together, std::span<const KeyedPair> pairs,
     std::sort(events_.begin() + known, events_.end(), before);
     std::inplace_merge(events_.begin(), events_.begin() + known, events_.end(), before);
     keep_apart(pairs);
-    touching_.clear();
-    std::copy_if(events_.begin(), events_.end(), std::back_inserter(touching_),
-                 [](const KeyedEvent& e) { return e.kind != EventKind::end; });
   });
 }
 

@@ -11,22 +11,21 @@ namespace graze::mpi {
 
 class KeyedEvents {
  public:
-  /// `pairs` sorted; `triggers[i]` whether one of the i-th two is a trigger. All ranks.
-  void update(Together& together, std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers);
+  /// `pairs` sorted. All ranks.
+  void update(Together& together, std::span<const KeyedPair> pairs);
 
   const std::vector<KeyedEvent>& events() const { return events_; }
   std::size_t memory() const {
-    return (events_.capacity() + touching_.capacity()) * sizeof(KeyedEvent) +
+    return (events_.capacity() + last_.capacity()) * sizeof(KeyedEvent) +
            apart_.capacity() * sizeof(std::pair<Key, Key>);
   }
 
  private:
   struct Claim;
-  void find_claims(std::span<const KeyedPair> pairs, const std::vector<std::uint8_t>& triggers, ByRank<Claim>& claims);
+  void find_claims(std::span<const KeyedPair> pairs, ByRank<Claim>& claims);
   void keep_apart(std::span<const KeyedPair> pairs);
 
-  std::vector<KeyedEvent> events_;
-  std::vector<KeyedEvent> touching_;        ///< of the last update: all but the ends
+  std::vector<KeyedEvent> events_, last_;   ///< all but the ends touch
   std::vector<std::pair<Key, Key>> apart_;  ///< found here in the last update, and not touching
 };
 

@@ -1,7 +1,7 @@
 // The bodies that live on one rank, in the order of their keys.
 //
 // Guarantee: a body is found in logarithmic time; those that come and go between two calls of `settle` cost that, and
-// one pass over all. References are good until the next `settle`.
+// one pass over all. References are good until the next `settle` or `add`.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class OwnedBodies {
   static constexpr double unknown = -1;
   struct Entry {
     Key key;
-    Body<T> body;  ///< as it was given: its rotation gets unit length where it stands, once, as in one world
+    Body<T> body;  ///< its rotation of unit length, as `Space::checked` leaves it
     float weight;
     bool gone = false;
     double reach = unknown;  ///< how far from its origin it and its margin end, at most
@@ -34,8 +34,17 @@ class OwnedBodies {
   const Entry* find(Key key) const { return const_cast<OwnedBodies*>(this)->find(key); }
   bool contains(Key key) const { return find(key) != nullptr; }
 
-  /// A key that is not here.
-  void add(Key key, Body<T> body, float weight) { came_.emplace(key, Entry{key, std::move(body), weight}); }
+  /// A key that is not here. Those that come in ascending order take their places at once, and others wait for theirs
+  /// only until they are many, because each holds more memory meanwhile.
+  void add(Key key, Body<T> body, float weight) {
+    if (came_.empty() && (settled_.empty() || settled_.back().key < key)) {
+      if (settled_.size() == settled_.capacity()) settled_.reserve(roomy(settled_.size()));
+      settled_.push_back({key, std::move(body), weight});
+      return;
+    }
+    came_.emplace(key, Entry{key, std::move(body), weight});
+    if (came_.size() > roomy(settled_.size()) - settled_.size()) settle();
+  }
   /// A key that is here.
   void remove(Key key) {
     if (came_.erase(key) == 0) remove(*find(key));
@@ -52,7 +61,7 @@ class OwnedBodies {
     gone_ = 0;
     if (came_.empty()) return;
     const auto middle = static_cast<std::ptrdiff_t>(settled_.size());
-    settled_.reserve(settled_.size() + came_.size());
+    if (settled_.size() + came_.size() > settled_.capacity()) settled_.reserve(roomy(settled_.size() + came_.size()));
     for (auto& [key, entry] : came_) settled_.push_back(std::move(entry));
     came_.clear();
     std::inplace_merge(settled_.begin(), settled_.begin() + middle, settled_.end(),
@@ -75,6 +84,9 @@ class OwnedBodies {
   std::size_t memory() const { return settled_.capacity() * sizeof(Entry) + came_.size() * (sizeof(Entry) + 48); }
 
  private:
+  /// An eighth more, where a vector would take twice as much.
+  static std::size_t roomy(std::size_t size) { return size + size / 8 + 1024; }
+
   std::vector<Entry> settled_;
   std::map<Key, Entry> came_;
   std::size_t gone_ = 0;

@@ -23,6 +23,7 @@ template <class T>
 std::string kind_of(const WorldSettings<T>& settings) {
   std::string kind = "graze " GRAZE_VERSION ", " + std::string(sizeof(T) == sizeof(float) ? "float" : "double");
   if (settings.margin) kind += ", margin " + digits(static_cast<double>(*settings.margin));
+  if (!settings.events) kind += ", no events";
   if (settings.points_per_pair) kind += ", points of a pair " + std::to_string(*settings.points_per_pair);
   return kind + ", imbalance " + digits(settings.imbalance) + (settings.allow ? ", a last word on pairs" : "");
 }
@@ -73,10 +74,11 @@ const Shape<T>& World<T>::shared(std::uint64_t number) {
 template <class T>
 void World<T>::add(Key key, const Body<T>& body) {
   parts_->check(key, false);
-  Space<T>::checked(body.pose);
   Space<T>::check(body.linear, body.angular);
   record_of(key, body, 0.0F, parts_->shared);
-  parts_->owned.add(key, body, cost_of_body);
+  Body<T> placed = body;
+  placed.pose = Space<T>::checked(body.pose);
+  parts_->owned.add(key, std::move(placed), cost_of_body);
 }
 
 template <class T>
@@ -92,33 +94,27 @@ void World<T>::remove(Key key) {
 
 template <class T>
 void World<T>::move(Key key, const Pose<T>& pose) {
-  parts_->check(key, true);
-  Space<T>::checked(pose);
-  parts_->owned.find(key)->body.pose = pose;
+  parts_->entry(key).body.pose = Space<T>::checked(pose);
 }
 
 template <class T>
 void World<T>::set_filter(Key key, const Filter& filter) {
-  parts_->check(key, true);
-  parts_->owned.find(key)->body.filter = filter;
+  parts_->entry(key).body.filter = filter;
 }
 
 template <class T>
 void World<T>::set_shape(Key key, const Shape<T>& shape) {
-  parts_->check(key, true);
-  Body<T> changed = parts_->owned.find(key)->body;
+  auto& entry = parts_->entry(key);
+  Body<T> changed = entry.body;
   changed.shape = shape;
   record_of(key, changed, 0.0F, parts_->shared);
-  parts_->owned.find(key)->body = std::move(changed);
-  parts_->owned.find(key)->reach = OwnedBodies<T>::unknown;
+  entry.body = std::move(changed);
+  entry.reach = OwnedBodies<T>::unknown;
 }
 
 template <class T>
 Body<T> World<T>::body(Key key) const {
-  parts_->check(key, true);
-  Body<T> body = parts_->owned.find(key)->body;
-  body.pose = Space<T>::checked(body.pose);
-  return body;
+  return parts_->entry(key).body;
 }
 
 template <class T>

@@ -1,9 +1,11 @@
 // What a world of many ranks holds on one of them, and the steps of its update.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "graze/pairs.hpp"
 #include "mpi/body_record.hpp"
@@ -15,6 +17,27 @@ namespace graze::mpi {
 
 /// What a pair of which contacts are looked for costs beside a body: some 100 ns beside 50.
 constexpr float cost_of_pair = 2, cost_of_body = 1;
+
+/// A point of both boxes, if they overlap.
+template <class T>
+Vec3<double> common_point(const Aabb<T>& a, const Aabb<T>& b) {
+  return converted<double>(greatest(a.lower, b.lower));
+}
+
+/// Counts the seconds since the last call.
+class Clock {
+ public:
+  double lap() {
+    const double before = std::exchange(since_, now());
+    return since_ - before;
+  }
+
+ private:
+  static double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  double since_ = now();
+};
 
 template <class T>
 struct World<T>::Parts {
@@ -42,6 +65,14 @@ struct World<T>::Parts {
       throw InvalidValue("key", there ? "that of a body that lives on this rank" : "one that no body has",
                          std::to_string(key));
   }
+  typename OwnedBodies<T>::Entry& entry(Key key) {
+    const auto found = owned.find(key);
+    if (!found) check(key, true);
+    return *found;
+  }
+
+  /// The steps of an update in blocks (world_blocks.cpp).
+  class InBlocks;
 
   // The steps of an update; those that exchange something all ranks do together.
   void balance(Together& together);
@@ -49,6 +80,8 @@ struct World<T>::Parts {
   void lend(Together& together);
   void find_pairs(Together& together);
   void find_contacts();
+  void find_events(Together& together);
+  void let_go_of_contacts();
 
   void find_who_leaves(ByRank<BodyRecord<T>>& to);
   void find_who_is_lent(ByRank<BodyRecord<T>>& to);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <utility>
 
@@ -13,26 +12,6 @@ namespace {
 
 /// How much worse than after the last drawing the balance has to be, so that what cannot be shared out is left alone.
 constexpr double worse = 1.02;
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// Counts the seconds since the last call.
-class Clock {
- public:
-  double lap() {
-    const double before = std::exchange(since_, now());
-    return since_ - before;
-  }
-
- private:
-  double since_ = now();
-};
-
-/// A point of both boxes, if they overlap.
-template <class T>
-Vec3<double> common_point(const Aabb<T>& a, const Aabb<T>& b) {
-  return converted<double>(greatest(a.lower, b.lower));
-}
 
 }  // namespace
 
@@ -252,7 +231,8 @@ void World<T>::Parts::find_contacts() {
   manifolds.find(*arrays, mine, *executor);
   pairs.clear();
   for (const ContactPair<T>& p : manifolds.contacts().pairs)
-    pairs.push_back({local[p.a].key, local[p.b].key, p.overlap, p.first_manifold, p.manifold_count});
+    pairs.push_back({local[p.a].key, local[p.b].key, p.overlap,
+                     (arrays->triggers()[p.a] | arrays->triggers()[p.b]) != 0, p.first_manifold, p.manifold_count});
   // What each body cost is what its rank is charged for next time.
   std::vector<float> costs(local.size(), cost_of_body);
   for (const IdPair& p : mine) {
@@ -262,6 +242,12 @@ void World<T>::Parts::find_contacts() {
   auto o = owned.settled().begin();
   for (std::size_t i = 0; i < local.size(); ++i)
     if (!local[i].lent) (o++)->weight = costs[i];
+}
+
+template <class T>
+void World<T>::Parts::find_events(Together& together) {
+  if (settings.events) events.update(together, pairs);
+  together.meet();
 }
 
 template <class T>
@@ -277,15 +263,9 @@ void World<T>::update() {
   p.report.exchange = clock.lap();
   p.find_pairs(together);
   p.report.broad = clock.lap();
-  std::vector<std::uint8_t> triggers;
-  together.alone([&] {
-    p.find_contacts();
-    for (const ContactPair<T>& c : p.manifolds.contacts().pairs)
-      triggers.push_back(p.arrays->triggers()[c.a] | p.arrays->triggers()[c.b]);
-  });
+  together.alone([&] { p.find_contacts(); });
   p.report.contacts = clock.lap();
-  p.events.update(together, p.pairs, triggers);
-  together.meet();
+  p.find_events(together);
   p.report.events = clock.lap();
   p.report.bodies = p.owned.size();
   p.report.ghosts = p.local.size() - p.owned.size();
@@ -294,7 +274,13 @@ void World<T>::update() {
   p.report.bytes = together.bytes();
 }
 
-template void World<float>::update();
-template void World<double>::update();
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template void World<T>::Parts::balance(Together&);                                                                   \
+  template void World<T>::Parts::migrate(Together&);                                                                   \
+  template void World<T>::Parts::find_events(Together&);                                                               \
+  template void World<T>::update();
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze::mpi

@@ -15,8 +15,8 @@ constexpr std::size_t many = 16;
 }  // namespace
 
 template <class T, class Space>
-T BodyArrays<T, Space>::margin_of(const Shape& shape) const {
-  if (margin_) return *margin_;
+T BodyArrays<T, Space>::margin_of(const Shape& shape, const std::optional<T>& margin) {
+  if (margin) return *margin;
   return shape.template as<typename Space::HalfSpace>() ? std::numeric_limits<T>::infinity()
                                                         : contact_margin(shape, shape);
 }
@@ -37,10 +37,23 @@ void BodyArrays<T, Space>::change(std::uint32_t index) {
 }
 
 template <class T, class Space>
+void BodyArrays<T, Space>::reserve(std::size_t bodies) {
+  shapes_.reserve(bodies);
+  poses_.reserve(bodies);
+  linear_.reserve(bodies);
+  angular_.reserve(bodies);
+  filters_.reserve(bodies);
+  margins_.reserve(bodies);
+  for (auto* flags : {&alive_, &fixed_, &triggers_, &fast_, &changed_}) flags->reserve(bodies);
+  generations_.reserve(bodies);
+  changes_.reserve(bodies);
+}
+
+template <class T, class Space>
 BodyId BodyArrays<T, Space>::add(Body<T, Space> body) {
   const Pose pose = Space::checked(body.pose);
   Space::check(body.linear, body.angular);
-  const T margin = margin_of(body.shape);
+  const T margin = margin_of(body.shape, margin_);
   std::uint32_t index{};
   if (free_.empty()) {
     index = static_cast<std::uint32_t>(shapes_.size());
@@ -102,7 +115,7 @@ void BodyArrays<T, Space>::move(BodyId id, const Pose& pose, const Vec& linear, 
 template <class T, class Space>
 void BodyArrays<T, Space>::set_shape(BodyId id, Shape shape) {
   const std::uint32_t index = checked(id);
-  margins_[index] = margin_of(shape);
+  margins_[index] = margin_of(shape, margin_);
   shapes_[index] = std::move(shape);
   change(index);
 }

@@ -18,8 +18,7 @@ void find_bounds(std::span<const typename Space::Shape> shapes, std::span<const 
   for_each_chunk(executor, which.size(), bodies_per_task, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = which[k];
-      const T margin = margins[i] < std::numeric_limits<T>::infinity() ? margins[i] : T(0);
-      boxes[i] = inflated(Space::bounds(shapes[i], poses[i]), margin);
+      boxes[i] = bounds_with_margin<T, Space>(shapes[i], poses[i], margins[i]);
     }
   });
 }

@@ -32,14 +32,30 @@ struct WorldSettings {
   std::optional<std::size_t> points_per_pair;  ///< as of `graze::WorldSettings`
   /// The largest load of a rank over the mean from which on the borders are drawn anew.
   double imbalance = 1.1;
+  /// Whether it is remembered who touches, for `events`. Without, there are none, and less is held.
+  bool events = true;
+  /// About how many bodies an update in blocks looks at together, each with a kilobyte or two meanwhile.
+  std::size_t bodies_per_block = 65536;
 };
 
 /// Two bodies within the margin of each other, by key.
 struct KeyedPair {
   Key a, b;      ///< the two bodies
   bool overlap;  ///< whether they overlap, and are not only near
+  bool trigger;  ///< whether one of them is a trigger
   std::uint32_t first_manifold, manifold_count;
 };
+
+/// What an update in blocks found of bodies that stand close together.
+template <class T>
+struct ContactBlock {
+  std::span<const KeyedPair> pairs;  ///< in the order of keys
+  const ContactArrays<T>& contacts;  ///< manifolds and points of `pairs`
+};
+
+/// Takes blocks of contacts; none is there any more when it has returned.
+template <class T>
+using ContactVisitor = std::function<void(const ContactBlock<T>&)>;
 
 /// What became of a pair, with the caller's keys.
 struct KeyedEvent {
@@ -113,6 +129,12 @@ class GRAZE_API World {
   /// `CommonError` on every rank when one fails: out of memory, by a message that does not fit into it, by what `allow`
   /// or the source of shapes threw, by a key that two bodies have. The world is then good for nothing but its end.
   void update();
+  /// As `update`, but keeps no contacts: hands them over block by block instead, each touching pair of this rank in one
+  /// block, once, with the same bits; `pairs`, `contacts` and `gather` have none then. Between two such updates a world
+  /// holds its bodies and, unless the settings say otherwise, who touches whom, and during one what a block needs
+  /// besides. Takes longer, since nothing is left from the update before. What `visit` throws is an error on every rank
+  /// too.
+  void update(const ContactVisitor<T>& visit);
 
   /// What this rank found, in the order of keys; valid until the next update.
   std::span<const KeyedPair> pairs() const;

@@ -53,6 +53,8 @@ class GRAZE_API BodyArrays {
     if (margin) validate::extent(*margin, "margin");
   }
 
+  /// Makes room for so many bodies, and no more than that.
+  void reserve(std::size_t bodies);
   /// Throws `InvalidValue` for a pose or velocity that is not finite or larger than `largest_magnitude`; turns the
   /// rotation to unit length.
   BodyId add(Body<T, Space> body);
@@ -100,6 +102,8 @@ class GRAZE_API BodyArrays {
   /// How far from each body its contacts begin; of two bodies the smaller counts. Infinite of a half-space, which has
   /// no size.
   std::span<const T> margins() const { return margins_; }
+  /// That of a body with this shape, in a world of this margin or of none.
+  static T margin_of(const Shape& shape, const std::optional<T>& margin);
 
   /// What was added, removed, moved or given another shape since `settle`: one byte an index, and the indices sorted.
   std::span<const std::uint8_t> changed() const { return changed_; }
@@ -114,7 +118,6 @@ class GRAZE_API BodyArrays {
 
  private:
   std::uint32_t checked(BodyId id) const;
-  T margin_of(const Shape& shape) const;
   void change(std::uint32_t index);
 
   std::optional<T> margin_;

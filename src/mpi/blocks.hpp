@@ -1,0 +1,97 @@
+// Bodies that stand close together, block by block, each with all others whose boxes its own ones overlap.
+//
+// Guarantee: every body that is asked for is at home in one block, once. Of two such bodies whose boxes overlap, that
+// of the smaller size class, or of two of one class either, has the other one beside it. What is held besides an index
+// a body is in proportion to one block and the borders of those that it was cut out of, whatever the sizes of the
+// bodies: large ones have blocks of their own, beside which small ones do not stand.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "graze/aabb.hpp"
+
+namespace graze::mpi {
+
+/// Bodies of one class are of about one size: the longest sides of their boxes are within a factor of four. What has no
+/// end is in the last class.
+template <class T>
+int size_class(const Aabb<T>& box) {
+  const Vec3<T> e = box.extent();
+  const T longest = greatest(e.x, greatest(e.y, e.z));
+  return longest > T(0) ? std::ilogb(longest) >> 1 : std::ilogb(T(0)) >> 1;
+}
+
+/// Cuts bodies into blocks by halves, across the axis along which their boxes reach furthest.
+template <class T>
+class Blocks {
+ public:
+  /// Of about `most` bodies, those beside them included.
+  Blocks(std::span<const Aabb<T>> boxes, std::size_t most) : boxes_(boxes), most_(most) {}
+
+  /// Calls `f(home, beside)` for all blocks; both are places in the boxes, in any order. At home are those of `moving`;
+  /// `standing` are only beside others.
+  template <class F>
+  void each(std::vector<std::uint32_t> moving, const std::vector<std::uint32_t>& standing, const F& f) {
+    for (auto begin = moving.begin(); begin != moving.end();) {
+      int smallest = size_class(boxes_[*begin]);
+      for (auto i = begin; i != moving.end(); ++i) smallest = std::min(smallest, size_class(boxes_[*i]));
+      const auto end = std::partition(begin, moving.end(),
+                                      [&](std::uint32_t i) { return size_class(boxes_[i]) == smallest; });
+      const std::span<std::uint32_t> home(begin, end);
+      std::vector<std::uint32_t> beside;
+      const Aabb<T> around = bounds_of(home);
+      add_those_in(around, standing, beside);
+      add_those_in(around, {end, moving.end()}, beside);
+      cut(home, std::move(beside), f);
+      begin = end;
+    }
+  }
+
+ private:
+  /// Where more than this share of a block is at home elsewhere, halves would be so, too, and more of them needed.
+  static constexpr std::size_t least_home = 8;
+
+  Aabb<T> bounds_of(std::span<const std::uint32_t> some) const {
+    Aabb<T> all = Aabb<T>::empty();
+    for (const std::uint32_t i : some)
+      all = {least(all.lower, boxes_[i].lower), greatest(all.upper, boxes_[i].upper)};
+    return all;
+  }
+  void add_those_in(const Aabb<T>& box, std::span<const std::uint32_t> some, std::vector<std::uint32_t>& out) const {
+    for (const std::uint32_t i : some)
+      if (overlap(boxes_[i], box)) out.push_back(i);
+  }
+
+  template <class F>
+  void cut(std::span<std::uint32_t> home, std::vector<std::uint32_t> beside, const F& f) {
+    if (home.size() + beside.size() <= most_ || home.size() <= most_ / least_home || home.size() < 2)
+      return f(home, beside);
+    const Vec3<T> e = bounds_of(home).extent();
+    const std::size_t axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+    const auto middle = home.begin() + static_cast<std::ptrdiff_t>(home.size() / 2);
+    // By lower corners: sums of both could be no numbers.
+    std::nth_element(home.begin(), middle, home.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return std::pair(boxes_[i].lower[axis], i) < std::pair(boxes_[j].lower[axis], j);
+    });
+    const std::span<std::uint32_t> halves[] = {{home.begin(), middle}, {middle, home.end()}};
+    for (std::size_t half = 0; half < 2; ++half) {
+      const Aabb<T> around = bounds_of(halves[half]);
+      std::vector<std::uint32_t> others;
+      add_those_in(around, beside, others);
+      add_those_in(around, halves[1 - half], others);
+      // The second half is the last that asks for what stood beside both.
+      if (half == 1) beside = {};
+      cut(halves[half], std::move(others), f);
+    }
+  }
+
+  std::span<const Aabb<T>> boxes_;
+  std::size_t most_;
+};
+
+}  // namespace graze::mpi
