@@ -76,9 +76,7 @@ class Lattice {
     }
     return {converted<T>(at + away + now.in_cube(1e-3)), converted<T>(turn)};
   }
-  bool moves(std::uint64_t number, std::size_t frame) const {
-    return (number + frame) % options_.moving == 0;
-  }
+  bool moves(std::uint64_t number, std::size_t frame) const { return (number + frame) % options_.moving == 0; }
   std::uint64_t side() const { return side_; }
 
  private:
@@ -139,7 +137,9 @@ void run(const Options& options) {
   settings.events = !options.blocks;
   mpi::World<T> many(MPI_COMM_WORLD, settings);
   std::uint64_t points = 0;
-  const mpi::ContactVisitor<T> count = [&](const mpi::ContactBlock<T>& block) { points += block.contacts.points.size(); };
+  const mpi::ContactVisitor<T> count = [&](const mpi::ContactBlock<T>& block) {
+    points += block.contacts.points.size();
+  };
   // In slabs, as a program would read them.
   const std::uint64_t begin = options.bodies * static_cast<std::uint64_t>(rank) / static_cast<std::uint64_t>(ranks),
                       end = options.bodies * static_cast<std::uint64_t>(rank + 1) / static_cast<std::uint64_t>(ranks);
@@ -185,10 +185,12 @@ void run(const Options& options) {
   }
   if (rank != 0) return;
   const double n = static_cast<double>(options.bodies);
-  std::printf("%2d ranks, %zu bodies: pairs %.0f, ghosts %.0f (%.4f a body), bytes %.1f a body, memory %.0f a body, at most "
-              "%.0f MB a rank, update %.1f ms (partition %.1f, exchange %.1f, pairs %.1f, contacts %.1f, events %.1f)\n",
-              ranks, options.bodies, last.pairs, ghosts, ghosts / n, bytes / n, last.memory / n, last.most_held / 1e6, 1e3 * median(clocks),
-              1e3 * last.partition, 1e3 * last.exchange, 1e3 * last.broad, 1e3 * last.contacts, 1e3 * last.events);
+  std::printf(
+      "%2d ranks, %zu bodies: pairs %.0f, ghosts %.0f (%.4f a body), bytes %.1f a body, memory %.0f a body, at most "
+      "%.0f MB a rank, update %.1f ms (partition %.1f, exchange %.1f, pairs %.1f, contacts %.1f, events %.1f)\n",
+      ranks, options.bodies, last.pairs, ghosts, ghosts / n, bytes / n, last.memory / n, last.most_held / 1e6,
+      1e3 * median(clocks), 1e3 * last.partition, 1e3 * last.exchange, 1e3 * last.broad, 1e3 * last.contacts,
+      1e3 * last.events);
   if (one)
     std::printf("one world, %d threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n", ranks,
                 1e3 * median(clocks_of_one), static_cast<double>(one->world.memory()) / n, median(ratios));

@@ -40,8 +40,8 @@ class Blocks {
     for (auto begin = moving.begin(); begin != moving.end();) {
       int smallest = size_class(boxes_[*begin]);
       for (auto i = begin; i != moving.end(); ++i) smallest = std::min(smallest, size_class(boxes_[*i]));
-      const auto end = std::partition(begin, moving.end(),
-                                      [&](std::uint32_t i) { return size_class(boxes_[i]) == smallest; });
+      const auto end =
+          std::partition(begin, moving.end(), [&](std::uint32_t i) { return size_class(boxes_[i]) == smallest; });
       const std::span<std::uint32_t> home(begin, end);
       std::vector<std::uint32_t> beside;
       const Aabb<T> around = bounds_of(home);
@@ -58,8 +58,7 @@ class Blocks {
 
   Aabb<T> bounds_of(std::span<const std::uint32_t> some) const {
     Aabb<T> all = Aabb<T>::empty();
-    for (const std::uint32_t i : some)
-      all = {least(all.lower, boxes_[i].lower), greatest(all.upper, boxes_[i].upper)};
+    for (const std::uint32_t i : some) all = {least(all.lower, boxes_[i].lower), greatest(all.upper, boxes_[i].upper)};
     return all;
   }
   void add_those_in(const Aabb<T>& box, std::span<const std::uint32_t> some, std::vector<std::uint32_t>& out) const {

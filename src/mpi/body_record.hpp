@@ -43,6 +43,7 @@ struct BodyRecord {
   std::uint64_t shared;  ///< number of a shared shape, where it is one
   std::uint32_t type;    ///< place in `ShapeList`
   std::uint8_t fixed, trigger, fast;
+  std::uint8_t reshaped;  ///< since the last update
   alignas(16) std::byte value[largest_value<T>(std::make_index_sequence<Shape<T>::count>())];
 };
 

@@ -15,18 +15,18 @@ namespace graze::mpi {
 template <class T>
 class OwnedBodies {
  public:
-  static constexpr double unknown = -1;
+  static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
   struct Entry {
     Key key;
     Body<T> body;  ///< its rotation of unit length, as `Space::checked` leaves it
     float weight;
+    std::uint32_t place = nowhere;  ///< in the arrays of this rank, where it has one
     bool gone = false;
-    double reach = unknown;  ///< how far from its origin it and its margin end, at most
+    bool reshaped = false;  ///< since the last update
   };
 
   Entry* find(Key key) {
-    const auto there = std::lower_bound(settled_.begin(), settled_.end(), key,
-                                        [](const Entry& e, Key wanted) { return e.key < wanted; });
+    const auto there = from(key);
     if (there != settled_.end() && there->key == key && !there->gone) return &*there;
     const auto came = came_.find(key);
     return came == came_.end() ? nullptr : &came->second;
@@ -36,13 +36,13 @@ class OwnedBodies {
 
   /// A key that is not here. Those that come in ascending order take their places at once, and others wait for theirs
   /// only until they are many, because each holds more memory meanwhile.
-  void add(Key key, Body<T> body, float weight) {
+  void add(Key key, Body<T> body, float weight, bool reshaped) {
     if (came_.empty() && (settled_.empty() || settled_.back().key < key)) {
       if (settled_.size() == settled_.capacity()) settled_.reserve(roomy(settled_.size()));
-      settled_.push_back({key, std::move(body), weight});
+      settled_.push_back({key, std::move(body), weight, nowhere, false, reshaped});
       return;
     }
-    came_.emplace(key, Entry{key, std::move(body), weight});
+    came_.emplace(key, Entry{key, std::move(body), weight, nowhere, false, reshaped});
     if (came_.size() > roomy(settled_.size()) - settled_.size()) settle();
   }
   /// A key that is here.
@@ -69,6 +69,12 @@ class OwnedBodies {
   }
   /// All that are here when nothing came or went since `settle`.
   std::vector<Entry>& settled() { return settled_; }
+
+  /// The first of `settled` that has this key or a larger one.
+  typename std::vector<Entry>::iterator from(Key key) {
+    return std::lower_bound(settled_.begin(), settled_.end(), key,
+                            [](const Entry& e, Key wanted) { return e.key < wanted; });
+  }
 
   std::size_t size() const { return settled_.size() - gone_ + came_.size(); }
   std::vector<Key> keys() const {

@@ -44,6 +44,7 @@ World<T>::World(MPI_Comm comm, WorldSettings<T> settings, Executor* executor) {
   together.alone([&] {
     if (!(settings.imbalance >= 1))
       throw InvalidValue("imbalance", "a number >= 1", std::to_string(settings.imbalance));
+    if (settings.bodies_per_block == 0) throw InvalidValue("bodies_per_block", "a number >= 1", "0");
     static_cast<void>(BodyArrays<T>(settings.margin));
   });
   together.meet();
@@ -78,7 +79,7 @@ void World<T>::add(Key key, const Body<T>& body) {
   record_of(key, body, 0.0F, parts_->shared);
   Body<T> placed = body;
   placed.pose = Space<T>::checked(body.pose);
-  parts_->owned.add(key, std::move(placed), cost_of_body);
+  parts_->owned.add(key, std::move(placed), cost_of_body, true);
 }
 
 template <class T>
@@ -94,12 +95,18 @@ void World<T>::remove(Key key) {
 
 template <class T>
 void World<T>::move(Key key, const Pose<T>& pose) {
-  parts_->entry(key).body.pose = Space<T>::checked(pose);
+  auto& entry = parts_->entry(key);
+  const Pose<T> to = Space<T>::checked(pose);
+  if (to == entry.body.pose) return;
+  entry.body.pose = to;
+  if (BodyArrays<T>* const arrays = parts_->arrays_of(entry)) arrays->move(arrays->id(entry.place), to);
 }
 
 template <class T>
 void World<T>::set_filter(Key key, const Filter& filter) {
-  parts_->entry(key).body.filter = filter;
+  auto& entry = parts_->entry(key);
+  entry.body.filter = filter;
+  if (BodyArrays<T>* const arrays = parts_->arrays_of(entry)) arrays->set_filter(arrays->id(entry.place), filter);
 }
 
 template <class T>
@@ -109,7 +116,8 @@ void World<T>::set_shape(Key key, const Shape<T>& shape) {
   changed.shape = shape;
   record_of(key, changed, 0.0F, parts_->shared);
   entry.body = std::move(changed);
-  entry.reach = OwnedBodies<T>::unknown;
+  entry.reshaped = true;
+  if (BodyArrays<T>* const arrays = parts_->arrays_of(entry)) arrays->set_shape(arrays->id(entry.place), shape);
 }
 
 template <class T>
@@ -150,9 +158,9 @@ const Aabb<double>& World<T>::region() const {
 template <class T>
 std::size_t World<T>::memory() const {
   const Parts& p = *parts_;
-  return p.owned.memory() + p.guests.size() * sizeof(Body<T>) + p.local.capacity() * sizeof(p.local[0]) +
-         (p.arrays ? p.arrays->memory() : 0) + p.boxes.capacity() * sizeof(p.boxes[0]) + p.finder.memory() +
-         (p.candidates.capacity() + p.mine.capacity()) * sizeof(IdPair) + p.manifolds.memory() +
+  return p.owned.memory() + p.keys.capacity() * sizeof(Key) + p.standing.capacity() + p.before.capacity() +
+         (p.arrays ? p.arrays->memory() : 0) + p.boxes.capacity() * sizeof(p.boxes[0]) +
+         (p.finder ? p.finder->memory() : 0) + p.mine.capacity() * sizeof(IdPair) + p.manifolds.memory() +
          p.pairs.capacity() * sizeof(KeyedPair) + p.events.memory();
 }
 

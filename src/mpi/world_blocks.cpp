@@ -5,10 +5,8 @@
 // move are found where the one of the smaller size class, or of the smaller key, is at home, and what moves on fixed
 // ground where the former is, with all the ground that it may touch.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "graze/world/bounds.hpp"
 #include "mpi/blocks.hpp"
 #include "mpi/world_parts.hpp"
 
@@ -26,12 +24,6 @@ class World<T>::Parts::InBlocks {
   std::size_t guests() const { return guests_.size(); }
 
  private:
-  /// A body that others lent.
-  struct Guest {
-    Key key;
-    Body<T> body;
-  };
-
   // Bodies by place: those that live here and then those that are lent, either in the order of their keys.
   std::size_t own() const { return p_.owned.settled().size(); }
   std::size_t size() const { return own() + guests_.size(); }
@@ -40,11 +32,8 @@ class World<T>::Parts::InBlocks {
   const Body<T>& body(std::uint32_t i) const {
     return is_lent(i) ? guests_[i - own()].body : p_.owned.settled()[i].body;
   }
-  Aabb<T> bounds_of(const Body<T>& body) const {
-    return bounds_with_margin<T>(body.shape, body.pose, BodyArrays<T>::margin_of(body.shape, p_.settings.margin));
-  }
+  Aabb<T> bounds_of(const Body<T>& body) const { return p_.bounds_of(body); }
 
-  bool is_inside(const Aabb<T>& box) const;
   void take_in(const ByRank<BodyRecord<T>>& from);
   bool may_meet(std::uint32_t i, std::uint32_t j) const;
   bool is_found_here(std::uint32_t i, std::uint32_t j) const;
@@ -58,8 +47,8 @@ class World<T>::Parts::InBlocks {
   std::vector<Aabb<T>> boxes_;  ///< of all, by place
 
   // Of a block.
-  std::vector<std::uint32_t> places_;   ///< of its bodies, in the order of keys
-  std::vector<std::uint8_t> is_home_;   ///< by place
+  std::vector<std::uint32_t> places_;  ///< of its bodies, in the order of keys
+  std::vector<std::uint8_t> is_home_;  ///< by place
   std::vector<Aabb<T>> block_boxes_;
   PairFinder<T> finder_;
   std::vector<IdPair> candidates_;
@@ -80,11 +69,12 @@ void World<T>::Parts::InBlocks::lend(Together& together) {
     if (to.size() == 1) return;
     std::vector<int> ranks;
     for (std::uint32_t i = 0; i < own(); ++i) {
-      if (is_inside(boxes_[i])) continue;
+      if (p_.is_inside(boxes_[i])) continue;
       ranks.clear();
       p_.partition.ranks_of_box({converted<double>(boxes_[i].lower), converted<double>(boxes_[i].upper)}, ranks);
       for (const int r : ranks)
-        if (r != rank_of(p_.comm)) to[static_cast<std::size_t>(r)].push_back(record_of(key(i), body(i), 0.0F, p_.shared));
+        if (r != rank_of(p_.comm))
+          to[static_cast<std::size_t>(r)].push_back(record_of(key(i), body(i), 0.0F, p_.shared));
     }
   });
   const ByRank<BodyRecord<T>> from = together.exchange(to);
@@ -93,17 +83,6 @@ void World<T>::Parts::InBlocks::lend(Together& together) {
       for (const BodyRecord<T>& r : some) p_.check(r.key, false);
     take_in(from);
   });
-}
-
-/// Whether it stays away from all borders.
-template <class T>
-bool World<T>::Parts::InBlocks::is_inside(const Aabb<T>& box) const {
-  const Aabb<double>& region = p_.partition.region();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!(region.lower[axis] < static_cast<double>(box.lower[axis]) &&
-          static_cast<double>(box.upper[axis]) < region.upper[axis]))
-      return false;
-  return true;
 }
 
 /// Those that are here already stay as they are. Guests are few, and sorted anew each time.
@@ -164,7 +143,11 @@ void World<T>::Parts::InBlocks::fetch_ground(Together& together) {
 
 template <class T>
 void World<T>::Parts::InBlocks::find(const ContactVisitor<T>& visit) {
-  for (auto& o : p_.owned.settled()) o.weight = cost_of_body;
+  for (auto& o : p_.owned.settled()) {
+    o.weight = cost_of_body;
+    o.place = nowhere;
+    o.reshaped = false;
+  }
   std::vector<std::uint32_t> moving, standing;
   moving.reserve(size());
   for (std::uint32_t i = 0; i < size(); ++i) (body(i).fixed ? standing : moving).push_back(i);
@@ -237,12 +220,13 @@ void World<T>::Parts::InBlocks::find_block(std::span<const std::uint32_t> home, 
 /// What an update that keeps contacts has kept.
 template <class T>
 void World<T>::Parts::let_go_of_contacts() {
-  local = {};
-  guests = {};
+  keys = {};
+  standing = {};
+  before = {};
   arrays.reset();
   boxes = {};
-  finder = {};
-  candidates = {};
+  finder.reset();
+  late = {};
   mine = {};
   manifolds = ManifoldFinder<T>(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points));
   pairs = {};

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <chrono>
-#include <deque>
 #include <memory>
 #include <string>
 #include <utility>
 
-#include "graze/pairs.hpp"
+#include "graze/world/candidates.hpp"
 #include "mpi/body_record.hpp"
 #include "mpi/keyed_events.hpp"
 #include "mpi/owned_bodies.hpp"
@@ -48,11 +47,10 @@ struct World<T>::Parts {
         partition(c),
         manifolds(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
 
-  /// A body that stands here, lent or not.
-  struct Local {
+  /// A body that others lent.
+  struct Guest {
     Key key;
-    const Body<T>* body;  ///< among `owned` or `guests`
-    bool lent;
+    Body<T> body;
   };
   /// A fixed body for the rank on which one that moves lives.
   struct Sent {
@@ -64,6 +62,10 @@ struct World<T>::Parts {
     if (owned.contains(key) != there)
       throw InvalidValue("key", there ? "that of a body that lives on this rank" : "one that no body has",
                          std::to_string(key));
+  }
+  /// The arrays of the last update, where they are kept and the body has a place in them.
+  BodyArrays<T>* arrays_of(const typename OwnedBodies<T>::Entry& entry) {
+    return arrays && entry.place != nowhere ? arrays.get() : nullptr;
   }
   typename OwnedBodies<T>::Entry& entry(Key key) {
     const auto found = owned.find(key);
@@ -83,14 +85,18 @@ struct World<T>::Parts {
   void find_events(Together& together);
   void let_go_of_contacts();
 
-  void find_who_leaves(ByRank<BodyRecord<T>>& to);
+  std::optional<Key> find_who_leaves(Key first, ByRank<BodyRecord<T>>& to);
+  bool place_own();
   void find_who_is_lent(ByRank<BodyRecord<T>>& to);
+  void place_guests(const ByRank<BodyRecord<T>>& from, bool all_placed);
+  void place_anew(std::vector<Guest> guests);
+  void bring_up(std::uint32_t place, const Body<T>& body, bool reshaped);
+  void take_ground(const std::vector<BodyRecord<T>>& ground);
+  void find_bounds_of(std::span<const std::uint32_t> places);
   void find_own_pairs(ByRank<Sent>& to);
   void take_pairs(const ByRank<Sent>& from);
-  void take_in(const BodyRecord<T>& record);
-  bool is_far_from_borders(typename OwnedBodies<T>::Entry& o) const;
-  void find_bounds_here();
-  std::vector<std::uint32_t> sort_local();
+  bool is_inside(const Aabb<T>& box) const;
+  Aabb<T> bounds_of(const Body<T>& body) const;
   std::uint32_t place_of(Key key) const;
 
   MPI_Comm comm;
@@ -102,14 +108,20 @@ struct World<T>::Parts {
   Partition partition;
   double drawn_imbalance = 1;
 
-  // Of the last update.
-  std::vector<Local> local;    ///< sorted by key
-  std::deque<Body<T>> guests;  ///< the bodies of those that are lent
+  /// What stands at a place of the arrays: a body that lives here, one that is lent, or one that did or was and is not
+  /// any more. Places of the latter are kept, because what is lent at borders comes and goes.
+  enum Standing : std::uint8_t { away, lives, lent };
+
+  static constexpr std::uint32_t nowhere = OwnedBodies<T>::nowhere;
+
+  // Bodies by place, in the order of their keys.
+  std::vector<Key> keys;
+  std::vector<Standing> standing, before;  ///< now, and in the last update
   std::unique_ptr<BodyArrays<T>> arrays;
   std::vector<Aabb<T>> boxes;
-  PairFinder<T> finder;
-  std::vector<IdPair> candidates, mine;
-  /// Kept for its storage. What it remembers is of other bodies by now, which only guides where it looks first.
+  std::unique_ptr<CandidateFinder<T>> finder;
+  std::vector<std::uint32_t> late;  ///< places that changed after the last candidates were found
+  std::vector<IdPair> mine;
   ManifoldFinder<T> manifolds;
   std::vector<KeyedPair> pairs;
   KeyedEvents events;

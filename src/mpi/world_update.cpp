@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <limits>
+#include <iterator>
 #include <utility>
 
-#include "graze/query.hpp"
-#include "graze/world/bounds.hpp"
 #include "mpi/world_parts.hpp"
 
 namespace graze::mpi {
@@ -43,155 +41,82 @@ void World<T>::Parts::balance(Together& together) {
   drawn_imbalance = *std::max_element(by_rank.begin(), by_rank.end()) / all * size_of(comm);
 }
 
+/// From this key on, so many at a time; returns the key from which on they are still to be looked for.
 template <class T>
-void World<T>::Parts::find_who_leaves(ByRank<BodyRecord<T>>& to) {
-  if (!partition.drawn()) return;
+std::optional<Key> World<T>::Parts::find_who_leaves(Key first, ByRank<BodyRecord<T>>& to) {
+  if (!partition.drawn() || to.size() == 1) return {};
   const int here = rank_of(comm);
-  for (auto& o : owned.settled()) {
-    const int rank = partition.rank_of_point(converted<double>(o.body.pose.translation));
+  std::size_t found = 0;
+  for (auto o = owned.from(first); o != owned.settled().end(); ++o) {
+    if (o->gone) continue;
+    if (found == settings.bodies_per_block) {
+      report.migrated += found;
+      return o->key;
+    }
+    const int rank = partition.rank_of_point(converted<double>(o->body.pose.translation));
     if (rank == here) continue;
-    to[static_cast<std::size_t>(rank)].push_back(record_of(o.key, o.body, o.weight, shared));
-    owned.remove(o);
-    ++report.migrated;
+    auto& record = to[static_cast<std::size_t>(rank)].emplace_back(record_of(o->key, o->body, o->weight, shared));
+    record.reshaped = o->reshaped ? 1 : 0;
+    owned.remove(*o);
+    ++found;
   }
+  report.migrated += found;
+  return {};
 }
 
-/// Bodies go to live where their origins are.
+/// Bodies go to live where their origins are: in rounds, so that messages stay small where borders were drawn anew.
 template <class T>
 void World<T>::Parts::migrate(Together& together) {
-  ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
-  together.alone([&] { find_who_leaves(to); });
-  const ByRank<BodyRecord<T>> from = together.exchange(to);
-  together.alone([&] {
-    for (const auto& some : from)
-      for (const BodyRecord<T>& r : some) {
-        check(r.key, false);
-        owned.add(r.key, body_of(r, shared), r.weight);
-      }
-    owned.settle();
-  });
-}
-
-/// Sorts what stands here; returns where each was put. Bodies that came again stand here once.
-template <class T>
-std::vector<std::uint32_t> World<T>::Parts::sort_local() {
-  std::vector<std::uint32_t> order(local.size()), place(local.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return local[i].key < local[j].key; });
-  std::vector<Local> sorted;
-  sorted.reserve(local.size());
-  for (const std::uint32_t i : order) {
-    if (sorted.empty() || sorted.back().key != local[i].key) sorted.push_back(std::move(local[i]));
-    place[i] = static_cast<std::uint32_t>(sorted.size() - 1);
+  std::optional<Key> first = 0;
+  for (int more = 1; more != 0;) {
+    ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
+    together.alone([&] {
+      if (first) first = find_who_leaves(*first, to);
+    });
+    const ByRank<BodyRecord<T>> from = together.exchange(to);
+    together.alone([&] {
+      for (const auto& some : from)
+        for (const BodyRecord<T>& r : some) {
+          check(r.key, false);
+          owned.add(r.key, body_of(r, shared), r.weight, r.reshaped != 0);
+        }
+    });
+    more = first ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &more, 1, MPI_INT, MPI_MAX, comm);
   }
-  local = std::move(sorted);
-  return place;
-}
-
-template <class T>
-std::uint32_t World<T>::Parts::place_of(Key key) const {
-  const auto found = std::lower_bound(local.begin(), local.end(), key, [](const Local& l, Key k) { return l.key < k; });
-  return static_cast<std::uint32_t>(found - local.begin());
-}
-
-template <class T>
-void World<T>::Parts::take_in(const BodyRecord<T>& record) {
-  local.push_back({record.key, &guests.emplace_back(body_of(record, shared)), true});
-}
-
-/// Puts what stands here into arrays and finds its bounds.
-template <class T>
-void World<T>::Parts::find_bounds_here() {
-  arrays = std::make_unique<BodyArrays<T>>(settings.margin);
-  for (const Local& l : local) arrays->add(*l.body);
-  boxes.resize(local.size());
-  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), arrays->changes(), boxes, *executor);
-}
-
-/// Whether a ball about a body's origin, which holds its bounds, is inside the region: that of most is, and spares the
-/// search for their bounds before all are here.
-template <class T>
-bool World<T>::Parts::is_far_from_borders(typename OwnedBodies<T>::Entry& o) const {
-  const Body<T>& body = o.body;
-  if (o.reach == OwnedBodies<T>::unknown) {
-    const Aabb<T> box = bounds(body.shape, Pose<T>{});
-    const T margin = settings.margin.value_or(contact_margin(body.shape, body.shape));
-    o.reach = length(converted<double>(greatest(-box.lower, box.upper))) + static_cast<double>(margin);
-  }
-  const Vec3<double> at = converted<double>(body.pose.translation);
-  // Bounds are rounded outward in T: by some units in the last place of where they are and of how large they are.
-  constexpr double rounding = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  const double reach = o.reach + rounding * (max_abs(at) + o.reach);
-  const Aabb<double>& region = partition.region();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!(region.lower[axis] < at[axis] - reach && at[axis] + reach < region.upper[axis])) return false;
-  return true;
-}
-
-template <class T>
-void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
-  guests.clear();
-  local.clear();
-  if (to.size() > 1 && partition.drawn()) {
-    for (auto& o : owned.settled())
-      if (!is_far_from_borders(o)) local.push_back({o.key, &o.body, false});
-    find_bounds_here();
-    std::vector<int> ranks;
-    for (std::size_t i = 0; i < local.size(); ++i) {
-      ranks.clear();
-      partition.ranks_of_box({converted<double>(boxes[i].lower), converted<double>(boxes[i].upper)}, ranks);
-      for (const int r : ranks)
-        if (r != rank_of(comm))
-          to[static_cast<std::size_t>(r)].push_back(record_of(local[i].key, *local[i].body, 0.0F, shared));
-    }
-    local.clear();
-  }
-  for (const auto& o : owned.settled()) local.push_back({o.key, &o.body, false});
-}
-
-/// What reaches into other regions is lent to their ranks.
-template <class T>
-void World<T>::Parts::lend(Together& together) {
-  ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
-  together.alone([&] { find_who_is_lent(to); });
-  const ByRank<BodyRecord<T>> from = together.exchange(to);
-  together.alone([&] {
-    for (const auto& some : from)
-      for (const BodyRecord<T>& r : some) {
-        check(r.key, false);
-        take_in(r);
-      }
-    const auto by_key = [](const Local& a, const Local& b) { return a.key < b.key; };
-    const auto own = local.begin() + static_cast<std::ptrdiff_t>(owned.size());
-    std::sort(own, local.end(), by_key);
-    std::inplace_merge(local.begin(), own, local.end(), by_key);
-    find_bounds_here();
-  });
+  together.alone([&] { owned.settle(); });
 }
 
 template <class T>
 void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
-  finder.find(boxes, candidates, *executor);
+  std::vector<std::uint32_t> changes;
+  const std::span<const std::uint32_t> now = arrays->changes();
+  std::set_union(now.begin(), now.end(), late.begin(), late.end(), std::back_inserter(changes));
+  late.clear();
   const auto fixed = arrays->fixed();
-  const auto is_pair = [&](std::uint32_t a, std::uint32_t b) {
-    return (fixed[a] & fixed[b]) == 0 && (!settings.allow || settings.allow(local[a].key, local[b].key));
+  const std::span<const IdPair> candidates = finder->find(boxes, arrays->alive(), fixed, changes, *executor);
+  const bool all_may = !arrays->filtered() && !settings.allow, one_rank = to.size() == 1;
+  const auto may_meet = [&](const IdPair& p) {
+    return all_may || (may_collide(arrays->filters()[p.a], arrays->filters()[p.b]) &&
+                       (!settings.allow || settings.allow(keys[p.a], keys[p.b])));
   };
-  keep_allowed(candidates, arrays->filters(), is_pair);
-  mine.clear();
   const auto found_here = [&](const IdPair& p) {
-    return to.size() == 1 || partition.rank_of_point(common_point(boxes[p.a], boxes[p.b])) == rank_of(comm);
+    return one_rank || partition.rank_of_point(common_point(boxes[p.a], boxes[p.b])) == rank_of(comm);
   };
+  mine.clear();
   for (const IdPair& p : candidates) {
+    if (standing[p.a] == away || standing[p.b] == away || !may_meet(p)) continue;
     if ((fixed[p.a] | fixed[p.b]) == 0) {
       if (found_here(p)) mine.push_back(p);
       continue;
     }
-    const Local &moving = local[fixed[p.a] != 0 ? p.b : p.a], &standing = local[fixed[p.a] != 0 ? p.a : p.b];
-    if (!moving.lent) {
+    const std::uint32_t moving = fixed[p.a] != 0 ? p.b : p.a, still = fixed[p.a] != 0 ? p.a : p.b;
+    if (standing[moving] == lives) {
       mine.push_back(p);
     } else if (found_here(p)) {
-      const int home = partition.rank_of_point(converted<double>(moving.body->pose.translation));
-      to[static_cast<std::size_t>(home)].push_back({record_of(standing.key, *standing.body, 0.0F, shared), moving.key});
+      const int home = partition.rank_of_point(converted<double>(arrays->poses()[moving].translation));
+      const Body<T> ground = arrays->body(arrays->id(still));
+      to[static_cast<std::size_t>(home)].push_back({record_of(keys[still], ground, 0.0F, shared), keys[moving]});
     }
   }
 }
@@ -199,20 +124,20 @@ void World<T>::Parts::find_own_pairs(ByRank<Sent>& to) {
 /// Adds the pairs that other ranks found for bodies that live here, with the fixed bodies that are not here yet.
 template <class T>
 void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
-  const std::size_t before = local.size();
+  std::vector<BodyRecord<T>> ground;
   for (const auto& some : from)
-    for (const Sent& s : some) take_in(s.standing);
-  if (local.size() == before) return;
-  const std::vector<std::uint32_t> place = sort_local();
-  for (IdPair& p : mine) p = {place[p.a], place[p.b]};
+    for (const Sent& s : some) ground.push_back(s.standing);
+  if (ground.empty()) return;
+  take_ground(ground);
+  const auto own = static_cast<std::ptrdiff_t>(mine.size());
   for (const auto& some : from)
     for (const Sent& s : some) {
       const std::uint32_t i = place_of(s.standing.key), j = place_of(s.moving);
       mine.push_back({std::min(i, j), std::max(i, j)});
     }
-  std::sort(mine.begin(), mine.end());
+  std::sort(mine.begin() + own, mine.end());
+  std::inplace_merge(mine.begin(), mine.begin() + own, mine.end());
   mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-  find_bounds_here();
 }
 
 /// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
@@ -231,17 +156,16 @@ void World<T>::Parts::find_contacts() {
   manifolds.find(*arrays, mine, *executor);
   pairs.clear();
   for (const ContactPair<T>& p : manifolds.contacts().pairs)
-    pairs.push_back({local[p.a].key, local[p.b].key, p.overlap,
-                     (arrays->triggers()[p.a] | arrays->triggers()[p.b]) != 0, p.first_manifold, p.manifold_count});
+    pairs.push_back({keys[p.a], keys[p.b], p.overlap, (arrays->triggers()[p.a] | arrays->triggers()[p.b]) != 0,
+                     p.first_manifold, p.manifold_count});
+  arrays->settle();
   // What each body cost is what its rank is charged for next time.
-  std::vector<float> costs(local.size(), cost_of_body);
+  std::vector<float> costs(keys.size(), cost_of_body);
   for (const IdPair& p : mine) {
     costs[p.a] += cost_of_pair / 2;
     costs[p.b] += cost_of_pair / 2;
   }
-  auto o = owned.settled().begin();
-  for (std::size_t i = 0; i < local.size(); ++i)
-    if (!local[i].lent) (o++)->weight = costs[i];
+  for (auto& o : owned.settled()) o.weight = costs[o.place];
 }
 
 template <class T>
@@ -268,7 +192,7 @@ void World<T>::update() {
   p.find_events(together);
   p.report.events = clock.lap();
   p.report.bodies = p.owned.size();
-  p.report.ghosts = p.local.size() - p.owned.size();
+  p.report.ghosts = static_cast<std::uint64_t>(std::count(p.standing.begin(), p.standing.end(), Parts::lent));
   p.report.candidates = p.mine.size();
   p.report.pairs = p.pairs.size();
   p.report.bytes = together.bytes();

@@ -79,6 +79,11 @@ void ranks_that_differ() {
     if (last()) settings.imbalance = std::numeric_limits<double>::quiet_NaN();
     mpi::World<double> world(MPI_COMM_WORLD, settings);
   });
+  expect_common_error(of_last("bodies_per_block: expected a number >= 1"), [] {
+    mpi::WorldSettings<double> settings;
+    if (last()) settings.bodies_per_block = 0;
+    mpi::World<double> world(MPI_COMM_WORLD, settings);
+  });
 }
 
 void user_code_that_throws() {

@@ -34,7 +34,8 @@ struct WorldSettings {
   double imbalance = 1.1;
   /// Whether it is remembered who touches, for `events`. Without, there are none, and less is held.
   bool events = true;
-  /// About how many bodies an update in blocks looks at together, each with a kilobyte or two meanwhile.
+  /// About how many bodies an update in blocks looks at together, each with a kilobyte or two meanwhile; and how many
+  /// leave a rank in one message.
   std::size_t bodies_per_block = 65536;
 };
 
@@ -93,8 +94,8 @@ struct WorldReport {
 template <class T>
 class GRAZE_API World {
  public:
-  /// Throws `CommonError` on every rank for what `graze::World` refuses and an imbalance below 1 on any, and when ranks
-  /// have libraries of other versions, another precision or other settings.
+  /// Throws `CommonError` on every rank for what `graze::World` refuses, an imbalance below 1 or blocks of no bodies on
+  /// any, and when ranks have libraries of other versions, another precision or other settings.
   explicit World(MPI_Comm comm, WorldSettings<T> settings = {}, Executor* executor = nullptr);
   ~World();
   World(const World&) = delete;

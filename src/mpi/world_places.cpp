@@ -1,0 +1,216 @@
+// Where bodies stand in the arrays of a rank, from update to update.
+//
+// Guarantee: places are in the order of keys, and a body keeps its place for as long as no body comes that never stood
+// here: those that are lent again and again have kept theirs. So an update costs what changed in it, as in one world,
+// and where places are given anew, what an update costs in which everything moves.
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "graze/world/bounds.hpp"
+#include "mpi/world_parts.hpp"
+
+namespace graze::mpi {
+
+namespace {
+
+/// Once more than one place in so many is of a body that is away, places are given anew.
+constexpr std::size_t places_per_away = 8;
+
+}  // namespace
+
+template <class T>
+std::uint32_t World<T>::Parts::place_of(Key key) const {
+  const auto found = std::lower_bound(keys.begin(), keys.end(), key);
+  return found != keys.end() && *found == key ? static_cast<std::uint32_t>(found - keys.begin()) : nowhere;
+}
+
+template <class T>
+Aabb<T> World<T>::Parts::bounds_of(const Body<T>& body) const {
+  return bounds_with_margin<T>(body.shape, body.pose, BodyArrays<T>::margin_of(body.shape, settings.margin));
+}
+
+/// Whether it stays away from all borders.
+template <class T>
+bool World<T>::Parts::is_inside(const Aabb<T>& box) const {
+  const Aabb<double>& region = partition.region();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!(region.lower[axis] < static_cast<double>(box.lower[axis]) &&
+          static_cast<double>(box.upper[axis]) < region.upper[axis]))
+      return false;
+  return true;
+}
+
+template <class T>
+void World<T>::Parts::find_bounds_of(std::span<const std::uint32_t> places) {
+  find_bounds<T>(arrays->shapes(), arrays->poses(), arrays->margins(), places, boxes, *executor);
+}
+
+/// Brings a body that has a place up to date there. Its shape is the same if it stood here in the last update and has
+/// got no other one since.
+template <class T>
+void World<T>::Parts::bring_up(std::uint32_t place, const Body<T>& body, bool reshaped) {
+  const BodyId id = arrays->id(place);
+  if (reshaped || before[place] == away) arrays->set_shape(id, body.shape);
+  arrays->move(id, body.pose);
+  if (arrays->filters()[place] != body.filter) arrays->set_filter(id, body.filter);
+}
+
+/// Those that live here and have a place, with their bounds. Those that came since are looked up. Returns whether all
+/// of them have one.
+template <class T>
+bool World<T>::Parts::place_own() {
+  before.assign(keys.size(), away);
+  standing.swap(before);
+  bool all_placed = true;
+  for (auto& o : owned.settled()) {
+    if (o.place == nowhere) {
+      o.place = place_of(o.key);
+      if (o.place == nowhere) {
+        all_placed = false;
+        continue;
+      }
+      bring_up(o.place, o.body, o.reshaped);
+    }
+    standing[o.place] = lives;
+  }
+  if (arrays) find_bounds_of(arrays->changes());
+  return all_placed;
+}
+
+template <class T>
+void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
+  std::vector<int> ranks;
+  for (auto& o : owned.settled()) {
+    const bool reshaped = std::exchange(o.reshaped, false);
+    if (to.size() == 1) continue;
+    const Aabb<T> box = o.place == nowhere ? bounds_of(o.body) : boxes[o.place];
+    if (is_inside(box)) continue;
+    ranks.clear();
+    partition.ranks_of_box({converted<double>(box.lower), converted<double>(box.upper)}, ranks);
+    for (const int r : ranks) {
+      if (r == rank_of(comm)) continue;
+      BodyRecord<T>& record = to[static_cast<std::size_t>(r)].emplace_back(record_of(o.key, o.body, 0.0F, shared));
+      record.reshaped = reshaped ? 1 : 0;
+    }
+  }
+}
+
+/// What reaches into other regions is lent to their ranks.
+template <class T>
+void World<T>::Parts::lend(Together& together) {
+  ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
+  bool all_placed = false;
+  together.alone([&] {
+    all_placed = place_own();
+    find_who_is_lent(to);
+  });
+  const ByRank<BodyRecord<T>> from = together.exchange(to);
+  together.alone([&] { place_guests(from, all_placed); });
+}
+
+/// Those that are lent, where all of them have a place; else all places are given anew.
+template <class T>
+void World<T>::Parts::place_guests(const ByRank<BodyRecord<T>>& from, bool all_placed) {
+  std::vector<Guest> guests;
+  std::vector<std::uint32_t> places;
+  for (const auto& some : from)
+    for (const BodyRecord<T>& r : some) {
+      check(r.key, false);
+      const Guest& guest = guests.emplace_back(Guest{r.key, body_of(r, shared)});
+      const std::uint32_t place = place_of(r.key);
+      all_placed = all_placed && place != nowhere;
+      if (!all_placed) continue;
+      bring_up(place, guest.body, r.reshaped != 0);
+      standing[place] = lent;
+      places.push_back(place);
+    }
+  if (!all_placed || (keys.size() - owned.size() - guests.size()) * places_per_away > keys.size())
+    return place_anew(std::move(guests));
+  std::sort(places.begin(), places.end());
+  find_bounds_of(places);
+}
+
+/// Gives places to what lives here and to these.
+template <class T>
+void World<T>::Parts::place_anew(std::vector<Guest> guests) {
+  const auto by_key = [](const Guest& a, const Guest& b) { return a.key < b.key; };
+  std::stable_sort(guests.begin(), guests.end(), by_key);
+  const std::vector<Aabb<T>> last_boxes = std::exchange(boxes, {});
+  const std::size_t count = owned.size() + guests.size();
+  keys.clear();
+  keys.reserve(count);
+  standing.clear();
+  standing.reserve(count);
+  boxes.reserve(count);
+  // What was there is let go of first: room for both is not needed.
+  arrays.reset();
+  arrays = std::make_unique<BodyArrays<T>>(settings.margin);
+  arrays->reserve(count);
+  const auto place = [&](Key key, const Body<T>& body, const Aabb<T>& box, Standing how) {
+    keys.push_back(key);
+    standing.push_back(how);
+    boxes.push_back(box);
+    arrays->add(body);
+  };
+  auto guest = guests.cbegin();
+  const auto place_guests_below = [&](Key key) {
+    for (; guest != guests.cend() && guest->key < key; ++guest)
+      place(guest->key, guest->body, bounds_of(guest->body), lent);
+  };
+  for (auto& o : owned.settled()) {
+    place_guests_below(o.key);
+    const Aabb<T> box = o.place == nowhere ? bounds_of(o.body) : last_boxes[o.place];
+    o.place = static_cast<std::uint32_t>(keys.size());
+    place(o.key, o.body, box, lives);
+  }
+  place_guests_below(std::numeric_limits<Key>::max());
+  for (; guest != guests.cend(); ++guest) place(guest->key, guest->body, bounds_of(guest->body), lent);
+  finder.reset();
+  finder = std::make_unique<CandidateFinder<T>>();
+  late.clear();
+}
+
+/// Fixed bodies that are lent for the sake of others' pairs, after the candidates were found.
+template <class T>
+void World<T>::Parts::take_ground(const std::vector<BodyRecord<T>>& ground) {
+  std::vector<Guest> missing;
+  for (const BodyRecord<T>& r : ground) {
+    const std::uint32_t place = place_of(r.key);
+    if (place == nowhere) {
+      const auto same = [&](const Guest& g) { return g.key == r.key; };
+      if (std::none_of(missing.begin(), missing.end(), same)) missing.push_back({r.key, body_of(r, shared)});
+    } else if (standing[place] == away) {
+      // Who sends it does not know whether it stood here in the last update, nor what its shape was.
+      bring_up(place, body_of(r, shared), true);
+      standing[place] = lent;
+      late.push_back(place);
+    }
+  }
+  std::sort(late.begin(), late.end());
+  find_bounds_of(late);
+  if (missing.empty()) return;
+  for (std::uint32_t i = 0; i < keys.size(); ++i)
+    if (standing[i] == lent) missing.push_back({keys[i], arrays->body(arrays->id(i))});
+  const std::vector<Key> last_keys = keys;
+  place_anew(std::move(missing));
+  std::vector<std::uint32_t> to(last_keys.size(), nowhere);
+  for (std::uint32_t i = 0, last = 0; i < keys.size(); ++i) {
+    while (last < last_keys.size() && last_keys[last] < keys[i]) ++last;
+    if (last < last_keys.size() && last_keys[last] == keys[i]) to[last] = i;
+  }
+  for (IdPair& p : mine) p = {to[p.a], to[p.b]};
+  finder->find(boxes, arrays->alive(), arrays->fixed(), arrays->changes(), *executor);
+}
+
+#define GRAZE_INSTANTIATE(T)                                                                                           \
+  template std::uint32_t World<T>::Parts::place_of(Key) const;                                                         \
+  template Aabb<T> World<T>::Parts::bounds_of(const Body<T>&) const;                                                   \
+  template bool World<T>::Parts::is_inside(const Aabb<T>&) const;                                                      \
+  template void World<T>::Parts::lend(Together&);                                                                      \
+  template void World<T>::Parts::take_ground(const std::vector<BodyRecord<T>>&);
+GRAZE_INSTANTIATE(float)
+GRAZE_INSTANTIATE(double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::mpi
