@@ -8,7 +8,8 @@
 // of each frame is printed, as the costs of the one before say. With
 // --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take turns
 // frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of the
-// machine is about the same in two updates that follow each other. The others sleep while one world works. With
+// machine is about the same in two updates that follow each other; and of processor time, which other work lengthens
+// less and waiting not at all. The others sleep while one world works. With
 // --moving only one body in so many moves in a frame. With --blocks contacts are handed over block by
 // block and nobody remembers who touched, as for granular matter of tens of millions of bodies; --float halves them.
 #include <mpi.h>
@@ -18,6 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -39,6 +41,9 @@ struct Options {
 };
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Seconds of processors that this process had.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -96,7 +101,7 @@ void meet_asleep() {
 
 struct Sums {
   double bodies = 0, ghosts = 0, pairs = 0, bytes = 0, memory = 0, most_bodies = 0, partition = 0, exchange = 0,
-         broad = 0, contacts = 0, events = 0, most_held = 0;
+         broad = 0, contacts = 0, events = 0, most_held = 0, work = 0;
 };
 
 /// The most memory that this process ever had.
@@ -111,10 +116,10 @@ Sums sums_of(const mpi::World<T>& world) {
   const mpi::WorldReport& r = world.report();
   const auto d = [](std::uint64_t n) { return static_cast<double>(n); };
   const double mine[] = {d(r.bodies), d(r.ghosts), d(r.pairs), d(r.bytes), d(world.memory())};
-  const double most[] = {d(r.bodies), r.partition, r.exchange, r.broad, r.contacts, r.events, held()};
+  const double most[] = {d(r.bodies), r.partition, r.exchange, r.broad, r.contacts, r.events, held(), r.work};
   Sums s;
   MPI_Allreduce(mine, &s.bodies, 5, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-  MPI_Allreduce(most, &s.most_bodies, 7, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  MPI_Allreduce(most, &s.most_bodies, 8, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   return s;
 }
 
@@ -149,7 +154,7 @@ void run(const Options& options) {
     one = std::make_unique<One<T>>(static_cast<std::size_t>(ranks));
     for (std::uint64_t i = 0; i < options.bodies; ++i) one->ids.push_back(one->world.add(lattice.body(i, 0)));
   }
-  std::vector<double> clocks, clocks_of_one, ratios;
+  std::vector<double> clocks, clocks_of_one, ratios, works, works_of_one, work_ratios;
   Sums last;
   double ghosts = 0, bytes = 0;
   // Two frames to find the borders, which are not counted; and three after the fall, in which all lies still.
@@ -162,13 +167,14 @@ void run(const Options& options) {
     options.blocks ? many.update(count) : many.update();
     MPI_Barrier(MPI_COMM_WORLD);
     const double clock = seconds() - before;
-    double clock_of_one = 0;
+    double clock_of_one = 0, work_of_one = 0;
     if (one) {
       for (std::uint64_t i = 0; i < options.bodies; ++i)
         if (lattice.moves(i, frame)) one->world.move(one->ids[i], lattice.pose(i, frame));
-      const double then = seconds();
+      const double then = seconds(), work_then = processor_seconds();
       one->world.update();
       clock_of_one = seconds() - then;
+      work_of_one = (processor_seconds() - work_then) / ranks;
     }
     meet_asleep();
     last = sums_of(many);
@@ -180,6 +186,9 @@ void run(const Options& options) {
     clocks.push_back(clock);
     clocks_of_one.push_back(clock_of_one);
     ratios.push_back(clock / std::max(clock_of_one, 1e-9));
+    works.push_back(last.work);
+    works_of_one.push_back(work_of_one);
+    work_ratios.push_back(last.work / std::max(work_of_one, 1e-9));
     ghosts += last.ghosts / static_cast<double>(options.frames + after);
     bytes += last.bytes / static_cast<double>(options.frames + after);
   }
@@ -192,8 +201,11 @@ void run(const Options& options) {
       1e3 * median(clocks), 1e3 * last.partition, 1e3 * last.exchange, 1e3 * last.broad, 1e3 * last.contacts,
       1e3 * last.events);
   if (one)
-    std::printf("one world, %d threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n", ranks,
-                1e3 * median(clocks_of_one), static_cast<double>(one->world.memory()) / n, median(ratios));
+    std::printf(
+        "one world, %d threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n"
+        "processor time of the busiest rank %.1f ms, of one world by its threads %.1f ms; many over one: %.2f\n",
+        ranks, 1e3 * median(clocks_of_one), static_cast<double>(one->world.memory()) / n, median(ratios),
+        1e3 * median(works), 1e3 * median(works_of_one), median(work_ratios));
 }
 
 }  // namespace

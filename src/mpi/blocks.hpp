@@ -53,8 +53,9 @@ class Blocks {
   }
 
  private:
-  /// Where more than this share of a block is at home elsewhere, halves would be so, too, and more of them needed.
-  static constexpr std::size_t least_home = 8;
+  /// Halves that have hardly fewer bodies beside them than the whole, where much overlaps everything, are of no use: to
+  /// cut on would only find the same bodies again and again.
+  static constexpr std::size_t least_gain = 8;
 
   Aabb<T> bounds_of(std::span<const std::uint32_t> some) const {
     Aabb<T> all = Aabb<T>::empty();
@@ -68,8 +69,8 @@ class Blocks {
 
   template <class F>
   void cut(std::span<std::uint32_t> home, std::vector<std::uint32_t> beside, const F& f) {
-    if (home.size() + beside.size() <= most_ || home.size() <= most_ / least_home || home.size() < 2)
-      return f(home, beside);
+    const std::size_t all = home.size() + beside.size();
+    if (all <= most_ || home.size() < 2) return f(home, beside);
     const Vec3<T> e = bounds_of(home).extent();
     const std::size_t axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
     const auto middle = home.begin() + static_cast<std::ptrdiff_t>(home.size() / 2);
@@ -78,15 +79,16 @@ class Blocks {
       return std::pair(boxes_[i].lower[axis], i) < std::pair(boxes_[j].lower[axis], j);
     });
     const std::span<std::uint32_t> halves[] = {{home.begin(), middle}, {middle, home.end()}};
+    std::vector<std::uint32_t> others[2];
     for (std::size_t half = 0; half < 2; ++half) {
       const Aabb<T> around = bounds_of(halves[half]);
-      std::vector<std::uint32_t> others;
-      add_those_in(around, beside, others);
-      add_those_in(around, halves[1 - half], others);
-      // The second half is the last that asks for what stood beside both.
-      if (half == 1) beside = {};
-      cut(halves[half], std::move(others), f);
+      add_those_in(around, beside, others[half]);
+      add_those_in(around, halves[1 - half], others[half]);
     }
+    const std::size_t larger = home.size() - home.size() / 2 + std::max(others[0].size(), others[1].size());
+    if (larger > all - all / least_gain) return f(home, beside);
+    beside = {};
+    for (std::size_t half = 0; half < 2; ++half) cut(halves[half], std::move(others[half]), f);
   }
 
   std::span<const Aabb<T>> boxes_;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <new>
 #include <string>
@@ -27,6 +28,7 @@ class Together {
 
   MPI_Comm comm() const { return comm_; }
   std::uint64_t bytes() const { return bytes_; }  ///< sent to other ranks so far
+  double work() const { return work_; }           ///< seconds of processors that this rank's own parts took so far
   template <class E>
   ByRank<E> nothing() const {
     return ByRank<E>(static_cast<std::size_t>(size_of(comm_)));
@@ -36,6 +38,7 @@ class Together {
   template <class F>
   void alone(F&& part) {
     if (!fault_.empty()) return;
+    const double before = processor_seconds();
     try {
       part();
     } catch (const std::bad_alloc&) {
@@ -43,6 +46,7 @@ class Together {
     } catch (const std::exception& e) {
       fault_ = e.what();
     }
+    work_ += processor_seconds() - before;
   }
 
   /// Throws `CommonError` on every rank when a part of any has failed. All ranks.
@@ -53,9 +57,13 @@ class Together {
   ByRank<E> exchange(ByRank<E>& to);
 
  private:
+  /// Of all threads of the process.
+  static double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
   MPI_Comm comm_;
   std::string fault_;
   std::uint64_t bytes_ = 0;
+  double work_ = 0;
 };
 
 template <class E>

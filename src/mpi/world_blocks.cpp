@@ -257,6 +257,7 @@ void World<T>::update(const ContactVisitor<T>& visit) {
   p.report.events = clock.lap();
   p.report.bodies = p.owned.size();
   p.report.bytes = together.bytes();
+  p.report.work = together.work();
 }
 
 template void World<float>::update(const ContactVisitor<float>&);

@@ -87,6 +87,7 @@ struct WorldReport {
   std::uint64_t partitions = 0;  ///< how often borders were drawn, since the beginning
   double imbalance = 1;          ///< largest load over mean, before the update
   double partition = 0, exchange = 0, broad = 0, contacts = 0, events = 0;  ///< seconds, by stage
+  double work = 0;  ///< seconds of processors that the rank's own part took, without waiting for others
 };
 
 /// All ranks of the communicator make one together and call `share`, `update` and `gather` together; bodies are added
