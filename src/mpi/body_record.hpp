@@ -44,6 +44,7 @@ struct BodyRecord {
   std::uint32_t type;    ///< place in `ShapeList`
   std::uint8_t fixed, trigger, fast;
   std::uint8_t reshaped;  ///< since the last update
+  std::uint8_t near;      ///< only near the region: gets a place there, so that it finds one when it comes
   alignas(16) std::byte value[largest_value<T>(std::make_index_sequence<Shape<T>::count>())];
 };
 

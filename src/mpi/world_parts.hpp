@@ -51,6 +51,7 @@ struct World<T>::Parts {
   struct Guest {
     Key key;
     Body<T> body;
+    bool near = false;  ///< as of `BodyRecord`
   };
   /// A fixed body for the rank on which one that moves lives.
   struct Sent {

@@ -17,6 +17,21 @@ namespace {
 /// Once more than one place in so many is of a body that is away, places are given anew.
 constexpr std::size_t places_per_away = 8;
 
+/// What is nearer to a region than this share of its own size gets a place there before it is lent: bodies that drift
+/// then come with places for some updates on end, and the records of borders are an eighth more.
+constexpr double near = 1.0 / 16;
+
+template <class T>
+Aabb<T> with_room(const Aabb<T>& box) {
+  const Vec3<T> room = box.extent() * T(near);
+  return {box.lower - room, box.upper + room};
+}
+
+template <class T>
+Aabb<double> in_double(const Aabb<T>& box) {
+  return {converted<double>(box.lower), converted<double>(box.upper)};
+}
+
 }  // namespace
 
 template <class T>
@@ -80,18 +95,21 @@ bool World<T>::Parts::place_own() {
 
 template <class T>
 void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
-  std::vector<int> ranks;
+  std::vector<int> ranks, ranks_near;
   for (auto& o : owned.settled()) {
     const bool reshaped = std::exchange(o.reshaped, false);
     if (to.size() == 1) continue;
-    const Aabb<T> box = o.place == nowhere ? bounds_of(o.body) : boxes[o.place];
-    if (is_inside(box)) continue;
+    const Aabb<T> box = o.place == nowhere ? bounds_of(o.body) : boxes[o.place], wide = with_room(box);
+    if (is_inside(wide)) continue;
     ranks.clear();
-    partition.ranks_of_box({converted<double>(box.lower), converted<double>(box.upper)}, ranks);
-    for (const int r : ranks) {
+    ranks_near.clear();
+    partition.ranks_of_box(in_double(wide), ranks_near);
+    if (!is_inside(box)) partition.ranks_of_box(in_double(box), ranks);
+    for (const int r : ranks_near) {
       if (r == rank_of(comm)) continue;
       BodyRecord<T>& record = to[static_cast<std::size_t>(r)].emplace_back(record_of(o.key, o.body, 0.0F, shared));
       record.reshaped = reshaped ? 1 : 0;
+      record.near = std::find(ranks.begin(), ranks.end(), r) == ranks.end() ? 1 : 0;
     }
   }
 }
@@ -114,19 +132,28 @@ template <class T>
 void World<T>::Parts::place_guests(const ByRank<BodyRecord<T>>& from, bool all_placed) {
   std::vector<Guest> guests;
   std::vector<std::uint32_t> places;
+  std::vector<const BodyRecord<T>*> near_ones;
   for (const auto& some : from)
     for (const BodyRecord<T>& r : some) {
       check(r.key, false);
+      if (r.near != 0) {
+        near_ones.push_back(&r);
+        continue;
+      }
       const Guest& guest = guests.emplace_back(Guest{r.key, body_of(r, shared)});
+      if (!all_placed) continue;
       const std::uint32_t place = place_of(r.key);
-      all_placed = all_placed && place != nowhere;
+      all_placed = place != nowhere;
       if (!all_placed) continue;
       bring_up(place, guest.body, r.reshaped != 0);
       standing[place] = lent;
       places.push_back(place);
     }
-  if (!all_placed || (keys.size() - owned.size() - guests.size()) * places_per_away > keys.size())
+  const std::size_t used = owned.size() + places.size() + near_ones.size();
+  if (!all_placed || keys.size() > used + used / places_per_away) {
+    for (const BodyRecord<T>* r : near_ones) guests.push_back({r->key, body_of(*r, shared), true});
     return place_anew(std::move(guests));
+  }
   std::sort(places.begin(), places.end());
   find_bounds_of(places);
 }
@@ -153,10 +180,10 @@ void World<T>::Parts::place_anew(std::vector<Guest> guests) {
     boxes.push_back(box);
     arrays->add(body);
   };
+  const auto place_guest = [&](const Guest& g) { place(g.key, g.body, bounds_of(g.body), g.near ? away : lent); };
   auto guest = guests.cbegin();
   const auto place_guests_below = [&](Key key) {
-    for (; guest != guests.cend() && guest->key < key; ++guest)
-      place(guest->key, guest->body, bounds_of(guest->body), lent);
+    for (; guest != guests.cend() && guest->key < key; ++guest) place_guest(*guest);
   };
   for (auto& o : owned.settled()) {
     place_guests_below(o.key);
@@ -165,7 +192,7 @@ void World<T>::Parts::place_anew(std::vector<Guest> guests) {
     place(o.key, o.body, box, lives);
   }
   place_guests_below(std::numeric_limits<Key>::max());
-  for (; guest != guests.cend(); ++guest) place(guest->key, guest->body, bounds_of(guest->body), lent);
+  for (; guest != guests.cend(); ++guest) place_guest(*guest);
   finder.reset();
   finder = std::make_unique<CandidateFinder<T>>();
   late.clear();
