@@ -1,7 +1,7 @@
 // The world on many machines against one world: random scenes in which bodies come, go, move, and jump, with filters,
 // triggers, fixed ground that joins, a mesh, a half-space and a large floor. Every rank plays the same script; rank 0
-// also plays it in one world. Two updates of eight hand their contacts over in blocks of a few bodies. Run by mpirun with
-// any number of ranks; exit code 0 when all answers have the same bits.
+// also plays it in one world. Two updates of eight hand their contacts over in blocks of a few bodies. Run by mpirun
+// with any number of ranks; exit code 0 when all answers have the same bits.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
