@@ -3,15 +3,18 @@
 //   mpirun -n RANKS bench_mpi_world [--bodies N] [--frames N] [--corner] [--beside] [--float] [--blocks] [--moving N]
 //
 // Balls and boxes stand in a cube of a lattice, a little turned and out of place, so that each touches about three
-// others; from frame to frame every body moves by about 1e-3 of its size. Of ghosts and bytes the mean of the frames is
-// printed. With --corner all bodies fall into one corner over the frames and lie there for three more, and the balance
-// of each frame is printed, as the costs of the one before say. With
-// --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take turns
-// frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of the
-// machine is about the same in two updates that follow each other; and of processor time, which other work lengthens
-// less and waiting not at all. The others sleep while one world works. With
-// --moving only one body in so many moves in a frame. With --blocks contacts are handed over block by
-// block and nobody remembers who touched, as for granular matter of tens of millions of bodies; --float halves them.
+// others; from frame to frame every body moves by about 1e-3 of its size, or with --moving N one body in N. Of ghosts
+// and bytes the mean of the frames is printed. With --corner all bodies fall into one corner over the frames and lie
+// there for three more, and the balance of each frame is printed, as the costs of the one before say.
+//
+// With --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take
+// turns frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of
+// the machine is about the same in two updates that follow each other; and of processor time, which other work
+// lengthens less and waiting not at all. The others sleep while one world works. Start it with --bind-to none then:
+// mpirun would else give rank 0, and so one world with all its threads, a single core.
+//
+// With --blocks contacts are handed over block by block and nobody remembers who touched, as for granular matter of
+// tens of millions of bodies, in single precision with --float.
 #include <mpi.h>
 #include <sys/resource.h>
 
