@@ -76,7 +76,7 @@ template <class T>
 void add(const plane::Shape<T>& shape, const Pose2d& pose, const Vec3d& center, double size, Polygons& out) {
   if (const auto* compound = shape.template as<plane::Compound<T>>()) {
     for (const plane::Placed<T>& child : compound->children())
-      add(child.shape, compose(pose, plane::widened(child.pose)), center, size, out);
+      add(child.shape, compose(pose, plane::at_unit(child.pose)), center, size, out);
     return;
   }
   if (const auto* polygon = shape.template as<plane::Polygon<T>>(); polygon && shape.rounding() == T(0))
@@ -95,7 +95,7 @@ Polygons tessellate(const plane::Shape<T>& shape, const plane::Pose2<T>& pose, c
                     double half_plane_size) {
   Polygons out;
   out.closed = false;
-  add(shape, plane::widened(pose), center, half_plane_size, out);
+  add(shape, plane::at_unit(pose), center, half_plane_size, out);
   return out;
 }
 

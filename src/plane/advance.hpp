@@ -3,50 +3,15 @@
 // Guarantee: no time at which the pieces come as close as is asked is passed over.
 #pragma once
 
-#include <cmath>
-#include <limits>
 #include <optional>
 
-#include "graze/plane/cast.hpp"
 #include "plane/nearest.hpp"
+#include "plane/turning_axis.hpp"
 
 namespace graze::plane {
 
 /// The most steps of conservative advancement of bodies that turn.
 inline constexpr int most_advances = 2000;
-
-inline Pose2d moved(const Pose2d& pose, const Velocity<double>& velocity, double t) {
-  Pose2d out{pose.translation + velocity.linear * t, pose.rotation};
-  if (velocity.angular != 0) out.rotation = normalized(Rot2d::from_angle(velocity.angular * t) * pose.rotation);
-  return out;
-}
-
-/// An upper bound of what turning adds to a height h below the reach R. By an angle w it becomes at most
-/// h cos w + sqrt(R² - h²) sin w, and sin w <= w, 1 - cos w <= w² / 2: with no sine computed, and exact to first order.
-struct Gain {
-  double rate = 0, bend = 0;  ///< rate t + bend t²
-  double most = 0;            ///< and no more than this
-};
-
-/// A convex piece and how it moves: of a compound's child, that turns with its body, the pose at any time.
-template <class T>
-struct Mover {
-  const Core<T>& core;
-  Pose2d in_body;  ///< the piece seen from its body
-  Pose2d body;
-  Velocity<double> velocity;
-  double reach;  ///< of the piece from the body's origin
-
-  Pose2d at(double t) const { return compose(moved(body, velocity, t), in_body); }
-  /// Bounds how much further than `height` the piece reaches along a fixed direction while its body turns: its points
-  /// lie below that height and no further than `reach` from the body's origin.
-  Gain gain(double height) const {
-    const double speed = std::abs(velocity.angular);
-    if (speed == 0 || !(height < reach)) return {};
-    const double beside = std::sqrt((reach - height) * (reach + height));
-    return {speed * beside, speed * speed * greatest(-height, 0.0) / 2, reach - height};
-  }
-};
 
 struct WorldContact {
   double t = 0;
@@ -55,7 +20,8 @@ struct WorldContact {
   Status status = Status::converged;
 };
 
-/// A time in which a gap is not closed by an approach and by what two bodies gain by turning; infinite where it never is.
+/// A time in which a gap is not closed by an approach and by what two bodies gain by turning; infinite where it never
+/// is.
 inline double time_to_close(double gap, double approach, const Gain& a, const Gain& b) {
   const double rate = approach + a.rate + b.rate, bend = a.bend + b.bend, turning = a.most + b.most;
   const double root = rate + std::sqrt(rate * rate + 4 * bend * gap);
@@ -69,13 +35,18 @@ struct Nearby {
   WorldContact contact;
   double gap;
   Vec2d on_a;  ///< in the world
+  Pose2d pose_a, pose_b;
+  bool axis_of_b;                    ///< whether the normal is that of an edge of B
+  std::uint32_t vertex_a, vertex_b;  ///< of polygons: where the nearest features begin
 };
 
 template <class T>
 Nearby nearby(const Mover<T>& a, const Mover<T>& b, double t, double size) {
-  const Pose2d pose_a = a.at(t), pose_b = b.at(t);
-  const Nearest found = nearest(a.core, b.core, relative(pose_a, pose_b), size);
   Nearby out;
+  const Pose2d pose_a = out.pose_a = a.at(t), pose_b = out.pose_b = b.at(t);
+  const Nearest found = nearest(a.core, b.core, relative(pose_a, pose_b), size);
+  out.axis_of_b = found.b.feature >= side_feature(0) || (found.a.feature < side_feature(0) && b.velocity.angular == 0);
+  out.vertex_a = vertex_of(a.core, found.a.feature), out.vertex_b = vertex_of(b.core, found.b.feature);
   out.gap = found.distance - found.error - a.core.radius - b.core.radius;
   out.contact.t = t;
   out.contact.normal = rotate(pose_a.rotation, found.normal);
@@ -84,26 +55,51 @@ Nearby nearby(const Mover<T>& a, const Mover<T>& b, double t, double size) {
   return out;
 }
 
-/// Conservative advancement from a time on: along the normal of the nearest points no body gets further than its origin
-/// moves and the turn of the piece's outermost points adds. The first time at which the gap is at most `near`, which
-/// may be less than zero; steps end `tolerance / 2` below it, so that the last one does not fall short by rounding.
-/// Calls `seen(nearby)` at each time that is looked at.
+/// Up to when what is nearest at a time stays further apart than `way` less than it is: along its normal no body gets
+/// further than its origin moves and the turn of the piece's outermost points adds, or of polygons its vertices.
+template <class T>
+ApartUntil apart_from(const Mover<T>& a, const Mover<T>& b, const Nearby& now, double way, double duration) {
+  const double t = now.contact.t;
+  const Vec2d& normal = now.contact.normal;
+  ApartUntil by_axis{t, true};
+  if (a.core.kind == CoreKind::polygon && b.core.kind == CoreKind::polygon) {
+    by_axis = now.axis_of_b ? apart_along(b, a, now.pose_a, -normal, now.vertex_a, way, t, duration)
+                            : apart_along(a, b, now.pose_b, normal, now.vertex_b, way, t, duration);
+    if (by_axis.closes || by_axis.t >= duration) return by_axis;
+  }
+  const double approach = greatest(-dot(b.velocity.linear - a.velocity.linear, normal), 0.0);
+  const double height_a = dot(now.on_a - a.origin(t), normal);
+  const double height_b = -dot(now.on_a + normal * now.gap - b.origin(t), normal);
+  const double later = t + time_to_close(way, approach, a.gain(height_a), b.gain(height_b));
+  return {greatest(by_axis.t, later), later <= duration};
+}
+
+/// When the discs around two pieces that begin further apart come as near as `near / 2`; nothing where they never do.
+template <class T>
+std::optional<double> discs_meet(const Mover<T>& a, const Mover<T>& b, double near) {
+  const Vec2d between = b.body.translation - a.body.translation, velocity = b.velocity.linear - a.velocity.linear;
+  const double radius = a.reach + b.reach + near / 2, speed = length(velocity), closing = -dot(between, velocity);
+  // As a product of sums: the difference of squares would lose digits far away.
+  const double reached = speed * radius, missed = std::abs(cross(between, velocity));
+  if (!(closing > 0) || missed > reached) return {};
+  const double way = length_squared(between) - radius * radius;
+  return way > 0 ? way / (closing + std::sqrt((reached - missed) * (reached + missed))) : 0;
+}
+
+/// Conservative advancement from a time on. The first time at which the gap is at most `near`, which may be less than
+/// zero; steps end `tolerance / 2` below it, so that the last one does not fall short by rounding. Calls `seen(nearby)`
+/// at each time that is looked at.
 template <class T, class Seen>
 std::optional<WorldContact> advance(const Mover<T>& a, const Mover<T>& b, double from, double duration, double size,
                                     double near, double tolerance, const Seen& seen) {
-  const Vec2d linear = b.velocity.linear - a.velocity.linear;
   double t = from;
   for (int step = 0; step < most_advances; ++step) {
     const Nearby now = nearby(a, b, t, size);
-    const Vec2d& normal = now.contact.normal;
     seen(now);
     if (now.gap <= near) return now.contact;
-    const double approach = greatest(-dot(linear, normal), 0.0);
-    const double height_a = dot(now.on_a - a.body.translation - a.velocity.linear * t, normal);
-    const double height_b = -dot(now.on_a + normal * now.gap - b.body.translation - b.velocity.linear * t, normal);
-    const double way = now.gap - (near - tolerance / 2);
-    const double later = t + time_to_close(way, approach, a.gain(height_a), b.gain(height_b));
-    if (!(later <= duration)) return {};
+    const ApartUntil next = apart_from(a, b, now, now.gap - (near - tolerance / 2), duration);
+    if (!next.closes) return {};
+    const double later = next.t;
     if (later == t) return now.contact;
     t = later;
   }

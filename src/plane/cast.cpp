@@ -8,6 +8,7 @@
 #include "plane/leaves.hpp"
 #include "plane/ray_hit.hpp"
 #include "plane/sliding.hpp"
+#include "plane/sure_hit.hpp"
 
 namespace graze::plane {
 
@@ -16,13 +17,13 @@ namespace {
 /// The contact of pieces that touch where they begin.
 template <class T>
 std::optional<WorldContact> contact_at_start(const Core<T>& a, const Core<T>& b, const Pose2d& pose_a,
-                                             const Pose2d& b_in_a, double size) {
+                                             const Pose2d& b_in_a, double size, double rounding) {
   const Nearest start = nearest(a, b, b_in_a, size);
   const double gap = start.distance - a.radius - b.radius;
-  if (!(gap <= 0)) return {};
+  if (!(gap <= rounding)) return {};
   WorldContact out;
   out.normal = rotate(pose_a.rotation, start.normal);
-  out.depth = start.status == Status::unbounded ? 0 : -gap;
+  out.depth = start.status == Status::unbounded ? 0 : greatest(-gap, 0.0);
   out.point = transform(pose_a, start.a.point + start.normal * (a.radius + (out.depth > 0 ? gap / 2 : 0.0)));
   return out;
 }
@@ -34,13 +35,16 @@ std::optional<WorldContact> pair_cast(const Mover<T>& a, const Mover<T>& b, doub
   const Pose2d pose_a = a.at(0), pose_b = b.at(0), b_in_a = relative(pose_a, pose_b);
   const bool polygons = a.core.kind == CoreKind::polygon && b.core.kind == CoreKind::polygon;
   const bool far = polygons && discs_apart(b.body.translation - a.body.translation, a.reach, b.reach) > 0;
-  if (!far && (!polygons || !surely_apart(a.core, b.core, b_in_a)))
-    if (const auto touching = contact_at_start(a.core, b.core, pose_a, b_in_a, size)) return touching;
+  const double rounding = touching_rounding * (size + max_abs(b_in_a.translation));
+  if (!far && (!polygons || !surely_apart(a.core, b.core, b_in_a, rounding)))
+    if (const auto touching = contact_at_start(a.core, b.core, pose_a, b_in_a, size, rounding)) return touching;
   if (a.velocity.angular != 0 || b.velocity.angular != 0) {
     const auto seen = [&](const Nearby& now) {
       if (steps) steps->push_back({now.contact.t, now.gap, {now.contact.normal.x, now.contact.normal.y, 0}});
     };
-    return advance(a, b, 0, duration, size, near, near, seen);
+    const std::optional<double> from = far ? discs_meet(a, b, near) : 0;
+    if (!from || !(*from <= duration)) return {};
+    return advance(a, b, *from, duration, size, near, near, seen);
   }
   const Vec2d velocity = inverse_rotate(pose_a.rotation, b.velocity.linear - a.velocity.linear);
   const auto hit = first_contact(a.core, b.core, b_in_a, velocity, duration, size, near, steps);
@@ -72,8 +76,8 @@ struct MovingPair {
              const Pose2<T>& pose_b, const Velocity<T>& velocity_b)
       : a(shape_a),
         b(shape_b),
-        body_a(widened(pose_a)),
-        body_b(widened(pose_b)),
+        body_a(at_unit(pose_a)),
+        body_b(at_unit(pose_b)),
         of_a{converted<double>(velocity_a.linear), double(velocity_a.angular)},
         of_b{converted<double>(velocity_b.linear), double(velocity_b.angular)} {}
 
@@ -149,7 +153,7 @@ struct WorldRay {
 
   WorldRay(const Ray<T>& ray, T length)
       : origin(converted<double>(ray.origin)),
-        direction(normalized(converted<double>(ray.direction), Vec2d{})),
+        direction(unit_vector(converted<double>(ray.direction), Vec2d{})),
         valid(std::isfinite(origin.x) && std::isfinite(origin.y) && length_squared(direction) > 0 && length >= T(0)) {}
 
   /// Whether the ray may come into a box of pieces before `until`, each rounded; with room for the rounding of a few
@@ -179,9 +183,13 @@ struct WorldRay {
     if (!hit) return {};
     t = hit->t;
     if (t == 0 && hit->normal == -along) return RayHit<T>{T(0), converted<T>(origin), converted<T>(-direction), piece};
+    return seen(at, t, hit->normal, piece, hit->status);
+  }
+  /// A hit in the world, at time t.
+  RayHit<T> seen(const Pose2d& at, double t, const Vec2d& normal, std::uint32_t piece, Status status) const {
     // By rounding across the ray at most: a surface that it grazes does not face along it.
-    const Vec2d n = rotate(at.rotation, hit->normal);
-    return RayHit<T>{static_cast<T>(t), converted<T>(origin + direction * t), converted<T>(n), piece, hit->status};
+    const Vec2d n = rotate(at.rotation, normal);
+    return {static_cast<T>(t), converted<T>(origin + direction * t), converted<T>(n), piece, status};
   }
 };
 
@@ -191,7 +199,7 @@ template <class T, class Seen>
 std::optional<RayHit<T>> first_hit(const Shape<T>& shape, const Pose2<T>& pose, const WorldRay<T>& world, double& until,
                                    const Seen& seen) {
   std::optional<RayHit<T>> best;
-  for_each_leaf(shape, widened(pose), 0, true, world.near(until),
+  for_each_leaf(shape, at_unit(pose), 0, true, world.near(until),
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;
                   const bool done = best && until == 0;
@@ -232,12 +240,19 @@ std::optional<RayHit<T>> explained_raycast(const Shape<T>& shape, const Pose2<T>
   return best;
 }
 
+/// A ray at any shape: by itself, so that those of which the hit is sure do not set up what it needs.
+template <class T>
+[[gnu::noinline]] std::optional<RayHit<T>> any_raycast(const Shape<T>& shape, const Pose2<T>& pose,
+                                                       const WorldRay<T>& world, double until, Trace* trace) {
+  if (trace) return explained_raycast(shape, pose, world, until, *trace);
+  return first_hit(shape, pose, world, until, [](const Core<T>&, const Pose2d&, double, bool) {});
+}
+
 }  // namespace
 
 template <class T>
 Pose2<T> pose_at(const Pose2<T>& pose, const Velocity<T>& velocity, T t) {
-  return converted<T>(moved({converted<double>(pose.translation), normalized(converted<double>(pose.rotation))},
-                            {converted<double>(velocity.linear), double(velocity.angular)}, double(t)));
+  return converted<T>(moved(at_unit(pose), {converted<double>(velocity.linear), double(velocity.angular)}, double(t)));
 }
 
 template <class T>
@@ -281,13 +296,13 @@ std::optional<RayHit<T>> raycast(const Shape<T>& shape, const Pose2<T>& pose, co
                                  Trace* trace) {
   const WorldRay<T> world(ray, length_of_ray);
   if (!world.valid) return {};
-  auto until = double(length_of_ray);
-  if (trace) return explained_raycast(shape, pose, world, until, *trace);
-  if (is_convex(shape)) {
-    double t = 0;
-    return world.meet(convex_core(shape), widened(pose), double(extent(shape)), 0, until, t);
-  }
-  return first_hit(shape, pose, world, until, [](const Core<T>&, const Pose2d&, double, bool) {});
+  const auto until = double(length_of_ray);
+  const Pose2d at = at_unit(pose);
+  const SureHit sure =
+      sure_hit(shape, inverse_transform(at, world.origin), inverse_rotate(at.rotation, world.direction));
+  if (!sure.known || trace) return any_raycast(shape, pose, world, until, trace);
+  if (!(sure.t <= until) || sure.t == never) return {};
+  return world.seen(at, sure.t, sure.normal, 0, Status::converged);
 }
 
 template <class T>
@@ -300,7 +315,7 @@ bool raycast_any(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T>& ray,
   const auto wanted = [&](const Pose2d& at, const Aabb2<double>& box, double rounding) {
     return !found && near(at, box, rounding);
   };
-  for_each_leaf(shape, widened(pose), 0, true, wanted,
+  for_each_leaf(shape, at_unit(pose), 0, true, wanted,
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;
                   found = found || world.meet(core, at, extent, piece, until, t);
@@ -315,7 +330,7 @@ std::size_t raycast_all(const Shape<T>& shape, const Pose2<T>& pose, const Ray<T
   if (!world.valid) return 0;
   const std::size_t before = hits.size();
   const auto until = double(length_of_ray);
-  for_each_leaf(shape, widened(pose), 0, true, world.near(until),
+  for_each_leaf(shape, at_unit(pose), 0, true, world.near(until),
                 [&](const Core<T>& core, const Pose2d& at, double extent, std::uint32_t piece) {
                   double t = 0;
                   if (const auto hit = world.meet(core, at, extent, piece, until, t)) hits.push_back(*hit);

@@ -158,6 +158,13 @@ Core<T> convex_core(const Shape<T>& shape) {
 /// The feature of edge i.
 constexpr std::uint32_t side_feature(std::uint32_t i) { return graze::detail::feature_of_kind(2, i); }
 
+/// The vertex of a polygon that a feature is, or at which it begins.
+template <class T>
+std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature) {
+  const std::uint32_t number = feature & ((std::uint32_t{1} << graze::detail::feature_number_bits) - 1);
+  return number < core.count ? number : 0;
+}
+
 /// A point of a core, and what of the shape it lies on.
 struct CorePoint {
   Vec2d point;

@@ -57,8 +57,8 @@ Vec2d point_of_a(const Core<T>& a, const DifferenceHit& hit, const Vec2d& direct
 }  // namespace
 
 template <class T>
-bool surely_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a) {
-  const double radius = a.radius + b.radius;
+bool surely_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double near) {
+  const double radius = a.radius + b.radius + near;
   bool apart = a.count == 1 && b.count == 1 &&
                length_squared(a.vertex(0) - transform(b_in_a, b.vertex(0))) * (1 - 0x1p-40) > radius * radius;
   for_each_difference_edge(a, b, b_in_a,
@@ -110,8 +110,8 @@ std::optional<FirstContact> first_contact(const Core<T>& a, const Core<T>& b, co
   return out;
 }
 
-template bool surely_apart(const Core<float>&, const Core<float>&, const Pose2d&);
-template bool surely_apart(const Core<double>&, const Core<double>&, const Pose2d&);
+template bool surely_apart(const Core<float>&, const Core<float>&, const Pose2d&, double);
+template bool surely_apart(const Core<double>&, const Core<double>&, const Pose2d&, double);
 template std::optional<FirstContact> first_contact(const Core<float>&, const Core<float>&, const Pose2d&, const Vec2d&,
                                                    double, double, double, std::vector<TraceStep>*);
 template std::optional<FirstContact> first_contact(const Core<double>&, const Core<double>&, const Pose2d&,

@@ -18,10 +18,10 @@ struct FirstContact {
   Status status = Status::converged;
 };
 
-/// Whether two polygons are surely apart, by an edge of their difference above whose line the origin lies. False where
-/// a closer look is needed.
+/// Whether two polygons are surely further apart than `near`, by an edge of their difference above whose line the
+/// origin lies. False where a closer look is needed.
 template <class T>
-bool surely_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a);
+bool surely_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, double near);
 
 /// The first contact at a time in [0, duration] of cores that are apart at the start, while B moves by `velocity` in
 /// A's frame. `near`: the gap that counts as contact where no closed form answers. With `steps`, those along separating

@@ -41,7 +41,7 @@ template <class T>
 class Joined {
  public:
   Joined(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b, Manifolds<T>& out)
-      : a_(a), b_(b), pose_a_(widened(pose_a)), pose_b_(widened(pose_b)), out_(out), first_(out.size()) {}
+      : a_(a), b_(b), pose_a_(at_unit(pose_a)), pose_b_(at_unit(pose_b)), out_(out), first_(out.size()) {}
 
   /// Contacts of one pair of pieces, whose nearest points are `found`.
   void add(const LeafPair<T>& pair, const Pose2d& b_in_a, const Nearest& found, double margin);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "plane/core.hpp"
+#include "plane/unit_rotation.hpp"
 
 namespace graze::plane {
 
@@ -22,8 +23,7 @@ void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piec
   if (const auto* compound = shape.template as<Compound<T>>()) {
     std::uint32_t number = 0;
     for (const Placed<T>& child : compound->children()) {
-      const Pose2d own{converted<double>(child.pose.translation), normalized(converted<double>(child.pose.rotation))};
-      for_each_leaf(child.shape, compose(pose, own), outermost ? number : piece, false, wanted, f);
+      for_each_leaf(child.shape, compose(pose, at_unit(child.pose)), outermost ? number : piece, false, wanted, f);
       ++number;
     }
     return;
@@ -43,14 +43,9 @@ void for_each_leaf(const Shape<T>& shape, const Pose2d& pose, std::uint32_t piec
   }
   f(convex_core(shape), pose, double(extent(shape)), piece);
 }
-/// A pose in double, its rotation of unit length.
-template <class T>
-Pose2d widened(const Pose2<T>& pose) {
-  return {converted<double>(pose.translation), normalized(converted<double>(pose.rotation))};
-}
 template <class T, class F>
 void for_each_leaf(const Shape<T>& shape, const Pose2<T>& pose, F&& f) {
-  for_each_leaf(shape, widened(pose), 0, true, Everywhere{}, f);
+  for_each_leaf(shape, at_unit(pose), 0, true, Everywhere{}, f);
 }
 
 /// Whether a shape is one convex piece, with nothing to be taken apart.
@@ -115,7 +110,7 @@ void with_convex_pair(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>&
     if (discs_apart(between, extent_a, extent_b) > reach) return;
   }
   const Core<T> core_a = convex_core(a), core_b = convex_core(b);
-  const Pose2d at_a = widened(pose_a), at_b = widened(pose_b);
+  const Pose2d at_a = at_unit(pose_a), at_b = at_unit(pose_b);
   f(LeafPair<T>{core_a, core_b, at_a, at_b, extent_a, extent_b, 0, 0});
 }
 
@@ -126,7 +121,7 @@ void for_each_pair_within(const Shape<T>& a, const Pose2<T>& pose_a, const Shape
                           const Reach& reach, F&& f) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   if (is_convex(a) && is_convex(b)) return with_convex_pair(a, pose_a, b, pose_b, reach(), f);
-  const Pose2d at_a = widened(pose_a), at_b = widened(pose_b);
+  const Pose2d at_a = at_unit(pose_a), at_b = at_unit(pose_b);
   bool bounded = true;
   for (const Shape<T>* s : {&a, &b}) bounded = bounded && is_bounded(*s);
   const auto near_b = near_disc(at_b.translation, bounded ? double(extent(b)) : inf, reach);

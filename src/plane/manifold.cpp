@@ -38,13 +38,6 @@ struct Side {
   }
 };
 
-/// The vertex of a polygon that a feature is, or at which it begins.
-template <class T>
-std::uint32_t vertex_of(const Core<T>& core, std::uint32_t feature) {
-  const std::uint32_t number = feature & ((std::uint32_t{1} << graze::detail::feature_number_bits) - 1);
-  return number < core.count ? number : 0;
-}
-
 /// The vertex of a polygon that lies furthest along `direction`, found from one near it.
 template <class T>
 std::uint32_t furthest_from(const Core<T>& core, const Vec2d& direction, std::uint32_t vertex) {

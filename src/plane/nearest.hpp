@@ -4,6 +4,8 @@
 // difference; curved cores within `goal` times their size, or `bounded` with a proven error.
 #pragma once
 
+#include <limits>
+
 #include "graze/result.hpp"
 #include "graze/trace.hpp"
 #include "plane/core.hpp"
@@ -22,6 +24,10 @@ struct Nearest {
 /// How near the bounds of a curved core's distance come to each other, relative to the size of the pair: a tenth of the
 /// tolerance for double, and in the reach of doubles' rounding.
 inline constexpr double goal = 1e-11;
+
+/// Cores that are no further apart than this, relative to their size and the way between their origins, touch: some
+/// sixteen operations have made the distance, each half a unit off, and others would find an overlap.
+inline constexpr double touching_rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// The nearest points of any two cores. `size`: of the pair, which the goal refers to. With `steps`, what was done is
 /// recorded there: A's pose is given for that.

@@ -66,9 +66,12 @@ template <class T>
 void take_apart(const Core<T>& a, const Core<T>& b, const Pose2d& b_in_a, const NearestEdge& best, Nearest& out) {
   const Vec2d to = point_on(best.edge, best.parameter), outward = normalized(right(best.edge.edge));
   const bool inner = best.parameter > 0 && best.parameter < 1;
-  // On an edge its own normal, which keeps its digits when the gap has few.
-  out.normal = inner && dot(to, outward) < 0 ? outward : normalized(-to, outward);
-  out.distance = inner ? -dot(to, out.normal) : length(to);
+  const double sizes = max_abs(a.vertex(best.edge.i)) + max_abs(b.vertex(best.edge.j)) + max_abs(b_in_a.translation);
+  // On an edge its own normal, which keeps its digits when the gap has few; and where corners touch up to rounding,
+  // which has no direction.
+  const bool touches = best.squared <= touching_rounding * touching_rounding * (sizes * sizes);
+  out.normal = inner || touches ? outward : normalized(-to, outward);
+  out.distance = inner ? greatest(-dot(to, outward), 0.0) : length(to);
   take_points(a, b, b_in_a, best.edge, best.parameter, out);
 }
 

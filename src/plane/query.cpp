@@ -96,9 +96,9 @@ template <class T>
 /// The distance by the special pair of the shapes' kinds, else the smallest over all pairs of convex pieces.
 template <class T>
 Distance<T> any_distance(const Shape<T>& a, const Pose2<T>& pose_a, const Shape<T>& b, const Pose2<T>& pose_b) {
-  Distance<T> out;
-  if (!special_distance(a, pose_a, b, pose_b, out)) out = general_distance(a, pose_a, b, pose_b);
-  return out;
+  // No answer is copied: what was written by its parts is read in one piece, for which processors wait.
+  if (Distance<T> special; special_distance(a, pose_a, b, pose_b, special)) return special;
+  return general_distance(a, pose_a, b, pose_b);
 }
 
 /// Of a point inside: the deepest of its ways out, of a polygon through all of its outline and not that of one piece.

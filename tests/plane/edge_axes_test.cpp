@@ -74,7 +74,7 @@ void for_polygon_pairs(int rounds, const F& f) {
       const bool first_small = random() % 4 == 0, second_small = !first_small && random() % 4 == 0;
       const Shape<T> a = random_polygon<T>(first_small ? 1 : 3, scale, random),
                      b = random() % 16 == 0 ? a : random_polygon<T>(second_small ? 1 : 3, scale, random);
-      Pose2d pose = widened(random_pose<T>(random() % 2 ? scale / 2 : scale / 8, random));
+      Pose2d pose = at_unit(random_pose<T>(random() % 2 ? scale / 2 : scale / 8, random));
       if (random() % 8 == 0)
         pose.translation = {std::round(pose.translation.x / scale) * scale,
                             std::round(pose.translation.y / scale) * scale};

@@ -103,5 +103,75 @@ TEST(PlaneCast, AllContactsOfACastAreThoseOfThePieces) {
   EXPECT_EQ(trace.pieces, 2u);
 }
 
+/// When a ray is behind all edges of a polygon, in extended precision: from the last one that it enters to the first
+/// that it leaves.
+struct LongSpan {
+  long double enters = 0, leaves = std::numeric_limits<long double>::infinity();
+};
+template <class T>
+LongSpan behind_edges(const std::vector<Vec2<T>>& vertices, const Ray<T>& ray) {
+  const long double x = ray.direction.x, y = ray.direction.y, length = std::sqrt(x * x + y * y);
+  LongSpan span;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2<T>&p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
+    const long double n_x = static_cast<long double>(q.y) - p.y, n_y = static_cast<long double>(p.x) - q.x;
+    const long double above =
+        n_x * (ray.origin.x - static_cast<long double>(p.x)) + n_y * (ray.origin.y - static_cast<long double>(p.y));
+    const long double toward = -(n_x * x + n_y * y) / length;
+    if (toward > 0) span.enters = std::max(span.enters, above / toward);
+    if (toward < 0) span.leaves = std::min(span.leaves, above / toward);
+    if (toward == 0 && above > 0) span.leaves = -1;
+  }
+  return span;
+}
+
+/// Rays from outside, a third of them at a vertex, at polygons of 3 to 12 vertices and at boxes.
+template <class T>
+void expect_rays_as_behind_edges(T scale) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<T> u(-1, 1);
+  int hits = 0, misses = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::vector<Vec2<T>> vertices;
+    const T h = scale * (u(random) + T(1.5)), w = scale * (u(random) + T(1.5));
+    Shape<T> shape = Box<T>({2 * h, 2 * w});
+    if (round % 4 == 0) {
+      vertices = {{-h, -w}, {h, -w}, {h, w}, {-h, w}};
+    } else {
+      for (int i = 0; i < 3 + round % 10; ++i) {
+        const Rot2<T> turn = Rot2<T>::from_angle(T(3.2) * u(random));
+        vertices.push_back({h * turn.cosine, w * turn.sine});
+      }
+      const ConvexPolygon<T> polygon(vertices);
+      vertices.assign(polygon.vertices().begin(), polygon.vertices().end());
+      shape = polygon;
+    }
+    const Vec2<T> from = Vec2<T>{Rot2<T>::from_angle(3 * u(random)).cosine, u(random)} * (6 * scale);
+    const Vec2<T> at = round % 3 == 0 ? vertices[0] : Vec2<T>{h * u(random), w * u(random)};
+    const Ray<T> ray{from, round % 5 == 0 ? at - from : (at - from) / length(at - from)};
+    const LongSpan span = behind_edges(vertices, ray);
+    if (!(span.enters > 0)) continue;
+    const auto hit = raycast(shape, Pose2<T>{}, ray);
+    // What passes through less than rounding makes of the ray may be hit or not.
+    const long double inside = span.leaves - span.enters, rounding = 1e3L * std::numeric_limits<T>::epsilon() * scale;
+    if (inside > rounding) {
+      ASSERT_TRUE(hit) << round;
+    }
+    if (inside < -rounding) {
+      ASSERT_FALSE(hit) << round;
+    }
+    ++(hit ? hits : misses);
+    if (hit && inside > rounding) {
+      ASSERT_NEAR(double(hit->t), double(span.enters), double(rounding)) << round;
+    }
+  }
+  EXPECT_GT(hits, 1000);
+  EXPECT_GT(misses, 50);
+}
+TEST(PlaneRaycast, PolygonsAreMetWhereTheRayIsBehindAllEdges) {
+  for (const float scale : {1e-3f, 1.0f, 1e6f}) expect_rays_as_behind_edges<float>(scale);
+  for (const double scale : {1e-4, 1.0, 1e20}) expect_rays_as_behind_edges<double>(scale);
+}
+
 }  // namespace
 }  // namespace graze::plane

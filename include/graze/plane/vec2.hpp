@@ -3,6 +3,8 @@
 // Guarantee: as `vec3.hpp`: branch-free arithmetic in IEEE-exact operations (+ - * / sqrt), in the order written.
 #pragma once
 
+#include <limits>
+
 #include "graze/vec3.hpp"
 
 namespace graze::plane {
@@ -105,10 +107,15 @@ constexpr Vec2<S> converted(const Vec2<T>& v) {
   return {static_cast<S>(v.x), static_cast<S>(v.y)};
 }
 
-/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero. Divides by the largest component
-/// first, so that no square under- or overflows.
+/// `v` scaled to unit length; the given unit vector `fallback` where `v` is zero. Where a square under- or overflows,
+/// divides by the largest component first.
 template <class T>
 Vec2<T> normalized(const Vec2<T>& v, const Vec2<T>& fallback = {T(0), T(1)}) {
+  using std::sqrt;
+  // What underflow may have left out of a square from there on is below its rounding.
+  constexpr T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+  if (const T square = length_squared(v); square >= least_square && square <= std::numeric_limits<T>::max())
+    return v / sqrt(square);
   const T scale = max_abs(v);
   if (!(scale > T(0))) return fallback;
   const Vec2<T> w = v / scale;

@@ -1,0 +1,37 @@
+// Rotations brought to unit length, as every query does with those of its poses.
+//
+// Guarantee: within rounding of doubles what `normalized` gives.
+#pragma once
+
+#include <cmath>
+
+#include "graze/plane/pose2.hpp"
+
+namespace graze::plane {
+
+/// How far the square of a rotation's length may be from 1 for the series to have all digits of a double: the next
+/// term is 5/16 of the cube of that, less than a sixth of the rounding of 1. Rotations rounded to floats are within it.
+inline constexpr double nearly_unit = 0x1p-18;
+
+/// The rotation at unit length: where it nearly has that, by the series of the inverse square root, which takes neither
+/// root nor division. Inlined, as are the queries' other first steps: a vector written by a call is read back in
+/// another size than it was written in, for which processors wait.
+[[gnu::always_inline]] inline Rot2d at_unit(const Rot2d& q) {
+  const double excess = q.cosine * q.cosine + q.sine * q.sine - 1;
+  if (!(std::abs(excess) <= nearly_unit)) return normalized(q);
+  const double scale = 1 - excess * (0.5 - 0.375 * excess);
+  return {q.cosine * scale, q.sine * scale};
+}
+template <class T>
+[[gnu::always_inline]] inline Pose2d at_unit(const Pose2<T>& pose) {
+  return {converted<double>(pose.translation), at_unit(converted<double>(pose.rotation))};
+}
+
+/// `normalized`, inlined for lengths whose squares doubles hold, as those of all floats.
+[[gnu::always_inline]] inline Vec2d unit_vector(const Vec2d& v, const Vec2d& fallback) {
+  const double square = length_squared(v);
+  if (!(square >= 0x1p-900 && square <= 0x1p900)) return normalized(v, fallback);
+  return v / std::sqrt(square);
+}
+
+}  // namespace graze::plane
