@@ -110,14 +110,13 @@ struct LongSpan {
 };
 template <class T>
 LongSpan behind_edges(const std::vector<Vec2<T>>& vertices, const Ray<T>& ray) {
-  const long double x = ray.direction.x, y = ray.direction.y, length = std::sqrt(x * x + y * y);
+  using Long = Vec2<long double>;
+  const Long direction = converted<long double>(ray.direction), origin = converted<long double>(ray.origin);
   LongSpan span;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec2<T>&p = vertices[i], &q = vertices[(i + 1) % vertices.size()];
-    const long double n_x = static_cast<long double>(q.y) - p.y, n_y = static_cast<long double>(p.x) - q.x;
-    const long double above =
-        n_x * (ray.origin.x - static_cast<long double>(p.x)) + n_y * (ray.origin.y - static_cast<long double>(p.y));
-    const long double toward = -(n_x * x + n_y * y) / length;
+    const Long p = converted<long double>(vertices[i]), q = converted<long double>(vertices[(i + 1) % vertices.size()]);
+    const Long n = right(q - p);
+    const long double above = dot(n, origin - p), toward = -dot(n, direction) / length(direction);
     if (toward > 0) span.enters = std::max(span.enters, above / toward);
     if (toward < 0) span.leaves = std::min(span.leaves, above / toward);
     if (toward == 0 && above > 0) span.leaves = -1;
@@ -153,7 +152,9 @@ void expect_rays_as_behind_edges(T scale) {
     if (!(span.enters > 0)) continue;
     const auto hit = raycast(shape, Pose2<T>{}, ray);
     // What passes through less than rounding makes of the ray may be hit or not.
-    const long double inside = span.leaves - span.enters, rounding = 1e3L * std::numeric_limits<T>::epsilon() * scale;
+    const long double inside = span.leaves - span.enters;
+    const long double rounding =
+        1e3L * static_cast<long double>(std::numeric_limits<T>::epsilon()) * static_cast<long double>(scale);
     if (inside > rounding) {
       ASSERT_TRUE(hit) << round;
     }
