@@ -41,6 +41,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try {
     const ReplayReport report = replay(in, "fuzz");
     if (report.difference && report.difference->frame != report.frames + 1) __builtin_trap();
+    std::size_t named = 0;
+    for (const auto& [id, name] : report.names.all()) named += name.size();
+    if (named > size) __builtin_trap();
   } catch (const InvalidValue&) {
   }
   return 0;

@@ -21,6 +21,11 @@ struct ReplayArguments {
   bool json = false;
 };
 
+/// As JSON has it, between quotes: a file may name its bodies by any bytes, and a terminal obeys some of them.
+std::string quoted(std::string_view name) {
+  return Json(std::string(name)).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 void print_as_json(const ReplayReport& report) {
   Json whole{{"of", report.simulation ? "simulation" : "world"},
              {"dimension", report.plane ? 2 : 3},
@@ -29,18 +34,37 @@ void print_as_json(const ReplayReport& report) {
              {"calls", report.calls},
              {"cut", report.cut},
              {"same", !report.difference}};
-  if (report.difference)
-    whole["difference"] = {
-        {"frame", report.difference->frame}, {"call", report.difference->call}, {"what", report.difference->what}};
+  if (const auto& d = report.difference) {
+    Json& difference = whole["difference"] = {{"frame", d->frame}, {"call", d->call}, {"what", d->what}};
+    if (d->body) difference["body"] = d->body->index;
+  }
+  for (const auto& [id, name] : report.names.all()) whole["names"].push_back({{"body", id.index}, {"name", name}});
   print(whole);
+}
+
+/// "bodies: "floor", "box 1" and 7 more"; nothing where none has a name.
+void print_names(const BodyNames& names) {
+  constexpr std::size_t most = 8;
+  std::string line;
+  std::size_t shown = 0;
+  for (const auto& [id, name] : names.all()) {
+    if (shown == most) break;
+    line += (shown++ > 0 ? ", " : "") + quoted(name);
+  }
+  if (shown == 0) return;
+  const std::size_t rest = names.all().size() - shown;
+  fmt::print("bodies: {}{}\n", line, rest > 0 ? fmt::format(" and {} more", rest) : "");
 }
 
 void print_as_text(const std::string& file, const ReplayReport& report) {
   fmt::print("{}: {} of a {}{} in {}, {}\n", file, counted(report.frames, "frame"),
              report.simulation ? "simulation" : "world", report.plane ? " of the plane" : "",
              report.single ? "float" : "double", report.difference ? "then something else" : "the same bits");
-  if (report.difference)
-    fmt::print("frame {}, call {}: {}\n", report.difference->frame, report.difference->call, report.difference->what);
+  if (const auto& d = report.difference) {
+    const std::string_view name = d->body ? report.names.of(*d->body) : std::string_view();
+    fmt::print("frame {}, call {}: {}{}\n", d->frame, d->call, d->what, name.empty() ? "" : ", of " + quoted(name));
+  }
+  print_names(report.names);
   if (report.cut) print_notes({fmt::format("{}: ends within a frame, which was left out", file)});
 }
 
@@ -50,8 +74,7 @@ int run_replay(const ReplayArguments& options) {
   ThreadExecutor executor(static_cast<std::size_t>(options.threads));
   std::ifstream file = io::open_file(options.file);
   std::optional<Progress> progress("replaying");
-  const ReplayReport report = replay(
-      file, options.file, [&](std::size_t, const Replayed&) {}, &executor);
+  const ReplayReport report = replay(file, options.file, {}, &executor);
   progress.reset();
   options.json ? print_as_json(report) : print_as_text(options.file, report);
   return report.difference ? 1 : 0;

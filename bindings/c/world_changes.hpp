@@ -11,6 +11,11 @@
 namespace graze::c {
 
 template <class T, class Space>
+void check_body(const World<T, Space>& world, BodyId id) {
+  if (!world.bodies().contains(id)) validate::fail("id", "a body of the world", "a body that is not there");
+}
+
+template <class T, class Space>
 class WorldChanges {
  public:
   using Vec = typename Space::Vec;
@@ -26,6 +31,8 @@ class WorldChanges {
   virtual void set_shape(BodyId id, Shape shape) = 0;
   virtual void set_filter(BodyId id, const Filter& filter) = 0;
   virtual void set_fast(BodyId id, bool fast) = 0;
+  /// Kept in a capture alone.
+  virtual void set_name(BodyId id, const char* name) = 0;
   virtual void update(T duration) = 0;
   virtual void find_impacts(T duration) = 0;
 
@@ -54,6 +61,12 @@ class WorldChangesOf final : public WorldChanges<T, Space> {
   void set_shape(BodyId id, typename Base::Shape shape) override { inner_.set_shape(id, std::move(shape)); }
   void set_filter(BodyId id, const Filter& filter) override { inner_.set_filter(id, filter); }
   void set_fast(BodyId id, bool fast) override { inner_.set_fast(id, fast); }
+  void set_name(BodyId id, const char* name) override {
+    if constexpr (captured)
+      inner_.set_name(id, name);
+    else
+      check_body(inner_, id);
+  }
   void update(T duration) override { inner_.update(duration); }
   void find_impacts(T duration) override { inner_.find_impacts(duration); }
   const World<T, Space>& world() const override {

@@ -651,6 +651,8 @@ export interface WorldQueries {
   shape(id: BodyId): Shape;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
   poses(): Scalars;
+  /** In a replay what its body is called, otherwise empty. */
+  name(id: BodyId): string;
   contacts(): WorldPair[];
   /** Points of all pairs, without a copy: members a, b, distance, weight, impulse. */
   points(): Rows<SolverPoint>;
@@ -683,6 +685,8 @@ export class World extends Handle implements WorldQueries {
   setShape(id: BodyId, shape: Shape): void;
   setFilter(id: BodyId, filter: Filter): void;
   setFast(id: BodyId, fast: boolean): void;
+  /** What a replay of the capture calls the body; without a capture it is not kept. */
+  setName(id: BodyId, name: string): void;
   /** Finds what touches now, and what fast bodies would pass through in `duration`. */
   update(duration?: number): void;
   findImpacts(duration: number): void;
@@ -692,6 +696,8 @@ export class World extends Handle implements WorldQueries {
   bodyAt(index: number): BodyId | null;
   pose(id: BodyId): Pose;
   poses(): Scalars;
+  /** In a replay what its body is called, otherwise empty. */
+  name(id: BodyId): string;
   contacts(): WorldPair[];
   points(): Rows<SolverPoint>;
   events(): ContactEvent[];
@@ -823,6 +829,8 @@ export class Simulation extends Handle {
   moveTo(id: BodyId, pose: PoseLike, dt: number): void;
   setMaterial(id: BodyId, material: Material): void;
   setGravity(gravity: Vec3Like): void;
+  /** What a replay of the capture calls the body; without a capture it is not kept. */
+  setName(id: BodyId, name: string): void;
   wake(id: BodyId): void;
   pose(id: BodyId): Pose;
   /** All poses by index, seven numbers each, without a copy: valid until the next call. */
@@ -983,6 +991,8 @@ export declare namespace plane {
     shape(id: BodyId): Shape;
     /** All poses by index, four numbers each: where it is, and its turned X axis. No copy: valid until the next call. */
     poses(): Scalars;
+    /** In a replay what its body is called, otherwise empty. */
+    name(id: BodyId): string;
     contacts(): WorldPair[];
     points(): Rows<SolverPoint>;
     events(): ContactEvent[];
@@ -1010,6 +1020,8 @@ export declare namespace plane {
     setShape(id: BodyId, shape: Shape): void;
     setFilter(id: BodyId, filter: Filter): void;
     setFast(id: BodyId, fast: boolean): void;
+    /** What a replay of the capture calls the body; without a capture it is not kept. */
+    setName(id: BodyId, name: string): void;
     /** Finds what touches now, and what fast bodies would pass through in `duration`. */
     update(duration?: number): void;
     findImpacts(duration: number): void;
@@ -1099,6 +1111,8 @@ export declare namespace plane {
     moveTo(id: BodyId, pose: PoseLike, dt: number): void;
     setMaterial(id: BodyId, material: Material): void;
     setGravity(gravity: ArrayLike<number>): void;
+    /** What a replay of the capture calls the body; without a capture it is not kept. */
+    setName(id: BodyId, name: string): void;
     wake(id: BodyId): void;
     pose(id: BodyId): Pose;
     /** All poses by index, as those of a world. */

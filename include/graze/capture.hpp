@@ -19,6 +19,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,28 @@ struct CapturedStates;
 
 /// A function that takes the bytes of a capture, the head and then a frame at a call, and says whether it could.
 using CaptureSink = std::function<bool(std::string_view bytes)>;
+
+/// The names of the bodies of a capture, those that were removed among them.
+class BodyNames {
+ public:
+  /// Empty for a body without one.
+  std::string_view of(BodyId id) const {
+    const auto found = names_.find(id);
+    return found == names_.end() ? std::string_view() : found->second;
+  }
+  /// By handle, in the order of their indices.
+  const std::map<BodyId, std::string>& all() const { return names_; }
+  /// Another name for a body; an empty one is none.
+  void set(BodyId id, std::string name) {
+    if (name.empty())
+      names_.erase(id);
+    else
+      names_[id] = std::move(name);
+  }
+
+ private:
+  std::map<BodyId, std::string> names_;
+};
 
 /// A simulation whose calls are written to a stream, which must outlive it, or handed to a sink; with neither it is
 /// only a simulation. What is said of the calls there holds here.
@@ -76,6 +99,8 @@ class GRAZE_API CapturedSimulation {
   void set_material(BodyId id, const Material& material);
   void wake(BodyId id);
   void set_gravity(const Vec& gravity);
+  /// What a replay calls the body from here on (`BodyNames`). It is written and not kept: of the run it changes nothing.
+  void set_name(BodyId id, std::string_view name);
 
   /// Keeps the state as it is now under a number, instead of what was kept there. A replay keeps it as well, which is
   /// why there are so few numbers. Throws `InvalidValue` for one that there is not.
@@ -119,6 +144,8 @@ class GRAZE_API CapturedWorld {
   void set_shape(BodyId id, Shape shape);
   void set_filter(BodyId id, const Filter& filter);
   void set_fast(BodyId id, bool fast);
+  /// What a replay calls the body from here on, as `CapturedSimulation::set_name`.
+  void set_name(BodyId id, std::string_view name);
   void update(T duration = T(0));
   void find_impacts(T duration);
 
@@ -140,6 +167,8 @@ struct ReplayDifference {
   std::size_t frame;  ///< counted from 1
   std::size_t call;   ///< of the frame, counted from 1; the last one ends the frame
   std::string what;   ///< "step: other poses", "add: another handle", "remove: body: expected ..."
+  /// The body that the call is about, if it is about one.
+  std::optional<BodyId> body = {};
 };
 
 /// What a replay did.
@@ -149,15 +178,18 @@ struct ReplayReport {
   bool single = false;                ///< float
   std::size_t frames = 0, calls = 0;  ///< how many frames and calls were replayed
   bool cut = false;                   ///< the stream ends within a frame, which was left out
+  BodyNames names;                    ///< of the bodies, as they were called last
   /// Where an answer was first another one; none where all were the same.
   std::optional<ReplayDifference> difference;
 };
 
+/// Gets what is played after every frame, and what its bodies are called by then.
+using ReplayFunction = std::function<void(std::size_t frame, const Replayed& played, const BodyNames& names)>;
+
 /// Runs a capture again, to its end or to the first difference, and calls `each` with what is played after every frame.
 /// `name` is for messages. Throws `InvalidValue` for bytes that are no capture, of a version that this library does not
 /// know, or damaged: with the frame, and where in the file it begins.
-GRAZE_API ReplayReport replay(std::istream& in, const std::string& name,
-                              const std::function<void(std::size_t frame, const Replayed&)>& each = {},
+GRAZE_API ReplayReport replay(std::istream& in, const std::string& name, const ReplayFunction& each = {},
                               Executor* executor = nullptr);
 
 }  // namespace graze

@@ -852,6 +852,10 @@ GRAZE_C_API GrazeStatus graze_world_move_batch_d(GrazeWorldd *world, const Graze
 GRAZE_C_API GrazeStatus graze_world_set_shape_d(GrazeWorldd *world, GrazeBodyId id, const GrazeShaped *shape);
 GRAZE_C_API GrazeStatus graze_world_set_filter_d(GrazeWorldd *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_world_set_fast_d(GrazeWorldd *world, GrazeBodyId id, bool fast);
+// What a replay calls a body, in UTF-8; of a world that is not captured nothing is kept. The name of a body in a replay
+// lives until the replay's function returns; elsewhere, and where there is none, it is empty.
+GRAZE_C_API GrazeStatus graze_world_set_name_d(GrazeWorldd *world, GrazeBodyId id, const char *name);
+GRAZE_C_API GrazeStatus graze_world_name_d(const GrazeWorldd *world, GrazeBodyId id, const char **name);
 // Another last word than that of the settings; null allows all.
 GRAZE_C_API GrazeStatus graze_world_set_allow_d(GrazeWorldd *world,
                                                 bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b), void *user);
@@ -1086,6 +1090,9 @@ GRAZE_C_API GrazeStatus graze_simulation_set_material_d(GrazeSimulationd *simula
                                                         const GrazeMateriald *material);
 GRAZE_C_API GrazeStatus graze_simulation_set_gravity_d(GrazeSimulationd *simulation, GrazeVec3d gravity);
 GRAZE_C_API GrazeStatus graze_simulation_wake_d(GrazeSimulationd *simulation, GrazeBodyId id);
+// What a replay calls a body, as of a world.
+GRAZE_C_API GrazeStatus graze_simulation_set_name_d(GrazeSimulationd *simulation, GrazeBodyId id,
+                                                    const char *name);
 
 GRAZE_C_API GrazeStatus graze_simulation_pose_d(const GrazeSimulationd *simulation, GrazeBodyId id, GrazePosed *pose);
 // All poses by index, valid until the simulation changes; at an index without a body any pose.
@@ -1362,6 +1369,9 @@ GRAZE_C_API GrazeStatus graze_plane_world_set_shape_d(GrazePlaneWorldd *world, G
                                                       const GrazePlaneShaped *shape);
 GRAZE_C_API GrazeStatus graze_plane_world_set_filter_d(GrazePlaneWorldd *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_plane_world_set_fast_d(GrazePlaneWorldd *world, GrazeBodyId id, bool fast);
+// Names in a capture, as of a world of space.
+GRAZE_C_API GrazeStatus graze_plane_world_set_name_d(GrazePlaneWorldd *world, GrazeBodyId id, const char *name);
+GRAZE_C_API GrazeStatus graze_plane_world_name_d(const GrazePlaneWorldd *world, GrazeBodyId id, const char **name);
 // Another last word than that of the settings; null allows all.
 GRAZE_C_API GrazeStatus graze_plane_world_set_allow_d(GrazePlaneWorldd *world,
                                                       bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b),
@@ -1583,6 +1593,9 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_d(GrazePlaneSimulati
                                                               const GrazePlaneMateriald *material);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_d(GrazePlaneSimulationd *simulation, GrazeVec2d gravity);
 GRAZE_C_API GrazeStatus graze_plane_simulation_wake_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
+// What a replay calls a body, as of a world.
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_name_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
+                                                          const char *name);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_pose_d(const GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                       GrazePose2d *pose);
@@ -2000,6 +2013,8 @@ GRAZE_C_API GrazeStatus graze_world_move_batch_f(GrazeWorldf *world, const Graze
 GRAZE_C_API GrazeStatus graze_world_set_shape_f(GrazeWorldf *world, GrazeBodyId id, const GrazeShapef *shape);
 GRAZE_C_API GrazeStatus graze_world_set_filter_f(GrazeWorldf *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_world_set_fast_f(GrazeWorldf *world, GrazeBodyId id, bool fast);
+GRAZE_C_API GrazeStatus graze_world_set_name_f(GrazeWorldf *world, GrazeBodyId id, const char *name);
+GRAZE_C_API GrazeStatus graze_world_name_f(const GrazeWorldf *world, GrazeBodyId id, const char **name);
 GRAZE_C_API GrazeStatus graze_world_set_allow_f(GrazeWorldf *world,
                                                 bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b), void *user);
 
@@ -2200,6 +2215,8 @@ GRAZE_C_API GrazeStatus graze_simulation_set_material_f(GrazeSimulationf *simula
                                                         const GrazeMaterialf *material);
 GRAZE_C_API GrazeStatus graze_simulation_set_gravity_f(GrazeSimulationf *simulation, GrazeVec3f gravity);
 GRAZE_C_API GrazeStatus graze_simulation_wake_f(GrazeSimulationf *simulation, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_simulation_set_name_f(GrazeSimulationf *simulation, GrazeBodyId id,
+                                                    const char *name);
 
 GRAZE_C_API GrazeStatus graze_simulation_pose_f(const GrazeSimulationf *simulation, GrazeBodyId id, GrazePosef *pose);
 GRAZE_C_API GrazeStatus graze_simulation_poses_f(const GrazeSimulationf *simulation, const GrazePosef **poses,
@@ -2448,6 +2465,8 @@ GRAZE_C_API GrazeStatus graze_plane_world_set_shape_f(GrazePlaneWorldf *world, G
                                                       const GrazePlaneShapef *shape);
 GRAZE_C_API GrazeStatus graze_plane_world_set_filter_f(GrazePlaneWorldf *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_plane_world_set_fast_f(GrazePlaneWorldf *world, GrazeBodyId id, bool fast);
+GRAZE_C_API GrazeStatus graze_plane_world_set_name_f(GrazePlaneWorldf *world, GrazeBodyId id, const char *name);
+GRAZE_C_API GrazeStatus graze_plane_world_name_f(const GrazePlaneWorldf *world, GrazeBodyId id, const char **name);
 GRAZE_C_API GrazeStatus graze_plane_world_set_allow_f(GrazePlaneWorldf *world,
                                                       bool (*allow)(void *user, GrazeBodyId a, GrazeBodyId b),
                                                       void *user);
@@ -2639,6 +2658,8 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_f(GrazePlaneSimulati
                                                               const GrazePlaneMaterialf *material);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_f(GrazePlaneSimulationf *simulation, GrazeVec2f gravity);
 GRAZE_C_API GrazeStatus graze_plane_simulation_wake_f(GrazePlaneSimulationf *simulation, GrazeBodyId id);
+GRAZE_C_API GrazeStatus graze_plane_simulation_set_name_f(GrazePlaneSimulationf *simulation, GrazeBodyId id,
+                                                          const char *name);
 
 GRAZE_C_API GrazeStatus graze_plane_simulation_pose_f(const GrazePlaneSimulationf *simulation, GrazeBodyId id,
                                                       GrazePose2f *pose);

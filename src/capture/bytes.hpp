@@ -54,6 +54,12 @@ class Reading {
   explicit Reading(std::string_view bytes) : left_(bytes) {}
 
   std::size_t left() const { return left_.size(); }
+  /// The next `count` bytes, of as many as are left at most.
+  std::string_view take(std::size_t count) {
+    const std::string_view taken = left_.substr(0, count);
+    left_.remove_prefix(taken.size());
+    return taken;
+  }
   template <class... Values>
   void operator()(Values&... values) {
     (one(values), ...);
@@ -104,6 +110,18 @@ void fields(Reading& io, std::vector<V>& values, std::size_t least_bytes) {
   if (count > io.left() / least_bytes) throw Damaged{"more values than it has bytes for"};
   values.resize(static_cast<std::size_t>(count));
   for (V& value : values) io(value);
+}
+
+/// A count and so many bytes.
+inline void fields(Writing& io, std::string& text) {
+  io(std::uint64_t{text.size()});
+  io.bytes += text;
+}
+inline void fields(Reading& io, std::string& text) {
+  std::uint64_t count = 0;
+  io(count);
+  if (count > io.left()) throw Damaged{"a text longer than its frame"};
+  text = io.take(static_cast<std::size_t>(count));
 }
 
 template <class Io, class V>

@@ -68,6 +68,16 @@ class CaptureWriter {
   std::vector<Shape> shapes_;
 };
 
+namespace {
+
+template <class T, class Space>
+void check_body(const World<T, Space>& world, BodyId id) {
+  if (!world.bodies().contains(id))
+    throw InvalidValue("body", "the handle of a body that is in the world", "one that is not there");
+}
+
+}  // namespace
+
 template <class T, class Space>
 CapturedSimulation<T, Space>::CapturedSimulation(const CaptureSink& sink, const SimulationSettings<T, Space>& settings,
                                                  Executor* executor)
@@ -157,6 +167,11 @@ void CapturedSimulation<T, Space>::set_gravity(const Vec& gravity) {
   if (writer_) writer_->call(Call::set_gravity, gravity);
 }
 template <class T, class Space>
+void CapturedSimulation<T, Space>::set_name(BodyId id, std::string_view name) {
+  check_body(simulation_.world(), id);
+  if (writer_) writer_->call(Call::set_name, id, std::string(name));
+}
+template <class T, class Space>
 void CapturedSimulation<T, Space>::save(std::size_t number) {
   states_->save(number, simulation_);
   if (writer_) writer_->call(Call::save, static_cast<std::uint8_t>(number));
@@ -224,6 +239,11 @@ template <class T, class Space>
 void CapturedWorld<T, Space>::set_fast(BodyId id, bool fast) {
   world_.set_fast(id, fast);
   if (writer_) writer_->call(Call::set_fast, id, fast);
+}
+template <class T, class Space>
+void CapturedWorld<T, Space>::set_name(BodyId id, std::string_view name) {
+  check_body(world_, id);
+  if (writer_) writer_->call(Call::set_name, id, std::string(name));
 }
 template <class T, class Space>
 void CapturedWorld<T, Space>::update(T duration) {

@@ -26,11 +26,32 @@ void put(const CaptureSink& sink, std::string_view bytes) {
 }  // namespace
 
 const char* name_of(Call call) {
-  constexpr std::array<const char*, call_count> names{
-      "shape",       "add",          "remove",       "add",         "remove",  "apply_impulse", "apply_angular_impulse",
-      "apply_force", "apply_torque", "set_velocity", "set_pose",    "move_to", "set_material",  "wake",
-      "set_gravity", "save",         "restore",      "step",        "move",    "move",          "set_shape",
-      "set_filter",  "set_fast",     "update",       "find_impacts"};
+  constexpr std::array<const char*, call_count()> names{"shape",
+                                                        "add",
+                                                        "remove",
+                                                        "add",
+                                                        "remove",
+                                                        "apply_impulse",
+                                                        "apply_angular_impulse",
+                                                        "apply_force",
+                                                        "apply_torque",
+                                                        "set_velocity",
+                                                        "set_pose",
+                                                        "move_to",
+                                                        "set_material",
+                                                        "wake",
+                                                        "set_gravity",
+                                                        "save",
+                                                        "restore",
+                                                        "step",
+                                                        "move",
+                                                        "move",
+                                                        "set_shape",
+                                                        "set_filter",
+                                                        "set_fast",
+                                                        "update",
+                                                        "find_impacts",
+                                                        "set_name"};
   return names[static_cast<std::size_t>(call)];
 }
 
@@ -127,12 +148,14 @@ Head FrameReader::head() {
   std::uint16_t of = 0;
   std::uint8_t kind = 0, single = 0;
   io(of, kind, single);
-  if (of != version)
-    throw InvalidValue(name_, "a capture of version " + std::to_string(version), "version " + std::to_string(of));
+  if (of < oldest_version || of > version)
+    throw InvalidValue(name_,
+                       "a capture of version " + std::to_string(oldest_version) + " or " + std::to_string(version),
+                       "version " + std::to_string(of));
   if (kind > static_cast<std::uint8_t>(Kind::plane_simulation) || single > 1)
     throw InvalidValue(name_, "a capture of a world or a simulation", "something else");
   at_ = begin.size();
-  return {static_cast<Kind>(kind), single == 1};
+  return {static_cast<Kind>(kind), single == 1, of};
 }
 
 std::optional<std::string> FrameReader::next() {

@@ -11,8 +11,9 @@
 
 namespace graze::capture {
 
-/// Changes with every change of the format; a reader knows its own alone.
-inline constexpr std::uint16_t version = 2;
+/// Changes with every change of the format. A reader knows its own version and those before it from the oldest on:
+/// 3 has names of bodies, which 2 has not, and is the same otherwise.
+inline constexpr std::uint16_t version = 3, oldest_version = 2;
 
 enum class Kind : std::uint8_t { world, simulation, plane_world, plane_simulation };
 
@@ -51,10 +52,13 @@ enum class Call : std::uint8_t {
   set_shape,
   set_filter,
   set_fast,
-  update,       ///< ends a frame
-  find_impacts  ///< ends a frame
+  update,        ///< ends a frame
+  find_impacts,  ///< ends a frame
+  // Of both.
+  set_name  ///< since version 3
 };
-inline constexpr std::size_t call_count = 25;
+/// How many calls a version of the format knows.
+constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : 26; }
 /// "add", "step": as the method is called.
 const char* name_of(Call call);
 
@@ -115,6 +119,7 @@ void write_frame(const CaptureSink& sink, std::string_view bytes);
 struct Head {
   Kind kind;
   bool single;
+  std::uint16_t version;
 };
 
 /// Reads a stream frame by frame.

@@ -10,12 +10,9 @@ namespace graze::capture {
 
 /// Plays the frames behind `head`, which has to be of `T`.
 template <class T>
-ReplayReport play(FrameReader& frames, const Head& head,
-                  const std::function<void(std::size_t frame, const Replayed&)>& each, Executor* executor);
+ReplayReport play(FrameReader& frames, const Head& head, const ReplayFunction& each, Executor* executor);
 
-extern template ReplayReport play<float>(FrameReader&, const Head&,
-                                         const std::function<void(std::size_t, const Replayed&)>&, Executor*);
-extern template ReplayReport play<double>(FrameReader&, const Head&,
-                                          const std::function<void(std::size_t, const Replayed&)>&, Executor*);
+extern template ReplayReport play<float>(FrameReader&, const Head&, const ReplayFunction&, Executor*);
+extern template ReplayReport play<double>(FrameReader&, const Head&, const ReplayFunction&, Executor*);
 
 }  // namespace graze::capture

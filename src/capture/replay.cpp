@@ -26,10 +26,13 @@ class Player {
   using Shape = typename Space::Shape;
 
  public:
+  explicit Player(std::uint16_t version) : call_count_(capture::call_count(version)) {}
+
   template <class V>
   V read() {
     V value{};
     (*io_)(value);
+    if constexpr (std::is_same_v<V, BodyId>) body_ = value;
     return value;
   }
   /// Reads the calls of a frame, `one(call)` each.
@@ -39,9 +42,10 @@ class Player {
     io_ = &io;
     while (io.left() > 0) {
       const auto number = read<std::uint8_t>();
-      if (number >= capture::call_count) throw Damaged{"a call that there is not"};
+      if (number >= call_count_) throw Damaged{"a call that there is not"};
       const Call call = static_cast<Call>(number);
       ++calls;
+      body_.reset();
       try {
         if (call == Call::shape)
           shapes_.push_back(capture::read_shape<Shape>(io));
@@ -72,10 +76,31 @@ class Player {
     if (const char* what = capture::difference(read<Outcome>(), capture::outcome_of(world))) throw Other{what};
   }
 
+  /// Says what a body is called from here on.
+  void name(const World<T, Space>& world, BodyNames& names) {
+    const auto id = read<BodyId>();
+    auto name = read<std::string>();
+    if (!world.bodies().contains(id)) throw Other{"no such body"};
+    names.set(id, std::move(name));
+  }
+  /// The body that the call read last is about.
+  std::optional<BodyId> about() const { return body_; }
+
  private:
+  const std::size_t call_count_;
   Reading* io_ = nullptr;
   std::vector<Shape> shapes_;
+  std::optional<BodyId> body_;
 };
+
+template <class T, class Space>
+const World<T, Space>& world_of(const World<T, Space>& world) {
+  return world;
+}
+template <class T, class Space>
+const World<T, Space>& world_of(const Simulation<T, Space>& simulation) {
+  return simulation.world();
+}
 
 template <class T, class Space>
 void make(Call call, Player<T, Space>& from, Simulation<T, Space>& s, CapturedStates<T, Space>& states) {
@@ -172,12 +197,12 @@ void make(Call call, Player<T, Space>& from, World<T, Space>& w, CapturedStates<
 
 /// Settings that a constructor refuses were not those of a run.
 template <class T, class Space, class Played, class Settings>
-void play_frames(capture::FrameReader& frames, ReplayReport& report, Executor* executor,
-                 const std::function<void(std::size_t, const Replayed&)>& each) {
+void play_frames(capture::FrameReader& frames, std::uint16_t version, ReplayReport& report, Executor* executor,
+                 const ReplayFunction& each) {
   const std::optional<std::string> first = frames.next();
   if (!first) return;
   std::unique_ptr<Played> played;
-  Player<T, Space> player;
+  Player<T, Space> player(version);
   CapturedStates<T, Space> states;
   try {
     Settings settings;
@@ -193,33 +218,38 @@ void play_frames(capture::FrameReader& frames, ReplayReport& report, Executor* e
   while (const std::optional<std::string> bytes = frames.next()) {
     std::size_t calls = 0;
     try {
-      player.frame(*bytes, calls, [&](Call call) { make(call, player, *played, states); });
+      player.frame(*bytes, calls, [&](Call call) {
+        if (call == Call::set_name)
+          player.name(world_of(*played), report.names);
+        else
+          make(call, player, *played, states);
+      });
     } catch (const Damaged& damage) {
       frames.fail(damage.why);
     } catch (const Other& other) {
-      report.difference = ReplayDifference{report.frames + 1, calls, other.what};
+      report.difference = ReplayDifference{report.frames + 1, calls, other.what, player.about()};
       return;
     }
     report.calls += calls;
     ++report.frames;
-    if (each) each(report.frames, static_cast<const Played*>(played.get()));
+    if (each) each(report.frames, static_cast<const Played*>(played.get()), report.names);
   }
 }
 
 }  // namespace
 
 template <class T>
-ReplayReport capture::play(FrameReader& frames, const Head& head,
-                           const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
+ReplayReport capture::play(FrameReader& frames, const Head& head, const ReplayFunction& each, Executor* executor) {
   ReplayReport report;
   report.simulation = is_simulation(head.kind);
   report.plane = is_of_plane(head.kind);
   report.single = head.single;
   const auto of = [&]<class Space>(Space) {
     if (report.simulation)
-      play_frames<T, Space, Simulation<T, Space>, SimulationSettings<T, Space>>(frames, report, executor, each);
+      play_frames<T, Space, Simulation<T, Space>, SimulationSettings<T, Space>>(frames, head.version, report, executor,
+                                                                                each);
     else
-      play_frames<T, Space, World<T, Space>, WorldSettings<T>>(frames, report, executor, each);
+      play_frames<T, Space, World<T, Space>, WorldSettings<T>>(frames, head.version, report, executor, each);
   };
   report.plane ? of(plane::Space<T>{}) : of(Space<T>{});
   report.cut = frames.cut();
@@ -227,14 +257,12 @@ ReplayReport capture::play(FrameReader& frames, const Head& head,
 }
 
 #define GRAZE_PLAY(T)                                                                                                  \
-  template ReplayReport capture::play<T>(capture::FrameReader&, const capture::Head&,                                  \
-                                         const std::function<void(std::size_t, const Replayed&)>&, Executor*);
+  template ReplayReport capture::play<T>(capture::FrameReader&, const capture::Head&, const ReplayFunction&, Executor*);
 GRAZE_PLAY(float)
 GRAZE_PLAY(double)
 #undef GRAZE_PLAY
 
-ReplayReport replay(std::istream& in, const std::string& name,
-                    const std::function<void(std::size_t, const Replayed&)>& each, Executor* executor) {
+ReplayReport replay(std::istream& in, const std::string& name, const ReplayFunction& each, Executor* executor) {
   const auto from = [&](char* to, std::size_t count) {
     in.read(to, static_cast<std::streamsize>(count));
     return static_cast<std::size_t>(in.gcount());

@@ -108,6 +108,7 @@ class SimulatedPlaneScene {
     material.static_friction = material.dynamic_friction = static_cast<T>(motion.friction);
     material.restitution = static_cast<T>(motion.restitution);
     const BodyId id = captured_.add(std::move(body), dynamics, material);
+    captured_.set_name(id, scene_.bodies[b].name);
     if (!ids_[b]) ids_[b] = id;
     body_of_.resize(std::max<std::size_t>(body_of_.size(), id.index + 1));
     body_of_[id.index] = b;

@@ -117,6 +117,15 @@ void SimulatedScene<T>::find_animated() {
   motion_->go_to(0);
 }
 
+/// A body of the simulation is one of the scene's bodies, or a part of it, and has its name in a capture.
+template <class T>
+void SimulatedScene<T>::known_as(std::uint32_t body, const Part& part) {
+  parts_[body].push_back(part);
+  body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), part.id.index + 1));
+  body_of_part_[part.id.index] = body;
+  simulation_.set_name(part.id, scene_.bodies[body].name);
+}
+
 template <class T>
 void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint32_t>& colliders,
                                  const Dynamics<double>& whole, std::size_t parts) {
@@ -146,9 +155,7 @@ void SimulatedScene<T>::add_part(std::uint32_t body, const std::vector<std::uint
   part.angular = converted<T>(motion.angular_velocity);
   const Posed to_body = relative(pose, of.pose);
   const BodyId id = simulation_.add(std::move(part), share_of<T>(whole, to_body, parts), material);
-  parts_[body].push_back({id, to_body});
-  body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
-  body_of_part_[id.index] = body;
+  known_as(body, {id, to_body});
 }
 
 template <class T>
@@ -189,9 +196,7 @@ void SimulatedScene<T>::add_fixed(std::uint32_t body) {
     if (c.body != body || c.trigger) continue;
     const auto material = c.material ? in_precision<T>(*c.material) : graze::Material<T>{};
     const BodyId id = simulation_.add(in_world<T>(scene_, c, true), {}, material);
-    parts_[body].push_back({id, relative(c.pose, scene_.bodies[body].pose)});
-    body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
-    body_of_part_[id.index] = body;
+    known_as(body, {id, relative(c.pose, scene_.bodies[body].pose)});
   }
 }
 
@@ -205,9 +210,7 @@ void SimulatedScene<T>::add_animated(std::uint32_t body) {
     dynamics.kinematic = true;
     const auto material = c.material ? in_precision<T>(*c.material) : graze::Material<T>{};
     const BodyId id = simulation_.add(in_world<T>(scene_, c, false), dynamics, material);
-    parts_[body].push_back({id, relative(c.pose, scene_.bodies[body].pose), m.index});
-    body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), id.index + 1));
-    body_of_part_[id.index] = body;
+    known_as(body, {id, relative(c.pose, scene_.bodies[body].pose), m.index});
   }
 }
 
@@ -219,6 +222,7 @@ auto SimulatedScene<T>::part_of(const std::optional<std::uint32_t>& body) -> Par
     anchor.fixed = true;
     anchor.filter = nobody;
     world_ = Part{simulation_.add(std::move(anchor)), {}};
+    simulation_.set_name(world_->id, "world");
     body_of_part_.resize(std::max<std::size_t>(body_of_part_.size(), world_->id.index + 1));
   }
   return *world_;

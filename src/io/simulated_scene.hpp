@@ -39,6 +39,7 @@ class SimulatedScene {
   void hold_together(std::uint32_t body);
   void add_joint(const Joint& joint);
   Part part_of(const std::optional<std::uint32_t>& body);
+  void known_as(std::uint32_t body, const Part& part);
   void find_animated();
   Posed pose_of(const Part& part) const;
   void follow(double dt);

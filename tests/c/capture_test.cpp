@@ -24,12 +24,16 @@ void count(void* user, std::size_t frame, const GrazeWorldd* world, const GrazeP
                   : graze_plane_world_counts_d(plane_world, &seen.bodies, &pairs),
             GRAZE_OK);
   seen.of_plane += plane_world != nullptr;
+  const char* name = nullptr;
+  EXPECT_EQ(world ? graze_world_name_d(world, {0, 0}, &name) : graze_plane_world_name_d(plane_world, {0, 0}, &name),
+            GRAZE_OK);
+  EXPECT_STREQ(name, world ? "falling" : "");
 }
 
 std::string captured_fall() {
   std::ostringstream out;
   CapturedSimulation<double> simulation(&out);
-  simulation.add({Box<double>({1, 1, 1}), {{0, 2, 0}, {}}});
+  simulation.set_name(simulation.add({Box<double>({1, 1, 1}), {{0, 2, 0}, {}}}), "falling");
   for (int i = 0; i < 5; ++i) simulation.step(0.01);
   return out.str();
 }
@@ -41,7 +45,7 @@ TEST(CReplay, HandsOutTheWorldAfterEachFrame) {
   ASSERT_EQ(graze_replay_d(file.data(), file.size(), &count, &seen, &report), GRAZE_OK);
   EXPECT_TRUE(report.simulation && !report.plane && !report.cut && !report.differs);
   EXPECT_EQ(report.frames, 5u);
-  EXPECT_EQ(report.calls, 7u);
+  EXPECT_EQ(report.calls, 8u);
   EXPECT_EQ(seen.frames, 5u);
   EXPECT_EQ(seen.bodies, 1u);
   ASSERT_EQ(graze_replay_d(file.data(), file.size(), nullptr, nullptr, &report), GRAZE_OK);
@@ -117,6 +121,8 @@ TEST(CCapture, ASimulationWithItsStatesRunsAgainToTheSameBits) {
   GrazeSimulationd* plain = nullptr;
   ASSERT_EQ(graze_simulation_create_d(nullptr, nullptr, &plain), GRAZE_OK);
   EXPECT_EQ(graze_simulation_restore_d(plain, second), GRAZE_INVALID_VALUE);
+  EXPECT_EQ(graze_simulation_set_name_d(plain, {0, 0}, "nobody"), GRAZE_INVALID_VALUE);
+  EXPECT_STREQ(graze_last_error(), "id: expected a body of the world, got a body that is not there");
   graze_simulation_destroy_d(plain);
   graze_simulation_destroy_d(simulation);
   for (GrazeStated* state : states) graze_state_destroy_d(state);
@@ -142,6 +148,8 @@ TEST(CCapture, AWorldRunsAgainAndRefusesWhatNoFileHolds) {
   ASSERT_EQ(graze_plane_world_update_f(world, 0), GRAZE_OK);
   EXPECT_EQ(graze_plane_world_reduce_f(world, 1), GRAZE_INVALID_VALUE);
   EXPECT_STREQ(graze_last_error(), "world: expected a world of its own that is not captured, got a captured one");
+  EXPECT_EQ(graze_plane_world_set_name_f(world, ids[1], nullptr), GRAZE_INVALID_VALUE);
+  ASSERT_EQ(graze_plane_world_set_name_f(world, ids[1], "disc"), GRAZE_OK);
   const GrazePose2f poses[2] = {{{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}};
   ASSERT_EQ(graze_plane_world_move_batch_f(world, ids, 0, poses, 0, 2), GRAZE_OK);
   ASSERT_EQ(graze_plane_world_update_f(world, 0), GRAZE_OK);
@@ -149,7 +157,14 @@ TEST(CCapture, AWorldRunsAgainAndRefusesWhatNoFileHolds) {
   graze_plane_shape_release_f(disc);
 
   GrazeReplayReport report;
-  ASSERT_EQ(graze_replay_f(file.data(), file.size(), nullptr, nullptr, &report), GRAZE_OK);
+  const auto name_of_last = [](void* user, size_t, const GrazeWorldf*, const GrazePlaneWorldf* played) {
+    const char* name = nullptr;
+    ASSERT_EQ(graze_plane_world_name_f(played, {1, 0}, &name), GRAZE_OK);
+    *static_cast<std::string*>(user) = name;
+  };
+  std::string name;
+  ASSERT_EQ(graze_replay_f(file.data(), file.size(), name_of_last, &name, &report), GRAZE_OK);
+  EXPECT_EQ(name, "disc");
   EXPECT_TRUE(report.plane && !report.simulation && !report.differs && !report.cut);
   EXPECT_EQ(report.frames, 2u);
 

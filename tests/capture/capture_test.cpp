@@ -148,6 +148,8 @@ std::string random_world(unsigned seed, int frames) {
     case 4: w.set_fast(any, false); break;
     default: w.remove(bodies.back()); bodies.pop_back();
     }
+    if (!bodies.empty() && draw.below(3) == 0)
+      w.set_name(bodies.back(), std::string(static_cast<std::size_t>(draw.below(9)), 'n'));
     w.update(T(draw.below(2)) / T(30));
     if (draw.below(3) == 0) w.find_impacts(T(0.1));
   }
@@ -222,6 +224,56 @@ TEST(Capture, AFrameIsInTheStreamWhenItsCallReturns) {
   EXPECT_EQ(replayed(out.str()).frames, 1u);
   world.update();
   EXPECT_EQ(replayed(out.str()).frames, 2u);
+}
+
+/// Two balls that are apart, of which one is called something, and later something else.
+std::string named_world() {
+  std::ostringstream out;
+  CapturedWorld<double> world(&out);
+  const BodyId door = world.add({Sphere<double>(1)}), other = world.add({Sphere<double>(1), {{9, 0, 0}, {}}});
+  world.set_name(door, "door");
+  world.update();
+  world.set_name(door, "window");
+  world.remove(other);
+  EXPECT_THROW(world.set_name(other, "gone"), InvalidValue);
+  world.update();
+  return out.str();
+}
+
+TEST(Capture, BodiesHaveTheNamesThatTheyWereGiven) {
+  std::istringstream in(named_world());
+  std::vector<std::string> names;
+  const ReplayReport report = replay(in, "test", [&](std::size_t, const Replayed& played, const BodyNames& of) {
+    EXPECT_TRUE(std::holds_alternative<const Worldd*>(played));
+    names.emplace_back(of.of({0, 0}));
+    EXPECT_EQ(of.of({1, 0}), "");
+  });
+  EXPECT_EQ(names, (std::vector<std::string>{"door", "window"}));
+  EXPECT_EQ(report.calls, 8u) << "a shape, two bodies, a name, an update, and a name, a removal and an update";
+  ASSERT_EQ(report.names.all().size(), 1u);
+  EXPECT_EQ(report.names.all().begin()->second, "window");
+
+  std::ostringstream out;
+  CapturedSimulation<float> simulation(&out), plain(nullptr);
+  for (auto* s : {&simulation, &plain}) s->set_name(s->add({Sphere<float>(1)}), "ball");
+  EXPECT_THROW(plain.set_name({5, 0}, "none"), InvalidValue);
+  simulation.step(0.01f);
+  EXPECT_EQ(replayed(out.str()).names.of({0, 0}), "ball");
+}
+
+/// A capture as the version before wrote it: without names it is the same but for its number.
+std::string of_version_2(std::string file) {
+  EXPECT_EQ(file[16], 3);
+  file[16] = 2;
+  return file;
+}
+
+TEST(Capture, TheVersionBeforeIsRead) {
+  const ReplayReport report = replayed(of_version_2(random_simulation<float>(2, 10)));
+  EXPECT_EQ(report.frames, 10u);
+  EXPECT_FALSE(report.difference);
+  // It has no call that names a body.
+  EXPECT_THROW(replayed(of_version_2(named_world())), InvalidValue);
 }
 
 TEST(Capture, EqualShapesAreWrittenOnce) {
@@ -324,6 +376,31 @@ TEST(Capture, ACallThatIsRefusedIsADifference) {
   ASSERT_TRUE(report.difference);
   EXPECT_EQ(report.difference->call, 1u);
   EXPECT_TRUE(report.difference->what.starts_with("remove is refused")) << report.difference->what;
+  EXPECT_EQ(report.difference->body->index, 77u);
+}
+
+TEST(Capture, ALongerNameThanTheFileHasIsDamage) {
+  // The count of the first name: behind the shape's number, one ball, two bodies, the call and the handle.
+  const std::string file = named_world();
+  const std::size_t at = file.find("door") - 8;
+  std::size_t begin = 20;
+  std::uint64_t settings = 0;
+  std::memcpy(&settings, file.data() + begin, 8);
+  const std::size_t in_frame = at - (begin + 16 + static_cast<std::size_t>(settings)) - 16;
+  for (const std::uint64_t count : {std::uint64_t{1} << 20, ~std::uint64_t{0}}) {
+    const std::string bad = forged(file, 1, [&](std::string& bytes) { std::memcpy(&bytes[in_frame], &count, 8); });
+    try {
+      replayed(bad);
+      FAIL();
+    } catch (const InvalidValue& e) {
+      EXPECT_NE(std::string(e.what()).find("longer than its frame"), std::string::npos) << e.what();
+    }
+  }
+  // A name for a body that is not there is something that the run did not say.
+  const ReplayReport report = replayed(forged(file, 1, [&](std::string& bytes) { bytes[in_frame - 8] = 77; }));
+  ASSERT_TRUE(report.difference);
+  EXPECT_EQ(report.difference->what, "set_name: no such body");
+  EXPECT_EQ(report.difference->body, (BodyId{77, 0}));
 }
 
 TEST(Capture, ForgedFramesAreRefusedOrPlayedAndNeverMore) {

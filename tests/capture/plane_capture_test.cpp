@@ -154,7 +154,7 @@ TEST(PlaneCapture, RunsAgainToTheSameBits) {
 TEST(PlaneCapture, WhatIsPlayedIsHandedOut) {
   std::istringstream in(random_plane_simulation<double>(3));
   std::size_t bodies = 0;
-  replay(in, "test", [&](std::size_t, const Replayed& played) {
+  replay(in, "test", [&](std::size_t, const Replayed& played, const BodyNames&) {
     bodies = std::get<const Simulationd*>(played)->world().bodies().count();
   });
   EXPECT_GT(bodies, 5u);

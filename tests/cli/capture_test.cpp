@@ -28,6 +28,9 @@ TEST(CaptureProgram, AScenePlayedRunsAgainToTheSameBits) {
     EXPECT_EQ(report["precision"], precision);
     EXPECT_EQ(report["same"], true);
     EXPECT_EQ(report["cut"], false);
+    std::vector<std::string> names;
+    for (const auto& body : report["names"]) names.push_back(body["name"]);
+    EXPECT_NE(std::find(names.begin(), names.end(), scene == demo ? "ball" : "box 1"), names.end()) << again.output;
   }
   // Cut within its last frame, as by a crash.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 3);

@@ -170,6 +170,9 @@ test("a run of JavaScript is captured", async () => {
     const simulation = new library.Simulation({ capture: (bytes) => parts.push(bytes) });
     const body = simulation.add({ shape: shapes[0], translation: at(2) });
     simulation.add({ shape: shapes[1], fixed: true });
+    simulation.setName(body, "ein Bällchen");
+    assert.equal(simulation.world.name(body), ""); // names are of what is replayed
+    assert.throws(() => simulation.setName(body, 7), { message: "name: expected a text, got 7" });
     const states = [];
     for (let i = 0; i < 60; i++) {
       if (i === 20) states.push(simulation.save());
@@ -186,7 +189,12 @@ test("a run of JavaScript is captured", async () => {
     const file = Buffer.concat(parts);
     assert.deepEqual(graze.captureHead(file), { simulation: true, plane: library === plane, scalar: "float" });
     let last;
-    const report = graze.replay(file, (world) => (last = world.pose(world.bodyAt(0)).translation[1]));
+    const names = new Set();
+    const report = graze.replay(file, (world) => {
+      last = world.pose(world.bodyAt(0)).translation[1];
+      names.add(`${world.name(world.bodyAt(0))}, ${world.name(world.bodyAt(1))}`);
+    });
+    assert.deepEqual([...names], ["ein Bällchen, "]);
     assert.deepEqual([report.frames, report.cut, report.difference], [61, false, null]); // with the saves behind the last step
     assert.equal(last, end);
 
@@ -197,11 +205,12 @@ test("a run of JavaScript is captured", async () => {
     world.update();
     world.moveBatch([moved], library === plane ? [0, 0.3, 1, 0] : [0, 0.3, 0, 0, 0, 0, 1]);
     world.setFilter(moved, { group: 3 });
+    world.setName(moved, "moved");
     world.update(0.1);
     assert.throws(() => world.reduce(1), { message: /not captured, got a captured one/ });
     world.dispose();
     const played = graze.replay(Buffer.concat(calls));
-    assert.deepEqual([played.simulation, played.frames, played.calls, played.difference], [false, 2, 8, null]);
+    assert.deepEqual([played.simulation, played.frames, played.calls, played.difference], [false, 2, 9, null]);
     for (const shape of shapes) shape.dispose();
   }
   let room = 1;

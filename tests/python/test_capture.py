@@ -24,8 +24,9 @@ def drop_in_the_plane(simulation):
 def test_a_captured_simulation_is_the_same_and_plays_again(tmp_path, words, begin):
     file = tmp_path / "drop.capture"
     captured, ordinary = words.CapturedSimulation(file), words.Simulation()
-    begin(captured)
+    bodies = begin(captured)
     begin(ordinary)
+    captured.set_name(bodies[1], "the second \u2014 of five")
     frames = []
     for _ in range(60):
         captured.step(STEP)
@@ -38,10 +39,10 @@ def test_a_captured_simulation_is_the_same_and_plays_again(tmp_path, words, begi
     report = graze.replay(file, lambda frame, poses: played.append((frame, poses)))
     assert [frame for frame, _ in played] == list(range(1, 61))
     assert all(np.array_equal(poses, frame) for (_, poses), frame in zip(played, frames))
-    # The calls: two shapes, each written once, six bodies and the steps.
+    # The calls: two shapes, each written once, six bodies, a name and the steps.
     assert report == {
         "simulation": True, "plane": words is plane, "single": False,
-        "frames": 60, "calls": 2 + 6 + 60, "cut": False, "difference": None,
+        "frames": 60, "calls": 2 + 6 + 1 + 60, "cut": False, "names": {2: "the second \u2014 of five"}, "difference": None,
     }  # fmt: skip
 
 
@@ -127,6 +128,11 @@ def test_what_no_file_holds_is_refused(tmp_path):
     with pytest.raises(ValueError, match="shape"):
         world.add(graze.UserConvex(lambda direction: tuple(np.sign(direction))))
     assert len(world) == 0
+    gone = world.add(graze.Sphere(1))
+    world.set_name(gone, "gone")
+    world.remove(gone)
+    with pytest.raises(ValueError, match="body"):
+        world.set_name(gone, "back")
     with pytest.raises(ValueError, match="file"):
         graze.CapturedWorld(tmp_path / "no such folder" / "a.capture")
     with pytest.raises(ValueError, match="file"):

@@ -9,6 +9,7 @@ export class InvalidValue extends RangeError {
 
 const arenaSize = 1 << 16;
 const text = new TextDecoder();
+const bytesOf = new TextEncoder();
 
 /** What is not the library's: the few things that the C++ runtime asks of its host. Memory may have grown since JavaScript
  * last looked at it. */
@@ -118,6 +119,15 @@ export class Core {
     if (pointer === 0) return "";
     const bytes = new Uint8Array(this.memory().buffer, pointer);
     return text.decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+
+  /** Where the UTF-8 of a text is, with a zero behind it. */
+  written(value, path) {
+    if (typeof value !== "string" || value.includes("\0")) throw new InvalidValue(`${path}: expected a text, got ${shown(value)}`);
+    const bytes = bytesOf.encode(value);
+    const place = this.room(bytes.length + 1);
+    new Uint8Array(this.memory().buffer).set([...bytes, 0], place);
+    return place;
   }
 
   /** Runs `body`, whose scratch room is given back after it. Frames may be nested, as a callback does. */

@@ -135,6 +135,9 @@ export function simulationClasses(core, layout, dimension, worlds, Handle) {
     setGravity(gravity) {
       core.frame(() => call("set_gravity", at(this), vector(gravity, "gravity")));
     }
+    setName(id, name) {
+      core.frame(() => call("set_name", at(this), idAt(id, "body"), core.written(name, "name")));
+    }
     wake(id) {
       core.frame(() => call("wake", at(this), idAt(id, "body")));
     }

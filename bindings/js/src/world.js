@@ -86,6 +86,7 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
       const { first, count } = own(types.pose, "poses", pointer());
       return core.numbers(first, poseNumbers * count);
     },
+    name: (id) => core.string(answered(layout.u32, (p) => call("name", pointer(), idAt(id, "body"), p))),
     contacts() {
       const p = core.room(layout.worldContacts.size);
       call("contacts", pointer(), p);
@@ -221,6 +222,9 @@ export function worldClasses(core, layout, dimension, Rows, Handle) {
     }
     setFast(id, fast) {
       core.frame(() => call("set_fast", at(this), idAt(id, "body"), fast ? 1 : 0));
+    }
+    setName(id, name) {
+      core.frame(() => call("set_name", at(this), idAt(id, "body"), core.written(name, "name")));
     }
     update(duration = 0) {
       core.frame(() => call("update", at(this), duration));

@@ -36,6 +36,11 @@ py::dict object_of(const ReplayReport& report) {
   out["frames"] = report.frames;
   out["calls"] = report.calls;
   out["cut"] = report.cut;
+  py::dict names;
+  for (const auto& [id, name] : report.names.all())
+    names[py::int_(id.index)] = py::reinterpret_steal<py::str>(
+        PyUnicode_DecodeUTF8(name.data(), static_cast<py::ssize_t>(name.size()), "replace"));
+  out["names"] = names;
   const auto& d = report.difference;
   out["difference"] = d ? py::object(py::make_tuple(d->frame, d->call, d->what)) : py::none();
   return out;
@@ -49,7 +54,7 @@ void add_replay(py::module_& m) {
       [](const std::filesystem::path& file, const py::object& each) {
         std::ifstream in(file, std::ios::binary);
         if (!in) throw InvalidValue("file", "one that can be read", file.string());
-        const auto show = [&each](std::size_t frame, const Replayed& played) {
+        const auto show = [&each](std::size_t frame, const Replayed& played, const BodyNames&) {
           std::visit([&](const auto* thing) { each(frame, poses_of(*thing)); }, played);
         };
         if (!each.is_none()) return object_of(graze::replay(in, file.string(), show));
@@ -64,8 +69,8 @@ void add_replay(py::module_& m) {
 
 each: called after every frame with its number and the poses of all bodies, as World and Simulation
 have them. Returns a dictionary: whether it was a simulation, in the plane, in float ('single'); its
-frames and calls; 'cut' where the file ends within a frame; and 'difference', None where all came out
-to the same bits, else (frame, call, what). Raises ValueError for a file that is no capture or
+frames and calls; 'cut' where the file ends within a frame; 'names' of the bodies that were given one,
+by index; and 'difference', None where all came out to the same bits, else (frame, call, what). Raises ValueError for a file that is no capture or
 damaged, with the frame, and what `each` raises.
 
 >>> import graze, os, tempfile

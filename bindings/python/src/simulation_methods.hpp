@@ -105,7 +105,10 @@ cannot hold: a shape with a support function in Python.)");
             "The state that `restore` goes back to, as a replay will. There are at most 16 at a time: ValueError.")
         .def(
             "restore", [](Own& s, const CapturedState& state) { s.change()->restore(state.kept); }, py::arg("state"),
-            "Goes back, bit for bit. Raises ValueError for a state of another simulation, and as Simulation.restore.");
+            "Goes back, bit for bit. Raises ValueError for a state of another simulation, and as Simulation.restore.")
+        .def(
+            "set_name", [](Own& s, BodyId id, const std::string& name) { s.change()->set_name(id, name); },
+            py::arg("body"), py::arg("name"), "What `graze.replay` calls a body from here on.");
     add_methods(m, simulation);
   }
 

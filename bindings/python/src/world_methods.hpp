@@ -69,11 +69,15 @@ class WorldMethods {
 A frame is in the file when `update` returns. Shapes are those that the file holds: a convex hull is
 built anew from its vertices. Raises ValueError for a file that takes no bytes, and for what a file
 cannot hold: a shape with a support function in Python.)");
-    world.def(py::init([](const std::filesystem::path& file, std::optional<double> margin,
-                          std::optional<std::size_t> points_per_pair) {
-                return std::make_unique<Own>(file, settings(margin, points_per_pair));
-              }),
-              py::arg("file"), py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none());
+    world
+        .def(py::init([](const std::filesystem::path& file, std::optional<double> margin,
+                         std::optional<std::size_t> points_per_pair) {
+               return std::make_unique<Own>(file, settings(margin, points_per_pair));
+             }),
+             py::arg("file"), py::arg("margin") = py::none(), py::arg("points_per_pair") = py::none())
+        .def(
+            "set_name", [](Own& w, BodyId id, const std::string& name) { w.change()->set_name(id, name); },
+            py::arg("body"), py::arg("name"), "What `graze.replay` calls a body from here on.");
     add_changes(world);
   }
 
