@@ -22,7 +22,7 @@ struct ReplayArguments {
 };
 
 /// As JSON has it, between quotes: a file may name its bodies by any bytes, and a terminal obeys some of them.
-std::string quoted(std::string_view name) {
+std::string in_quotes(std::string_view name) {
   return Json(std::string(name)).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -49,7 +49,8 @@ void print_names(const BodyNames& names) {
   std::size_t shown = 0;
   for (const auto& [id, name] : names.all()) {
     if (shown == most) break;
-    line += (shown++ > 0 ? ", " : "") + quoted(name);
+    if (shown++ > 0) line += ", ";
+    line += in_quotes(name);
   }
   if (shown == 0) return;
   const std::size_t rest = names.all().size() - shown;
@@ -62,7 +63,7 @@ void print_as_text(const std::string& file, const ReplayReport& report) {
              report.single ? "float" : "double", report.difference ? "then something else" : "the same bits");
   if (const auto& d = report.difference) {
     const std::string_view name = d->body ? report.names.of(*d->body) : std::string_view();
-    fmt::print("frame {}, call {}: {}{}\n", d->frame, d->call, d->what, name.empty() ? "" : ", of " + quoted(name));
+    fmt::print("frame {}, call {}: {}{}\n", d->frame, d->call, d->what, name.empty() ? "" : ", of " + in_quotes(name));
   }
   print_names(report.names);
   if (report.cut) print_notes({fmt::format("{}: ends within a frame, which was left out", file)});
