@@ -448,6 +448,9 @@ export interface ProtocolShape {
  * no words for: a UserConvex, and a mesh or a height field that is seen from its front alone. A ball beside its origin
  * becomes a compound of one child, a segment the hull of its ends. Not in graze/queries. */
 export function protocolShape(shape: Shape): ProtocolShape;
+/** The shape that a question of the protocol describes, with the protocol's defaults. Throws `InvalidValue` that names what
+ * is wrong with it. graze/double alone. */
+export function shapeOfProtocol(words: ProtocolShape): Shape;
 
 // --- Debug draw ---
 
@@ -471,10 +474,26 @@ export interface Renderer {
   triangle?(a: number[], b: number[], c: number[], layer: DrawLayer, meaning: DrawMeaning): void;
   text?(at: number[], words: string, layer: DrawLayer, meaning: DrawMeaning): void;
 }
+/** A point of contact as far as it is drawn; the weight is a half by default. */
+export interface DrawnContact {
+  readonly a: ArrayLike<number>;
+  readonly b: ArrayLike<number>;
+  readonly weight?: number;
+}
 /** Not in graze/queries. What the library knows, through a renderer. */
 export const draw: {
   shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
+  /** A box by its edges. */
+  bounds(box: Aabb, renderer: Renderer): void;
   distance(distance: Pick<Distance, "a" | "b">, renderer: Renderer): void;
+  /** A manifold: its points, each between `a` and `b` by its weight, and its normal from their middle. */
+  contacts(manifold: { readonly normal: Vec3Like; readonly points: readonly DrawnContact[] }, renderer: Renderer): void;
+  /** A ray up to its hit, and the normal there; one that hits nothing as far as its length or the renderer's size. */
+  ray(ray: Ray, hit: Pick<RayHit, "t" | "point" | "normal"> | null, renderer: Renderer): void;
+  /** What moves, up to its hit or for the duration: its path, places along it, the last, and the hit. */
+  cast(
+    moving: Moving, hit: Pick<CastHit, "t" | "point" | "normal"> | null, renderer: Renderer,
+    options?: { duration?: number }): void;
   /** Bodies, bounds, the tree, and the contacts of the last update. */
   world(world: WorldQueries, renderer: Renderer): void;
   /** The same with what sleeps, and joints. */
@@ -1140,6 +1159,8 @@ export declare namespace plane {
   function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
   /** A shape of the plane as a question of the protocol has it. Throws `InvalidValue` for a UserConvex. */
   function protocolShape(shape: Shape): ProtocolShape;
+  /** graze/double alone. */
+  function shapeOfProtocol(words: ProtocolShape): Shape;
   const traced: {
     overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<boolean>;
     distance(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): Traced<Distance>;
@@ -1150,6 +1171,13 @@ export declare namespace plane {
   };
   const draw: {
     shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
+    distance(distance: Pick<Distance, "a" | "b">, renderer: Renderer): void;
+    contacts(
+      manifold: { readonly normal: ArrayLike<number>; readonly points: readonly DrawnContact[] }, renderer: Renderer): void;
+    ray(ray: Ray, hit: Pick<RayHit, "t" | "point" | "normal"> | null, renderer: Renderer): void;
+    cast(
+      moving: Moving, hit: Pick<CastHit, "t" | "point" | "normal"> | null, renderer: Renderer,
+      options?: { duration?: number }): void;
     explained(renderer: Renderer): Explained;
     world(world: WorldQueries, renderer: Renderer): void;
     simulation(simulation: Simulation, renderer: Renderer): void;

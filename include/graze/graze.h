@@ -1635,7 +1635,23 @@ GRAZE_C_API GrazeStatus graze_shape_draw_d(const GrazeShaped *shape, const Graze
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                  GrazeDrawMeaning meaning, const GrazeDebugDraw *on);
+// A box by its edges; the shortest way between two shapes; points of contact with their normal, as one manifold; a ray or
+// what moves, up to a hit; without one (null) as far as `length` or `duration` goes.
+GRAZE_C_API GrazeStatus graze_aabb_draw_d(const GrazeAabbd *box, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_distance_draw_d(const GrazeDistanced *distance, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_distance_draw_d(const GrazePlaneDistanced *distance, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_contacts_draw_d(GrazeVec3d normal, const GrazeContactPointd *points, size_t count,
+                                              const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_contacts_draw_d(GrazeVec2d normal, const GrazePlaneContactPointd *points,
+                                                    size_t count, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_ray_draw_d(const GrazeRayd *ray, double length, const GrazeRayHitd *hit,
+                                         const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_ray_draw_d(const GrazePlaneRayd *ray, double length, const GrazePlaneRayHitd *hit,
+                                               const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_cast_draw_d(const GrazeMovingd *moving, double duration, const GrazeCastHitd *hit,
+                                          const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_cast_draw_d(const GrazePlaneMovingd *moving, double duration,
+                                                const GrazePlaneCastHitd *hit, const GrazeDebugDraw *on);
 // All bodies of a world, their bounds, and the contacts of its last update; of a simulation with joints, and what
 // sleeps told apart.
 GRAZE_C_API GrazeStatus graze_world_draw_d(const GrazeWorldd *world, const GrazeDebugDraw *on);
@@ -2691,7 +2707,21 @@ GRAZE_C_API GrazeStatus graze_shape_draw_f(const GrazeShapef *shape, const Graze
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                  GrazeDrawMeaning meaning, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_aabb_draw_f(const GrazeAabbf *box, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_distance_draw_f(const GrazeDistancef *distance, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_distance_draw_f(const GrazePlaneDistancef *distance, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_contacts_draw_f(GrazeVec3f normal, const GrazeContactPointf *points, size_t count,
+                                              const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_contacts_draw_f(GrazeVec2f normal, const GrazePlaneContactPointf *points,
+                                                    size_t count, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_ray_draw_f(const GrazeRayf *ray, float length, const GrazeRayHitf *hit,
+                                         const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_ray_draw_f(const GrazePlaneRayf *ray, float length, const GrazePlaneRayHitf *hit,
+                                               const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_cast_draw_f(const GrazeMovingf *moving, float duration, const GrazeCastHitf *hit,
+                                          const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_cast_draw_f(const GrazePlaneMovingf *moving, float duration,
+                                                const GrazePlaneCastHitf *hit, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_world_draw_f(const GrazeWorldf *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_simulation_draw_f(const GrazeSimulationf *simulation, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_simulation_draw_f(const GrazePlaneSimulationf *simulation,

@@ -281,6 +281,11 @@ export const checks = [
     for (const entry of [graze, double]) {
       for (const [shape, words] of zoo(entry)) {
         if (words.type === "compound") continue;
+        if (entry === double) {
+          const read = double.shapeOfProtocol(words);
+          equal(sorted(double.protocolShape(read)), sorted(double.protocolShape(shape)), `${words.type}, read`);
+          read.dispose();
+        }
         const written = entry.protocolShape(shape);
         if (words.type === "convex") for (const { convex } of [written, words]) convex.points = [...convex.points].sort(); // a hull has an order of its own
         equal(sorted(written), sorted(words), words.type);
@@ -298,6 +303,15 @@ export const checks = [
     // All bits of a float, widened.
     equal(graze.protocolShape(new graze.Sphere(0.1)).sphere.radius, Math.fround(0.1), "a float's radius");
     equal(queries.protocolShape, undefined, "not in graze/queries");
+    // What is not said is as the protocol has it.
+    equal(double.protocolShape(double.shapeOfProtocol({ type: "cylinder" })),
+      { type: "cylinder", cylinder: { height: 0.5, radiusBottom: 0.25, radiusTop: 0.25 } }, "a cylinder");
+    const read = double.plane.shapeOfProtocol({ type: "circle", circle: { radius: 2 }, margin: 1 });
+    equal([read instanceof double.plane.Shape, read.bounds().upper], [true, [3, 3]], "a rounded circle");
+    throws(() => double.shapeOfProtocol({ type: "ball" }),
+      'shape.type: expected one of sphere, box, capsule, cylinder, plane, ellipsoid, convex, triangle, mesh, heightfield, compound, got "ball"',
+      double.InvalidValue);
+    equal([graze.shapeOfProtocol, graze.plane.shapeOfProtocol], [undefined, undefined], "in graze/double alone");
   }],
 
   ["a hull's support query, layer by layer", ({ graze, double, queries }) => {
@@ -678,6 +692,27 @@ export const checks = [
     const explained = drawing(() => { told = graze.draw.explained(renderer).distance(box, {}, box, { translation: [4, 0, 0] }); });
     equal(told, near, "the same answer");
     ok(explained.length > 0 && kinds(explained, "layer").includes("trace"), "what the question did");
+
+    // Answers, of space and of the plane: from vectors of three numbers or of two.
+    const flat = (v) => v.slice(0, 2);
+    for (const [library, cut] of [[graze, (v) => v], [graze.plane, flat]]) {
+      const manifold = { normal: cut([0, 1, 0]), points: [{ a: cut([0, 0, 0]), b: cut([0, 1, 0]), weight: 0.25 }, { a: cut([1, 0, 0]), b: cut([1, 1, 0]) }] };
+      const touching = drawing(() => library.draw.contacts(manifold, renderer));
+      equal(touching.filter((d) => d.kind === "point").map((d) => d.places[0]), [[0, 0.25, 0], [1, 0.5, 0]], "points by their weights");
+      equal(kinds(touching, "meaning"), ["contact", "normal"], "and their normal");
+      const gap = drawing(() => library.draw.distance({ a: cut([1, 0, 0]), b: cut([2, 0, 0]) }, renderer));
+      equal(gap.map((d) => d.meaning), ["gap", "a", "b"], "a distance");
+      const ray = { origin: cut([3, 0, 0]), direction: cut([-1, 0, 0]) };
+      const hit = { t: 2, point: cut([1, 0, 0]), normal: cut([1, 0, 0]) };
+      equal(drawing(() => library.draw.ray(ray, hit, renderer))[0].places, [[3, 0, 0], [1, 0, 0]], "a ray up to its hit");
+      equal(kinds(drawing(() => library.draw.ray({ ...ray, length: 1 }, null, renderer)), "meaning"), ["path"], "one that hits nothing");
+      const moving = { shape: library === graze ? box : new graze.plane.Box([2, 2]), linear: cut([3, 0, 0]) };
+      const thrown = drawing(() => library.draw.cast(moving, null, renderer, { duration: 2 }));
+      equal(thrown.filter((d) => d.meaning === "path").map((d) => d.places), [[[0, 0, 0], [6, 0, 0]]], "the way of a cast");
+      ok(kinds(thrown, "meaning").includes("ghost") && kinds(thrown, "layer").join() === "casts", "places along it");
+      throws(() => library.draw.ray(ray, { ...hit, t: NaN }, renderer), "hit.t: expected a finite number, got nan", graze.InvalidValue);
+    }
+    equal(drawing(() => graze.draw.bounds({ lower: [0, 0, 0], upper: [1, 2, 3] }, renderer)).length, 12, "edges of a box");
 
     const outline = drawing(() => graze.plane.draw.shape(new graze.plane.Box([2, 1]), {}, renderer));
     ok(outline.some((d) => d.kind === "line") && outline.every((d) => d.places.every((p) => p[2] === 0)), "in the plane");

@@ -126,7 +126,9 @@ export class Core {
     if (typeof value !== "string" || value.includes("\0")) throw new InvalidValue(`${path}: expected a text, got ${shown(value)}`);
     const bytes = bytesOf.encode(value);
     const place = this.room(bytes.length + 1);
-    new Uint8Array(this.memory().buffer).set([...bytes, 0], place);
+    const memory = new Uint8Array(this.memory().buffer);
+    memory.set(bytes, place);
+    memory[place + bytes.length] = 0;
     return place;
   }
 

@@ -9,7 +9,7 @@ export const {
   Cylinder, Ellipsoid, Segment, Triangle, HalfSpace, ConvexHull, UserConvex, Mesh, HeightField, Compound, overlap,
   mayOverlap, distance, distanceUpTo, within, nearPieces, contacts, contactMargin, featureCorners, closest, raycast,
   raycastAny, raycastAll, cast, castAll, poseAt, overlapBatch, distanceBatch, contactsBatch, closestBatch, raycastBatch,
-  BroadPhase, World, hullLayers, protocolShape, traced, draw, response, applyImpulse, Simulation, State, captureHead,
+  BroadPhase, World, hullLayers, protocolShape, shapeOfProtocol, traced, draw, response, applyImpulse, Simulation, State, captureHead,
   replay, plane,
 } = names;
 

@@ -37,10 +37,24 @@ function drawnOn(core, layout, renderer, body) {
   }
 }
 
-/** Drawing of a dimension's shapes and explanations. */
-export function drawings(core, layout, { prefix, of, pose, ask }) {
+/** Drawing of a dimension's shapes, answers and explanations. */
+export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
+  const { written } = args;
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
+  const draw = (name, renderer, ...what) => drawn(renderer, (on) => core.call(`${prefix}${name}_draw`, ...what, on));
+  const hitAt = (type, hit) => (hit === null ? 0 : written(type, hit, "hit"));
   return {
+    distance: (distance, renderer) => draw("distance", renderer, written(types.distance, distance, "distance")),
+    contacts({ normal, points }, renderer) {
+      const { size } = types.contactPoint;
+      const first = core.room(Math.max(1, points.length) * size);
+      points.forEach(({ a, b, weight = 0.5 }, i) =>
+        types.contactPoint.write(first + i * size, { a, b, weight, distance: 0, feature: 0 }, `points[${i}]`));
+      draw("contacts", renderer, written(types.vector, normal, "normal"), first, points.length);
+    },
+    ray: (ray, hit, renderer) => draw("ray", renderer, ask.ray(ray), ask.length(ray), hitAt(types.rayHit, hit)),
+    cast: (moving, hit, renderer, { duration = 1 } = {}) =>
+      draw("cast", renderer, ask.moving(moving, "moving"), duration, hitAt(types.castHit, hit)),
     shape(shape, at, renderer, meaning = "a") {
       const means = named(meanings, meaning, "meaning");
       drawn(renderer, (on) => core.call(`${prefix}shape_draw`, of(shape), pose(at, "pose"), means, on));
@@ -76,9 +90,8 @@ export function worldDrawings(core, layout, { prefix }, worlds, { Simulation }, 
 /** What is drawn in space on top of that. */
 export function spaceDrawings(core, layout, args) {
   return {
-    distance: (distance, renderer) =>
-      drawnOn(core, layout, renderer, (on) =>
-        core.call("distance_draw", args.written(layout.distance, distance, "distance"), on)),
+    bounds: (box, renderer) =>
+      drawnOn(core, layout, renderer, (on) => core.call("aabb_draw", args.written(layout.aabb, box, "box"), on)),
     color(meaning) {
       const rgb = core.room(3);
       core.check(core.exports.graze_draw_color(named(meanings, meaning, "meaning"), rgb));

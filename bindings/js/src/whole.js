@@ -5,7 +5,7 @@ import { queriesEntry } from "./entry.js";
 import { replays } from "./capture.js";
 import { hullLayering } from "./hulls.js";
 import { plane } from "./plane.js";
-import { protocolShapes } from "./protocol_shapes.js";
+import { protocolShapes, shapesOfProtocol } from "./protocol_shapes.js";
 import { blows, simulationClasses } from "./simulation.js";
 
 export function wholeEntry(scalar, address) {
@@ -15,6 +15,8 @@ export function wholeEntry(scalar, address) {
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
   const { hullLayers, tracedSupport } = hullLayering(core, layout, args, shapes);
   const ofPlane = plane(core, layout, args, shapes.numbersOf, Rows, Handle);
+  const readsProtocol = scalar === "d"; // which that module alone has
+  const planeReads = readsProtocol ? { shapeOfProtocol: shapesOfProtocol(core, "plane_shape_of_text", ofPlane.names.Shape) } : {};
   return {
     core,
     names: {
@@ -24,13 +26,14 @@ export function wholeEntry(scalar, address) {
       ...replays(core, layout, worlds, ofPlane.worlds),
       hullLayers,
       protocolShape: protocolShapes(core, "shape_text", shapes.of),
+      ...(readsProtocol ? { shapeOfProtocol: shapesOfProtocol(core, "shape_of_text", names.Shape) } : {}),
       traced: { ...ask.traced(), support: tracedSupport },
       draw: ask.framed({
         ...drawings(core, layout, dimension),
         ...worldDrawings(core, layout, dimension, worlds, simulations, Handle),
         ...spaceDrawings(core, layout, args),
       }),
-      plane: ofPlane.names,
+      plane: { ...ofPlane.names, ...planeReads },
     },
   };
 }
