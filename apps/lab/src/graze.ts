@@ -1,7 +1,7 @@
 // The one door to the library: everything that is computed in the lab is computed behind these functions.
 
 import * as graze from "graze/double";
-import { measures, pointsOf, radiusOf, sizeOf, type Body, type Question, type Shape, type Vec } from "./question.ts";
+import type { Body, Question, Shape, Vec } from "./question.ts";
 
 export interface Support { a: Vec; b: Vec; }
 export type End = number | "infinity" | "-infinity";
@@ -79,47 +79,17 @@ export function ask(question: Question): Answer {
 // --- Objects of the library, for what the protocol has no words for: worlds, broad phases, simulations ---
 
 /** The library's shape of a protocol's shape. */
-export function shapeOf(shape: Shape): graze.Shape {
-  const m = measures<{ height: number; radiusBottom: number; radiusTop: number; radii: Vec; triangles: Vec[]; sizeX?: number; sizeZ?: number; solid?: boolean;
-    columns: number; rows: number; spacing?: Vec; heights: (number | null)[]; children: Body[] }>(shape);
-  const plain = ((): graze.Shape => {
-    switch (shape.type) {
-      case "sphere": return new graze.Sphere(radiusOf(shape) ?? 0.5);
-      case "box": return new graze.Box(sizeOf(shape) ?? [1, 1, 1]);
-      case "capsule": return new graze.Capsule(m.height ?? 0.5, m.radiusBottom ?? 0.25, m.radiusTop ?? 0.25);
-      case "cylinder": return new graze.Cylinder(m.height ?? 2, m.radiusBottom ?? 0.5, m.radiusTop ?? 0.5);
-      case "ellipsoid": return new graze.Ellipsoid(m.radii);
-      case "plane": return m.sizeX !== undefined ? new graze.Rectangle(m.sizeX, m.sizeZ ?? 0) : new graze.HalfSpace();
-      case "convex": return new graze.ConvexHull(pointsOf(shape));
-      case "triangle": return new graze.Triangle(pointsOf(shape)[0], pointsOf(shape)[1], pointsOf(shape)[2]);
-      case "mesh": return new graze.Mesh(pointsOf(shape), m.triangles, { solid: m.solid ?? false });
-      case "heightfield": return new graze.HeightField(m.heights, m.columns, m.rows, { spacing: m.spacing ?? [1, 1] });
-      case "compound": return new graze.Compound(m.children.map((c) => ({ shape: shapeOf(c.shape), ...poseOf(c) })));
-      default: throw new RangeError(`shape.type: the lab has no ${shape.type}`);
-    }
-  })();
-  return shape.margin ? plain.rounded(shape.margin) : plain;
-}
+export const shapeOf = (shape: Shape): graze.Shape => graze.shapeOfProtocol(shape);
 /** The library's shape of a protocol's shape of the plane. */
-export function planeShapeOf(shape: Shape): graze.plane.Shape {
-  const m = measures<{ height: number; radiusBottom: number; radiusTop: number; radii: Vec; closed?: boolean; children: Body[] }>(shape);
-  const made = ((): graze.plane.Shape => {
-    switch (shape.type) {
-      case "circle": return new graze.plane.Circle(radiusOf(shape));
-      case "box": return new graze.plane.Box(sizeOf(shape));
-      case "capsule": return new graze.plane.Capsule(m.height, m.radiusBottom, m.radiusTop);
-      case "ellipse": return new graze.plane.Ellipse(m.radii);
-      case "plane": return new graze.plane.HalfPlane();
-      case "segment": return new graze.plane.Segment(pointsOf(shape)[0], pointsOf(shape)[1]);
-      case "convex": return new graze.plane.Convex(pointsOf(shape));
-      case "polygon": return new graze.plane.Polygon(pointsOf(shape));
-      case "chain": return new graze.plane.Chain(pointsOf(shape), { closed: m.closed ?? false });
-      case "compound": return new graze.plane.Compound(m.children.map((c) => ({
-        shape: planeShapeOf(c.shape), translation: c.translation ?? [0, 0], rotation: Number(c.rotation ?? 0) })));
-      default: throw new RangeError(`shape.type: the lab has no ${shape.type} in the plane`);
-    }
-  })();
-  return shape.margin ? made.rounded(shape.margin) : made;
+export const planeShapeOf = (shape: Shape): graze.plane.Shape => graze.plane.shapeOfProtocol(shape);
+/** A shape with the measures that the protocol gives what does not say them. */
+export function whole(shape: Shape): Shape {
+  const made = shapeOf(shape);
+  try {
+    return graze.protocolShape(made) as Shape;
+  } finally {
+    made.dispose();
+  }
 }
 /** The pose of a protocol's body; the library wants a quaternion of unit length. */
 export function poseOf(body: Body): { translation?: Vec; rotation?: Vec } {
@@ -140,10 +110,11 @@ export function fewest(q: Question, most: number): Vec[] {
   return found.manifolds.flatMap((m) => m.points.map((p) => p.a as Vec));
 }
 
-/** The point of contact of two circles, which divides the overlap or the gap as their radii are. */
+/** The point of contact of two circles or balls, which divides the overlap or the gap as their radii are. */
 export function weightedPoint(q: Question, distance: number): Vec {
-  const a = new graze.plane.Circle(radiusOf(q.a.shape)), b = new graze.plane.Circle(radiusOf(q.b!.shape));
-  const found = graze.plane.contacts(a, { translation: q.a.translation! }, b, { translation: q.b!.translation! }, Math.max(0, 2 * distance));
+  const flat = q.dimension === 2, library = (flat ? graze.plane : graze) as typeof graze;
+  const [a, b] = [q.a, q.b!].map(({ shape }) => (flat ? planeShapeOf(shape) : shapeOf(shape)) as graze.Shape);
+  const found = library.contacts(a, poseOf(q.a), b, poseOf(q.b!), Math.max(0, 2 * distance));
   a.dispose();
   b.dispose();
   const [p] = found.manifolds[0].points;

@@ -1,4 +1,5 @@
-import { ask } from "../graze.ts";
+import { ask, type graze } from "../graze.ts";
+import { drawDistance, drawRay } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
 import { add, scale } from "../parts/vec.ts";
@@ -70,7 +71,9 @@ export const appendix: Lesson = {
     const base: Step["draw"] = (d) => {
       drawBodies(d, q);
       if (q.point) d.point(q.point, "made", { wide: true, label: "x" });
-      if (q.ray) d.arrow(q.ray.origin, add(q.ray.origin, scale(q.ray.direction, 3)), "made", { label: "ray" });
+      if (!q.ray) return;
+      drawRay(d, q.ray as graze.Ray, null, { center: q.ray.origin, size: 3 });
+      d.text(q.ray.origin, "ray", "made");
     };
     const missed = answer.hit === false, spans = answer.trace.spans ?? [];
     const rows = q.query === "raycast"
@@ -93,12 +96,11 @@ export const appendix: Lesson = {
       says: missed ? "The ray misses." : q.query === "raycast" ? `Hit after ${digits(answer.t, 5)}.` : `Distance ${digits(answer.distance, 5)}.`,
       draw(d) {
         base(d);
-        const from = q.point ?? (q.ray ? q.ray.origin : answer.a as unknown as Vec), to = answer.point ?? (answer.b as unknown as Vec);
-        if (!missed && from && to) {
-          d.line(from, to, "touch", { wide: true });
-          d.point(to, "touch", { wide: true });
-          if (answer.normal) d.arrow(to, add(to, scale(answer.normal, 0.6)), "axis", { label: "n" });
-        }
+        if (missed) return;
+        const { t, point, normal } = answer, to = point ?? (answer.b as unknown as Vec), look = { wide: true };
+        if (q.ray) return drawRay(d, q.ray as graze.Ray, { t, point, normal } as graze.RayHit, { look, size: 7 });
+        drawDistance(d, { a: q.point ?? answer.a, b: to }, { look });
+        if (normal) d.arrow(to, add(to, scale(normal, 0.6)), "axis", { label: "n" });
       },
     });
     return steps;

@@ -1,6 +1,7 @@
 import { graze } from "../graze.ts";
+import { drawBounds } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
-import type { Drawing, Look, Meaning } from "../parts/drawing.ts";
+import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { box, type State, type Vec } from "../question.ts";
 import { dragTo, type Lesson, type Step } from "./lesson.ts";
 import { broadPhasePrograms } from "./programs.ts";
@@ -115,16 +116,11 @@ function update(kind: Kind, scene: string): Update[] {
   return made;
 }
 
-function drawBox(d: Drawing, { lower, upper }: Bounds, meaning: Meaning, look: Look): void {
-  const corner = (bits: number): Vec => lower.map((x, k) => (bits >> k & 1 ? upper[k] : x));
-  for (let from = 0; from < 8; from++)
-    for (let k = 0; k < 3; k++) if (!(from >> k & 1)) d.line(corner(from), corner(from | 1 << k), meaning, look);
-}
 /** The structure, deeper parts paler; those with the numbers in `lit` strong. */
 function drawParts(d: Drawing, parts: Part[], lit?: ReadonlySet<number>): void {
   parts.forEach((part, i) => {
-    if (lit?.has(i)) drawBox(d, part, "axis", { key: `depth-${part.depth}` });
-    else drawBox(d, part, part.depth % 2 === 0 ? "made" : "trigger", { ghost: lit !== undefined || parts.length > 12 && part.depth !== 1, key: `depth-${part.depth}` });
+    if (lit?.has(i)) drawBounds(d, part, "axis", { key: `depth-${part.depth}` });
+    else drawBounds(d, part, part.depth % 2 === 0 ? "made" : "trigger", { ghost: lit !== undefined || parts.length > 12 && part.depth !== 1, key: `depth-${part.depth}` });
   });
 }
 function drawBodies(d: Drawing, boxes: Bounds[], meaning: (id: number) => Meaning): void {
@@ -194,7 +190,7 @@ export const broadPhases: Lesson = {
       draw(d) {
         drawParts(d, parts, met);
         drawBodies(d, boxes, (id) => (hits.has(id) ? "touch" : "out"));
-        drawBox(d, asker, "ink", { wide: true });
+        drawBounds(d, asker, "ink", { wide: true });
       },
     }, {
       title: "One box moves",
@@ -204,8 +200,8 @@ export const broadPhases: Lesson = {
       draw(d) {
         drawParts(d, moved[1].parts);
         drawBodies(d, boxes.map((b, id) => (id === 0 ? moved[1].box : b)), (id) => (id === 0 ? "b" : moved[1].partners.has(id) ? "touch" : "out"));
-        drawBox(d, boxes[0], "b", { dashed: true });
-        drawBox(d, moved[1].box, "b", { wide: true });
+        drawBounds(d, boxes[0], "b", { dashed: true });
+        drawBounds(d, moved[1].box, "b", { wide: true });
       },
     }];
     return steps.concat(list.map((frame, i): Step => {

@@ -1,9 +1,10 @@
 import { ask, fewest, type Answer, type Axis, type ContactPoint } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
 import { featureWords } from "../parts/features.ts";
 import { add, inverse, length, quatAbout, rotate, scale, sub, toWorld } from "../parts/vec.ts";
 import { box, convex, sizeOf, type Body, type State, type Vec } from "../question.ts";
-import { dragBody, drawBodies, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
+import { dragBody, drawBodies, drawContacts, moveHandle, sizeHandle, turnHandle, type Lesson, type Step } from "./lesson.ts";
 
 const arms = { a: [2.1, 0, 0], b: [1.5, 0, 0] };
 const situation = (translation: Vec, rotation: Vec): State => ({
@@ -91,7 +92,7 @@ export const contactSet: Lesson = {
       says: manifold ? `Contacts stand on ${answer.trace.winner}.` : "No contact.",
       draw(d) {
         drawBodies(d, q);
-        if (manifold) d.arrow(manifold.points[0].a, add(manifold.points[0].a, manifold.normal), "axis", { wide: true, label: "n" });
+        if (manifold) drawContacts(d, [manifold]);
       },
     }];
     if (!manifold) return steps;
@@ -115,9 +116,8 @@ export const contactSet: Lesson = {
         drawBodies(d, q, true);
         d.line(...edges.a, "a", { wide: true });
         d.line(...edges.b, "b", { wide: true });
-        d.point(manifold.points[0].a, "a", { wide: true, label: "a" });
-        d.point(manifold.points[0].b, "b", { wide: true, label: "b" });
-        d.arrow(manifold.points[0].a, add(manifold.points[0].a, manifold.normal), "axis", { label: "n" });
+        drawDistance(d, manifold.points[0], { look: { wide: true } });
+        drawContacts(d, [manifold]);
       },
     });
     if (faces) steps.push({
@@ -183,7 +183,7 @@ export const contactSet: Lesson = {
       says: "The whole contact set.",
       draw(d) {
         drawBodies(d, q);
-        manifold.points.forEach((p, k) => d.point(p.a, "touch", { wide: true, key: `point-${k}` }));
+        drawContacts(d, [manifold]);
       },
     });
     return steps;

@@ -1,4 +1,5 @@
 import { ask, type EpaStep, type Support, type Trace } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, quatAbout, scale, sub, unit } from "../parts/vec.ts";
@@ -88,7 +89,7 @@ export const epaPlane: Lesson = {
         d.polygon((list.at(-1)?.polygon ?? []).map(place), "axis", {});
         d.arrow(home, add(home, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
         d.shape({ ...q.b!, translation: sub(q.b!.translation!, scale(answer.normal!, answer.distance!)) }, "b", { ghost: true, dashed: true });
-        d.line(answer.a as unknown as Vec, answer.b as unknown as Vec, "touch", { wide: true });
+        drawDistance(d, answer, { look: { wide: true } });
         drawOrigin(d);
       },
     });
@@ -187,7 +188,7 @@ export const epaSpace: Lesson = {
         drawHull(d, points);
         d.arrow(homeSpace, add(homeSpace, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
         d.shape({ ...q.b!, translation: sub(q.b!.translation!, scale(answer.normal!, answer.distance!)) }, "b", { ghost: true });
-        d.line(answer.a as unknown as Vec, answer.b as unknown as Vec, "touch", { wide: true });
+        drawDistance(d, answer, { look: { wide: true } });
       },
     });
     return steps;

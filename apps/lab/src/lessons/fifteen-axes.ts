@@ -1,4 +1,5 @@
 import { ask, type Axis } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, mix, quatAbout, scale, unit } from "../parts/vec.ts";
@@ -137,8 +138,6 @@ export const fifteenAxes: Lesson = {
           drawBodies(d, q);
           ruler(d, best, state);
           drawContacts(d, answer.manifolds ?? []);
-          const point = answer.manifolds?.[0]?.points[0];
-          if (point && normal) d.arrow(point.a, add(point.a, normal), "axis", { label: "n", wide: true });
         },
       } : {
         title: `A gap: the boxes are apart, by ${exact ? "" : "at least "}${digits(-widest.overlap, 4)}`,
@@ -151,9 +150,8 @@ export const fifteenAxes: Lesson = {
           drawBodies(d, q);
           ruler(d, widest, state);
           const [from, to] = [measured!.a as unknown as Vec, measured!.b as unknown as Vec];
-          d.line(from, to, "touch", { wide: true, label: "d" });
-          d.point(from, "a", { wide: true });
-          d.point(to, "b", { wide: true });
+          drawDistance(d, measured!, { look: { wide: true } });
+          d.text(mix(from, to, 0.5), "d", "touch");
         },
       };
     }));

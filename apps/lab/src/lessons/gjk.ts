@@ -1,4 +1,5 @@
 import { ask, type GjkStep, type Support } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, cross, dot, length, quatAbout, scale, sub, unit } from "../parts/vec.ts";
@@ -152,9 +153,7 @@ function walk({ q, paint, zero, more = 0 }: Situation): Step[] {
     draw(d) {
       paint(d);
       if (around.length) drawSimplex(d, around);
-      d.line(a, b, "touch", { wide: true });
-      d.point(a, "touch");
-      d.point(b, "touch");
+      drawDistance(d, answer, { look: { wide: true } });
       d.arrow(zero, add(zero, scale(answer.normal!, answer.distance!)), "touch", { wide: true, label: "d·n" });
     },
   });

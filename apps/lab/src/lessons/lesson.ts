@@ -5,7 +5,8 @@ import type { Programs } from "../parts/code.ts";
 import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
 import type { Graph } from "../parts/graph.ts";
 import type { Numbers } from "../parts/table.ts";
-import { add, rotate, quatBetween, quatMultiply, sub, unit, length } from "../parts/vec.ts";
+import { drawManifold, type DrawnManifold } from "../parts/answers.ts";
+import { add, rotate, quatBetween, quatMultiply, scale, sub, unit, length } from "../parts/vec.ts";
 import { sizeOf, withBody, type Body, type Question, type State, type Vec } from "../question.ts";
 
 export interface Step {
@@ -156,12 +157,13 @@ export function drawBodies(drawing: Drawing, q: Question, ghost = false): void {
   for (const which of ["a", "b"] as const)
     if (q[which]) drawing.shape(q[which]!, which as Meaning, { ghost });
 }
-export function drawContacts(drawing: Drawing, manifolds: { normal: Vec; points: { a: Vec; b: Vec; feature: string }[] }[]): void {
-  for (const { points } of manifolds)
-    points.forEach((p, i) => {
-      drawing.line(p.a, p.b, "touch", { wide: true, key: `point-${i}` });
-      drawing.point(p.a, "touch", { key: `point-${i}` });
-    });
+/** Where two bodies touch, and the normal from the middle of a manifold's points. */
+export function drawContacts(drawing: Drawing, manifolds: DrawnManifold[]): void {
+  for (const manifold of manifolds) {
+    drawManifold(drawing, manifold, { look: { wide: true }, points: (i) => ({ wide: true, key: `point-${i}` }) });
+    const { normal, points } = manifold, middle = scale(points.reduce((sum, p) => add(sum, add(p.a as Vec, p.b as Vec)), normal.map(() => 0)), 1 / (2 * points.length));
+    if (points.length > 0) drawing.text(add(middle, normal), "n", "axis");
+  }
 }
 
 /** How far a point lies along a unit vector: the scalar product, as the library measures the point's distance from the

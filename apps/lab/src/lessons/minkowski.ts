@@ -1,4 +1,5 @@
 import { ask, type Support } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
 import { corners } from "../parts/outline.ts";
@@ -205,7 +206,7 @@ export const minkowski: Lesson = {
           d.polygon(shape, "made", { fill: true });
           drawOrigin(d);
           d.arrow(home, near, "touch", { wide: true, label: "d·n" });
-          d.line(answer.a as unknown as Vec, answer.b as unknown as Vec, "touch", { wide: true });
+          drawDistance(d, answer, { look: { wide: true } });
         },
       });
     }

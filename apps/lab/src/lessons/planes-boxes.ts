@@ -1,4 +1,5 @@
 import { ask } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
 import { add, cross, length, quatAbout, quatBetween, rotate, scale, sub, toWorld, unit } from "../parts/vec.ts";
@@ -146,8 +147,7 @@ export const planesBoxes: Lesson = {
         const c = b.translation!;
         d.line(c, sub(c, scale(n, radius)), "b", { wide: true, label: "r" });
         d.line(sub(c, scale(n, radius)), sub(c, scale(n, center)), "touch", { wide: true, label: "d" });
-        d.point(answer.b as unknown as Vec, "b", { wide: true });
-        d.point(answer.a as unknown as Vec, "touch", { wide: true });
+        drawDistance(d, answer, { look: { wide: true } });
       },
     });
     return steps;

@@ -1,4 +1,5 @@
 import { ask, type Axis } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { digits, vector } from "../parts/dom.ts";
 import { add, dot, mix, rotate, scale, sub } from "../parts/vec.ts";
@@ -158,9 +159,8 @@ function farApart({ q }: State, axes: Axis[]): Step[] {
       draw(d) {
         drawBodies(d, q);
         ruler(d, winner === "normal" ? between : best, bodies, { verdict: true });
-        d.line(near, far, "touch", { wide: true, label: "d" });
-        d.point(near, "a", { wide: true });
-        d.point(far, "b", { wide: true });
+        drawDistance(d, { a, b }, { look: { wide: true } });
+        d.text(mix(near, far, 0.5), "d", "touch");
       },
     };
   }));
@@ -212,7 +212,6 @@ function deep({ q }: State, axes: Axis[]): Step[] {
     draw(d) {
       drawBodies(d, q);
       drawContacts(d, answer.manifolds ?? []);
-      d.arrow(mix(points[0].a, points.at(-1)!.a, 0.5), add(mix(points[0].a, points.at(-1)!.a, 0.5), normal), "axis", { label: "n", wide: true });
     },
   }];
 }

@@ -1,33 +1,59 @@
 import { ask, weightedPoint } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Drawing, Handle } from "../parts/drawing.ts";
-import { add, dot, length, mix, sub } from "../parts/vec.ts";
+import { add, dot, length, mix, scale, sub, unit } from "../parts/vec.ts";
 import { outlines } from "../parts/outline.ts";
-import { circle, radiusOf, sphere, withBody, type State, type Vec } from "../question.ts";
+import { circle, radiusOf, sphere, withBody, type Body, type Question, type State, type Vec } from "../question.ts";
 import { dragBody, drawBodies, moveHandle, type Lesson, type Step, type Which } from "./lesson.ts";
 
 const situation = (ra: number, rb: number, b: Vec): State => ({
   q: { query: "contacts", dimension: 2, a: { shape: circle(ra), translation: [0, 0] }, b: { shape: circle(rb), translation: b } },
 });
-const sizer = (s: State, which: Which): Handle => ({
-  id: `radius-${which}`, label: `Radius of ${which.toUpperCase()}`, kind: "size", meaning: which,
-  at: add(s.q[which]!.translation!, [0, radiusOf(s.q[which]!.shape)]),
-});
+const sizer = (q: Question, which: Which): Handle => {
+  const { translation, shape } = q[which]!;
+  return { id: `radius-${which}`, label: `Radius of ${which.toUpperCase()}`, kind: "size", meaning: which, at: add(translation!, [0, radiusOf(shape)]) };
+};
 
 const inSpace = (s: State): boolean => s.choice?.view === "space";
+/** How far the centres lie before the plane of the screen, which balls moved in space have. */
+const depthOf = (s: State, which: Which): number => Number(s.choice?.[`${which}z`] ?? 0);
+/** The balls in space; or the circles in which a plane cuts them that holds both centres and the vertical: as far from each
+ *  other as the balls are, whatever their depths. */
+function present(s: State): Question {
+  const [a, b] = [s.q.a.translation!, s.q.b!.translation!], ball = (which: Which, translation: Vec): Body =>
+    inSpace(s) ? { shape: sphere(radiusOf(s.q[which]!.shape)), translation } : { shape: s.q[which]!.shape, translation };
+  if (inSpace(s)) return { query: s.q.query, a: ball("a", [...a, depthOf(s, "a")]), b: ball("b", [...b, depthOf(s, "b")]) };
+  const aside = b[0] - a[0], depth = depthOf(s, "b") - depthOf(s, "a");
+  const turned = depth === 0 ? b : [a[0] + (aside < 0 ? -1 : 1) * length([aside, depth]), b[1]];
+  return { query: s.q.query, dimension: 2, a: ball("a", a), b: ball("b", turned) };
+}
+/** The balls of a question that `present` made, with the choices that there were. */
+function stateOf({ choice }: State, q: Question): State {
+  const flat = q.dimension === 2, [a, b] = [q.a, q.b!];
+  const cut = ({ shape, translation }: Body): Body => ({ shape: circle(radiusOf(shape)), translation: translation!.slice(0, 2) });
+  return { q: { query: q.query, dimension: 2, a: cut(a), b: cut(b) },
+    choice: { ...choice, az: flat ? 0 : a.translation![2], bz: flat ? 0 : b.translation![2] } };
+}
 /** The balls, the plane through their centres, and the circles in which it cuts them. */
-function drawBalls(draw: Drawing, { q }: State): void {
-  draw.polygon([[-2.6, -2.6], [4.4, -2.6], [4.4, 3], [-2.6, 3]], "ink", { ghost: true });
+function drawBalls(draw: Drawing, q: Question): void {
+  const [a, b] = [q.a.translation!, q.b!.translation!], along = [b[0] - a[0], 0, b[2] - a[2]];
+  const side = length(along) > 0 ? unit(along[0] < 0 ? scale(along, -1) : along) : [1, 0, 0], low = Math.min(a[1], b[1]);
+  const at = (center: Vec, u: number, v: number): Vec => add(add(center, scale(side, u)), [0, v, 0]);
+  const corner = (u: number, v: number): Vec => at([a[0], low, a[2]], u, v);
+  draw.polygon([corner(-2.6, -2.6), corner(4.4, -2.6), corner(4.4, 3), corner(-2.6, 3)], "ink", { ghost: true });
   for (const which of ["a", "b"] as const) {
-    const body = q[which]!;
-    draw.shape({ shape: sphere(radiusOf(body.shape)), translation: [...body.translation!, 0] }, which);
-    for (const { points } of outlines(body, 8)) points.forEach((p, i) => draw.line(p, points[(i + 1) % points.length], which, { wide: true }));
+    const { shape, translation } = q[which]!;
+    draw.shape(q[which]!, which);
+    for (const { points } of outlines({ shape: circle(radiusOf(shape)) }, 8))
+      points.forEach(([u, v], i) => draw.line(at(translation!, u, v), at(translation!, ...(points[(i + 1) % points.length] as [number, number])), which, { wide: true }));
   }
 }
 
 function dragged(s: State, id: string, to: Vec): State {
-  if (!id.startsWith("radius")) return dragBody(s, id, to);
-  return withBody(s, id.slice(-1) as Which, (body) => { body.shape = circle(Math.max(0.05, length(sub(to, body.translation!)))); });
+  const now = { ...s, q: present(s) };
+  if (!id.startsWith("radius")) return stateOf(s, dragBody(now, id, to).q);
+  return stateOf(s, withBody(now, id.slice(-1) as Which, (body) => { body.shape = circle(Math.max(0.05, length(sub(to, body.translation!)))); }).q);
 }
 
 export const spheres: Lesson = {
@@ -36,16 +62,20 @@ export const spheres: Lesson = {
   dimension: (s) => (inSpace(s) ? 3 : 2), view: (s) => (inSpace(s) ? { center: [0.9, 0.2, 0], reach: 2.7, from: [0.55, 0.45, 1] } : { center: [0.9, 0.2], reach: 3.2 }),
   start: situation(1.4, 0.8, [1.7, 0.8]),
   choices: [{ key: "view", label: "Seen", options: [{ value: "section", label: "section" }, { value: "space", label: "in space" }] }],
-  handles: (s) => [moveHandle(s, "a"), moveHandle(s, "b"), sizer(s, "a"), sizer(s, "b")],
-  drag: (s, id, at) => dragged(s, id, at.slice(0, 2)),
+  handles(s) {
+    const q = present(s), now = { ...s, q };
+    return [moveHandle(now, "a"), moveHandle(now, "b"), sizer(q, "a"), sizer(q, "b")];
+  },
+  drag: dragged,
+  asks: present,
   steps(state) {
-    const { q } = state, answer = ask({ ...q, query: "distance" }), overlap = ask({ ...q, query: "overlap" }).overlap!;
+    const q = present(state), answer = ask({ ...q, query: "distance" }), overlap = ask({ ...q, query: "overlap" }).overlap!;
     const ca = q.a.translation!, cb = q.b!.translation!, ra = radiusOf(q.a.shape), rb = radiusOf(q.b!.shape);
     const c = sub(cb, ca), n = answer.normal!, d = answer.distance!;
     const pa = answer.a as unknown as Vec, pb = answer.b as unknown as Vec;
     const weighted = weightedPoint(q, d), middle = mix(pa, pb, 0.5);
     const centers = (draw: Parameters<Step["draw"]>[0]): void => {
-      if (inSpace(state)) drawBalls(draw, state);
+      if (inSpace(state)) drawBalls(draw, q);
       else drawBodies(draw, q);
       draw.line(ca, cb, "axis", { dashed: true, label: "c" });
     };
@@ -74,9 +104,9 @@ export const spheres: Lesson = {
         says: `Signed distance ${digits(d, 5)}.`,
         draw(draw) {
           centers(draw);
-          draw.line(pa, pb, "touch", { wide: true });
-          draw.point(pa, "a", { wide: true, label: "a" });
-          draw.point(pb, "b", { wide: true, label: "b" });
+          drawDistance(draw, answer, { look: { wide: true } });
+          draw.text(pa, "a", "a");
+          draw.text(pb, "b", "b");
         },
       },
       {
@@ -87,7 +117,7 @@ export const spheres: Lesson = {
         says: `The weighted point is ${vector(weighted, 3)}.`,
         draw(draw) {
           centers(draw);
-          draw.line(pa, pb, "touch", { wide: true });
+          drawDistance(draw, answer, { look: { wide: true }, as: { a: null, b: null } });
           draw.point(middle, "out", { wide: true, key: "m" });
           draw.point(weighted, "touch", { wide: true, label: "P", key: "p" });
         },

@@ -1,4 +1,5 @@
 import { ask, bodyAt } from "../graze.ts";
+import { drawDistance } from "../parts/answers.ts";
 import { digits, vector } from "../parts/dom.ts";
 import type { Handle } from "../parts/drawing.ts";
 import { corners } from "../parts/outline.ts";
@@ -96,7 +97,7 @@ export const timeOfImpact: Lesson = {
             d.shape(now, "a");
             d.shape(b, "b");
             const pair = ask({ query: "distance", dimension: 2, a: { shape: now.shape, translation: now.translation, rotation: now.rotation }, b: { shape: b.shape, translation: b.translation, rotation: b.rotation } });
-            d.line(pair.a as unknown as Vec, pair.b as unknown as Vec, "touch", { wide: true });
+            drawDistance(d, pair, { look: { wide: true } });
             d.arrow(pair.a as unknown as Vec, add(pair.a as unknown as Vec, s.normal), "axis", { label: "n" });
           },
         };

@@ -4,6 +4,7 @@
 // JavaScript the npm package. `tests/snippets.mjs` runs all of them and compares what they print with the answer of the
 // query protocol.
 
+import { whole } from "../graze.ts";
 import {
   measures, pointsOf, radiusOf, sizeOf, type Body, type Question, type Shape, type Vec,
 } from "../question.ts";
@@ -21,16 +22,17 @@ interface Made {
   rounding: number;
 }
 
+/** Shapes of space whose measures the protocol has defaults for. */
+const withDefaults = ["box", "sphere", "capsule", "cylinder"];
 /** The measures that are not given are those of the protocol. Nothing of a shape that takes more than one call. */
 function made(shape: Shape, flat: boolean): Made | undefined {
-  const m = measures<{
-    height?: number; radiusBottom?: number; radiusTop?: number; radii: Vec; sizeX?: number; sizeZ?: number;
-  }>(shape);
-  const tall = [m.height ?? 0.5, m.radiusBottom ?? 0.25, m.radiusTop ?? 0.25];
+  const said = withDefaults.includes(shape.type) && !flat ? whole(shape) : shape;
+  const m = measures<{ height: number; radiusBottom: number; radiusTop: number; radii: Vec; sizeX?: number; sizeZ?: number }>(said);
+  const tall = [m.height, m.radiusBottom, m.radiusTop];
   const call = (kind: string, ...args: Made["args"]): Made => ({ kind, args, rounding: shape.margin ?? 0 });
   switch (shape.type) {
-    case "box": return call("Box", sizeOf(shape) ?? [1, 1, 1]);
-    case "sphere": return call("Sphere", radiusOf(shape) ?? 0.5);
+    case "box": return call("Box", sizeOf(said));
+    case "sphere": return call("Sphere", radiusOf(said));
     case "circle": return call("Circle", radiusOf(shape));
     case "capsule": return call("Capsule", ...tall);
     case "cylinder": return call("Cylinder", ...tall);

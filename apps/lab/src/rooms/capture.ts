@@ -9,40 +9,35 @@ import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, parse, whenStill } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
-import { speeds, Timeline } from "../parts/timeline.ts";
-import { add, scale } from "../parts/vec.ts";
-import { bodiesAt, type Captured, type CapturedFrame } from "../scene/captured.ts";
+import { Timeline } from "../parts/timeline.ts";
+import { bodiesAt, readCapture, type Captured, type CapturedFrame } from "../scene/captured.ts";
 import { Chooser, toggled } from "../scene/chooser.ts";
 import { Inquiry } from "../scene/inquiry.ts";
 import { captureLayers } from "../scene/layers.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
-import { drawPair } from "../scene/pair.ts";
+import { firstShown, isShown, type Shown } from "../scene/moment.ts";
+import { askPair, drawContacts, drawPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, counted, keyOf, pairRows } from "../scene/pairs.ts";
 import { Run } from "../scene/run.ts";
+import type { Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
 /** Which frame is shown, which bodies are selected, and how it is played and drawn. */
-interface Moment {
+interface Moment extends Shown {
   frame: number;
-  selected: number[];
-  speed: number;
-  layers: string[];
 }
-const start: Moment = { frame: 0, selected: [], speed: 1, layers: [] };
-const isMoment = (value: unknown): boolean => {
-  const { frame, selected, speed, layers } = { ...start, ...(value as Partial<Moment> | null) };
-  return Number.isInteger(frame) && Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) &&
-    speeds.includes(speed) && Array.isArray(layers) && layers.every((layer) => typeof layer === "string");
-};
+const start: Moment = { ...firstShown, frame: 0 };
+const isMoment = (value: unknown): boolean => isShown(value) && Number.isInteger((value as Partial<Moment> | null)?.frame ?? start.frame);
 /** The selected bodies of a frame in a world of their own. */
 interface Asked {
   run: Run;
   bodies: SceneBody[];
   numbers: number[];
+  pair: AskedPair | null;
 }
 /** Where the capture lies if it is served, and the moment that the address holds. */
 export interface Origin {
-  served: string | null;
+  served: Served | null;
   at?: string;
   /** The camera that the address holds. */
   view?: string;
@@ -61,7 +56,8 @@ export class CaptureRoom implements Room {
   private readonly trouble = h("p", { class: "trouble", role: "alert", hidden: true });
   private readonly inquiry: Inquiry;
   private readonly chooser: Chooser;
-  private readonly captured: Captured;
+  private readonly intro = h("p", { class: "intro" });
+  private captured: Captured;
   private readonly origin: Origin;
   private frame = 0;
   private selected: number[] = [];
@@ -71,21 +67,14 @@ export class CaptureRoom implements Room {
   constructor(name: string, captured: Captured, origin: Origin, onScene: (scene: Scene) => void) {
     this.captured = captured;
     this.origin = origin;
-    const { report, scalar, bodies, frames } = captured;
-    const kind = `${report.simulation ? "simulation" : "world"}${report.plane ? " of the plane" : ""} in ${scalar}`;
-    const end = report.difference
-      ? `From frame ${report.difference.frame} on it comes to something else: call ${report.difference.call}, ${report.difference.what}.`
-      : report.cut ? "It ends within a frame, which is left out." : "It comes to the same bits.";
     this.inquiry = new Inquiry((question) => (location.hash = address("/scene", { q: JSON.stringify(question) })), (text) => this.say(text));
     this.chooser = new Chooser((selected) => this.select(selected));
     this.pairs.onPoint = this.found.onPoint = this.inquiry.table.onPoint = (key) => this.stage.light(key);
     this.stage.onPick = (body, _, key) => this.select(bodiesOf(key).length > 0 ? bodiesOf(key) : toggled(this.selected, body));
-    const usual = bodies.map((body): Meaning => (body.moves ? "a" : "out"));
-    this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), usual);
-    this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: report.plane });
-    this.chooser.set(bodies);
+    this.put();
+    this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: captured.report.plane });
     this.element = h("article", { class: "lesson" },
-      h("header", {}, h("h1", {}, name), h("p", { class: "intro" }, `A ${kind}: ${frames.length} frames, played again. ${end}`)),
+      h("header", {}, h("h1", {}, name), this.intro),
       h("div", { class: "board" },
         h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble, this.layers.element,
           h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
@@ -96,10 +85,16 @@ export class CaptureRoom implements Room {
     this.timeline.speed = moment.speed;
     this.stage.camera = cameraOf(origin.view);
     this.stage.onCamera = () => this.still.call();
-    this.selected = moment.selected.filter((i) => i >= 0 && i < bodies.length);
-    this.go(Math.max(0, Math.min(moment.frame, frames.length - 1)));
+    this.selected = moment.selected;
+    this.goNear(moment.frame);
+    const watched = origin.served?.watched;
+    watched?.tell({ onTrouble: (text) => this.say(text), onFile: async (file) => {
+      const written = await readCapture(await file.arrayBuffer());
+      if (!watched.ended) this.again(written);
+    } });
   }
   dispose(): void {
+    this.origin.served?.watched.end();
     this.still.cancel();
     this.timeline.stop();
     this.asked?.run.dispose();
@@ -113,6 +108,30 @@ export class CaptureRoom implements Room {
 
   private get now(): CapturedFrame {
     return this.captured.frames[this.frame];
+  }
+  /** What the capture holds onto the stage and into the lists. */
+  private put(): void {
+    const { report, scalar, bodies, frames } = this.captured;
+    const kind = `${report.simulation ? "simulation" : "world"}${report.plane ? " of the plane" : ""} in ${scalar}`;
+    const end = report.difference
+      ? `From frame ${report.difference.frame} on it comes to something else: call ${report.difference.call}, ${report.difference.what}.`
+      : report.cut ? "It ends within a frame, which is left out." : "It comes to the same bits.";
+    this.intro.textContent = `A ${kind}: ${frames.length} frames, played again. ${end}`;
+    const usual = bodies.map((body): Meaning => (body.moves ? "a" : "out"));
+    this.stage.crowd.set(bodies.map((body, i) => ({ key: String(i), make: () => body.solid, flat: body.flat })), usual);
+    this.chooser.set(bodies);
+  }
+  /** Shows the file anew, which has been written once more, where it was shown. */
+  private again(captured: Captured): void {
+    this.captured = captured;
+    this.put();
+    this.goNear(this.frame);
+  }
+  /** The frame with this number, or the nearest that there is, and of the selected bodies those that there are. */
+  private goNear(frame: number): void {
+    const { bodies, frames } = this.captured;
+    this.selected = this.selected.filter((i) => i >= 0 && i < bodies.length);
+    this.go(Math.max(0, Math.min(frame, frames.length - 1)));
   }
   private say(text: string | null): void {
     this.trouble.textContent = text;
@@ -131,7 +150,7 @@ export class CaptureRoom implements Room {
     const { served } = this.origin, { frame, selected } = this, { camera } = this.stage;
     if (!served) return;
     const at = JSON.stringify({ frame, selected, speed: this.timeline.speed, layers: this.layers.switched });
-    history.replaceState(null, "", address("/scene", { file: served, at, ...(camera ? { view: cameraText(camera) } : {}) }));
+    history.replaceState(null, "", address("/scene", { file: served.path, at, ...(camera ? { view: cameraText(camera) } : {}) }));
   }
   private open(onScene: (scene: Scene) => void): void {
     try {
@@ -151,7 +170,8 @@ export class CaptureRoom implements Room {
     const numbers = this.selected.filter((i) => this.now.there.has(i));
     try {
       const bodies = bodiesAt(this.captured, this.frame, numbers);
-      this.asked = { bodies, numbers, run: new Run({ name: "selected", bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) }) };
+      const run = new Run({ name: "selected", bodies, ...(this.captured.report.plane ? { dimension: 2 as const } : {}) });
+      this.asked = { bodies, numbers, run, pair: askPair(run, numbers.map((_, k) => k)) };
     } catch (error) {
       this.say((error as Error).message); // a shape that the protocol has no words for
     }
@@ -174,21 +194,17 @@ export class CaptureRoom implements Room {
     this.still.call();
   }
   private draw(d: Drawing): void {
-    for (const pair of this.now.pairs)
-      for (const { normal, points } of pair.manifolds)
-        for (const { a, distance } of points) {
-          if (this.layers.has("contacts")) d.point(a, distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
-          if (this.layers.has("normals")) d.arrow(a, add(a, scale(normal, this.captured.size / 25)), "axis", { key: keyOf(pair) });
-        }
+    const marks = { points: this.layers.has("contacts"), normals: this.layers.has("normals"), arrow: this.captured.size / 25 };
+    for (const pair of this.now.pairs) drawContacts(d, pair, marks);
     if (!this.asked) return;
-    const { run, numbers } = this.asked;
-    if (numbers.length === 2 && this.layers.has("pair")) drawPair(d, run, 0, 1);
+    const { run, numbers, pair: selected } = this.asked;
+    if (selected && this.layers.has("pair")) drawPair(d, run, selected);
     numbers.forEach((_, k) => d.text(run.place(k).translation, k ? "B" : "A", k ? "b" : "made"));
   }
   /** What is asked about the selected bodies where they are, and what the run itself found. */
   private tell(): void {
     const { asked } = this;
-    this.inquiry.show(asked ? { run: asked.run, bodies: asked.bodies, selected: asked.numbers.map((_, k) => k), pairs: this.pairsOf(asked.numbers) } : null);
+    this.inquiry.show(asked ? { run: asked.run, bodies: asked.bodies, selected: asked.numbers.map((_, k) => k), pair: asked.pair, pairs: this.pairsOf(asked.numbers) } : null);
     const [first, other] = this.selected, pair = this.now.pairs.find((p) => this.selected.length === 2 && [p.a, p.b].every((i) => this.selected.includes(i)));
     const turned = pair && pair.a !== first && pair.b !== other;
     const names = turned ? [other, first] : [first, other];

@@ -211,7 +211,7 @@ export class LessonRoom implements Room {
             type: "button", "aria-pressed": String(o.value === now),
             onclick: () => this.change({ ...copy(this.state), choice: { ...this.state.choice, [choice.key]: o.value } }, true),
           }, o.label)));
-    }), ...(this.lesson.bits ?? []).map((of) => this.switches(of)));
+    }), ...(this.lesson.bits ? [h("div", { class: "bit-rows" }, ...this.lesson.bits.map((of) => this.switches(of)))] : []));
   }
   /** A number's bits, the highest first as it is written, each a button. */
   private switches({ key, label, names }: Bits): HTMLElement {

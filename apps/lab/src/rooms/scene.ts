@@ -16,19 +16,20 @@ import { materialFields } from "../scene/materials.ts";
 import type { Scene } from "../scene/model.ts";
 import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
 import { sceneOfQuestion } from "../scene/open.ts";
+import { askPair, type AskedPair } from "../scene/pair.ts";
 import { bodiesOf, counted, pairRows } from "../scene/pairs.ts";
 import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, viewOf } from "../scene/picture.ts";
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
 import { Shooting, type Sight } from "../scene/shooting.ts";
-import { Source } from "../scene/source.ts";
+import { Source, type Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
 /** Of larger scenes the contacts are counted and not drawn. */
 const mostDrawn = 200;
 /** What gets a capture that was opened in place of a scene, and where it lies if it is served. */
-export type OnCapture = (name: string, captured: Captured, served: string | null) => void;
+export type OnCapture = (name: string, captured: Captured, served: Served | null) => void;
 
 export class SceneRoom implements Room {
   readonly element: HTMLElement;
@@ -45,6 +46,8 @@ export class SceneRoom implements Room {
   private history = new History<Moment>(beginning);
   /** What touches, of scenes that are not too large to draw it. */
   private found: Pair[] = [];
+  /** The selected bodies, where they are drawn. */
+  private pair: AskedPair | null = null;
   private draws = 0;
   private drawTime = 0;
   private readonly source: Source;
@@ -65,7 +68,7 @@ export class SceneRoom implements Room {
   constructor(values: Record<string, string>, onCapture: OnCapture) {
     this.source = new Source({
       onScene: (scene) => this.opened(scene), onTrouble: (text) => this.say(text),
-      onCapture: (name, captured) => onCapture(name, captured, this.source.served) });
+      onCapture });
     this.play = new Play({
       onStep: () => this.show(), onTrouble: (text) => this.say(text),
       onRunning: (running) => (this.toggle.textContent = running ? "Pause" : "Play") });
@@ -265,8 +268,9 @@ export class SceneRoom implements Room {
     if (!running || energy.length % (this.few ? 6 : 30) === 0) this.tell();
   }
   private paint(): void {
-    const { play, found, selected, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
-    const overlay = { found, selected, shot: this.shooting.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
+    this.pair = askPair(this.play.run, this.selected);
+    const { play, found, selected, pair, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
+    const overlay = { found, selected, pair, shot: this.shooting.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
@@ -282,7 +286,7 @@ export class SceneRoom implements Room {
     const [i] = this.selected;
     this.materials.replaceChildren(...(i === undefined ? [] : materialFields(run, i, scene.bodies[i], (refused) => this.say(refused))));
     if (this.shooting.shot && i === undefined) return;
-    this.inquiry.show({ run, bodies: scene.bodies, selected: this.selected, pairs: found });
+    this.inquiry.show({ run, bodies: scene.bodies, selected: this.selected, pair: this.pair, pairs: found });
   }
 
   private page(): HTMLElement {

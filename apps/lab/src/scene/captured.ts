@@ -7,7 +7,7 @@ import type { SceneBody } from "./model.ts";
 import { placesOfPlane, type Pair } from "./run.ts";
 
 export interface CapturedBody {
-  /** By its kind, and its number in the world. */
+  /** As the run called it last; where it did not, by its kind and its number in the world. */
   name: string;
   solid: Solid;
   flat: boolean;
@@ -105,6 +105,7 @@ export async function readCapture(bytes: ArrayBuffer): Promise<Captured> {
         at = bodies.push({ name: `${shape.kind} ${index}`, solid: solid(shape), flat: endless, moves: false, ...words(shape) }) - 1;
         known.set(key, at);
       }
+      bodies[at].name = world.name(id) || bodies[at].name;
       return at;
     } finally {
       shape.dispose();

@@ -8,7 +8,7 @@ import { address } from "../parts/state.ts";
 import { Table } from "../parts/table.ts";
 import type { Question } from "../question.ts";
 import type { SceneBody } from "./model.ts";
-import { distanceOf, lessonsOf, questionOf } from "./pair.ts";
+import { lessonsOf, type AskedPair } from "./pair.ts";
 import { propertiesOf } from "./properties.ts";
 import type { Pair, Run } from "./run.ts";
 
@@ -17,6 +17,8 @@ export interface Selection {
   run: Run;
   bodies: SceneBody[];
   selected: number[];
+  /** Of two selected bodies. */
+  pair: AskedPair | null;
   /** What touches. */
   pairs: Pair[];
 }
@@ -48,19 +50,19 @@ export class Inquiry {
     this.asked.value = line(question);
   }
   show(of: Selection | null): void {
-    const [first, other] = of?.selected ?? [];
+    const [first] = of?.selected ?? [];
     if (!of || first === undefined) {
       this.tell("Select a body", "Click one, or a pair of the table, to see why two touch or do not.");
       this.table.show(undefined);
-    } else if (other === undefined) {
+    } else if (!of.pair) {
       this.tell(of.bodies[first].name, "Click another to see what the two have to do with each other.");
       this.table.show(propertiesOf(of.run, of.bodies[first], first, of.pairs));
     } else {
-      this.explain(of);
+      this.explain(of.bodies, of.pair);
     }
   }
-  private explain({ run, bodies, selected }: Selection): void {
-    const [i, j] = selected, question = questionOf(run, i, j), answer = ask(question), distance = distanceOf(question);
+  private explain(bodies: SceneBody[], { bodies: [i, j], question, distance }: AskedPair): void {
+    const answer = ask(question);
     const touch = answer.overlap ? "They touch" : "They are apart";
     this.tell(`${bodies[i].name} and ${bodies[j].name}`,
       answer.error ?? distance.error ?? `${touch}: signed distance ${digits(distance.distance, 6)}, normal ${vector(distance.normal, 4)}. ${distance.trace.reason ?? distance.trace.method}.`,

@@ -5,32 +5,40 @@ import { speeds } from "../parts/timeline.ts";
 import type { Scene } from "./model.ts";
 import type { Place } from "./run.ts";
 
-export interface Moment {
-  /** Of the bodies that do not stand where the scene has them, by number. */
-  places: Record<number, Place>;
+/** What scenes and captures have in common. */
+export interface Shown {
   selected: number[];
-  subSteps: number;
-  gravity: boolean;
   /** How many times as fast as usual it plays. */
   speed: number;
   /** The layers that are not drawn as they are at first. */
   layers: string[];
 }
+export interface Moment extends Shown {
+  /** Of the bodies that do not stand where the scene has them, by number. */
+  places: Record<number, Place>;
+  subSteps: number;
+  gravity: boolean;
+}
 
-export const beginning: Moment = { places: {}, selected: [], subSteps: 8, gravity: true, speed: 1, layers: [] };
+export const firstShown: Shown = { selected: [], speed: 1, layers: [] };
+export const beginning: Moment = { ...firstShown, places: {}, subSteps: 8, gravity: true };
 
 const isNumbers = (value: unknown, count: number): value is Vec =>
   Array.isArray(value) && value.length === count && value.every((x) => typeof x === "number" && Number.isFinite(x));
 const isPlace = (value: unknown): value is Place =>
   isNumbers((value as Place)?.translation, 3) && isNumbers((value as Place).rotation, 4);
 
-/** Whether what an address holds is a moment. */
-export function isMoment(value: unknown): boolean {
-  const { places, selected, subSteps, gravity, speed, layers } = { ...beginning, ...(value as Partial<Moment> | null) };
-  return typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
-    Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) &&
-    [1, 2, 4, 8, 16].includes(subSteps) && typeof gravity === "boolean" && speeds.includes(speed) &&
+/** Whether what an address holds, as far as it says something, says it as `Shown` has it. */
+export function isShown(value: unknown): boolean {
+  const { selected, speed, layers } = { ...firstShown, ...(value as Partial<Shown> | null) };
+  return Array.isArray(selected) && selected.length <= 2 && selected.every(Number.isInteger) && speeds.includes(speed) &&
     Array.isArray(layers) && layers.every((layer) => typeof layer === "string");
+}
+/** The same of the moment of a scene. */
+export function isMoment(value: unknown): boolean {
+  const { places, subSteps, gravity } = { ...beginning, ...(value as Partial<Moment> | null) };
+  return isShown(value) && typeof places === "object" && places !== null && Object.values(places).every(isPlace) &&
+    [1, 2, 4, 8, 16].includes(subSteps) && typeof gravity === "boolean";
 }
 
 /** The moved bodies of a scene that began as `before`. */

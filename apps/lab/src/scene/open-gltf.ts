@@ -2,7 +2,7 @@
 // motion are one body.
 
 import * as THREE from "three";
-import { graze, shapeOf } from "../graze.ts";
+import { graze, shapeOf, whole } from "../graze.ts";
 import { quatMultiply, rotate } from "../parts/vec.ts";
 import type { Body, Shape, Vec } from "../question.ts";
 import { filtersOf, type NamedFilter } from "./filters.ts";
@@ -20,10 +20,6 @@ interface Placed extends Place {
   /** The node above it. */
   above: number | null;
 }
-
-const defaults: Record<string, object> = {
-  sphere: { radius: 0.5 }, box: { size: [1, 1, 1] }, capsule: { height: 0.5, radiusBottom: 0.25, radiusTop: 0.25 },
-  cylinder: { height: 0.5, radiusBottom: 0.25, radiusTop: 0.25 } };
 
 /** A shape of KHR_implicit_shapes under its node's scale: such a shape again, or an ellipsoid, or the hull of what is drawn. */
 function scaled(shape: Shape, scale: Vec): Shape {
@@ -106,7 +102,7 @@ class GltfReader {
     if (geometry?.shape !== undefined) {
       const shape = this.gltf.extensions?.KHR_implicit_shapes?.shapes[geometry.shape];
       if (!shape) throw new Unreadable(`nodes[${at.number}]: there is no shape ${geometry.shape}`);
-      return scaled({ ...shape, [shape.type]: { ...defaults[shape.type], ...(shape[shape.type] as object) } }, at.scale);
+      return scaled(whole({ type: shape.type, [shape.type]: shape[shape.type] ?? {} }), at.scale);
     }
     const mesh = geometry?.mesh ?? (geometry?.node === undefined ? undefined : this.gltf.nodes?.[geometry.node]?.mesh) ?? (this.plain ? at.node.mesh : undefined);
     if (mesh === undefined) return null;

@@ -1,17 +1,31 @@
 // What is shown of two bodies: their distance, the lesson that explains them, and what they touch with.
 
 import { ask, type Answer } from "../graze.ts";
+import { drawDistance, drawManifold } from "../parts/answers.ts";
 import { digits } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
+import { add, scale } from "../parts/vec.ts";
 import type { Question, State, Vec } from "../question.ts";
-import type { Run } from "./run.ts";
+import { keyOf } from "./pairs.ts";
+import type { Pair, Run } from "./run.ts";
 
 /** The question about two bodies where they are now, up to the margin with which they keep their points at rest. */
-export function questionOf(run: Run, i: number, j: number): Question {
+function questionOf(run: Run, i: number, j: number): Question {
   return { query: "contacts", ...(run.flat ? { dimension: 2 as const } : {}), a: run.asked(i), b: run.asked(j), margin: run.margin(i, j) };
 }
-/** Their signed distance, which a margin has nothing to do with. */
-export const distanceOf = (question: Question): Answer => ask({ ...question, query: "distance", margin: undefined } as Question);
+/** Two bodies by their places in a run, the question about them, and their signed distance, which a margin has nothing to do
+ *  with. */
+export interface AskedPair {
+  bodies: [number, number];
+  question: Question;
+  distance: Answer;
+}
+/** Asked once for what is said of a pair and for what is drawn of it; none unless two bodies are selected. */
+export function askPair(run: Run, [i, j]: number[]): AskedPair | null {
+  if (i === undefined || j === undefined) return null;
+  const question = questionOf(run, i, j);
+  return { bodies: [i, j], question, distance: ask({ ...question, query: "distance", margin: undefined } as Question) };
+}
 
 /** Shapes of the plane that GJK's lesson draws. */
 const convexInPlane = ["circle", "box", "capsule", "convex", "ellipse", "segment"];
@@ -41,9 +55,27 @@ function drawFeature(d: Drawing, corners: Vec[], meaning: Meaning, key: string):
   for (let i = 0; i < ends; i++) d.line(corners[i], corners[(i + 1) % corners.length], meaning, { key });
 }
 /** The corners, edges and faces that two bodies touch with at each point of contact, and the gap between the two. */
-export function drawPair(d: Drawing, run: Run, i: number, j: number): void {
-  run.features(i, j, run.margin(i, j)).forEach((of, point) =>
+export function drawPair(d: Drawing, run: Run, pair: AskedPair): void {
+  run.features(...pair.bodies, pair.question.margin!).forEach((of, point) =>
     of.forEach((corners, k) => drawFeature(d, corners, k ? "b" : "made", `point ${point}`)));
-  const { distance, a, b } = distanceOf(questionOf(run, i, j));
-  if (distance! > 0) d.line(a as unknown as Vec, b as unknown as Vec, "axis", { dashed: true, label: digits(distance, 4) });
+  const { distance, a, b } = pair.distance;
+  if (!(distance! > 0)) return;
+  const [from, to] = [a, b] as unknown as [Vec, Vec];
+  drawDistance(d, pair.distance, { look: { dashed: true }, as: { gap: "axis", a: null, b: null } });
+  d.text(scale(add(from, to), 0.5), digits(distance, 4), "axis");
+}
+
+/** Which of the marks of contacts are drawn. */
+export interface ContactMarks {
+  points: boolean;
+  normals: boolean;
+  /** How long a normal is. */
+  arrow: number;
+}
+/** Where bodies touch, each pair by the key of its row, and the normal from the middle of each manifold. */
+export function drawContacts(d: Drawing, pair: Pair, { points, normals, arrow }: ContactMarks): void {
+  for (const manifold of pair.manifolds)
+    drawManifold(d, manifold, {
+      size: 12 * arrow, look: { key: keyOf(pair) }, as: { normal: normals ? "axis" : null },
+      contact: (i) => (!points ? null : manifold.points[i].distance <= 0 ? "touch" : "axis") });
 }

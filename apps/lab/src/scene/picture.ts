@@ -8,8 +8,8 @@ import { solidOf } from "../parts/solid.ts";
 import { add, length, rotate, scale, sub } from "../parts/vec.ts";
 import type { Vec } from "../question.ts";
 import type { Scene } from "./model.ts";
-import { drawPair } from "./pair.ts";
-import { deepest, keyOf } from "./pairs.ts";
+import { drawContacts, drawPair, type AskedPair } from "./pair.ts";
+import { deepest } from "./pairs.ts";
 import type { Play } from "./play.ts";
 import { reachOf, type Pair, type Run } from "./run.ts";
 import { drawShot, type Shot } from "./shots.ts";
@@ -52,26 +52,26 @@ export function marked(scene: Scene, found: Pair[], played: boolean, selected: n
 export interface Overlay {
   found: Pair[];
   selected: number[];
+  /** Of two selected bodies. */
+  pair: AskedPair | null;
   shot: Shot | null;
   /** Whether a layer is drawn, by its id in `sceneLayers`. */
   draws: (layer: string) => boolean;
   /** Half of the height that is seen. */
   seen: number;
 }
-export function drawOverlay(d: Drawing, { scene, run, pull }: Play, { found, selected, shot, draws, seen }: Overlay): void {
-  for (const pair of found)
-    for (const manifold of pair.manifolds)
-      for (const p of manifold.points) {
-        if (draws("contacts")) d.point(p.a, p.distance <= 0 ? "touch" : "axis", { key: keyOf(pair) });
-        if (draws("normals") && (selected.includes(pair.a) || selected.includes(pair.b))) d.arrow(p.a, add(p.a, scale(manifold.normal, seen / 10)), "axis", { key: keyOf(pair) });
-      }
+export function drawOverlay(d: Drawing, { run, pull }: Play, { found, selected, pair, shot, draws, seen }: Overlay): void {
+  for (const touching of found) {
+    const normals = draws("normals") && (selected.includes(touching.a) || selected.includes(touching.b));
+    drawContacts(d, touching, { points: draws("contacts"), normals, arrow: seen / 10 });
+  }
   if (draws("broad")) run.drawBroadPhase((from, to, leaf) => d.line(from, to, leaf ? "ink" : "out", { ghost: !leaf }));
   if (draws("joints")) run.drawJoints((from, to, gap) => d.line(from, to, gap ? "touch" : "ink", { wide: gap }));
-  const [first, other] = selected;
-  if (other !== undefined && draws("pair")) drawPair(d, run, first, other);
+  const [, other] = selected;
+  if (pair && draws("pair")) drawPair(d, run, pair);
   if (other !== undefined) d.text(run.place(other).translation, "B", "b");
   if (pull) d.line(run.place(pull.body).translation, pull.to, "made", { wide: true });
-  if (shot && draws("shots")) drawShot(d, shot, scene, seen);
+  if (shot && draws("shots")) drawShot(d, run, shot, seen);
 }
 /** By what the first selected body is moved and, while it stands still, turned. */
 export function handlesOf({ run, scene, pull, running }: Play, body: number | undefined, seen: number): Handle[] {

@@ -61,6 +61,8 @@ interface Dimension {
   simulation(settings: object): AnySimulation;
   shape(of: Shape): AnyShape;
   contactMargin(a: AnyShape, b: AnyShape): number;
+  /** Answers as the library draws them. */
+  draws: Pick<typeof graze.draw, "ray" | "cast">;
   draw(world: AnyQueries, on: graze.Renderer): void;
   drawSimulation(simulation: AnySimulation, on: graze.Renderer): void;
   /** Numbers of a vector of space. */
@@ -85,6 +87,7 @@ const space: Dimension = {
   simulation: (settings) => new graze.Simulation(settings) as unknown as AnySimulation,
   shape: shapeOf,
   contactMargin: (a, b) => graze.contactMargin(a as graze.Shape, b as graze.Shape),
+  get draws() { return graze.draw; },
   draw: (world, on) => graze.draw.world(world as unknown as graze.WorldQueries, on),
   drawSimulation: (simulation, on) => graze.draw.simulation(simulation as unknown as graze.Simulation, on),
   vector: (v) => v,
@@ -98,6 +101,7 @@ const plane: Dimension = {
   simulation: (settings) => new graze.plane.Simulation(settings) as unknown as AnySimulation,
   shape: planeShapeOf,
   contactMargin: (a, b) => graze.plane.contactMargin(a as graze.plane.Shape, b as graze.plane.Shape),
+  get draws() { return graze.plane.draw as unknown as Dimension["draws"]; },
   draw: (world, on) => graze.plane.draw.world(world as unknown as graze.plane.WorldQueries, on),
   drawSimulation: (simulation, on) => graze.plane.draw.simulation(simulation as unknown as graze.plane.Simulation, on),
   vector: ([x, y]) => [x, y],
@@ -181,6 +185,16 @@ export class Run {
     const moving = { shape: this.shape(this.scene.bodies[body].shape), ...this.own.pose(this.place(body)), linear: this.own.vector(motion) };
     const accept = (id: graze.BodyId): boolean => id.index !== this.ids[body].index;
     return this.hit(this.questions().cast(moving, { accept, separating: "ignored" }));
+  }
+  /** A ray up to what it hits, and the normal there. */
+  drawRay(ray: { origin: Vec; direction: Vec }, hit: Hit | null, on: graze.Renderer): void {
+    const { vector, draws } = this.own;
+    draws.ray({ origin: vector(ray.origin), direction: vector(ray.direction), length: length(ray.direction) } as unknown as graze.Ray, hit as graze.RayHit | null, on);
+  }
+  /** A body on its way from a place, up to what it hits. */
+  drawCast(body: number, from: Place, motion: Vec, hit: Hit | null, on: graze.Renderer): void {
+    const moving = { shape: this.shape(this.scene.bodies[body].shape), ...this.own.pose(from), linear: this.own.vector(motion) };
+    this.own.draws.cast(moving as unknown as graze.Moving, hit as graze.CastHit | null, on);
   }
   /** The box around a body in its own frame, or around where it is now. */
   bounds(body: number, placed = false): { lower: Vec; upper: Vec } {

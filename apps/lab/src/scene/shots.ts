@@ -1,19 +1,19 @@
 // Rays and bodies on their way, and what they meet.
 
+import { onto } from "../parts/answers.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, scale, sub } from "../parts/vec.ts";
 import type { Question, Vec } from "../question.ts";
-import type { Scene } from "./model.ts";
-import { reached, type Hit, type Place, type Run } from "./run.ts";
+import { reached, type Hit, type Run } from "./run.ts";
 
 export interface Shot {
   kind: "ray" | "cast";
   from: Vec;
   to: Vec;
   hit: Hit | null;
-  /** Of a cast, the body and where it comes to. */
+  /** Of a cast, the body and how far it was thrown. */
   body?: number;
-  end?: Place;
+  motion?: Vec;
   /** The same of what is hit alone; none where nothing is. */
   question: Question | null;
 }
@@ -33,12 +33,11 @@ export function castBody(run: Run, body: number, target: Vec): Shot {
   const hit = run.cast(body, motion), end = reached(place, motion, hit?.t ?? 1);
   const question: Question | null = hit && { query: "cast", ...dimensionOf(run), duration: 1,
     a: { ...run.asked(body), linear: cut(run, motion) }, b: run.asked(hit.body) };
-  return { kind: "cast", from: place.translation, to: end.translation, hit, body, end, question };
+  return { kind: "cast", from: place.translation, to: end.translation, hit, body, motion, question };
 }
-/** The way, the point and normal of the hit, and the body where it comes to; `size` is that of what is seen. */
-export function drawShot(d: Drawing, { from, to, hit, body, end }: Shot, scene: Scene, size: number): void {
-  d.arrow(from, to, "made", { wide: true });
-  if (hit) d.point(hit.point, "touch", { wide: true });
-  if (hit) d.arrow(hit.point, add(hit.point, scale(hit.normal, size / 8)), "axis");
-  if (end) d.shape({ shape: scene.bodies[body!].shape, ...end }, "made", { ghost: true });
+/** The way, the point and normal of the hit, and where a body is on its way; `size` is that of what is seen. */
+export function drawShot(d: Drawing, run: Run, shot: Shot, size: number): void {
+  const { from, to, hit, body, motion } = shot, on = onto(d, { look: { wide: true }, size: size * 1.5 });
+  if (body !== undefined) run.drawCast(body, { translation: from, rotation: run.place(body).rotation }, motion!, hit, on);
+  else run.drawRay({ origin: from, direction: sub(to, from) }, hit, on);
 }

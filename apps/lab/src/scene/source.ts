@@ -9,19 +9,23 @@ import { WatchedFile } from "./watched.ts";
 
 const accepted = ".gltf,.glb,.bin,.obj,.stl,.ply,.svg,.json,.jsonl,.capture";
 
+/** A file that `graze view` serves: where it is, and who looks after it. */
+export interface Served {
+  path: string;
+  watched: WatchedFile;
+}
 /** What is told of files. */
 export interface Reader {
   onScene(scene: Scene): void;
-  onCapture(name: string, captured: Captured): void;
+  /** A capture, and if it is served what has to be ended by who got it. */
+  onCapture(name: string, captured: Captured, served: Served | null): void;
   onTrouble(text: string): void;
 }
 
 export class Source {
   /** A button that opens a file, and the field behind it. */
   readonly elements: HTMLElement[];
-  /** Where the served file is. */
-  served: string | null = null;
-  private watched: WatchedFile | null = null;
+  private served_: Served | null = null;
   private readonly reader: Reader;
 
   constructor(reader: Reader) {
@@ -38,14 +42,22 @@ export class Source {
       void this.chosen([...(event.dataTransfer?.files ?? [])]);
     });
   }
+  /** Where the served file is. */
+  get served(): string | null {
+    return this.served_?.path ?? null;
+  }
   watch(path: string): void {
-    this.served = path;
-    this.watched = new WatchedFile(path, { onFile: (file) => this.read(file), onTrouble: (text) => this.reader.onTrouble(text) });
+    const watched = new WatchedFile(path, { onFile: (file) => this.read(file), onTrouble: (text) => this.reader.onTrouble(text) });
+    this.served_ = { path, watched };
   }
   /** Something else was chosen: the file is not looked after any more. */
   unwatch(): void {
-    this.watched?.end();
-    this.watched = this.served = null;
+    this.handOver()?.watched.end();
+  }
+  private handOver(): Served | null {
+    const served = this.served_;
+    this.served_ = null;
+    return served;
   }
   /** A scene, and with it the files of its buffers. */
   private async chosen(files: File[]): Promise<void> {
@@ -56,7 +68,10 @@ export class Source {
   }
   private async read(file: File, beside: File[] = []): Promise<void> {
     try {
-      if (kindOf(file) === "capture") this.reader.onCapture(file.name, await readCapture(await file.arrayBuffer()));
+      if (kindOf(file) === "capture") {
+        const from = this.served_, captured = await readCapture(await file.arrayBuffer());
+        if (from === this.served_) this.reader.onCapture(file.name, captured, this.handOver());
+      }
       else this.reader.onScene(await openFile(file, beside));
     } catch (error) {
       this.reader.onTrouble((error as Error).message);

@@ -8,8 +8,9 @@ export interface Watcher {
 
 export class WatchedFile {
   private timer = 0;
-  private ended = false;
-  private readonly watcher: Watcher;
+  /** Nobody looks after it any more. */
+  ended = false;
+  private watcher: Watcher;
 
   /** Nothing is fetched from elsewhere than where the page comes from. */
   constructor(path: string, watcher: Watcher) {
@@ -17,6 +18,10 @@ export class WatchedFile {
     const where = new URL(path, location.href);
     if (where.origin === location.origin) void this.read(where, "");
     else watcher.onTrouble(`${path}: lies elsewhere`);
+  }
+  /** From now on another is told of it. */
+  tell(watcher: Watcher): void {
+    this.watcher = watcher;
   }
   end(): void {
     clearTimeout(this.timer);

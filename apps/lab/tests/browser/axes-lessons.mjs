@@ -114,15 +114,22 @@ test("spheres: in space the same numbers, and a drag there counts", async () => 
   const page = await visit("#/lesson/spheres", { viewport: { width: 1000, height: 600 } });
   await step(page, /^Signed distance/);
   const flat = await page.textContent(".numbers");
+  const distance = () => page.$eval(".numbers tbody td[title]", (c) => Number(c.title)), begun = await distance();
   await page.click('.choices button:text-is("in space")');
   await page.waitForSelector(".stage3 canvas");
-  assert.equal(await page.textContent(".numbers"), flat);
-  await drag(page, "radius-b", 0, -25);
-  const { question } = await shown(page), after = JSON.parse(query(JSON.stringify({ ...question, query: "distance" }))).distance;
-  assert.notEqual(await page.textContent(".numbers"), flat);
-  assert.equal(Number(await page.$eval(".numbers tbody td[title]", (c) => c.title)), after);
+  assert.equal(await distance(), begun);
+  for (const [handle, dx] of [["radius-b", 0], ["move-b", 60]]) {
+    await drag(page, handle, dx, -25);
+    const { question } = await shown(page), after = JSON.parse(query(JSON.stringify({ ...question, query: "distance" }))).distance;
+    assert.notEqual(await page.textContent(".numbers"), flat);
+    assert.equal(await distance(), after);
+  }
+  const { question: { b } } = await shown(page), apart = await distance();
+  assert.ok(b.shape.type === "sphere" && Math.abs(b.translation[2]) > 0.05, `a drag leaves the plane: ${b.translation}`);
   await page.click('.choices button:text-is("section")');
   await page.waitForSelector(".stage2 svg");
+  assert.ok(Math.abs(await distance() - apart) < 1e-12, "the section holds both centres");
+  assert.equal((await shown(page)).question.b.translation.length, 2);
   assert.equal(await page.$(".stage3"), null);
   assert.deepEqual(page.trouble, []);
   await page.context().close();

@@ -6,16 +6,16 @@ import { join } from "node:path";
 import { press, scene } from "./scene-page.mjs";
 import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
-/** Fifteen boxes that fall into a heap: two seconds, as a program captures them. */
-function capturedHeap() {
+/** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor. */
+function capturedHeap(steps = 120) {
   const frames = [];
   const simulation = new graze.Simulation({ capture: (bytes) => frames.push(bytes) });
   const box = new graze.Box([1, 1, 1]);
   const floor = new graze.HalfSpace();
-  simulation.add({ shape: floor, fixed: true });
+  simulation.setName(simulation.add({ shape: floor, fixed: true }), "the floor");
   for (let i = 0; i < 15; i++)
     simulation.add({ shape: box, translation: [(i % 3) * 0.9 - 0.9, 1 + Math.floor(i / 3) * 1.2, (i % 2) * 0.3] }, { density: 1 });
-  for (let i = 0; i < 120; i++) simulation.step(1 / 60);
+  for (let i = 0; i < steps; i++) simulation.step(1 / 60);
   for (const made of [simulation, box, floor]) made.dispose();
   return Buffer.concat(frames);
 }
@@ -96,7 +96,7 @@ test("captures: a frame is asked as a scene is", async () => {
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-pair.png"), fullPage: true });
   // A body, by its name in the list of all.
   await page.click("[data-tree] > summary");
-  await page.click('[data-tree] button:text-is("halfSpace 0")');
+  await page.click('[data-tree] button:text-is("the floor")');
   assert.deepEqual((await shown(page)).selected.at(-1), 0);
   await page.selectOption('[data-body="1"]', "");
   await page.click('[data-tree] button[aria-pressed="true"]');
@@ -122,7 +122,13 @@ test("captures: a frame is asked as a scene is", async () => {
 });
 
 test("captures: the address of one that is served holds frame, selection, layers and camera; of a scene what was done", async () => {
-  const served = { ...small, files: { "heap.capture": capturedHeap(), "two.json": Buffer.from(JSON.stringify({ dimension: 2, bodies: [
+  // As a program writes it on: two seconds once somebody has looked at the first one.
+  let written = 60;
+  const heap = (request) => {
+    const etag = `"${written}"`;
+    return request.headers()["if-none-match"] === etag ? { status: 304 } : { headers: { etag }, body: capturedHeap(written) };
+  };
+  const served = { ...small, files: { "heap.capture": heap, "two.json": Buffer.from(JSON.stringify({ dimension: 2, bodies: [
     { shape: { type: "plane" } }, { name: "disc", motion: "dynamic", translation: [0, 3], shape: { type: "circle", circle: { radius: 1 } } }] })) } };
   const page = await visit("#/scene?file=heap.capture", served);
   await page.waitForSelector("[data-next]");
@@ -134,6 +140,12 @@ test("captures: the address of one that is served holds frame, selection, layers
   await page.focus(".stage3 canvas");
   await page.keyboard.press("ArrowLeft");
   await page.waitForFunction(() => /frame%22%3A30.*grid.*view=/.test(location.hash));
+  const before = await shown(page);
+  assert.equal(before.frames, 60);
+  written = 120;
+  await page.waitForFunction(() => window.lab.shown.frames === 120);
+  assert.deepEqual(await shown(page), { ...before, frames: 120 });
+  assert.match(await page.textContent(".intro"), /: 120 frames, played again/);
   const other = await visit(await page.evaluate(() => location.hash), served);
   await other.waitForSelector("[data-next]");
   assert.deepEqual(await shown(other), await shown(page));

@@ -45,7 +45,8 @@ export const browser = await chromium.launch({
 });
 export const axe = readFileSync(join(here, "node_modules/axe-core/axe.min.js"), "utf8");
 
-/** Opens a page of the lab; `files` lie beside it, by their names, as `graze view` serves them. */
+/** Opens a page of the lab; `files` lie beside it, by their names, as `graze view` serves them: bytes, or what answers each
+ *  request. */
 export async function visit(hash, { files = {}, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, bypassCSP: options.bypassCSP ?? false, ...options });
   const page = await context.newPage();
@@ -55,7 +56,7 @@ export async function visit(hash, { files = {}, ...options } = {}) {
   page.on("request", (r) => {
     if (!r.url().startsWith(server.address) && !/^(data|blob):/.test(r.url())) page.trouble.push(`asks for ${r.url()}`);
   });
-  for (const [name, body] of Object.entries(files)) await page.route(server.address + name, (route) => route.fulfill({ body }));
+  for (const [name, body] of Object.entries(files)) await page.route(server.address + name, (route) => route.fulfill(typeof body === "function" ? body(route.request()) : { body }));
   await page.goto(server.address + hash);
   await page.waitForSelector("h1");
   await frame(page);

@@ -1,0 +1,63 @@
+// Answers of the library as the library draws them: its calls onto a stage, in the lab's colours, with the keys by which rows
+// light up.
+
+import { graze } from "../graze.ts";
+import type { Vec } from "../question.ts";
+import type { Drawing, Look, Meaning } from "./drawing.ts";
+
+/** What the library's colours are called here. What moves is drawn as what an algorithm makes: the scene has its own. */
+const usual: Partial<Record<graze.DrawMeaning, Meaning>> = {
+  a: "a", b: "b", contact: "touch", normal: "axis", gap: "touch", bounds: "ink", path: "made", ghost: "made", moving: "made",
+  touching: "made", joint: "ink" };
+
+/** How answers are drawn, beyond what the library says. */
+export interface Marks {
+  /** Twelve times as long as an arrow; how far a ray without an end is drawn. */
+  size?: number;
+  center?: Vec;
+  /** Of lines, and of points unless `points` says how those look, in their order. */
+  look?: Look;
+  points?: (number: number) => Look;
+  /** The colours of points of contact, in their order; null for those that are not drawn. */
+  contact?: (number: number) => Meaning | null;
+  /** Other colours than usual; null for what is not drawn. */
+  as?: Partial<Record<graze.DrawMeaning, Meaning | null>>;
+}
+
+/** A renderer that draws on a stage. Faces are left out: these are marks upon bodies that are seen. */
+export function onto(d: Drawing, { size = 12, center, look = {}, points, contact, as }: Marks = {}): graze.Renderer {
+  const meanings = { ...usual, ...as };
+  const drawn = (meaning: graze.DrawMeaning, draw: (meaning: Meaning) => void, own = meanings[meaning]): void => {
+    if (own) draw(own);
+  };
+  let number = 0;
+  return {
+    size, center,
+    point(at, _, meaning) {
+      const i = number++;
+      drawn(meaning, (own) => d.point(at, own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
+    },
+    line: (from, to, _, meaning) => drawn(meaning, (own) => d.line(from, to, own, meaning === "ghost" ? { ...look, wide: false, ghost: true } : look)),
+    text: (at, words, _, meaning) => drawn(meaning, (own) => d.text(at, words, own)),
+  };
+}
+
+/** Points of contact with their normal. */
+export interface DrawnManifold {
+  normal: Vec;
+  points: readonly graze.DrawnContact[];
+}
+const drawsOf = (flat: boolean): Pick<typeof graze.draw, "contacts" | "distance" | "ray" | "cast"> =>
+  (flat ? graze.plane.draw : graze.draw) as typeof graze.draw;
+
+/** The points of a manifold, and its normal from their middle. Of vectors of two numbers in the plane. */
+export const drawManifold = (d: Drawing, manifold: DrawnManifold, marks?: Marks): void =>
+  drawsOf(manifold.normal.length === 2).contacts(manifold, onto(d, marks));
+/** The shortest way between two shapes, or out of each other, and its ends. */
+export const drawDistance = (d: Drawing, { a, b }: { a?: unknown; b?: unknown }, marks?: Marks): void =>
+  drawsOf((a as Vec).length === 2).distance({ a, b } as { a: graze.Vec3; b: graze.Vec3 }, onto(d, marks));
+export const drawRay = (d: Drawing, ray: graze.Ray, hit: Pick<graze.RayHit, "t" | "point" | "normal"> | null, marks?: Marks): void =>
+  drawsOf(ray.origin.length === 2).ray(ray, hit, onto(d, marks));
+/** The edges of a box along the axes. */
+export const drawBounds = (d: Drawing, box: { lower: Vec; upper: Vec }, meaning: Meaning, look?: Look): void =>
+  graze.draw.bounds(box as graze.Aabb, onto(d, { look, as: { bounds: meaning } }));
