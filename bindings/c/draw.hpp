@@ -31,6 +31,11 @@ class CallersDraw final : public DebugDraw {
     if (on_.text != nullptr) on_.text(on_.user, &at.x, std::string(words).c_str(), of(layer), of(meaning));
   }
 
+  void arrow(const Vec3d& from, const Vec3d& direction, DrawLayer layer, DrawMeaning meaning) override {
+    if (on_.arrow == nullptr) return DebugDraw::arrow(from, direction, layer, meaning);
+    on_.arrow(on_.user, &from.x, &direction.x, of(layer), of(meaning));
+  }
+
  private:
   static_assert(sizeof(Vec3d) == 3 * sizeof(double), "a place is read as three numbers");
 

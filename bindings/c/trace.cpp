@@ -116,7 +116,7 @@ GrazeStatus graze_trace_view(GrazeTrace* trace, GrazeTraceView* view) {
 }
 
 GrazeDebugDraw graze_debug_draw_default(void) {
-  return {~std::uint32_t{0}, {0, 0, 0}, 1, nullptr, nullptr, nullptr, nullptr, nullptr};
+  return {~std::uint32_t{0}, {0, 0, 0}, 1, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
 }
 
 GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3]) {

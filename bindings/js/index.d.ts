@@ -473,6 +473,8 @@ export interface Renderer {
   /** Counter-clockwise seen from outside. */
   triangle?(a: number[], b: number[], c: number[], layer: DrawLayer, meaning: DrawMeaning): void;
   text?(at: number[], words: string, layer: DrawLayer, meaning: DrawMeaning): void;
+  /** A direction of unit length at a place; without it, lines as long as a twelfth of `size`. */
+  arrow?(from: number[], direction: number[], layer: DrawLayer, meaning: DrawMeaning): void;
 }
 /** A point of contact as far as it is drawn; the weight is a half by default. */
 export interface DrawnContact {

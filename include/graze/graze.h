@@ -359,7 +359,7 @@ typedef struct GrazeDebugDraw {
   uint32_t layers;   // 1 << GrazeDrawLayer for each that is wanted
   double center[3];  // of what is looked at; what has no end is drawn about it,
   double size;       // > 0, as far as this; arrows are a twelfth of it
-  // Any of these may be null: then that is not drawn.
+  // Any of these may be null: then that is not drawn, but for arrows, which are lines then.
   void (*point)(void *user, const double at[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning);
   void (*line)(void *user, const double from[3], const double to[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning);
   // Counter-clockwise seen from outside.
@@ -367,6 +367,9 @@ typedef struct GrazeDebugDraw {
                    GrazeDrawMeaning meaning);
   // `words` until the function returns.
   void (*text)(void *user, const double at[3], const char *words, GrazeDrawLayer layer, GrazeDrawMeaning meaning);
+  // A unit vector at a place.
+  void (*arrow)(void *user, const double from[3], const double direction[3], GrazeDrawLayer layer,
+                GrazeDrawMeaning meaning);
   void *user;
 } GrazeDebugDraw;
 

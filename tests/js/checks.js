@@ -307,7 +307,8 @@ export const checks = [
     equal(double.protocolShape(double.shapeOfProtocol({ type: "cylinder" })),
       { type: "cylinder", cylinder: { height: 0.5, radiusBottom: 0.25, radiusTop: 0.25 } }, "a cylinder");
     const read = double.plane.shapeOfProtocol({ type: "circle", circle: { radius: 2 }, margin: 1 });
-    equal([read instanceof double.plane.Shape, read.bounds().upper], [true, [3, 3]], "a rounded circle");
+    ok(read instanceof double.plane.Shape, "a shape of the plane");
+    close(read.bounds().upper, [3, 3], 1e-12, "a rounded circle");
     throws(() => double.shapeOfProtocol({ type: "ball" }),
       'shape.type: expected one of sphere, box, capsule, cylinder, plane, ellipsoid, convex, triangle, mesh, heightfield, compound, got "ball"',
       double.InvalidValue);
@@ -700,6 +701,9 @@ export const checks = [
       const touching = drawing(() => library.draw.contacts(manifold, renderer));
       equal(touching.filter((d) => d.kind === "point").map((d) => d.places[0]), [[0, 0.25, 0], [1, 0.5, 0]], "points by their weights");
       equal(kinds(touching, "meaning"), ["contact", "normal"], "and their normal");
+      const arrows = [];
+      library.draw.contacts(manifold, { arrow: (...given) => arrows.push(given) });
+      equal(arrows, [[[0.5, 0.375, 0], [0, 1, 0], "contacts", "normal"]], "an arrow from the middle");
       const gap = drawing(() => library.draw.distance({ a: cut([1, 0, 0]), b: cut([2, 0, 0]) }, renderer));
       equal(gap.map((d) => d.meaning), ["gap", "a", "b"], "a distance");
       const ray = { origin: cut([3, 0, 0]), direction: cut([-1, 0, 0]) };

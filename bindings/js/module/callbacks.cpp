@@ -22,6 +22,8 @@ GRAZE_JS_IMPORT("release") void graze_js_call_release(std::uintptr_t key);
 /// One place, or two of a line, or three of a triangle; of three numbers each.
 GRAZE_JS_IMPORT("draw")
 void graze_js_call_draw(std::uintptr_t key, const double* places, int count, int layer, int meaning);
+GRAZE_JS_IMPORT("arrow")
+void graze_js_call_arrow(std::uintptr_t key, const double* from, const double* direction, int layer, int meaning);
 GRAZE_JS_IMPORT("text")
 void graze_js_call_text(std::uintptr_t key, const double* at, const char* words, int layer, int meaning);
 GRAZE_JS_IMPORT("frame")
@@ -70,6 +72,10 @@ void point(void* user, const double at[3], GrazeDrawLayer layer, GrazeDrawMeanin
 void line(void* user, const double from[3], const double to[3], GrazeDrawLayer layer, GrazeDrawMeaning meaning) {
   hand_on(user, layer, meaning, from, to);
 }
+void arrow(void* user, const double from[3], const double direction[3], GrazeDrawLayer layer,
+           GrazeDrawMeaning meaning) {
+  graze_js_call_arrow(key_of(user), from, direction, layer, meaning);
+}
 void triangle(void* user, const double a[3], const double b[3], const double c[3], GrazeDrawLayer layer,
               GrazeDrawMeaning meaning) {
   hand_on(user, layer, meaning, a, b, c);
@@ -90,13 +96,15 @@ GRAZE_JS_EXPORT("graze_js_frame") void* graze_js_frame() { return reinterpret_ca
 
 GRAZE_JS_EXPORT("graze_js_write") void* graze_js_write() { return reinterpret_cast<void*>(&write); }
 
-/// Makes a renderer hand everything to the function of JavaScript with that number.
-GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* on, std::uintptr_t key) {
+/// Makes a renderer hand everything to the functions of JavaScript with that number; `arrows`: whether there is one for
+/// these.
+GRAZE_JS_EXPORT("graze_js_debug_draw") void graze_js_debug_draw(GrazeDebugDraw* on, std::uintptr_t key, bool arrows) {
   on->user = reinterpret_cast<void*>(key);
   on->point = &point;
   on->line = &line;
   on->triangle = &triangle;
   on->text = &text;
+  if (arrows) on->arrow = &arrow;
 }
 
 /// Bytes that are allocated.

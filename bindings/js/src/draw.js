@@ -17,6 +17,8 @@ export function drawImports(core) {
     draw: (key, places, count, layer, meaning) =>
       onto(key, methods[count - 1], layer, meaning, () =>
         Array.from({ length: count }, (_, i) => place(places + i * 24))),
+    arrow: (key, from, direction, layer, meaning) =>
+      onto(key, "arrow", layer, meaning, () => [place(from), place(direction)]),
     text: (key, at, words, layer, meaning) => onto(key, "text", layer, meaning, () => [place(at), core.string(words)]),
   };
 }
@@ -29,7 +31,7 @@ function drawnOn(core, layout, renderer, body) {
   const wanted = renderer.layers?.reduce((bits, name) => bits | (1 << named(layers, name, "renderer.layers")), 0);
   layout.debugDraw.write(on, { layers: wanted, center, size }, "renderer");
   const key = core.keep(renderer);
-  core.exports.graze_js_debug_draw(on, key);
+  core.exports.graze_js_debug_draw(on, key, typeof renderer.arrow === "function" ? 1 : 0);
   try {
     return body(on);
   } finally {

@@ -169,7 +169,8 @@ export function layouts(core) {
       simulation: bool, plane: bool, cut: bool, differs: bool, frame: u32, call: u32, what: several(u8, 128), frames: u32,
       calls: u32 }),
     debugDraw: struct({
-      layers: u32, center: realVector, size: real, point: u32, line: u32, triangle: u32, text: u32, user: u32 }),
+      layers: u32, center: realVector, size: real, point: u32, line: u32, triangle: u32, text: u32, arrow: u32,
+      user: u32 }),
     traceAxis: struct({
       name: u32, direction: realVector, aLower: real, aUpper: real, bLower: real, bUpper: real }),
     traceGjk: struct({

@@ -5,8 +5,8 @@ import type { Programs } from "../parts/code.ts";
 import type { Drawing, Handle, Meaning, View } from "../parts/drawing.ts";
 import type { Graph } from "../parts/graph.ts";
 import type { Numbers } from "../parts/table.ts";
-import { drawManifold, type DrawnManifold } from "../parts/answers.ts";
-import { add, rotate, quatBetween, quatMultiply, scale, sub, unit, length } from "../parts/vec.ts";
+import { drawDistance, drawManifold, type DrawnManifold } from "../parts/answers.ts";
+import { add, rotate, quatBetween, quatMultiply, sub, unit, length } from "../parts/vec.ts";
 import { sizeOf, withBody, type Body, type Question, type State, type Vec } from "../question.ts";
 
 export interface Step {
@@ -157,12 +157,11 @@ export function drawBodies(drawing: Drawing, q: Question, ghost = false): void {
   for (const which of ["a", "b"] as const)
     if (q[which]) drawing.shape(q[which]!, which as Meaning, { ghost });
 }
-/** Where two bodies touch, and the normal from the middle of a manifold's points. */
+/** Where two bodies touch: the point of either and the way between them, and the normal from the middle of a manifold. */
 export function drawContacts(drawing: Drawing, manifolds: DrawnManifold[]): void {
   for (const manifold of manifolds) {
-    drawManifold(drawing, manifold, { look: { wide: true }, points: (i) => ({ wide: true, key: `point-${i}` }) });
-    const { normal, points } = manifold, middle = scale(points.reduce((sum, p) => add(sum, add(p.a as Vec, p.b as Vec)), normal.map(() => 0)), 1 / (2 * points.length));
-    if (points.length > 0) drawing.text(add(middle, normal), "n", "axis");
+    manifold.points.forEach((p, i) => drawDistance(drawing, p, { look: { key: `point-${i}` } }));
+    drawManifold(drawing, manifold, { look: { wide: true }, points: (i) => ({ wide: true, key: `point-${i}` }), label: "n" });
   }
 }
 

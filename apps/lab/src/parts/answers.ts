@@ -4,6 +4,7 @@
 import { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";
 import type { Drawing, Look, Meaning } from "./drawing.ts";
+import { add, scale } from "./vec.ts";
 
 /** What the library's colours are called here. What moves is drawn as what an algorithm makes: the scene has its own. */
 const usual: Partial<Record<graze.DrawMeaning, Meaning>> = {
@@ -20,12 +21,14 @@ export interface Marks {
   points?: (number: number) => Look;
   /** The colours of points of contact, in their order; null for those that are not drawn. */
   contact?: (number: number) => Meaning | null;
+  /** What stands beside a normal. */
+  label?: string;
   /** Other colours than usual; null for what is not drawn. */
   as?: Partial<Record<graze.DrawMeaning, Meaning | null>>;
 }
 
 /** A renderer that draws on a stage. Faces are left out: these are marks upon bodies that are seen. */
-export function onto(d: Drawing, { size = 12, center, look = {}, points, contact, as }: Marks = {}): graze.Renderer {
+export function onto(d: Drawing, { size = 12, center, look = {}, points, contact, label, as }: Marks = {}): graze.Renderer {
   const meanings = { ...usual, ...as };
   const drawn = (meaning: graze.DrawMeaning, draw: (meaning: Meaning) => void, own = meanings[meaning]): void => {
     if (own) draw(own);
@@ -38,6 +41,7 @@ export function onto(d: Drawing, { size = 12, center, look = {}, points, contact
       drawn(meaning, (own) => d.point(at, own, points?.(i) ?? look), meaning === "contact" && contact ? contact(i) : meanings[meaning]);
     },
     line: (from, to, _, meaning) => drawn(meaning, (own) => d.line(from, to, own, meaning === "ghost" ? { ...look, wide: false, ghost: true } : look)),
+    arrow: (from, direction, _, meaning) => drawn(meaning, (own) => d.arrow(from, add(from, scale(direction, size / 12)), own, meaning === "normal" ? { ...look, label } : look)),
     text: (at, words, _, meaning) => drawn(meaning, (own) => d.text(at, words, own)),
   };
 }

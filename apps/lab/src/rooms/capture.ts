@@ -4,6 +4,7 @@
 import { button, digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { featureWords } from "../parts/features.ts";
+import { drawer } from "../parts/drawer.ts";
 import { drawGraph } from "../parts/graph.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
@@ -17,7 +18,7 @@ import { captureLayers } from "../scene/layers.ts";
 import type { Scene, SceneBody } from "../scene/model.ts";
 import { firstShown, isShown, type Shown } from "../scene/moment.ts";
 import { askPair, drawContacts, drawPair, type AskedPair } from "../scene/pair.ts";
-import { bodiesOf, counted, keyOf, pairRows } from "../scene/pairs.ts";
+import { bodiesOf, counted, keyOf, pairRows, partnersOf } from "../scene/pairs.ts";
 import { Run } from "../scene/run.ts";
 import type { Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
@@ -73,13 +74,14 @@ export class CaptureRoom implements Room {
     this.stage.onPick = (body, _, key) => this.select(bodiesOf(key).length > 0 ? bodiesOf(key) : toggled(this.selected, body));
     this.put();
     this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: captured.report.plane });
-    this.element = h("article", { class: "lesson" },
+    const { side, handle } = drawer(this.chooser.element, this.inquiry.info, this.found.element, this.inquiry.table.element, this.plot,
+      this.pairs.element, this.chooser.tree, this.inquiry.element);
+    this.element = h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, name), this.intro),
       h("div", { class: "board" },
-        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble, this.layers.element,
+        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble, handle, this.layers.element,
           h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
-        h("div", { class: "side" }, this.chooser.element, this.inquiry.info, this.found.element, this.inquiry.table.element, this.plot, this.pairs.element,
-          this.chooser.tree, this.inquiry.element)));
+        side));
     const moment = { ...start, ...parse<Partial<Moment>>(origin.at, {}, isMoment) };
     this.layers.switched = moment.layers;
     this.timeline.speed = moment.speed;
@@ -204,7 +206,8 @@ export class CaptureRoom implements Room {
   /** What is asked about the selected bodies where they are, and what the run itself found. */
   private tell(): void {
     const { asked } = this;
-    this.inquiry.show(asked ? { run: asked.run, bodies: asked.bodies, selected: asked.numbers.map((_, k) => k), pair: asked.pair, pairs: this.pairsOf(asked.numbers) } : null);
+    const name = (i: number): string => this.captured.bodies[i].name;
+    this.inquiry.show(asked && { ...asked, selected: asked.numbers.map((_, k) => k), partners: (k) => partnersOf(asked.numbers[k], this.now.pairs, name) });
     const [first, other] = this.selected, pair = this.now.pairs.find((p) => this.selected.length === 2 && [p.a, p.b].every((i) => this.selected.includes(i)));
     const turned = pair && pair.a !== first && pair.b !== other;
     const names = turned ? [other, first] : [first, other];
@@ -213,9 +216,5 @@ export class CaptureRoom implements Room {
       rows: pair.manifolds.flatMap((m) => m.points).map((p) => ({
         cells: [featureWords(p.feature, this.captured.report.plane ? 2 : 3), p.distance, vector(p.impulse, 3)], key: keyOf(pair) })),
     });
-  }
-  /** The pairs of this frame by the places of the selected bodies among themselves; others have none. */
-  private pairsOf(numbers: number[]): CapturedFrame["pairs"] {
-    return this.now.pairs.map((p) => ({ ...p, a: numbers.indexOf(p.a), b: numbers.indexOf(p.b) }));
   }
 }

@@ -1,6 +1,7 @@
 // The viewer and the playground: a scene whose contacts are live while a body is dragged, and which can be played.
 
 import { button, digits, h } from "../parts/dom.ts";
+import { drawer } from "../parts/drawer.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
@@ -17,8 +18,8 @@ import type { Scene } from "../scene/model.ts";
 import { beginning, isMoment, isScene, movedBodies, packed, type Moment } from "../scene/moment.ts";
 import { sceneOfQuestion } from "../scene/open.ts";
 import { askPair, type AskedPair } from "../scene/pair.ts";
-import { bodiesOf, counted, pairRows } from "../scene/pairs.ts";
-import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, viewOf } from "../scene/picture.ts";
+import { bodiesOf, counted, pairRows, partnersOf } from "../scene/pairs.ts";
+import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, stagesOf, viewOf } from "../scene/picture.ts";
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
@@ -139,7 +140,8 @@ export class SceneRoom implements Room {
       if (!text) return;
       values.s = text;
     }
-    if (JSON.stringify(moment) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
+    // Spread over the other, so that both have their keys in one order.
+    if (JSON.stringify({ ...beginning, ...moment }) !== JSON.stringify(beginning)) values.at = JSON.stringify(moment);
     const { camera } = this.stage;
     if (camera) values.view = cameraText(camera);
     history.replaceState(null, "", address("/scene", values));
@@ -278,20 +280,23 @@ export class SceneRoom implements Room {
       `${name}: ${bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
   private tell(): void {
-    const { scene, run, stepTime } = this.play, found = this.few ? this.found : run.contacts();
+    const { scene, run, stepTime, stages } = this.play, found = this.few ? this.found : run.contacts();
     this.counter.textContent = counted(scene.bodies.length, found) +
-      (run.played ? ` · step ${digits(stepTime, 3)} ms · drawing ${digits(this.drawTime, 3)} ms` : "");
+      (run.played ? ` · step ${digits(stepTime, 3)} ms${stages ? ` (${stagesOf(stages)})` : ""} · drawing ${digits(this.drawTime, 3)} ms` : "");
     this.pairs.show(pairRows(found, "Pairs in contact", (i) => scene.bodies[i]?.name ?? String(i), this.selected, (bodies) => this.select(bodies)));
     this.plot.replaceChildren(...graphsOf(this.play));
     const [i] = this.selected;
     this.materials.replaceChildren(...(i === undefined ? [] : materialFields(run, i, scene.bodies[i], (refused) => this.say(refused))));
     if (this.shooting.shot && i === undefined) return;
-    this.inquiry.show({ run, bodies: scene.bodies, selected: this.selected, pair: this.pair, pairs: found });
+    this.inquiry.show({ run, bodies: scene.bodies, selected: this.selected, pair: this.pair,
+      partners: (body) => partnersOf(body, found, (other) => scene.bodies[other].name) });
   }
 
   private page(): HTMLElement {
     const takeAim = (kind: "ray" | "cast"): void => this.shooting.takeAim(kind, this.play.run, this.selected[0]);
-    return h("article", { class: "lesson" },
+    const { side, handle } = drawer(this.chooser.element, this.inquiry.info, this.materials, this.inquiry.table.element, this.plot,
+      this.pairs.element, this.chooser.tree, this.inquiry.element);
+    return h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
         this.catalogue.element, ...this.source.elements,
@@ -302,8 +307,7 @@ export class SceneRoom implements Room {
           h("div", { class: "timeline", role: "group", "aria-label": "Time" },
             button("Step back", () => this.play.back(), { "data-back": true }), this.toggle,
             button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed),
-          this.counter, this.trouble, this.layers.element),
-        h("div", { class: "side" }, this.chooser.element, this.inquiry.info, this.materials, this.inquiry.table.element, this.plot, this.pairs.element,
-          this.chooser.tree, this.inquiry.element)));
+          this.counter, this.trouble, handle, this.layers.element),
+        side));
   }
 }

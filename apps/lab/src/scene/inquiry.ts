@@ -10,7 +10,7 @@ import type { Question } from "../question.ts";
 import type { SceneBody } from "./model.ts";
 import { lessonsOf, type AskedPair } from "./pair.ts";
 import { propertiesOf } from "./properties.ts";
-import type { Pair, Run } from "./run.ts";
+import type { Run } from "./run.ts";
 
 /** Bodies, of which none, one or two are selected. */
 export interface Selection {
@@ -19,8 +19,8 @@ export interface Selection {
   selected: number[];
   /** Of two selected bodies. */
   pair: AskedPair | null;
-  /** What touches. */
-  pairs: Pair[];
+  /** What a body touches. */
+  partners: (body: number) => string[];
 }
 
 export class Inquiry {
@@ -56,7 +56,7 @@ export class Inquiry {
       this.table.show(undefined);
     } else if (!of.pair) {
       this.tell(of.bodies[first].name, "Click another to see what the two have to do with each other.");
-      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.pairs));
+      this.table.show(propertiesOf(of.run, of.bodies[first], first, of.partners(first)));
     } else {
       this.explain(of.bodies, of.pair);
     }

@@ -15,6 +15,10 @@ export const bodiesOf = (key: string | null): number[] => (key && /^\d+ \d+$/.te
 export const counted = (bodies: number, pairs: Pair[]): string =>
   `${bodies} bodies · ${pairs.length} pairs · ${pairs.reduce((sum, p) => sum + pointsOf(p), 0)} contacts`;
 
+/** What a body touches, by name. */
+export const partnersOf = (body: number, pairs: Pair[], name: (body: number) => string): string[] =>
+  pairs.filter((p) => p.a === body || p.b === body).map((p) => name(p.a === body ? p.b : p.a));
+
 export function pairRows(pairs: Pair[], caption: string, name: (body: number) => string, selected: number[], select: (bodies: number[]) => void): Numbers {
   return {
     caption: pairs.length > mostListed ? `The first ${mostListed} of ${pairs.length} pairs` : caption, columns: ["pair", "points", "deepest"],

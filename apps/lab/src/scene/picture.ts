@@ -11,7 +11,7 @@ import type { Scene } from "./model.ts";
 import { drawContacts, drawPair, type AskedPair } from "./pair.ts";
 import { deepest } from "./pairs.ts";
 import type { Play } from "./play.ts";
-import { reachOf, type Pair, type Run } from "./run.ts";
+import { reachOf, type Pair, type Run, type Stages } from "./run.ts";
 import { drawShot, type Shot } from "./shots.ts";
 
 /** Bodies that are deeper in each other than that are marked: this part of what is seen. */
@@ -80,6 +80,11 @@ export function handlesOf({ run, scene, pull, running }: Play, body: number | un
   const reach = shape.type === "plane" ? 1 : Math.min(seen, reachOf(run.bounds(body)) * 1.2 + seen / 20);
   const turn: Handle = { id: "turn", label: `Turn ${name}`, kind: "turn", meaning: "made", at: add(translation, scale(rotate(rotation, [1, 0, 0]), reach)) };
   return [{ id: "move", label: `Move ${name}`, kind: "move", meaning: "made", sign: "A", at: pull?.to ?? translation }, ...(running ? [] : [turn])];
+}
+/** Where the time of a step went: "collide 1.2, prepare 0.1, solve 2". */
+export function stagesOf({ collideMs, prepareMs, solveMs, continuousMs }: Stages): string {
+  const parts: [string, number][] = [["collide", collideMs], ["prepare", prepareMs], ["solve", solveMs], ["continuous", continuousMs]];
+  return parts.filter(([, ms]) => ms > 0).map(([name, ms]) => `${name} ${digits(ms, 2)}`).join(", ");
 }
 /** Energy and deepest penetration over the last steps. */
 export function graphsOf({ energy, depth }: Play): Node[] {

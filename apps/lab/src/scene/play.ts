@@ -3,7 +3,7 @@
 import type { graze } from "../graze.ts";
 import type { Vec } from "../question.ts";
 import type { Scene } from "./model.ts";
-import { Run } from "./run.ts";
+import { Run, type Stages } from "./run.ts";
 
 const frame = 1 / 60;
 /** Ten seconds of states to step back to; fewer of large scenes. */
@@ -28,8 +28,9 @@ export class Play {
   /** Of every step that can be gone back. */
   energy: number[] = [];
   depth: number[] = [];
-  /** Of the last step, in milliseconds. */
+  /** Of the last step, in milliseconds, and of its parts. */
   stepTime = 0;
+  stages: Stages | null = null;
   /** The spring that somebody holds a body by. */
   pull: { body: number; to: Vec } | null = null;
   private states: graze.State[] = [];
@@ -104,7 +105,8 @@ export class Play {
       if (this.states.length > mostStates(this.scene.bodies.length)) this.states.shift()!.dispose();
       if (this.pull) this.run.pull(this.pull.body, this.pull.to);
       const start = performance.now();
-      const { energy, deepest } = this.run.step(frame);
+      const { energy, deepest, stages } = this.run.step(frame);
+      this.stages = stages;
       this.stepTime = performance.now() - start;
       this.energy.push(energy);
       this.depth.push(deepest);

@@ -23,6 +23,14 @@ export interface Hit {
   normal: Vec;
 }
 
+/** How long the parts of a step took, in milliseconds. */
+export interface Stages {
+  collideMs: number;
+  prepareMs: number;
+  solveMs: number;
+  continuousMs: number;
+}
+
 /** What both dimensions' objects are asked and told here, with poses and vectors in their own words. */
 interface AnyQueries {
   pose(id: graze.BodyId): { translation: Vec; rotation: Vec | number };
@@ -44,7 +52,7 @@ interface AnySimulation {
   step(dt: number): void;
   save(): graze.State;
   restore(state: graze.State): void;
-  report(): { kineticEnergy: number; potentialEnergy: number; deepest: number };
+  report(): { kineticEnergy: number; potentialEnergy: number; deepest: number } & Stages;
   setPose(id: graze.BodyId, pose: object): void;
   setVelocity(id: graze.BodyId, velocity: object): void;
   setMaterial(id: graze.BodyId, material: object): void;
@@ -282,10 +290,10 @@ export class Run {
   setGravity(gravity: Vec): void {
     this.simulation?.setGravity(this.own.vector(gravity));
   }
-  step(dt: number): { energy: number; deepest: number } {
+  step(dt: number): { energy: number; deepest: number; stages: Stages } {
     this.simulation!.step(dt);
-    const { kineticEnergy, potentialEnergy, deepest } = this.simulation!.report();
-    return { energy: kineticEnergy + potentialEnergy, deepest };
+    const { kineticEnergy, potentialEnergy, deepest, ...stages } = this.simulation!.report();
+    return { energy: kineticEnergy + potentialEnergy, deepest, stages };
   }
   save(): graze.State {
     return this.simulation!.save();

@@ -105,6 +105,9 @@ test("viewer has no finding of axe, and fits a phone", async () => {
     const page = await visit("#/scene?scene=tower", { bypassCSP: true, colorScheme, viewport: { width: 390, height: 844 } });
     await page.click("[data-step]");
     await page.click("[data-step]");
+    assert.equal(await page.isVisible("#drawer"), false, "the drawing is not alone on a phone");
+    await page.click(".drawer-handle");
+    assert.ok(await page.isVisible("#drawer") && (await page.getAttribute(".drawer-handle", "aria-expanded")) === "true");
     await page.evaluate(axe);
     const found = await page.evaluate(() => window.axe.run({ runOnly: ["wcag2a", "wcag2aa", "wcag21aa", "best-practice"] }));
     assert.deepEqual(found.violations.map((v) => `${colorScheme} ${v.id}: ${v.nodes.map((n) => n.target.join(" ")).slice(0, 3)}`), []);
