@@ -99,7 +99,7 @@ class GRAZE_API CapturedSimulation {
   void set_material(BodyId id, const Material& material);
   void wake(BodyId id);
   void set_gravity(const Vec& gravity);
-  /// What a replay calls the body from here on (`BodyNames`). It is written and not kept: of the run it changes nothing.
+  /// What a replay calls the body from here on (`BodyNames`). It is written and not kept: the run stays as it is.
   void set_name(BodyId id, std::string_view name);
 
   /// Keeps the state as it is now under a number, instead of what was kept there. A replay keeps it as well, which is

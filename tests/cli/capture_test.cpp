@@ -30,7 +30,8 @@ TEST(CaptureProgram, AScenePlayedRunsAgainToTheSameBits) {
     EXPECT_EQ(report["cut"], false);
     std::vector<std::string> names;
     for (const auto& body : report["names"]) names.push_back(body["name"]);
-    EXPECT_NE(std::find(names.begin(), names.end(), scene == demo ? "ball in the bowl" : "marble"), names.end()) << again.output;
+    EXPECT_NE(std::find(names.begin(), names.end(), scene == demo ? "ball in the bowl" : "marble"), names.end())
+        << again.output;
   }
   // Cut within its last frame, as by a crash.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 3);

@@ -70,8 +70,8 @@ void add_replay(py::module_& m) {
 each: called after every frame with its number and the poses of all bodies, as World and Simulation
 have them. Returns a dictionary: whether it was a simulation, in the plane, in float ('single'); its
 frames and calls; 'cut' where the file ends within a frame; 'names' of the bodies that were given one,
-by index; and 'difference', None where all came out to the same bits, else (frame, call, what). Raises ValueError for a file that is no capture or
-damaged, with the frame, and what `each` raises.
+by index; and 'difference', None where all came out to the same bits, else (frame, call, what). Raises
+ValueError for a file that is no capture or damaged, with the frame, and what `each` raises.
 
 >>> import graze, os, tempfile
 >>> file = os.path.join(tempfile.mkdtemp(), "drop.capture")
