@@ -33,7 +33,7 @@ struct PairRows {
 };
 
 template <class S>
-struct SegmentContact;  // pairs/side_contact.hpp
+struct SegmentContact;  // pairs/segment_contact.hpp
 
 /// Where a kernel writes what it finds of pairs in rows: of each pair an entry, of each that touches a manifold with
 /// its point, and the places of those that it does not answer for, whose entry says that they are apart. So does that
@@ -56,11 +56,11 @@ struct RowCounts {
 inline constexpr std::size_t block_pairs = 16, most_block_points = 8;
 
 template <class S>
-struct BoxReferenceAxis;  // pairs/box_reference_axis.hpp
+struct BoxReferenceAxis;  // pairs/box_box/reference_axis.hpp
 template <class S>
 struct TriangleReferenceAxis;  // pairs/box_triangle.hpp
 template <class S>
-struct ContactSlots;  // pairs/box_manifold.hpp
+struct ContactSlots;  // pairs/box_box/clip_faces.hpp
 template <class S>
 struct PlacedTriangle;  // pairs/triangle_triangle_distance.hpp
 template <class S>
@@ -68,7 +68,7 @@ struct TriangleDistance;
 template <class S>
 struct TriangleAxes;
 template <class T>
-struct FoundTriangles;  // pairs/triangle_triangle_manifold.hpp
+struct FoundTriangles;  // pairs/triangle_triangle/contacts.hpp
 struct AnswerRounding;
 
 /// The contacts of up to `block_pairs` pairs: of those that are known a manifold each, and its points, those of a pair
