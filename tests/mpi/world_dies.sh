@@ -12,6 +12,7 @@ fail() { echo "FAILED: $*" >&2; cat "$work/log" >&2; exit 1; }
 workers() { for p in $(pgrep -f -- "$work/world forever"); do [[ $(readlink "/proc/$p/exe") == "$work/world" ]] && echo "$p"; done | sort -n; }
 
 for which in 1 4; do
+  : >"$work/log" # now, not when the shell in the background comes to it: the last round's log says "running", too
   timeout -k 5 60 mpirun --oversubscribe -n 4 "$work/world" forever >"$work/log" 2>&1 &
   started=$!
   for ((i = 0; i < 400; ++i)); do grep -q running "$work/log" && break; sleep 0.05; done
