@@ -52,9 +52,11 @@ void print_report(MPI_Comm comm, const std::string& title, const RankReport& min
   }
   fmt::print("{:>6}  {:>10}  {:>10}  {:>10}  {:>12}  {:>12}\n\n", "all", sum.world.bodies, sum.world.ghosts,
              sum.world.pairs, sum.world.bytes, sum.memory);
-  fmt::print("balance (largest over mean): work {:.3f}, bodies {:.3f}, pairs {:.3f}; borders drawn {} times\n",
-             reports[0].world.imbalance, balance(reports, [](const RankReport& r) { return r.world.bodies; }),
-             balance(reports, [](const RankReport& r) { return r.world.pairs; }), reports[0].world.partitions);
+  fmt::print(
+      "balance (largest over mean): bodies {:.3f}, pairs {:.3f}, processor time {:.3f}; borders drawn {} times\n",
+      balance(reports, [](const RankReport& r) { return r.world.bodies; }),
+      balance(reports, [](const RankReport& r) { return r.world.pairs; }),
+      balance(reports, [](const RankReport& r) { return r.world.work; }), reports[0].world.partitions);
   fmt::print("milliseconds (of the slowest rank): reading {:.3f}, partition {:.3f}, exchange {:.3f}, pairs {:.3f}, "
              "contacts {:.3f}, events {:.3f}\n",
              longest(reports, [](const RankReport& r) { return r.reading; }),

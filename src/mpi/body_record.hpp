@@ -39,7 +39,7 @@ struct BodyRecord {
   Vec3<T> linear, angular;
   Filter filter;
   T rounding;
-  float weight;
+  float cost;
   std::uint64_t shared;  ///< number of a shared shape, where it is one
   std::uint32_t type;    ///< place in `ShapeList`
   std::uint8_t fixed, trigger, fast;
@@ -106,7 +106,7 @@ class SharedShapes {
 };
 
 template <class T>
-BodyRecord<T> record_of(Key key, const Body<T>& body, float weight, const SharedShapes<T>& shared) {
+BodyRecord<T> record_of(Key key, const Body<T>& body, float cost, const SharedShapes<T>& shared) {
   BodyRecord<T> out{};
   out.key = key;
   out.pose = body.pose;
@@ -114,7 +114,7 @@ BodyRecord<T> record_of(Key key, const Body<T>& body, float weight, const Shared
   out.angular = body.angular;
   out.filter = body.filter;
   out.rounding = body.shape.rounding();
-  out.weight = weight;
+  out.cost = cost;
   out.type = static_cast<std::uint32_t>(body.shape.index());
   out.fixed = body.fixed;
   out.trigger = body.trigger;

@@ -18,8 +18,8 @@ class OwnedBodies {
   static constexpr std::uint32_t nowhere = ~std::uint32_t{0};
   struct Entry {
     Key key;
-    Body<T> body;  ///< its rotation of unit length, as `Space::checked` leaves it
-    float weight;
+    Body<T> body;                   ///< its rotation of unit length, as `Space::checked` leaves it
+    float cost;                     ///< of the last update, in units of a body's; 0 where that is not known
     std::uint32_t place = nowhere;  ///< in the arrays of this rank, where it has one
     bool gone = false;
     bool reshaped = false;  ///< since the last update
@@ -36,13 +36,13 @@ class OwnedBodies {
 
   /// A key that is not here. Those that come in ascending order take their places at once, and others wait for theirs
   /// only until they are many, because each holds more memory meanwhile.
-  void add(Key key, Body<T> body, float weight, bool reshaped) {
+  void add(Key key, Body<T> body, float cost, bool reshaped) {
     if (came_.empty() && (settled_.empty() || settled_.back().key < key)) {
       if (settled_.size() == settled_.capacity()) settled_.reserve(roomy(settled_.size()));
-      settled_.push_back({key, std::move(body), weight, nowhere, false, reshaped});
+      settled_.push_back({key, std::move(body), cost, nowhere, false, reshaped});
       return;
     }
-    came_.emplace(key, Entry{key, std::move(body), weight, nowhere, false, reshaped});
+    came_.emplace(key, Entry{key, std::move(body), cost, nowhere, false, reshaped});
     if (came_.size() > roomy(settled_.size()) - settled_.size()) settle();
   }
   /// A key that is here.

@@ -79,7 +79,7 @@ void World<T>::add(Key key, const Body<T>& body) {
   record_of(key, body, 0.0F, parts_->shared);
   Body<T> placed = body;
   placed.pose = Space<T>::checked(body.pose);
-  parts_->owned.add(key, std::move(placed), cost_of_body, true);
+  parts_->owned.add(key, std::move(placed), 0.0F, true);
 }
 
 template <class T>

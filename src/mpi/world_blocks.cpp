@@ -144,7 +144,7 @@ void World<T>::Parts::InBlocks::fetch_ground(Together& together) {
 template <class T>
 void World<T>::Parts::InBlocks::find(const ContactVisitor<T>& visit) {
   for (auto& o : p_.owned.settled()) {
-    o.weight = cost_of_body;
+    o.cost = cost_of_body;
     o.place = nowhere;
     o.reshaped = false;
   }
@@ -203,9 +203,12 @@ void World<T>::Parts::InBlocks::find_block(std::span<const std::uint32_t> home, 
   finder_.find(block_boxes_, candidates_, *p_.executor);
   std::erase_if(candidates_, [&](const IdPair& pair) { return !is_of_block(pair); });
   for (const std::uint32_t i : home) is_home_[i] = 0;
-  for (const IdPair& pair : candidates_)
-    for (const std::uint32_t i : {places_[pair.a], places_[pair.b]})
-      if (!is_lent(i)) p_.owned.settled()[i].weight += cost_of_pair / 2;
+  float of_guests = 0;
+  const auto cost = [&](std::uint32_t i) -> float& { return is_lent(i) ? of_guests : p_.owned.settled()[i].cost; };
+  for (const IdPair& pair : candidates_) {
+    const std::uint32_t i = places_[pair.a], j = places_[pair.b];
+    charge_pair(!is_lent(i), !is_lent(j), cost(i), cost(j));
+  }
   p_.report.candidates += candidates_.size();
   manifolds_.find(arrays, candidates_, *p_.executor);
   pairs_.clear();
@@ -235,6 +238,7 @@ void World<T>::Parts::let_go_of_contacts() {
 template <class T>
 void World<T>::update(const ContactVisitor<T>& visit) {
   Parts& p = *parts_;
+  p.candidates_before = p.report.candidates;
   p.report = {.partitions = p.report.partitions};
   Together together(p.comm);
   Clock clock;

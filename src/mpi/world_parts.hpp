@@ -11,11 +11,18 @@
 #include "mpi/keyed_events.hpp"
 #include "mpi/owned_bodies.hpp"
 #include "mpi/partition.hpp"
+#include "mpi/redrawing.hpp"
 
 namespace graze::mpi {
 
 /// What a pair of which contacts are looked for costs beside a body: some 100 ns beside 50.
 constexpr float cost_of_pair = 2, cost_of_body = 1;
+
+/// Charges a pair to its bodies. With one that is lent it is all the other's: it is work of this rank and near it.
+inline void charge_pair(bool a_lives_here, bool b_lives_here, float& of_a, float& of_b) {
+  of_a += b_lives_here ? cost_of_pair / 2 : cost_of_pair;
+  of_b += a_lives_here ? cost_of_pair / 2 : cost_of_pair;
+}
 
 /// A point of both boxes, if they overlap.
 template <class T>
@@ -45,6 +52,7 @@ struct World<T>::Parts {
         settings(std::move(s)),
         executor(e ? e : &serial),
         partition(c),
+        redrawing(settings.imbalance),
         manifolds(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
 
   /// A body that others lent.
@@ -78,6 +86,7 @@ struct World<T>::Parts {
   class InBlocks;
 
   // The steps of an update; those that exchange something all ranks do together.
+  double expected_cost(Together& together);
   void balance(Together& together);
   void migrate(Together& together);
   void lend(Together& together);
@@ -107,7 +116,8 @@ struct World<T>::Parts {
   SharedShapes<T> shared;
   OwnedBodies<T> owned;
   Partition partition;
-  double drawn_imbalance = 1;
+  Redrawing redrawing;
+  std::uint64_t candidates_before = 0;  ///< looked at in the update before
 
   /// What stands at a place of the arrays: a body that lives here, one that is lent, or one that did or was and is not
   /// any more. Places of the latter are kept, because what is lent at borders comes and goes.

@@ -8,29 +8,47 @@ namespace graze::mpi {
 
 namespace {
 
-/// How much worse than after the last drawing the balance has to be, so that what cannot be shared out is left alone.
-constexpr double worse = 1.02;
-
 /// Loads of a rank that borders are drawn by: of more bodies every second, third and so on stands for those after it, of
 /// which the balance is off by some thousandths, since Zoltan holds 200 to 400 bytes a load.
 constexpr std::size_t most_loads = std::size_t{1} << 18;
 
 }  // namespace
 
+/// Gives bodies that are new the mean cost of the others; returns what all of this rank cost together.
+template <class T>
+double World<T>::Parts::expected_cost(Together& together) {
+  double known[2] = {0, 0};  // cost, and how many
+  together.alone([&] {
+    for (const auto& o : owned.settled()) {
+      known[0] += static_cast<double>(o.cost);
+      known[1] += o.cost > 0 ? 1 : 0;
+    }
+  });
+  MPI_Allreduce(MPI_IN_PLACE, known, 2, MPI_DOUBLE, MPI_SUM, comm);
+  const auto mean = known[1] > 0 ? static_cast<float>(known[0] / known[1]) : cost_of_body;
+  double sum = 0;
+  together.alone([&] {
+    for (auto& o : owned.settled()) {
+      if (!(o.cost > 0)) o.cost = mean;
+      sum += static_cast<double>(o.cost);
+    }
+  });
+  return sum;
+}
+
 /// Draws borders where there are none, or where the work is shared unevenly.
 template <class T>
 void World<T>::Parts::balance(Together& together) {
   owned.settle();
-  double sum = 0;
-  together.alone([&] {
-    for (const auto& o : owned.settled()) sum += static_cast<double>(o.weight);
-  });
-  double most = 0, all = 0;
+  const double sum = expected_cost(together);
+  double most = 0;
   MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
-  MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, comm);
+  double of_all[] = {sum, static_cast<double>(owned.size()), static_cast<double>(candidates_before)};
+  MPI_Allreduce(MPI_IN_PLACE, of_all, 3, MPI_DOUBLE, MPI_SUM, comm);
+  const double all = of_all[0], work = of_all[1] * double{cost_of_body} + of_all[2] * double{cost_of_pair};
   report.imbalance = all > 0 ? most / all * size_of(comm) : 1;
-  if (all == 0 || (partition.drawn() && report.imbalance <= std::max(settings.imbalance, drawn_imbalance * worse)))
-    return;
+  const bool is_due = redrawing.is_due(report.imbalance, work);
+  if (all == 0 || (partition.drawn() && !is_due)) return;
   std::vector<Load> loads;
   together.alone([&] {
     const auto& bodies = owned.settled();
@@ -38,17 +56,13 @@ void World<T>::Parts::balance(Together& together) {
     loads.reserve(bodies.size() / step + 1);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (i % step == 0) loads.push_back({converted<double>(bodies[i].body.pose.translation), 0});
-      loads.back().weight += static_cast<double>(bodies[i].weight);
+      loads.back().weight += static_cast<double>(bodies[i].cost);
     }
   });
   together.meet();
   partition.draw(loads);
+  redrawing.drawn();
   ++report.partitions;
-  // What was reached.
-  std::vector<double> by_rank(static_cast<std::size_t>(size_of(comm)), 0);
-  for (const Load& load : loads) by_rank[static_cast<std::size_t>(partition.rank_of_point(load.place))] += load.weight;
-  MPI_Allreduce(MPI_IN_PLACE, by_rank.data(), size_of(comm), MPI_DOUBLE, MPI_SUM, comm);
-  drawn_imbalance = *std::max_element(by_rank.begin(), by_rank.end()) / all * size_of(comm);
 }
 
 /// From this key on, so many at a time; returns the key from which on they are still to be looked for.
@@ -65,7 +79,7 @@ std::optional<Key> World<T>::Parts::find_who_leaves(Key first, ByRank<BodyRecord
     }
     const int rank = partition.rank_of_point(converted<double>(o->body.pose.translation));
     if (rank == here) continue;
-    auto& record = to[static_cast<std::size_t>(rank)].emplace_back(record_of(o->key, o->body, o->weight, shared));
+    auto& record = to[static_cast<std::size_t>(rank)].emplace_back(record_of(o->key, o->body, o->cost, shared));
     record.reshaped = o->reshaped ? 1 : 0;
     owned.remove(*o);
     ++found;
@@ -88,7 +102,7 @@ void World<T>::Parts::migrate(Together& together) {
       for (const auto& some : from)
         for (const BodyRecord<T>& r : some) {
           check(r.key, false);
-          owned.add(r.key, body_of(r, shared), r.weight, r.reshaped != 0);
+          owned.add(r.key, body_of(r, shared), r.cost, r.reshaped != 0);
         }
     });
     more = first ? 1 : 0;
@@ -169,13 +183,10 @@ void World<T>::Parts::find_contacts() {
     pairs.push_back({keys[p.a], keys[p.b], p.overlap, (arrays->triggers()[p.a] | arrays->triggers()[p.b]) != 0,
                      p.first_manifold, p.manifold_count});
   arrays->settle();
-  // What each body cost is what its rank is charged for next time.
   std::vector<float> costs(keys.size(), cost_of_body);
-  for (const IdPair& p : mine) {
-    costs[p.a] += cost_of_pair / 2;
-    costs[p.b] += cost_of_pair / 2;
-  }
-  for (auto& o : owned.settled()) o.weight = costs[o.place];
+  for (const IdPair& p : mine) charge_pair(standing[p.a] == lives, standing[p.b] == lives, costs[p.a], costs[p.b]);
+  // The mean with what it was: under new borders others are charged, and borders by that alone would go to and fro.
+  for (auto& o : owned.settled()) o.cost = o.cost > 0 ? (o.cost + costs[o.place]) / 2 : costs[o.place];
 }
 
 template <class T>
@@ -187,6 +198,7 @@ void World<T>::Parts::find_events(Together& together) {
 template <class T>
 void World<T>::update() {
   Parts& p = *parts_;
+  p.candidates_before = p.report.candidates;
   p.report = {.partitions = p.report.partitions};
   Together together(p.comm);
   Clock clock;
@@ -210,6 +222,7 @@ void World<T>::update() {
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
+  template double World<T>::Parts::expected_cost(Together&);                                                           \
   template void World<T>::Parts::balance(Together&);                                                                   \
   template void World<T>::Parts::migrate(Together&);                                                                   \
   template void World<T>::Parts::find_events(Together&);                                                               \

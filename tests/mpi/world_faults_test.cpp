@@ -221,7 +221,9 @@ void bodies_in_one_point() {
   Both<T> both;
   for (int i = 0; i < 120; ++i) both.add({Box<T>({T(1), T(1), T(1)}), {}});
   for (int i = 0; i < 5; ++i) both.compare("all in one point");
-  if (both.many.report().partitions > 2) fail("borders drawn again and again where nothing can be shared out");
+  const std::uint64_t drawn = both.many.report().partitions;
+  for (int i = 0; i < 5; ++i) both.compare("all in one point");
+  if (both.many.report().partitions > drawn) fail("borders drawn again and again where nothing can be shared out");
 }
 
 Shape<double> hull_of(std::uint64_t number) {

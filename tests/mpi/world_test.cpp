@@ -12,6 +12,7 @@
 #include "graze/mpi/world.hpp"
 #include "graze/world.hpp"
 #include "mpi/exchange.hpp"
+#include "mpi/redrawing.hpp"
 
 namespace {
 
@@ -307,6 +308,39 @@ void play(int seed, int updates, bool events) {
     fail("a scene in which too little happened", seed, updates);
 }
 
+/// Borders that go to and fro without gain are left at last, and drawn again when something has moved.
+void expect_drawings_to_end() {
+  mpi::Redrawing redrawing(1.1);
+  int drawings = 0;
+  for (int update = 0; update < 100; ++update)
+    if (redrawing.is_due(update % 2 == 0 ? 1.4 : 1.2, 1000)) {
+      redrawing.drawn();
+      ++drawings;
+    }
+  if (drawings == 0 || drawings > 20) fail("borders that are drawn for ever", 0, drawings);
+  if (redrawing.is_due(1.2, 1000)) fail("borders that are drawn where nothing moved", 0, 0);
+  if (!redrawing.is_due(1.2, 1001)) fail("borders that are not drawn where something moved", 0, 0);
+  if (redrawing.is_due(1.05, 1002)) fail("borders that are drawn for a good balance", 0, 0);
+}
+
+/// A heap that lies still, so dense that a body touches some twenty others: borders come to rest.
+void expect_borders_to_rest() {
+  mpi::World<double> world(MPI_COMM_WORLD);
+  if (rank == 0)
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3d place{0.7 * (i % 10), 0.7 * (i / 10 % 10), 0.7 * (i / 100)};
+      world.add(static_cast<mpi::Key>(i), {Sphere<double>(0.6), {place, {}}});
+    }
+  std::uint64_t drawings = 0;
+  for (int update = 0; update < 40; ++update) {
+    world.update();
+    if (update == 34) drawings = world.report().partitions;
+  }
+  if (drawings == 0 || world.report().partitions != drawings) fail("borders that do not rest", 0, ranks);
+  // 125 bodies a rank at 8 ranks, nearly all of them at a border.
+  if (world.report().imbalance > 1.4) fail("a heap shared out unevenly", 0, ranks);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -314,6 +348,8 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const int updates = argc > 1 ? std::atoi(argv[1]) : 200;
+  expect_drawings_to_end();
+  expect_borders_to_rest();
   play<double>(1, updates, true);
   play<float>(2, updates, true);
   play<double>(3, updates, false);

@@ -30,7 +30,8 @@ struct WorldSettings {
   std::optional<T> margin;                     ///< as of `graze::WorldSettings`; the same on all ranks
   std::function<bool(Key, Key)> allow;         ///< a last word on a pair: the same on all ranks
   std::optional<std::size_t> points_per_pair;  ///< as of `graze::WorldSettings`
-  /// The largest load of a rank over the mean from which on the borders are drawn anew.
+  /// The largest work of a rank over the mean from which on the borders are drawn anew. Work is bodies and the pairs whose
+  /// contacts are looked for, so that the same calls draw the same borders.
   double imbalance = 1.1;
   /// Whether it is remembered who touches, for `events`. Without, there are none, and less is held.
   bool events = true;
@@ -85,7 +86,7 @@ struct WorldReport {
   std::uint64_t bytes = 0;       ///< sent to other ranks
   std::uint64_t migrated = 0;    ///< bodies that went to live elsewhere
   std::uint64_t partitions = 0;  ///< how often borders were drawn, since the beginning
-  double imbalance = 1;          ///< largest load over mean, before the update
+  double imbalance = 1;          ///< largest work over mean, as the update before this one found it
   double partition = 0, exchange = 0, broad = 0, contacts = 0, events = 0;  ///< seconds, by stage
   double work = 0;  ///< seconds of processors that the rank's own part took, without waiting for others
 };
