@@ -73,7 +73,8 @@ TEST(Composite, DistanceOverlapAndContactsAgreeWithBruteForce) {
         if (a.convex() && b.convex()) continue;
         const bool unbounded = (&a == &all[4] || &a == &all[6]) && (&b == &all[4] || &b == &all[6]);
         if (unbounded) continue;  // two half-spaces that meet have no depth: below
-        expect_brute_force(a, random_pose(random, 1), b, random_pose(random, 3), 0.1);
+        const Posed pose_a = random_pose(random, 1), pose_b = random_pose(random, 3);
+        expect_brute_force(a, pose_a, b, pose_b, 0.1);
       }
 }
 
