@@ -33,6 +33,43 @@ concept HasMoreContacts = requires(const InPlaceA<P, T>& a, const InPlaceB<P, T>
 template <class T>
 using Routine = T (*)(const Shape<T>&, const Pose<T>&, const Shape<T>&, const Pose<T>&, T, Manifold<T>&);
 
+/// Where the pair's own routine has no answer; of two that may touch in more points it has left the closest. Its own
+/// function: its numbers would push those of the other pairs out of registers, a sixth of their time.
+template <class P, class T>
+[[gnu::noinline]] GRAZE_FLATTEN T remaining_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
+                                                     const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
+  if constexpr (HasMoreContacts<P, T>)
+    if (!manifold.points.empty())
+      if (const auto distance = P::more_contacts(in_place<typename P::template A<T>>(a, pose_a),
+                                                 in_place<typename P::template B<T>>(b, pose_b), margin, manifold))
+        return *distance;
+  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
+}
+
+/// One function, so that numbers stay in registers on their way to the manifold.
+template <class P, class T>
+GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
+                              T margin, Manifold<T>& manifold) {
+  const auto own = P::contacts(in_place<typename P::template A<T>>(a, pose_a),
+                               in_place<typename P::template B<T>>(b, pose_b), margin, manifold);
+  return own ? *own : remaining_contacts<P>(a, pose_a, b, pose_b, margin, manifold);
+}
+
+template <class T>
+T other_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                 Manifold<T>& manifold) {
+  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
+}
+
+/// Of two shapes that stand against the order.
+template <class T>
+T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
+                    Manifold<T>& manifold) {
+  const T distance = convex_contacts<T>(b, pose_b, a, pose_a, margin, manifold);
+  mirror(manifold);
+  return distance;
+}
+
 /// Whether a pair of one kind is answered the other way round. What the general path chooses where two choices are as
 /// good (the face that others are laid over, the edge that counts, the vertex that a search begins at) follows the
 /// order of the shapes. The larger shape tells theirs or, of two as large, where each sees the other: a swap swaps both
@@ -59,52 +96,12 @@ bool stands_second(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, 
   return false;
 }
 
-/// Of two shapes of one kind, by the general path.
+/// Of two shapes of one kind.
 template <class T>
 T alike_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
                  Manifold<T>& manifold) {
-  if (!stands_second(a, pose_a, b, pose_b)) return general_contacts(a, pose_a, b, pose_b, margin, manifold);
-  const T distance = general_contacts(b, pose_b, a, pose_a, margin, manifold);
-  mirror(manifold);
-  return distance;
-}
-
-/// Where the pair's own routine has no answer; of two that may touch in more points it has left the closest. Its own
-/// function: its numbers would push those of the other pairs out of registers, a sixth of their time.
-template <class P, class T>
-[[gnu::noinline]] GRAZE_FLATTEN T remaining_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b,
-                                                     const Pose<T>& pose_b, T margin, Manifold<T>& manifold) {
-  if constexpr (HasMoreContacts<P, T>)
-    if (!manifold.points.empty())
-      if (const auto distance = P::more_contacts(in_place<typename P::template A<T>>(a, pose_a),
-                                                 in_place<typename P::template B<T>>(b, pose_b), margin, manifold))
-        return *distance;
-  if constexpr (std::is_same_v<typename P::template A<T>, typename P::template B<T>>)
-    return alike_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
-  else
-    return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
-}
-
-/// One function, so that numbers stay in registers on their way to the manifold.
-template <class P, class T>
-GRAZE_FLATTEN T pair_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b,
-                              T margin, Manifold<T>& manifold) {
-  const auto own = P::contacts(in_place<typename P::template A<T>>(a, pose_a),
-                               in_place<typename P::template B<T>>(b, pose_b), margin, manifold);
-  return own ? *own : remaining_contacts<P>(a, pose_a, b, pose_b, margin, manifold);
-}
-
-template <class T>
-T other_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                 Manifold<T>& manifold) {
-  return general_contacts<T>(a, pose_a, b, pose_b, margin, manifold);
-}
-
-/// Of two shapes that stand against the order.
-template <class T>
-T mirrored_contacts(const Shape<T>& a, const Pose<T>& pose_a, const Shape<T>& b, const Pose<T>& pose_b, T margin,
-                    Manifold<T>& manifold) {
-  const T distance = convex_contacts<T>(b, pose_b, a, pose_a, margin, manifold);
+  if (!stands_second(a, pose_a, b, pose_b)) return other_contacts(a, pose_a, b, pose_b, margin, manifold);
+  const T distance = other_contacts(b, pose_b, a, pose_a, margin, manifold);
   mirror(manifold);
   return distance;
 }

@@ -19,9 +19,9 @@ namespace graze::testing {
 template <class T>
 inline constexpr std::uint64_t golden_bits = 0;
 template <>
-inline constexpr std::uint64_t golden_bits<float> = 14216279588593811104u;
+inline constexpr std::uint64_t golden_bits<float> = 18162578882953321326u;
 template <>
-inline constexpr std::uint64_t golden_bits<double> = 10469041916686376902u;
+inline constexpr std::uint64_t golden_bits<double> = 11397758317102466814u;
 
 /// Fowler, Noll and Vo's hash (FNV-1a, 64 bits) of the bytes of numbers.
 class Hash {

@@ -103,8 +103,7 @@ struct alignas(64) MetBoxes {
     rotation = translation + 3,
     clipping = rotation + 9,
     limits = clipping + 7,
-    swapped = limits + 4,
-    distance,
+    distance = limits + 4,
     columns
   };
 

@@ -7,7 +7,6 @@
 
 #include "graze/contact.hpp"
 #include "narrow/manifold/features.hpp"
-#include "narrow/pairs/box_box/ordered_boxes.hpp"
 #include "narrow/pairs/box_box/outline.hpp"
 #include "narrow/pairs/box_box/reference_frame.hpp"
 #include "simd/axis_permutation.hpp"
@@ -141,23 +140,20 @@ struct BoxMeeting {
 template <class S>
 struct BoxLimits {
   S axis;     ///< as in `BoxReferenceAxis`
-  S swapped;  ///< 1 where B takes the place of A, else 0
   S noise;    ///< rounding of a place
   S margin;   ///< of corners that are further apart no points are made
   S nearest;  ///< what is nearest is among the corners, or hardly nearer, where one of them is no further apart
 };
 template <class S>
-BoxLimits<S> box_limits(const OrderedBoxes<S>& boxes, const BoxReferenceAxis<S>& choice, const S& margin) {
+BoxLimits<S> box_limits(const BoxRows<S>& p, const BoxReferenceAxis<S>& choice, const S& margin) {
   using T = typename LaneOf<S>::type;
-  const BoxRows<S>& p = boxes.rows;
   const S size_a = length(p.half_a), size_b = length(p.half_b), noise = box_noise(p, size_a, size_b),
           allowed = S(T(face_preference)) * least(size_a, size_b);
-  const S swapped = select(boxes.swapped, Packed<S, 3>(S(1)), Packed<S, 3>(S(0)))[0];
-  return {choice.axis, swapped, noise, greatest(margin, choice.distance + noise), choice.distance + allowed};
+  return {choice.axis, noise, greatest(margin, choice.distance + noise), choice.distance + allowed};
 }
 
-/// Calls `f` with the `BoxMeeting` along the chosen axis of ordered boxes. `pose_of(b_clips)` gives the pose of B where
-/// the mask is set, of A elsewhere. Only for boxes within the margin of each other.
+/// Calls `f` with the `BoxMeeting` along the chosen axis. `pose_of(by_b)` gives the pose of B where the mask is set, of
+/// A elsewhere. Only for boxes within the margin of each other.
 template <class S, class PoseOf, class F>
 void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const PoseOf& pose_of, const F& f) {
   using std::abs, std::sqrt;
@@ -208,13 +204,11 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pos
   detail::simplify(corners, near);
 
   // From the clipping box to the world.
-  const Row swapped(limits.swapped);
-  const auto b_clips = select(seen.by_b, Row(one) - swapped, swapped) > Row(zero);
-  const PoseRows<S> clipping = pose_of(b_clips);
+  const PoseRows<S> clipping = pose_of(seen.by_b);
   const Rows<S> turn = face(transposed(clipping.rotation()));
   const Row &wx = turn.row[0], &wy = turn.row[1], &wz = turn.row[2],
             across = wx * spread<0>(n) + wy * spread<1>(n) + wz * spread<2>(n), up = wz * Row(height),
-            normal = select(b_clips, -across, across);
+            normal = select(seen.by_b, -across, across);
   BoxMeeting<S> meeting{corners, {}, {normal[0], normal[1], normal[2]}, limits.margin, nearest <= limits.nearest};
   BoxFaces<S>& points = meeting.faces;
   for (int k = 0; k < 3; ++k) {
@@ -229,7 +223,7 @@ void with_box_meeting(const BoxRows<S>& p, const BoxLimits<S>& limits, const Pos
   points.rim[0] = half[0] - near, points.rim[1] = half[1] - near;
   points.rim_uv[0] = one - near * per_length.x, points.rim_uv[1] = one - near * per_length.y;
   points.face = face_part(face, plus[0]), points.other_face = face_part(other, other_plus[0]);
-  points.by_b = b_clips[0];
+  points.by_b = seen.by_b[0];
   f(meeting);
 }
 

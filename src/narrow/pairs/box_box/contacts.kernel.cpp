@@ -25,12 +25,11 @@ template <class T>
 /// The pairs of a bundle of which `filled` lanes hold one, whose places are counted from `place` on: those within their
 /// margins go to `met`, the places of the others to `apart`, and how many these are is added.
 template <class T, class S, class M>
-void sort_out(const OrderedBoxes<S>& boxes, const PoseRows<S>& pose_a, const PoseRows<S>& pose_b, const S& margin,
+void sort_out(const BoxRows<S>& p, const PoseRows<S>& pose_a, const PoseRows<S>& pose_b, const S& margin,
               const M& regular, std::uint32_t filled, std::uint32_t place, MetBoxes<T>& met, std::uint32_t* apart,
               std::size_t& apart_count) {
   using To = MetBoxes<T>;
   using Numbers = Packed<S, 1>;
-  const BoxRows<S>& p = boxes.rows;
   const BoxReferenceAxis<S> choice = box_reference_axis(p, margin);
   const std::uint32_t meet = bits_of((!(choice.distance > margin)) | !regular) & filled, others = filled & ~meet;
   std::uint32_t places[chosen_room];
@@ -48,17 +47,15 @@ void sort_out(const OrderedBoxes<S>& boxes, const PoseRows<S>& pose_a, const Pos
   put(To::half_b, p.half_b);
   put(To::translation, p.translation);
   for (std::size_t k = 0; k < 3; ++k) put(To::rotation + 3 * k, p.rotation.row[k]);
-  const BoxLimits<S> limits = box_limits(boxes, choice, margin);
-  const auto by_second = Packed<S, 3>::Mask::of(detail::face_of_b(Numbers(choice.axis)).part[0]);
-  const auto b_clips = (by_second & !boxes.swapped) | (boxes.swapped & !by_second);
-  const PoseRows<S> clipping = select(b_clips, pose_b, pose_a);
+  const PoseRows<S> clipping =
+      select(Packed<S, 3>::Mask::of(detail::face_of_b(Numbers(choice.axis)).part[0]), pose_b, pose_a);
   put(To::clipping, clipping.translation);
   put(To::clipping + 3, clipping.vector);
   put(To::clipping + 6, Numbers(clipping.w.part[0]));
+  const BoxLimits<S> limits = box_limits(p, choice, margin);
   // Of boxes that are not regular nothing is known, whatever the numbers say.
   const S nearest = select(regular, limits.nearest, S(std::numeric_limits<T>::quiet_NaN()));
   put(To::limits, Packed<S, 4>(limits.axis, limits.noise, limits.margin, nearest));
-  put(To::swapped, Numbers(limits.swapped));
   put(To::distance, Numbers(choice.distance));
   met.count += static_cast<std::size_t>(count_bits(meet));
 }
@@ -105,7 +102,7 @@ template <class T>
     const Boxes<T> bundle(pairs + first, count - first);
     const PoseRows<S> pose_a(bundle.pose_a), pose_b(bundle.pose_b);
     const Vec3<S>&half_a = bundle.a.core.half, &half_b = bundle.b.core.half;
-    sort_out<T>(OrderedBoxes<S>(Row(half_a), pose_a, Row(half_b), pose_b), pose_a, pose_b, bundle.margin,
+    sort_out<T>(BoxRows<S>(Row(half_a), pose_a, Row(half_b), pose_b), pose_a, pose_b, bundle.margin,
                 regular_box(half_a) & regular_box(half_b), filled_lanes<T>(count - first),
                 place + static_cast<std::uint32_t>(first), met, apart, apart_count);
   }
@@ -123,7 +120,7 @@ template <class T>
     const RowBundle<Box<T>, Box<T>, T> bundle(rows, first);
     fetch_rows<Box<T>, Box<T>>(rows, first + rows_ahead);
     const PoseRows<S> pose_a(bundle.pose_a), pose_b(bundle.pose_b);
-    sort_out<T>(OrderedBoxes<S>(Row(bundle.a.shapes.core.half), pose_a, Row(bundle.b.shapes.core.half), pose_b), pose_a,
+    sort_out<T>(BoxRows<S>(Row(bundle.a.shapes.core.half), pose_a, Row(bundle.b.shapes.core.half), pose_b), pose_a,
                 pose_b, S(margin), bundle.regular(), filled_lanes<T>(count - first),
                 place + static_cast<std::uint32_t>(first), met, apart, apart_count);
   }
@@ -145,8 +142,8 @@ template <class T>
     };
     const BoxRows<S> boxes(row(From::half_a), row(From::half_b), row(From::translation),
                            {row(From::rotation), row(From::rotation + 3), row(From::rotation + 6)});
-    const BoxLimits<S> limits{number(From::limits), number(From::swapped), number(From::limits + 1),
-                              number(From::limits + 2), number(From::limits + 3)};
+    const BoxLimits<S> limits{number(From::limits), number(From::limits + 1), number(From::limits + 2),
+                              number(From::limits + 3)};
     const PoseRows<S> clipping(row(From::clipping), row(From::clipping + 3), Row(number(From::clipping + 6)));
     const std::size_t left = count - first, lanes = lanes_of<T>;
     with_box_meeting(
@@ -160,17 +157,15 @@ template <class T>
 [[gnu::flatten]] bool box_contact(const PairRef<T>& pair, BoxReferenceAxis<T>& choice, ContactSlots<T>& found) {
   const Box<T>&a = *static_cast<const Box<T>*>(pair.a), &b = *static_cast<const Box<T>*>(pair.b);
   const PoseRows<T> pose_a(*pair.pose_a), pose_b(*pair.pose_b);
-  const OrderedBoxes<T> boxes(Packed<T, 3>(a.half_extents()), pose_a, Packed<T, 3>(b.half_extents()), pose_b);
-  const BoxRows<T>& rows = boxes.rows;
-  if (!regular_boxes(rows.half_a, rows.half_b)) {
+  const BoxRows<T> boxes(Packed<T, 3>(a.half_extents()), pose_a, Packed<T, 3>(b.half_extents()), pose_b);
+  if (!regular_boxes(boxes.half_a, boxes.half_b)) {
     found.known = T(0);
     return true;
   }
-  choice = box_reference_axis(rows, pair.margin);
+  choice = box_reference_axis(boxes, pair.margin);
   if (choice.distance > pair.margin) return false;
   with_box_meeting(
-      rows, box_limits(boxes, choice, pair.margin),
-      [&](const auto& b_clips) { return select(b_clips, pose_b, pose_a); },
+      boxes, box_limits(boxes, choice, pair.margin), [&](const auto& by_b) { return select(by_b, pose_b, pose_a); },
       [&](const BoxMeeting<T>& meeting) { put_points(meeting, found); });
   return true;
 }

@@ -4,8 +4,6 @@
 // Guarantee: the bits of `relative_frame`.
 #pragma once
 
-#include <utility>
-
 #include "graze/mat3.hpp"
 #include "graze/pose.hpp"
 #include "simd/packed.hpp"
@@ -93,19 +91,14 @@ struct PoseRows {
   }
 };
 
-/// The rotation of B seen from A: a quaternion's vector, and its real part three times.
-template <class S>
-std::pair<Packed<S, 3>, Packed<S, 3>> relative_quaternion(const PoseRows<S>& a, const PoseRows<S>& b) {
-  using Row = Packed<S, 3>;
-  const Row back = -a.vector;
-  return {b.vector * a.w + back * b.w + (following(back) * preceding(b.vector) - preceding(back) * following(b.vector)),
-          a.w * b.w - Row(sum(back * b.vector))};
-}
-/// The same as a matrix; `per` and `unit` as of `rotation_rows`.
+/// The rotation of B seen from A; `per` and `unit` as of `rotation_rows`.
 template <class S>
 Rows<S> relative_rotation(const PoseRows<S>& a, const PoseRows<S>& b, const S& per, const S& unit) {
-  const auto [vector, w] = relative_quaternion(a, b);
-  return rotation_rows(vector, w, per, unit);
+  using Row = Packed<S, 3>;
+  const Row back = -a.vector;
+  return rotation_rows(b.vector * a.w + back * b.w +
+                           (following(back) * preceding(b.vector) - preceding(back) * following(b.vector)),
+                       a.w * b.w - Row(sum(back * b.vector)), per, unit);
 }
 
 /// `BoxPair` in rows.
@@ -122,6 +115,11 @@ struct BoxRows {
         rotation{Row(p.rotation.row[0]), Row(p.rotation.row[1]), Row(p.rotation.row[2])} {}
   BoxRows(const Row& of_a, const Row& of_b, const Row& from_a, const Rows<S>& turn)
       : half_a(of_a), half_b(of_b), translation(from_a), rotation(turn) {}
+  /// Two boxes in place.
+  BoxRows(const Row& of_a, const PoseRows<S>& a, const Row& of_b, const PoseRows<S>& b) : half_a(of_a), half_b(of_b) {
+    rotation = relative_rotation(a, b, S(2) / (a.length_squared() * b.length_squared()), S(1));
+    translation = transposed_times(a.rotation(), b.translation - a.translation);
+  }
 };
 
 }  // namespace graze

@@ -19,7 +19,6 @@ template <class T>
 struct FoundTriangles {
   T distance;  ///< minus infinity where it is not proven
   Distance<double> at;
-  bool swapped;  ///< of the two in the other order
 };
 
 /// A pair of triangles that may meet, as contacts ask about it: in the unit and the frame of `two_triangles`.

@@ -32,15 +32,11 @@ template <class T>
   return {n[0], {n[1], n[2], n[3]}, {a[0], a[1], a[2]}, {}};
 }
 
-/// Writes the points of a pair, a lane, and returns how many: of two of the same features the deeper one. Those of a
-/// `swapped` pair are mirrored.
+/// Writes the points of a pair, a lane, and returns how many: of two of the same features the deeper one.
 template <class T>
-[[gnu::always_inline]] inline std::size_t put_points(const ContactSlots<S>& found, int lane, bool swapped,
-                                                     ContactPoint<T>* to) {
+[[gnu::always_inline]] inline std::size_t put_points(const ContactSlots<S>& found, int lane, ContactPoint<T>* to) {
   std::uint64_t seen = 0;
   std::size_t count = 0;
-  // Nobody foresees the order, so nothing is jumped for.
-  const auto &of_a = swapped ? found.b : found.a, &of_b = swapped ? found.a : found.b;
   for (auto filled = static_cast<unsigned>(static_cast<int>(found.filled[lane])); filled != 0; filled &= filled - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(filled));
     const auto vector = [&](const auto& column) __attribute__((always_inline)) {
@@ -49,8 +45,7 @@ template <class T>
     };
     const auto part_a = static_cast<std::uint32_t>(static_cast<int>(found.part_a[i][lane])),
                part_b = static_cast<std::uint32_t>(static_cast<int>(found.part_b[i][lane]));
-    const std::uint32_t in_order = feature_id(triangle_features[part_a], triangle_features[part_b]),
-                        feature = swapped ? swapped_feature_id(in_order) : in_order;
+    const std::uint32_t feature = feature_id(triangle_features[part_a], triangle_features[part_b]);
     const T distance = static_cast<T>(found.distance[i][lane]);
     const std::uint64_t bit = std::uint64_t{1} << (8 * part_a + part_b);
     std::size_t place = count;
@@ -60,7 +55,7 @@ template <class T>
       if (!(distance < to[place].distance)) continue;
     }
     seen |= bit;
-    to[place] = {vector(of_a), vector(of_b), distance, feature, T(0.5)};
+    to[place] = {vector(found.a), vector(found.b), distance, feature, T(0.5)};
     count += place == count;
   }
   return count;
@@ -97,13 +92,8 @@ template <class T>
       const std::size_t pair = first + k;
       const int i = static_cast<int>(k);
       if (manifold.known[i] == 0 || !(found[pair].distance > -std::numeric_limits<T>::infinity())) continue;
-      const bool swapped = found[pair].swapped;
-      const auto normal = [&](std::size_t axis) {
-        const T along = static_cast<T>(manifold.normal[axis][i]);
-        return swapped ? -along : along;
-      };
-      const auto points =
-          static_cast<std::uint32_t>(put_points<T>(manifold, i, swapped, block.points + block.point_count));
+      const auto normal = [&](std::size_t axis) { return static_cast<T>(manifold.normal[axis][i]); };
+      const auto points = static_cast<std::uint32_t>(put_points<T>(manifold, i, block.points + block.point_count));
       block.known |= std::uint32_t{1} << pair;
       block.manifolds[block.manifold_count++] = {
           {normal(0), normal(1), normal(2)}, 0, 0, block.first_point + block.point_count, points};

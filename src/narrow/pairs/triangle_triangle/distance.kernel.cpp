@@ -95,9 +95,9 @@ template <class T>
                         const int i = static_cast<int>(k);
                         const T distance = static_cast<T>(of.at.distance[i]);
                         const bool certified = of.proven[i] && (!of.beyond[i] || distance > pairs[pair].margin);
-                        found[pair] = {certified ? distance : -std::numeric_limits<T>::infinity(),
-                                       {of.at.distance[i], lane<double>(of.at.normal, i), lane<double>(of.at.a, i), {}},
-                                       false};
+                        found[pair] = {
+                            certified ? distance : -std::numeric_limits<T>::infinity(),
+                            {of.at.distance[i], lane<double>(of.at.normal, i), lane<double>(of.at.a, i), {}}};
                       }
                     });
   }

@@ -41,11 +41,11 @@ PlacedFace face_along(const Vec3d (&point)[3], const Vec3d& direction) {
   return face;
 }
 
-/// In this order of the two; `swapped`: the answer is for the other one. Nobody foresees that, so nothing is jumped for
-/// where they touch as a rule.
+}  // namespace
+
 template <class T>
-std::optional<T> contacts_in_order(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, bool swapped,
-                                   T margin, Manifold<T>& manifold) {
+std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
+                                        Manifold<T>& manifold) {
   static const auto kernel = GRAZE_KERNEL(chosen_isa(), triangle_pair_contact);
   const PlacedTriangle<double> placed_a = placed_triangle(a), placed_b = placed_triangle(b);
   TriangleDistance<double> found;
@@ -55,17 +55,14 @@ std::optional<T> contacts_in_order(const InPlace<Triangle<T>, T>& a, const InPla
   kernel(placed_a, placed_b, before_rounding<T>(up_to), up_to, answer_rounding<T>(), found, axes, points);
   if (!found.proven) return std::nullopt;
   const Distance<T> d = rounded<T>(found.at);
-  const T toward = swapped ? T(-1) : T(1);
-  manifold.normal = d.normal * toward;
+  manifold.normal = d.normal;
   if (d.distance > margin) return d.distance;
   if (points.known != 0) {
-    manifold.normal = converted<T>(points.normal) * toward;
-    const auto &on_a = swapped ? points.b : points.a, &on_b = swapped ? points.a : points.b;
-    const auto &part_a = swapped ? points.part_b : points.part_a, &part_b = swapped ? points.part_a : points.part_b;
+    manifold.normal = converted<T>(points.normal);
     const auto slot = [&](std::size_t i) {
-      const auto at = [&](const auto& column) { return converted<T>(Vec3d{column[0][i], column[1][i], column[2][i]}); };
-      return ContactSlot<T>{at(on_a), at(on_b), static_cast<T>(points.distance[i]), static_cast<T>(part_a[i]),
-                            static_cast<T>(part_b[i])};
+      const ContactSlot<double> of = points.slot(i);
+      return ContactSlot<T>{converted<T>(of.a), converted<T>(of.b), static_cast<T>(of.distance),
+                            static_cast<T>(of.part_a), static_cast<T>(of.part_b)};
     };
     take_points<T>(static_cast<unsigned>(points.filled), slot, triangle_features, triangle_features, manifold.points);
     return d.distance;
@@ -91,18 +88,7 @@ std::optional<T> contacts_in_order(const InPlace<Triangle<T>, T>& a, const InPla
                            axes.noise};
   contacts_of_faces(Shape<T>(a.shape, a.rounding()), a.pose, Shape<T>(b.shape, b.rounding()), b.pose, margin, faces, d,
                     manifold);
-  if (swapped) mirror(manifold);
   return d.distance;
-}
-
-}  // namespace
-
-template <class T>
-std::optional<T> triangle_pair_contacts(const InPlace<Triangle<T>, T>& a, const InPlace<Triangle<T>, T>& b, T margin,
-                                        Manifold<T>& manifold) {
-  const bool swapped = triangles_swapped(a.shape, a.pose, b.shape, b.pose);
-  const InPlace<Triangle<T>, T>* const of[2] = {&a, &b};
-  return contacts_in_order(*of[swapped], *of[!swapped], swapped, margin, manifold);
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
