@@ -101,22 +101,21 @@ test("the page's programs print what the page says", async () => {
   }
 });
 
-test("captures of the plane are played again", async () => {
-  for (const of of ["world", "simulation"]) {
-    const file = await readFile(new URL(`../../fuzz/corpus/capture/whole-plane-${of}`, import.meta.url));
-    const seen = [];
-    const report = double.replay(file, (world, frame, plane) => {
-      seen.push([frame, plane, world.size, world.poses().length / 4]);
-      const shape = world.shape(world.bodyAt(0));
-      assert.equal(shape.kind, "halfPlane");
-      shape.dispose();
-      double.plane.draw.world(world, { size: 3 });
-    });
-    assert.deepEqual([report.simulation, report.plane, report.difference], [of === "simulation", true, null]);
-    assert.deepEqual(double.captureHead(file), { simulation: of === "simulation", plane: true, scalar: "double" });
-    assert.equal(seen.length, report.frames);
-    assert.deepEqual(seen.at(-1), of === "world" ? [3, true, 3, 3] : [90, true, 4, 4]);
-  }
+// A world's: a stored simulation has the bits of the solver that wrote it (those made anew are played again below).
+test("a capture of the plane is played again", async () => {
+  const file = await readFile(new URL("../../fuzz/corpus/capture/whole-plane-world", import.meta.url));
+  const seen = [];
+  const report = double.replay(file, (world, frame, plane) => {
+    seen.push([frame, plane, world.size, world.poses().length / 4]);
+    const shape = world.shape(world.bodyAt(0));
+    assert.equal(shape.kind, "halfPlane");
+    shape.dispose();
+    double.plane.draw.world(world, { size: 3 });
+  });
+  assert.deepEqual([report.simulation, report.plane, report.difference], [false, true, null]);
+  assert.deepEqual(double.captureHead(file), { simulation: false, plane: true, scalar: "double" });
+  assert.equal(seen.length, report.frames);
+  assert.deepEqual(seen.at(-1), [3, true, 3, 3]);
 });
 
 test("memory may grow while a simulation steps", () => {
