@@ -39,7 +39,7 @@ struct Options {
 /// A bound is loose when it is so many times as large as the error, and not a matter of rounding.
 constexpr Real loose = 100;
 
-/// What is so of a pair's answers in one precision.
+/// Counts of answers of two kinds in one precision.
 struct Tally {
   std::size_t asked = 0, beyond = 0, beyond_smaller = 0, bounded = 0, broken = 0, loose_bounds = 0;
   double worst = 0;  ///< of those that are proven
@@ -56,8 +56,8 @@ struct Case {
   reference::Placed ra, rb;
   Real size, smaller, truth;
 
-  /// The length that an error is relative to: of shapes that overlap the larger one's size, of others the smaller one's,
-  /// unless that one is a point.
+  /// The length that an error is relative to: of shapes that overlap the larger one's size, of others the smaller
+  /// one's, unless that one is a point.
   Real scale() const { return truth > 0 && smaller > 0 ? smaller : size; }
 };
 
@@ -67,8 +67,8 @@ Real truth_of(const reference::Placed& a, const reference::Placed& b, const Vec3
                    reference::separation(a, b, vector_of(other))});
 }
 
-/// What an answer about two that are apart may be off by: the tolerance of the smaller one, and the rounding of the
-/// coordinates of both.
+/// The error that an answer about two that are apart may have: the tolerance of the smaller one, and the rounding of
+/// the coordinates of both.
 template <class T>
 Real allowed_of_smaller(const Case& c) {
   return static_cast<Real>(tolerance<T>) * c.smaller +

@@ -5,7 +5,7 @@
 // Balls and boxes stand in a cube of a lattice, a little turned and out of place, so that each touches about three
 // others; from frame to frame every body moves by about 1e-3 of its size, or with --moving N one body in N. Of ghosts
 // and bytes the mean of the frames is printed. With --corner all bodies fall into one corner over the frames and lie
-// there for three more, and the balance of each frame is printed, as the costs of the one before say.
+// there for 24 more, and the balance of each frame is printed, as the costs of the one before say.
 //
 // With --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take
 // turns frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of

@@ -99,7 +99,8 @@ class GRAZE_API CapturedSimulation {
   void set_material(BodyId id, const Material& material);
   void wake(BodyId id);
   void set_gravity(const Vec& gravity);
-  /// What a replay calls the body from here on (`BodyNames`). It is written and not kept: the run stays as it is.
+  /// A name by which a replay calls the body from here on (`BodyNames`). It is written and not kept: the run stays as
+  /// it is.
   void set_name(BodyId id, std::string_view name);
 
   /// Keeps the state as it is now under a number, instead of what was kept there. A replay keeps it as well, which is
@@ -144,7 +145,7 @@ class GRAZE_API CapturedWorld {
   void set_shape(BodyId id, Shape shape);
   void set_filter(BodyId id, const Filter& filter);
   void set_fast(BodyId id, bool fast);
-  /// What a replay calls the body from here on, as `CapturedSimulation::set_name`.
+  /// A name by which a replay calls the body from here on, as `CapturedSimulation::set_name`.
   void set_name(BodyId id, std::string_view name);
   void update(T duration = T(0));
   void find_impacts(T duration);

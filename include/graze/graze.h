@@ -855,8 +855,8 @@ GRAZE_C_API GrazeStatus graze_world_move_batch_d(GrazeWorldd *world, const Graze
 GRAZE_C_API GrazeStatus graze_world_set_shape_d(GrazeWorldd *world, GrazeBodyId id, const GrazeShaped *shape);
 GRAZE_C_API GrazeStatus graze_world_set_filter_d(GrazeWorldd *world, GrazeBodyId id, GrazeFilter filter);
 GRAZE_C_API GrazeStatus graze_world_set_fast_d(GrazeWorldd *world, GrazeBodyId id, bool fast);
-// What a replay calls a body, in UTF-8; of a world that is not captured nothing is kept. The name of a body in a replay
-// lives until the replay's function returns; elsewhere, and where there is none, it is empty.
+// The name by which a replay calls a body, in UTF-8; a world that is not captured keeps none. It lives in a replay until
+// the replay's function returns; elsewhere, and where there is none, it is empty.
 GRAZE_C_API GrazeStatus graze_world_set_name_d(GrazeWorldd *world, GrazeBodyId id, const char *name);
 GRAZE_C_API GrazeStatus graze_world_name_d(const GrazeWorldd *world, GrazeBodyId id, const char **name);
 // Another last word than that of the settings; null allows all.
@@ -1093,7 +1093,7 @@ GRAZE_C_API GrazeStatus graze_simulation_set_material_d(GrazeSimulationd *simula
                                                         const GrazeMateriald *material);
 GRAZE_C_API GrazeStatus graze_simulation_set_gravity_d(GrazeSimulationd *simulation, GrazeVec3d gravity);
 GRAZE_C_API GrazeStatus graze_simulation_wake_d(GrazeSimulationd *simulation, GrazeBodyId id);
-// What a replay calls a body, as of a world.
+// The name by which a replay calls a body, as of a world.
 GRAZE_C_API GrazeStatus graze_simulation_set_name_d(GrazeSimulationd *simulation, GrazeBodyId id,
                                                     const char *name);
 
@@ -1596,7 +1596,7 @@ GRAZE_C_API GrazeStatus graze_plane_simulation_set_material_d(GrazePlaneSimulati
                                                               const GrazePlaneMateriald *material);
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_gravity_d(GrazePlaneSimulationd *simulation, GrazeVec2d gravity);
 GRAZE_C_API GrazeStatus graze_plane_simulation_wake_d(GrazePlaneSimulationd *simulation, GrazeBodyId id);
-// What a replay calls a body, as of a world.
+// The name by which a replay calls a body, as of a world.
 GRAZE_C_API GrazeStatus graze_plane_simulation_set_name_d(GrazePlaneSimulationd *simulation, GrazeBodyId id,
                                                           const char *name);
 
@@ -1638,8 +1638,8 @@ GRAZE_C_API GrazeStatus graze_shape_draw_d(const GrazeShaped *shape, const Graze
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_shape_draw_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                  GrazeDrawMeaning meaning, const GrazeDebugDraw *on);
-// A box by its edges; the shortest way between two shapes; points of contact with their normal, as one manifold; a ray or
-// what moves, up to a hit; without one (null) as far as `length` or `duration` goes.
+// A box by its edges; the shortest way between two shapes; points of contact with their normal, as one manifold; a ray
+// or what moves, up to a hit; without one (null) as far as `length` or `duration` goes.
 GRAZE_C_API GrazeStatus graze_aabb_draw_d(const GrazeAabbd *box, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_distance_draw_d(const GrazeDistanced *distance, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_distance_draw_d(const GrazePlaneDistanced *distance, const GrazeDebugDraw *on);

@@ -1,6 +1,6 @@
 // When the borders between ranks are drawn anew.
 //
-// Guarantee: drawings end. A scene that lies still is drawn a few times without gain at most, however unevenly its work
+// Guarantee: drawings end. In a scene that lies still at most twelve in a row gain nothing, however unevenly its work
 // is shared: a body cannot be cut, and borders move what is lent across them.
 #pragma once
 
@@ -13,8 +13,8 @@ class Redrawing {
   /// `threshold`: the largest load over the mean from which on borders are drawn.
   explicit Redrawing(double threshold) : threshold_(threshold) {}
 
-  /// Whether to draw; to be asked once an update, with the imbalance and the work of all ranks in the update before. The
-  /// same work as at the last drawing means that nothing moved since: as many bodies, and pairs that may touch.
+  /// Whether to draw; to be asked once an update, with the imbalance and the work of all ranks in the update before. As
+  /// much work as the last time means that nothing moved since: as many bodies, and pairs that may touch.
   bool is_due(double imbalance, double work) {
     if (work != work_) {
       in_vain_ = 0;

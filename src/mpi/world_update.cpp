@@ -8,8 +8,8 @@ namespace graze::mpi {
 
 namespace {
 
-/// Loads of a rank that borders are drawn by: of more bodies every second, third and so on stands for those after it, of
-/// which the balance is off by some thousandths, since Zoltan holds 200 to 400 bytes a load.
+/// Loads of a rank that borders are drawn by, since Zoltan holds 200 to 400 bytes a load: of more bodies every second,
+/// third and so on stands for those after it, by which the balance is off by some thousandths.
 constexpr std::size_t most_loads = std::size_t{1} << 18;
 
 }  // namespace

@@ -44,9 +44,9 @@ inline AxisBound moved_origins(const Vec2d& between, const Vec2d& velocity, cons
   return {rate + turned.rate, turned.bend + speed * speed * greatest(rate, 0.0) * until / 2 + greatest(-aside, 0.0)};
 }
 
-/// Polygons whose separation along the unit vector `n`, from X to Y, is larger by `way` than is asked, from the time
-/// `t` on and up to `until` at most. `pose_y`: Y's at t. `nearest`: a vertex of Y that is likely to come too close first,
-/// so that the others need but a glance.
+/// The time up to which two polygons surely stay further apart than is asked, `until` at most: at the time `t` their
+/// separation along the unit vector `n`, from X to Y, is larger than that by `way`. `pose_y`: Y's at t. `nearest`: a
+/// vertex of Y that is likely to come too close first, so that the others need but a glance.
 template <class T>
 ApartUntil apart_along(const Mover<T>& x, const Mover<T>& y, const Pose2d& pose_y, const Vec2d& n,
                        std::uint32_t nearest, double way, double t, double until) {

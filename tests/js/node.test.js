@@ -101,7 +101,7 @@ test("the page's programs print what the page says", async () => {
   }
 });
 
-// A world's: a stored simulation has the bits of the solver that wrote it (those made anew are played again below).
+// The stored capture is of a world: one of a simulation has the bits of the solver that wrote it, and is made anew below.
 test("a capture of the plane is played again", async () => {
   const file = await readFile(new URL("../../fuzz/corpus/capture/whole-plane-world", import.meta.url));
   const seen = [];

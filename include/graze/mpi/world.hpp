@@ -30,8 +30,8 @@ struct WorldSettings {
   std::optional<T> margin;                     ///< as of `graze::WorldSettings`; the same on all ranks
   std::function<bool(Key, Key)> allow;         ///< a last word on a pair: the same on all ranks
   std::optional<std::size_t> points_per_pair;  ///< as of `graze::WorldSettings`
-  /// The largest work of a rank over the mean from which on the borders are drawn anew. Work is bodies and the pairs whose
-  /// contacts are looked for, so that the same calls draw the same borders.
+  /// The largest work of a rank over the mean from which on the borders are drawn anew. Work is bodies and the pairs
+  /// whose contacts are looked for, so that the same calls draw the same borders.
   double imbalance = 1.1;
   /// Whether it is remembered who touches, for `events`. Without, there are none, and less is held.
   bool events = true;
@@ -48,7 +48,7 @@ struct KeyedPair {
   std::uint32_t first_manifold, manifold_count;
 };
 
-/// What an update in blocks found of bodies that stand close together.
+/// Contacts that an update in blocks found of bodies that stand close together.
 template <class T>
 struct ContactBlock {
   std::span<const KeyedPair> pairs;  ///< in the order of keys
@@ -132,7 +132,7 @@ class GRAZE_API World {
   /// `CommonError` on every rank when one fails: out of memory, by a message that does not fit into it, by what `allow`
   /// or the source of shapes threw, by a key that two bodies have. The world is then good for nothing but its end.
   void update();
-  /// As `update`, but keeps no contacts: hands them over block by block instead, each touching pair of this rank in one
+  /// An `update` that keeps no contacts: it hands them over block by block, each touching pair of this rank in one
   /// block, once, with the same bits; `pairs`, `contacts` and `gather` have none then. Between two such updates a world
   /// holds its bodies and, unless the settings say otherwise, who touches whom, and during one what a block needs
   /// besides. Takes longer, since nothing is left from the update before. What `visit` throws is an error on every rank

@@ -112,7 +112,7 @@ constexpr Vec2<S> converted(const Vec2<T>& v) {
 template <class T>
 Vec2<T> normalized(const Vec2<T>& v, const Vec2<T>& fallback = {T(0), T(1)}) {
   using std::sqrt;
-  // What underflow may have left out of a square from there on is below its rounding.
+  // Underflow leaves out of a square from there on only what is below its rounding.
   constexpr T least_square = (std::numeric_limits<T>::min)() / std::numeric_limits<T>::epsilon();
   if (const T square = length_squared(v); square >= least_square && square <= (std::numeric_limits<T>::max)())
     return v / sqrt(square);

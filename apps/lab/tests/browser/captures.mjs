@@ -54,7 +54,7 @@ test("viewer: opens a capture, and scrubs through it", async () => {
 
 test("viewer: opens captures of the plane, and in float", async () => {
   const page = await scene("shapes");
-  // Worlds: a stored simulation has the bits of the solver that wrote it.
+  // All of worlds: a stored simulation has the bits of the solver that wrote it.
   const captures = [["whole-plane-world", "A world of the plane in double: 3 frames", 3], ["whole-file", "A world in float: ", 0]];
   for (const [name, words, bodies] of captures) {
     await page.click('nav a:text-is("Lessons")');
