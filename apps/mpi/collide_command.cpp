@@ -130,7 +130,7 @@ void Collision<T>::write_contacts(const std::string& file) {
   const mpi::Gathered<T> found = world_.gather();
   together_.alone([&] {
     if (mpi::rank_of(together_.comm()) != 0) return;
-    io::FileWriter out(file);
+    io::WholeFileWriter out(file);
     for (const mpi::KeyedPair& p : found.pairs) {
       const Known &a = known[p.a], &b = known[p.b];
       Json line{{"a", a.name}, {"b", b.name}, {"colliderA", p.a}, {"colliderB", p.b}};

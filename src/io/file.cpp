@@ -5,6 +5,7 @@
 #include <string>
 
 #include "graze/error.hpp"
+#include "io/link_target.hpp"
 
 namespace graze::io {
 
@@ -19,10 +20,38 @@ std::string reason(int error) {
   return words;
 }
 
-[[noreturn]] void cannot_write(const std::filesystem::path& file) {
+[[noreturn]] void cannot_write(const std::filesystem::path& file, int error) {
   // What the folder is that is missing, a file to be made does not tell.
   throw InvalidValue(file.string(), "",
-                     "cannot be written: " + (errno == ENOENT ? std::string("no such folder") : reason(errno)));
+                     "cannot be written: " + (error == ENOENT ? std::string("no such folder") : reason(error)));
+}
+
+/// Opens a file to be written anew; `named` is what errors call it.
+void open(std::ofstream& out, const std::filesystem::path& file, const std::filesystem::path& named) {
+  errno = 0;
+  out.open(file, std::ios::binary);
+  if (!out) cannot_write(named, errno);
+}
+
+void append(std::ofstream& out, std::string_view bytes, const std::filesystem::path& named) {
+  errno = 0;
+  if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) cannot_write(named, errno);
+}
+
+/// Writes out what was kept back, which may find no room.
+void close_whole(std::ofstream& out, const std::filesystem::path& named) {
+  errno = 0;
+  out.close();
+  if (!out) cannot_write(named, errno);
+}
+
+/// The file beside a target that can take its place: none for what is no regular file, or stands for an open one.
+std::filesystem::path partial_of(const std::filesystem::path& target) {
+  std::error_code failed;
+  const std::filesystem::file_status there = std::filesystem::status(target, failed);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) return {};
+  if (stands_for_open_file(target)) return {};
+  return target.string() + ".partial";
 }
 
 }  // namespace
@@ -37,32 +66,53 @@ std::ifstream open_file(const std::filesystem::path& file) {
   return in;
 }
 
-FileWriter::FileWriter(const std::filesystem::path& file) : file_(file) {
-  errno = 0;
-  out_.open(file, std::ios::binary);
-  if (!out_) fail();
+FileWriter::FileWriter(const std::filesystem::path& file) : file_(file) { open(out_, file, file_); }
+
+void FileWriter::write(std::string_view bytes) { append(out_, bytes, file_); }
+
+void FileWriter::close() { close_whole(out_, file_); }
+
+WholeFileWriter::WholeFileWriter(const std::filesystem::path& file)
+    : file_(file), target_(link_target(file)), written_(partial_of(target_)) {
+  check_writable(file);
+  // A folder that takes no new files may have one that can be written.
+  if (written_.empty() || !std::ofstream(written_, std::ios::binary)) written_ = target_;
+  open(out_, written_, file_);
 }
 
-void FileWriter::write(std::string_view bytes) {
-  errno = 0;
-  if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail();
-}
-
-void FileWriter::close() {
-  errno = 0;
+WholeFileWriter::~WholeFileWriter() {
+  if (!out_.is_open()) return;
   out_.close();
-  if (!out_) fail();
+  std::error_code failed;
+  if (written_ != target_) std::filesystem::remove(written_, failed);
 }
 
-void FileWriter::fail() { cannot_write(file_); }
+void WholeFileWriter::write(std::string_view bytes) { append(out_, bytes, file_); }
+
+void WholeFileWriter::close() {
+  close_whole(out_, file_);
+  if (written_ == target_) return;
+  std::error_code failed;
+  const std::filesystem::file_status before = std::filesystem::status(target_, failed);
+  if (std::filesystem::exists(before)) std::filesystem::permissions(written_, before.permissions(), failed);
+  std::filesystem::rename(written_, target_, failed);
+  if (!failed) return;
+  const int error = failed.value();
+  std::filesystem::remove(written_, failed);
+  cannot_write(file_, error);
+}
 
 void check_writable(const std::filesystem::path& file) {
+  const std::filesystem::path target = link_target(file);
+  std::error_code failed;
+  const bool there = std::filesystem::exists(target, failed);
   errno = 0;
-  if (!std::ofstream(file, std::ios::binary | std::ios::app)) cannot_write(file);
+  if (!std::ofstream(there ? target : partial_of(target), std::ios::binary | std::ios::app)) cannot_write(file, errno);
+  if (!there) std::filesystem::remove(partial_of(target), failed);
 }
 
 void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts) {
-  FileWriter out(file);
+  WholeFileWriter out(file);
   for (const std::string_view part : parts) out.write(part);
   out.close();
 }

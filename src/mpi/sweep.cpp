@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "graze/error.hpp"
+#include "io/link_target.hpp"
 #include "mpi/messages.hpp"
 #include "mpi/sweep_output.hpp"
 #include "mpi/worker.hpp"
@@ -192,6 +193,7 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
   const std::string directory = !settings.journal.empty() ? settings.journal
                                 : settings.out.empty()    ? ""
                                                           : settings.out + ".journal";
+  const std::string out = settings.out.empty() ? "" : io::link_target(settings.out).string();
   agree_on(comm, "the program", settings.kind);
   File questions;
   begin(comm, [&] {
@@ -207,11 +209,13 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
   std::uint64_t run = 0;
   begin(comm, [&] {
     if (rank != 0 || !kept) return;
-    if (!settings.out.empty()) {
-      const auto there = std::filesystem::status(settings.out);
+    if (!out.empty()) {
+      const auto there = std::filesystem::status(out);
       if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         throw InvalidValue(settings.out, "a regular file, or nothing", "something else");
-      File::writing(partial_name(settings.out));
+      if (std::filesystem::exists(there) && std::filesystem::equivalent(out, settings.questions))
+        throw InvalidValue(settings.out, "another file than the questions", "the questions");
+      File::writing(partial_name(out));
     }
     journal = Journal::open(directory, head_of(settings, questions));
     run = journal.run();
@@ -234,7 +238,7 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
     work_for_first(comm, worker);
   }
   if (kept && settings.out.empty() && rank == 0) write_to_stream(directory, records, stream);
-  if (kept && !settings.out.empty()) write_together(comm, directory, std::move(records), settings.out);
+  if (kept && !settings.out.empty()) write_together(comm, directory, std::move(records), out);
   MPI_Barrier(comm);
   if (rank == 0 && kept) journal.remove();
   std::array<std::uint64_t, 2> told{report.errors, report.lines};

@@ -74,6 +74,19 @@ TEST(Messages, AFullDiskUnderAFileIsNamed) {
   }
 }
 
+// A file larger than the shell allows ends a program by a signal in the midst of writing it.
+TEST(Messages, AProgramThatIsKilledLeavesFilesAsTheyWere) {
+  const Folder folder("killed_test");
+  for (const char* option : {"--svg", "--out"}) {
+    const std::string file = folder / (std::string("kept.") + (option == std::string("--svg") ? "svg" : "gltf"));
+    std::ofstream(file) << "old";
+    const Result r = run("collide " + example + " " + option + " " + file, "ulimit -f 2; ");
+    EXPECT_NE(r.code, 0) << r.output;
+    std::ifstream in(file);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "old");
+  }
+}
+
 TEST(Messages, AFileThatIsNotThere) {
   for (const char* command : {"info", "collide", "cast --from x", "query", "explain"}) {
     const Result r = run(std::string(command) + " /nonexistent.glb");

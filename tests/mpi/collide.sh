@@ -56,6 +56,15 @@ case $case in
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --margin -1; said "--margin"
     ln -s /dev/full full.jsonl
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --contacts full.jsonl; said "full.jsonl"; said "no space left"
+    # No byte beyond so many, as on a full disk: the file is as it was. By TCP, because shared memory is a file too.
+    town town.gltf --tiles 3 2 --bodies 24
+    for option in "--contacts kept.jsonl" "--svg kept.svg"; do
+      file=${option#* }
+      echo old >$file
+      expect 2 ranks 2 --mca btl self,tcp bash -c 'ulimit -f 16; exec "$0" "$@"' "$graze_mpi" collide town.gltf $option
+      said "$file: cannot be written: file too large"
+      [[ $(cat $file) == old && ! -e $file.partial ]] || fail "half of $file"
+    done
     expect 2 ranks 2 sh -c '[ "$OMPI_COMM_WORLD_RANK" = 0 ] && exec >/dev/full; exec "$0" "$@"' "$graze_mpi" collide town.gltf
     said "standard output cannot be written"
     expect 0 ranks 2 "$graze_mpi" collide --help; said "Example:"

@@ -95,6 +95,10 @@ case $case in
     expect 1 ranks 3 "$graze_mpi" query questions --out answers --precision float
     expect 1 ranks 2 "$graze_mpi" query questions --out answers --precision float # over what is there
     same "written again"
+    mkdir links && ln -s links/real answers.link # which stays one
+    expect 1 ranks 2 "$graze_mpi" query questions --out answers.link --precision float
+    [[ -L answers.link ]] && cmp -s expected links/real || fail "a link is gone, or leads to other answers"
+    rm -r links answers.link
     ranks 2 "$graze_mpi" query questions --journal kept --precision float >answers 2>log; same "a journal and standard output"
     [[ ! -e kept ]] || fail "the journal is left"
     : >questions; : >expected; rm answers
@@ -161,6 +165,12 @@ case $case in
     expect 2 ranks 2 "$graze_mpi" query questions --out answers --journal taken
     said "taken: expected the journal of a sweep, or nothing"
     [[ -e taken/file ]] || fail "a file of somebody else is gone"
+    ln -s questions answers.link
+    for name in questions ./questions answers.link; do # they would be lost
+      expect 2 ranks 2 "$graze_mpi" query questions --out $name
+      said "$name: expected another file than the questions"
+    done
+    rm answers.link; questions 300 | cmp - questions || fail "the questions are other ones"
     # A device takes no file's place: what is renamed to its name would.
     expect 2 ranks 3 "$graze_mpi" query questions --out /dev/full
     said "/dev/full: expected a regular file, or nothing"

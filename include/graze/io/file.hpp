@@ -1,7 +1,8 @@
 // Files opened and written, with the reason where that fails.
 //
 // Guarantee: what cannot be read or written throws `InvalidValue` with the file's name and the system's reason ("no
-// such file", "a folder", "no space left on device"); nothing is taken for read or written that is not.
+// such file", "a folder", "no space left on device"); nothing is taken for read or written that is not. A file that is
+// written as a whole has its old bytes or all of its new ones, whenever the program is killed or the disk is full.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace graze::io {
 /// A file opened for reading, byte by byte. Throws `InvalidValue` for what is not there, a folder, or not permitted.
 GRAZE_API std::ifstream open_file(const std::filesystem::path& file);
 
-/// A file that is written piece by piece.
+/// A file that is written piece by piece, and can be read meanwhile.
 class GRAZE_API FileWriter {
  public:
   /// Makes the file, or empties it. Throws `InvalidValue`, as everything here does.
@@ -26,20 +27,35 @@ class GRAZE_API FileWriter {
   void close();
 
  private:
-  [[noreturn]] void fail();
-
   std::filesystem::path file_;
   std::ofstream out_;
 };
 
-/// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins. One that is there keeps its
-/// bytes, one that is not there is made.
+/// A file that is written piece by piece and takes its name when it is closed: until then its bytes stand beside it, in
+/// NAME.partial, which goes when the writer does. A link stays one, and what it leads to is written; the permissions of
+/// a file that was there are kept. Devices, pipes and what is named below /dev or /proc are written as the bytes come,
+/// and so is a file in a folder that takes no new ones.
+class GRAZE_API WholeFileWriter {
+ public:
+  /// Throws `InvalidValue`, as everything here does.
+  explicit WholeFileWriter(const std::filesystem::path& file);
+  ~WholeFileWriter();
+  WholeFileWriter(const WholeFileWriter&) = delete;
+  WholeFileWriter& operator=(const WholeFileWriter&) = delete;
+  void write(std::string_view bytes);  ///< appends
+  void close();                        ///< gives the file its name: without this nothing is written
+
+ private:
+  std::filesystem::path file_, target_, written_;  ///< as named, where links lead, and where the bytes go
+  std::ofstream out_;
+};
+
+/// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins; leaves everything as it was.
 GRAZE_API void check_writable(const std::filesystem::path& file);
 
-/// Writes the parts one behind the other as a whole file, and closes it. Throws `InvalidValue` unless every byte of it
-/// was taken.
+/// Writes the parts one behind the other as a whole file, by a `WholeFileWriter`.
 GRAZE_API void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts);
-/// Writes the whole file or nothing.
+/// As the other, of one part.
 GRAZE_API void write_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace graze::io
