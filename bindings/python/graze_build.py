@@ -98,7 +98,9 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with zipfile.ZipFile(Path(wheel_directory) / name, "w") as archive:
         for file in sorted(p for p in PACKAGE.rglob("*") if p.suffix in (".py", ".pyi") or p.name == "py.typed"):
             write(archive, record, file.relative_to(PACKAGE.parent).as_posix(), file.read_bytes())
-        write(archive, record, f"graze/{module.name}", module.read_bytes(), 0o755)
+        # And _graze_mpi, where it was built.
+        for built in sorted(module.parent.glob(f"_graze*{sysconfig.get_config_var('EXT_SUFFIX')}")):
+            write(archive, record, f"graze/{built.name}", built.read_bytes(), 0o755)
         write(archive, record, f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
         write(archive, record, f"{info}/METADATA", metadata().encode())
         write(archive, record, f"{info}/WHEEL", wheel_text().encode())

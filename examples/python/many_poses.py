@@ -1,83 +1,74 @@
-"""A robot's poses, spread over ranks by mpi4py: which of many configurations of an arm are free?
+"""A robot's poses, answered by all ranks: which of many configurations of an arm are free?
 
-    mpirun -n 4 python3 -m mpi4py examples/python/many_poses.py [poses.npy]
+    mpirun -n 4 python3 -m mpi4py examples/python/many_poses.py poses.bin nearest.bin [COUNT]
 
-Rank 0 hands out blocks of configurations and the others answer them: who is done takes the next block, so that a slow
-one holds up nobody, and the answers come back in the order of the poses. Without mpirun one process answers all. A block
-is asked in one call a link, `graze.batch.distance`: every pose of the link against every body of the room.
-
-`poses.npy` is an array of N x links x 7 numbers, translations and rotations (x, y, z, w); without it random ones. Needs
-Debian's python3-mpi4py.
+writes COUNT random poses (20,000) if poses.bin is not there, and what is nearest in each to nearest.bin. Ranks that are
+done take the next chunk, so that a slow one holds up nobody. Killed and started again, the sweep goes on where it was,
+by as many ranks as one likes: what is done stands in nearest.bin.journal until all is. Needs python3-mpi4py and a graze
+that was built with MPI.
 """
+import os
 import sys
 
 import numpy as np
 from mpi4py import MPI
-from mpi4py.futures import MPICommExecutor
 
 import graze
+import graze.mpi
 
-LINK = graze.Capsule(0.5, 0.06)
-LINKS = 5
-BLOCK = 256  # configurations a message: some milliseconds of work
+LENGTH, LINKS = 0.5, 5
+
+
+def arm():
+    """Capsules along Y, each from its joint on, and the pairs of them that are no neighbours."""
+    pairs = [(k, i) for i in range(LINKS) for k in range(i - 1)]
+    return [graze.Capsule(LENGTH, 0.06)] * LINKS, pairs
 
 
 def room():
-    """Posts around the arm: shapes, and where they stand."""
-    angles, away = 0.7 * np.arange(24), 0.6 + 0.07 * np.arange(24)
-    shapes = [graze.Box((0.1, 0.4 + 0.1 * (i % 7), 0.1)) for i in range(24)]
-    poses = np.zeros((24, 7))
-    poses[:, 0], poses[:, 1], poses[:, 2], poses[:, 6] = away * np.cos(angles), 0.3, away * np.sin(angles), 1
-    return shapes, poses
+    """A floor, and posts around the arm."""
+    world = graze.World()
+    world.add(graze.HalfSpace(), (0, -0.1, 0), fixed=True)
+    for i in range(24):
+        angle, away = 0.7 * i, 0.6 + 0.07 * i
+        world.add(graze.Box((0.1, 0.4 + 0.1 * (i % 7), 0.1)), (away * np.cos(angle), 0.3, away * np.sin(angle)), fixed=True)
+    world.update()
+    return world
 
 
 def random_poses(count):
-    """Links one behind the other, each turned by random angles against the one before."""
-    dice = np.random.default_rng(1)
-    poses = np.empty((count, LINKS, 7))
-    for pose in poses:
-        start, turn = np.zeros(3), np.array([0.0, 0, 0, 1])
-        for link in pose:
-            bend = np.append(np.sin(dice.uniform(-0.7, 0.7, 3)) * 0.6, 1)
-            turn = product(turn, bend / np.linalg.norm(bend))
-            along = 0.5 * turned(turn, np.array([0.0, 1, 0]))
-            link[:3], link[3:] = start + along / 2, turn
-            start = start + along
+    """Of each link the middle and the rotation, in the world; each link turns about X and Y of the one before."""
+    half = np.random.default_rng(1).uniform(-0.75, 0.75, (count, LINKS, 2))
+    sine, cosine = np.sin(half), np.cos(half)
+    poses, joint, turn = np.empty((count, LINKS, 7)), np.zeros((count, 3)), np.tile([0.0, 0, 0, 1], (count, 1))
+    nothing = np.zeros(count)
+    for i in range(LINKS):
+        for axis, parts in enumerate(((sine[:, i, 0], nothing, nothing), (nothing, sine[:, i, 1], nothing))):
+            turn = product(turn, np.stack((*parts, cosine[:, i, axis]), -1))
+        along = LENGTH * turned(turn, np.array([0.0, 1, 0]))
+        poses[:, i, :3], poses[:, i, 3:] = joint + along / 2, turn
+        joint = joint + along
     return poses
 
 
 def product(p, q):
-    xyz = p[3] * q[:3] + q[3] * p[:3] + np.cross(p[:3], q[:3])
-    return np.append(xyz, p[3] * q[3] - p[:3] @ q[:3])
+    xyz = p[:, 3:] * q[:, :3] + q[:, 3:] * p[:, :3] + np.cross(p[:, :3], q[:, :3])
+    return np.column_stack((xyz, p[:, 3] * q[:, 3] - np.sum(p[:, :3] * q[:, :3], axis=1)))
 
 
 def turned(q, v):
-    return v + 2 * np.cross(q[:3], np.cross(q[:3], v) + q[3] * v)
-
-
-def clearances(block):
-    """The least distance from any link to any post, of each configuration; negative where they overlap."""
-    shapes, stands = room()
-    links, posts = len(block) * LINKS, len(shapes)
-    which = np.stack(np.meshgrid(np.arange(links), np.arange(posts), indexing="ij"), -1).reshape(-1, 2)
-    found = graze.batch.distance([LINK] * links, block.reshape(-1, 7), shapes, stands, pairs=which)
-    return found["distance"].reshape(len(block), -1).min(axis=1)
-
-
-def all_clearances(poses, comm=MPI.COMM_WORLD):
-    """Those of all configurations in their order, on rank 0; None on the others."""
-    with MPICommExecutor(comm, root=0) as ranks:
-        if ranks is None:
-            return None
-        blocks = [poses[i : i + BLOCK] for i in range(0, len(poses), BLOCK)]
-        return np.concatenate(list(ranks.map(clearances, blocks)))
+    return v + 2 * np.cross(q[:, :3], np.cross(q[:, :3], v) + q[:, 3:] * v)
 
 
 if __name__ == "__main__":
-    asked = None
+    if len(sys.argv) < 3:
+        sys.exit("many_poses.py POSES NEAREST [COUNT]")
+    if MPI.COMM_WORLD.rank == 0 and not os.path.exists(sys.argv[1]):
+        random_poses(int(sys.argv[3]) if len(sys.argv) > 3 else 20000).tofile(sys.argv[1])
+    MPI.COMM_WORLD.Barrier()
+    links, pairs = arm()
+    report = graze.mpi.sweep_configurations(sys.argv[1], sys.argv[2], links, room(), pairs=pairs, name="arm 1")
     if MPI.COMM_WORLD.rank == 0:
-        asked = np.load(sys.argv[1]) if len(sys.argv) > 1 else random_poses(2000)
-    nearest = all_clearances(asked)
-    if nearest is not None:
-        print(f"{np.count_nonzero(nearest > 0)} of {len(nearest)} poses are free; the nearest miss is "
-              f"{nearest[nearest > 0].min():.6f}")
+        nearest = np.fromfile(sys.argv[2], graze.mpi.nearest)
+        print(f"{np.count_nonzero(nearest['distance'] > 0)} of {len(nearest)} poses are free; "
+              f"{report['remembered']} of {report['chunks']} chunks were in the journal")

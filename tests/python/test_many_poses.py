@@ -1,45 +1,98 @@
-"""The example of many poses: in order and the same whatever the number of ranks."""
+"""Sweeps of configurations over ranks: the same bytes at any number of them, and after a kill; errors on every rank."""
 
 import os
 import pathlib
 import runpy
 import shutil
+import signal
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
 
+import graze
+
 EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "examples" / "python" / "many_poses.py"
-CHECK = """
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+@pytest.fixture(scope="module")
+def example():
+    pytest.importorskip("mpi4py")
+    pytest.importorskip("graze.mpi")
+    if not shutil.which("mpirun"):
+        pytest.skip("no mpirun")
+    return runpy.run_path(str(EXAMPLE))
+
+
+def command(ranks, *arguments):
+    return ["mpirun", "--oversubscribe", "-n", str(ranks), sys.executable, "-m", "mpi4py", str(EXAMPLE), *map(str, arguments)]
+
+
+def run(ranks, *arguments):
+    return subprocess.run(command(ranks, *arguments), check=True, timeout=120, env=ENVIRONMENT, text=True,
+                          stdout=subprocess.PIPE).stdout
+
+
+def test_answers_are_those_of_the_world_at_any_number_of_ranks(example, tmp_path):
+    for ranks in (1, 3):
+        assert "of 700 poses are free" in run(ranks, tmp_path / "poses", tmp_path / f"nearest{ranks}", 700)
+    assert (tmp_path / "nearest1").read_bytes() == (tmp_path / "nearest3").read_bytes()
+    nearest = np.fromfile(tmp_path / "nearest3", graze.mpi.nearest)
+    poses = np.fromfile(tmp_path / "poses").reshape(-1, 5, 7)
+    assert len(nearest) == 700 and (nearest["distance"] < 0).any() and (nearest["distance"] > 0).any()
+    links, pairs = example["arm"]()
+    room = example["room"]()
+    # In the order of the poses: each as asked alone.
+    for pose, answer in zip(poses[::23], nearest[::23]):
+        of_scene = min(room.nearest(link, at)[0][1].distance for link, at in zip(links, pose))
+        of_arm = min(graze.distance(links[a], pose[a], links[b], pose[b]).distance for a, b in pairs)
+        assert answer["distance"] == min(of_scene, of_arm)
+        assert answer["link"] < 5 and (answer["other"] >= 5) == (of_scene <= of_arm)
+
+
+def test_a_sweep_that_was_killed_goes_on(example, tmp_path):
+    poses, out, journal = tmp_path / "poses", tmp_path / "nearest", tmp_path / "nearest.journal"
+    example["random_poses"](60000).tofile(poses)
+    started = subprocess.Popen(command(2, poses, out), env=ENVIRONMENT, start_new_session=True)
+    until = time.monotonic() + 60
+    while sum(part.stat().st_size for part in journal.glob("part-*")) == 0:
+        assert started.poll() is None and time.monotonic() < until, "nothing in the journal"
+        time.sleep(0.002)
+    os.killpg(started.pid, signal.SIGKILL)
+    started.wait(60)
+    # mpirun gives each rank a group of its own.
+    for process in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            if str(out).encode() in (process / "cmdline").read_bytes():
+                os.kill(int(process.name), signal.SIGKILL)
+        except (FileNotFoundError, ProcessLookupError):
+            pass
+    assert not out.exists()
+    assert int(run(3, poses, out).split("; ")[1].split()[0]) > 0
+    assert not journal.exists()
+    run(1, poses, tmp_path / "whole")
+    assert out.read_bytes() == (tmp_path / "whole").read_bytes()
+
+
+FAULT = """
 import sys
-import numpy as np
-from mpi4py import MPI
-sys.path.insert(0, sys.argv[1])
-import many_poses
-poses = many_poses.random_poses(700) if MPI.COMM_WORLD.rank == 0 else None
-nearest = many_poses.all_clearances(poses)
-if nearest is not None:
-    np.save(sys.argv[2], nearest)
-    np.save(sys.argv[2] + ".poses", poses)
+import graze, graze.mpi
+try:
+    graze.mpi.sweep_configurations(sys.argv[1], sys.argv[2], [graze.Sphere(1)] * 3, graze.World())
+except graze.mpi.CommonError as error:
+    print("told:", error)
 """
 
 
-def test_the_answers_are_in_order_at_any_number_of_ranks(tmp_path):
-    pytest.importorskip("mpi4py")
-    if not shutil.which("mpirun"):
-        pytest.skip("no mpirun")
-    check = tmp_path / "check.py"
-    check.write_text(CHECK)
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    for ranks in (1, 3):
-        subprocess.run(["mpirun", "--oversubscribe", "-n", str(ranks), sys.executable, "-m", "mpi4py", check,
-                        EXAMPLE.parent, tmp_path / f"nearest{ranks}.npy"], check=True, timeout=120, env=environment)
-    one, three = (np.load(tmp_path / f"nearest{ranks}.npy") for ranks in (1, 3))
-    assert len(one) == 700 and (one < 0).any() and (one > 0).any()
-    assert one.tobytes() == three.tobytes()
-    # In the order of the poses: some asked alone.
-    poses = np.load(tmp_path / "nearest1.npy.poses.npy")
-    clearances = runpy.run_path(str(EXAMPLE))["clearances"]
-    for i in (0, 255, 256, 699):
-        assert clearances(poses[i : i + 1])[0] == one[i]
+def test_a_fault_is_told_on_every_rank(example, tmp_path):
+    (tmp_path / "fault.py").write_text(FAULT)
+    (tmp_path / "torn").write_bytes(bytes(100))
+    for poses, words in ((tmp_path / "none", "cannot be opened"), (tmp_path / "torn", "records of 168 bytes")):
+        told = subprocess.run(
+            ["mpirun", "--oversubscribe", "-n", "3", sys.executable, "-m", "mpi4py", str(tmp_path / "fault.py"), str(poses),
+             str(tmp_path / "out")], check=True, timeout=60, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE).stdout
+        assert told.count("told: ") == 3 and told.count(words) == 3, told
+    assert not (tmp_path / "out").exists()
