@@ -1,11 +1,15 @@
 // A world on many ranks: ghosts, bytes and memory a body, balance, and what an update costs beside that of one world.
 //
-//   mpirun -n RANKS bench_mpi_world [--bodies N] [--frames N] [--corner] [--beside] [--float] [--blocks] [--moving N]
+//   mpirun -n RANKS bench_mpi_world [--bodies N] [--frames N] [--corner] [--unlike] [--beside] [--float] [--blocks]
+//                                   [--moving N] [--threads N]
 //
 // Balls and boxes stand in a cube of a lattice, a little turned and out of place, so that each touches about three
 // others; from frame to frame every body moves by about 1e-3 of its size, or with --moving N one body in N. Of ghosts
 // and bytes the mean of the frames is printed. With --corner all bodies fall into one corner over the frames and lie
 // there for 24 more, and the balance of each frame is printed, as the costs of the one before say.
+//
+// With --unlike half of the cube is hulls of 300 corners, whose pairs cost many times as much; printed is the busiest
+// rank's processor time over the mean, too.
 //
 // With --beside rank 0 also holds one `World` of all bodies with as many threads as there are ranks, and the two take
 // turns frame by frame: printed are the medians of the clock and of their ratio, frame by frame, because other work of
@@ -39,8 +43,8 @@ namespace graze::bench {
 namespace {
 
 struct Options {
-  std::size_t bodies = 100000, frames = 9, moving = 1;
-  bool corner = false, beside = false, in_float = false, blocks = false;
+  std::size_t bodies = 100000, frames = 9, moving = 1, threads = 1;  // threads of each rank
+  bool corner = false, unlike = false, beside = false, in_float = false, blocks = false;
 };
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -62,10 +66,13 @@ class Lattice {
         side_(static_cast<std::uint64_t>(std::ceil(std::cbrt(static_cast<double>(options.bodies))))) {}
 
   graze::Body<T> body(std::uint64_t number, std::size_t frame) const {
-    const Shape<T> shape =
-        number % 2 == 0 ? Shape<T>(Sphere<T>(T(0.54))) : Shape<T>(Box<T>({T(0.94), T(0.94), T(0.94)}));
-    return {shape, pose(number, frame)};
+    return {options_.unlike && number % side_ < side_ / 2 ? hull_
+            : number % 2 == 0                             ? ball_
+                                                          : box_,
+            pose(number, frame)};
   }
+  /// The one shape with data of its own.
+  const Shape<T>& hull() const { return hull_; }
   Pose<T> pose(std::uint64_t number, std::size_t frame) const {
     Random still(number);
     const Vec3d away = still.in_cube(0.05);
@@ -88,8 +95,20 @@ class Lattice {
   std::uint64_t side() const { return side_; }
 
  private:
+  /// Corners on a sphere, along a spiral.
+  static Shape<T> make_hull() {
+    constexpr int corners = 300;
+    std::vector<Vec3<T>> points;
+    for (int i = 0; i < corners; ++i) {
+      const double height = 1 - (2 * i + 1.0) / corners, away = std::sqrt(1 - height * height);
+      points.push_back(converted<T>(0.54 * Vec3d{away * std::cos(2.4 * i), height, away * std::sin(2.4 * i)}));
+    }
+    return ConvexHull<T>(points);
+  }
+
   Options options_;
   std::uint64_t side_;
+  Shape<T> ball_ = Sphere<T>(T(0.54)), box_ = Box<T>({T(0.94), T(0.94), T(0.94)}), hull_ = make_hull();
 };
 
 /// Waits for all without a processor.
@@ -104,7 +123,7 @@ void meet_asleep() {
 
 struct Sums {
   double bodies = 0, ghosts = 0, pairs = 0, bytes = 0, memory = 0, most_bodies = 0, partition = 0, exchange = 0,
-         broad = 0, contacts = 0, events = 0, most_held = 0, work = 0;
+         broad = 0, contacts = 0, events = 0, most_held = 0, work = 0, all_work = 0;
 };
 
 /// The most memory that this process ever had.
@@ -123,6 +142,7 @@ Sums sums_of(const mpi::World<T>& world) {
   Sums s;
   MPI_Allreduce(mine, &s.bodies, 5, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   MPI_Allreduce(most, &s.most_bodies, 8, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  MPI_Allreduce(&r.work, &s.all_work, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   return s;
 }
 
@@ -143,7 +163,9 @@ void run(const Options& options) {
   const Lattice<T> lattice(options);
   mpi::WorldSettings<T> settings;
   settings.events = !options.blocks;
-  mpi::World<T> many(MPI_COMM_WORLD, settings);
+  const std::unique_ptr<Executor> executor = make_executor(options.threads);
+  mpi::World<T> many(MPI_COMM_WORLD, settings, executor.get());
+  if (options.unlike) many.share(lattice.hull());
   std::uint64_t points = 0;
   const mpi::ContactVisitor<T> count = [&](const mpi::ContactBlock<T>& block) {
     points += block.contacts.points.size();
@@ -154,14 +176,14 @@ void run(const Options& options) {
   for (std::uint64_t i = begin; i < end; ++i) many.add(i, lattice.body(i, 0));
   std::unique_ptr<One<T>> one;
   if (options.beside && rank == 0) {
-    one = std::make_unique<One<T>>(static_cast<std::size_t>(ranks));
+    one = std::make_unique<One<T>>(static_cast<std::size_t>(ranks) * options.threads);
     for (std::uint64_t i = 0; i < options.bodies; ++i) one->ids.push_back(one->world.add(lattice.body(i, 0)));
   }
-  std::vector<double> clocks, clocks_of_one, ratios, works, works_of_one, work_ratios;
+  std::vector<double> clocks, clocks_of_one, ratios, works, works_of_one, work_ratios, imbalances;
   Sums last;
   double ghosts = 0, bytes = 0;
-  // Two frames to find the borders, which are not counted; and 24 after the fall, in which all lies still.
-  const std::size_t first = options.corner ? 0 : 2, after = options.corner ? 24 : 0;
+  // Frames to find the borders, which are not counted; and 24 after the fall, in which all lies still.
+  const std::size_t first = options.corner ? 0 : options.unlike ? 8 : 2, after = options.corner ? 24 : 0;
   for (std::size_t frame = 0; frame < options.frames + first + after; ++frame) {
     for (const mpi::Key key : many.keys())
       if (lattice.moves(key, frame)) many.move(key, lattice.pose(key, frame));
@@ -190,6 +212,7 @@ void run(const Options& options) {
     clocks_of_one.push_back(clock_of_one);
     ratios.push_back(clock / std::max(clock_of_one, 1e-9));
     works.push_back(last.work);
+    imbalances.push_back(last.work / last.all_work * ranks);
     works_of_one.push_back(work_of_one);
     work_ratios.push_back(last.work / std::max(work_of_one, 1e-9));
     ghosts += last.ghosts / static_cast<double>(options.frames + after);
@@ -203,12 +226,17 @@ void run(const Options& options) {
       ranks, options.bodies, last.pairs, ghosts, ghosts / n, bytes / n, last.memory / n, last.most_held / 1e6,
       1e3 * median(clocks), 1e3 * last.partition, 1e3 * last.exchange, 1e3 * last.broad, 1e3 * last.contacts,
       1e3 * last.events);
+  if (options.unlike)
+    std::printf(
+        "processor time of the busiest rank over the mean %.3f, work reckoned %.3f, at most %.0f bodies a rank\n",
+        median(imbalances), many.report().imbalance, last.most_bodies);
   if (one)
     std::printf(
-        "one world, %d threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n"
+        "one world, %zu threads: update %.1f ms, memory %.0f a body; many over one: %.2f\n"
         "processor time of the busiest rank %.1f ms, of one world by its threads %.1f ms; many over one: %.2f\n",
-        ranks, 1e3 * median(clocks_of_one), static_cast<double>(one->world.memory()) / n, median(ratios),
-        1e3 * median(works), 1e3 * median(works_of_one), median(work_ratios));
+        static_cast<std::size_t>(ranks) * options.threads, 1e3 * median(clocks_of_one),
+        static_cast<double>(one->world.memory()) / n, median(ratios), 1e3 * median(works), 1e3 * median(works_of_one),
+        median(work_ratios));
 }
 
 }  // namespace
@@ -221,10 +249,12 @@ int main(int argc, char** argv) {
       .number("--bodies", options.bodies, "Bodies in all")
       .number("--frames", options.frames, "Updates that are counted")
       .flag("--corner", options.corner, "All bodies fall into one corner")
+      .flag("--unlike", options.unlike, "Half of the bodies are hulls of many corners")
       .flag("--beside", options.beside, "One world of as many threads beside it")
       .flag("--float", options.in_float, "In single precision")
       .flag("--blocks", options.blocks, "Contacts are handed over block by block, and none are kept")
       .number("--moving", options.moving, "One body in so many moves in a frame")
+      .number("--threads", options.threads, "Threads of each rank")
       .read(argc, argv);
   MPI_Init(&argc, &argv);
   options.in_float ? graze::bench::run<float>(options) : graze::bench::run<double>(options);

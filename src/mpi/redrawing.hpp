@@ -13,8 +13,8 @@ class Redrawing {
   /// `threshold`: the largest load over the mean from which on borders are drawn.
   explicit Redrawing(double threshold) : threshold_(threshold) {}
 
-  /// Whether to draw; to be asked once an update, with the imbalance and the work of all ranks in the update before. As
-  /// much work as the last time means that nothing moved since: as many bodies, and pairs that may touch.
+  /// Whether to draw; to be asked once an update, with the imbalance and the work of all ranks in the update before: a
+  /// count of bodies and of pairs that may touch. As many as the last time means that nothing moved since.
   bool is_due(double imbalance, double work) {
     if (work != work_) {
       in_vain_ = 0;

@@ -24,6 +24,7 @@ std::string kind_of(const WorldSettings<T>& settings) {
   std::string kind = "graze " GRAZE_VERSION ", " + std::string(sizeof(T) == sizeof(float) ? "float" : "double");
   if (settings.margin) kind += ", margin " + digits(static_cast<double>(*settings.margin));
   if (!settings.events) kind += ", no events";
+  if (!settings.measured) kind += ", costs not measured";
   if (settings.points_per_pair) kind += ", points of a pair " + std::to_string(*settings.points_per_pair);
   return kind + ", imbalance " + digits(settings.imbalance) + (settings.allow ? ", a last word on pairs" : "");
 }

@@ -205,10 +205,10 @@ void World<T>::Parts::InBlocks::find_block(std::span<const std::uint32_t> home, 
   for (const std::uint32_t i : home) is_home_[i] = 0;
   float of_guests = 0;
   const auto cost = [&](std::uint32_t i) -> float& { return is_lent(i) ? of_guests : p_.owned.settled()[i].cost; };
-  for (const IdPair& pair : candidates_) {
+  p_.pair_costs.charge(arrays, std::span<const IdPair>(candidates_), [&](const IdPair& pair, float of_pair) {
     const std::uint32_t i = places_[pair.a], j = places_[pair.b];
-    charge_pair(!is_lent(i), !is_lent(j), cost(i), cost(j));
-  }
+    charge_pair(of_pair, !is_lent(i), !is_lent(j), cost(i), cost(j));
+  });
   p_.report.candidates += candidates_.size();
   manifolds_.find(arrays, candidates_, *p_.executor);
   pairs_.clear();

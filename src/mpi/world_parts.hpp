@@ -10,18 +10,19 @@
 #include "mpi/body_record.hpp"
 #include "mpi/keyed_events.hpp"
 #include "mpi/owned_bodies.hpp"
+#include "mpi/pair_costs.hpp"
 #include "mpi/partition.hpp"
 #include "mpi/redrawing.hpp"
 
 namespace graze::mpi {
 
-/// What a pair of which contacts are looked for costs beside a body: some 100 ns beside 50.
-constexpr float cost_of_pair = 2, cost_of_body = 1;
+/// The unit in which work is reckoned.
+constexpr float cost_of_body = 1;
 
 /// Charges a pair to its bodies. With one that is lent it is all the other's: it is work of this rank and near it.
-inline void charge_pair(bool a_lives_here, bool b_lives_here, float& of_a, float& of_b) {
-  of_a += b_lives_here ? cost_of_pair / 2 : cost_of_pair;
-  of_b += a_lives_here ? cost_of_pair / 2 : cost_of_pair;
+inline void charge_pair(float cost, bool a_lives_here, bool b_lives_here, float& of_a, float& of_b) {
+  of_a += b_lives_here ? cost / 2 : cost;
+  of_b += a_lives_here ? cost / 2 : cost;
 }
 
 /// A point of both boxes, if they overlap.
@@ -53,6 +54,7 @@ struct World<T>::Parts {
         executor(e ? e : &serial),
         partition(c),
         redrawing(settings.imbalance),
+        pair_costs(settings.measured),
         manifolds(settings.points_per_pair.value_or(ManifoldFinder<T>::all_points)) {}
 
   /// A body that others lent.
@@ -117,6 +119,7 @@ struct World<T>::Parts {
   OwnedBodies<T> owned;
   Partition partition;
   Redrawing redrawing;
+  PairCosts pair_costs;
   std::uint64_t candidates_before = 0;  ///< looked at in the update before
 
   /// What stands at a place of the arrays: a body that lives here, one that is lent, or one that did or was and is not

@@ -14,17 +14,20 @@ constexpr std::size_t most_loads = std::size_t{1} << 18;
 
 }  // namespace
 
-/// Gives bodies that are new the mean cost of the others; returns what all of this rank cost together.
+/// Gives bodies that are new the mean cost of the others; returns what all of this rank cost together. Tells what pairs
+/// cost where that was measured anew.
 template <class T>
 double World<T>::Parts::expected_cost(Together& together) {
-  double known[2] = {0, 0};  // cost, and how many
+  double known[3] = {0, 0, pair_costs.has_news() ? 1.0 : 0.0};  // cost, how many, ranks with news
   together.alone([&] {
     for (const auto& o : owned.settled()) {
       known[0] += static_cast<double>(o.cost);
       known[1] += o.cost > 0 ? 1 : 0;
     }
   });
-  MPI_Allreduce(MPI_IN_PLACE, known, 2, MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, known, 3, MPI_DOUBLE, MPI_SUM, comm);
+  pair_costs.count_update();
+  if (known[2] > 0) pair_costs.share(together);
   const auto mean = known[1] > 0 ? static_cast<float>(known[0] / known[1]) : cost_of_body;
   double sum = 0;
   together.alone([&] {
@@ -45,7 +48,7 @@ void World<T>::Parts::balance(Together& together) {
   MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
   double of_all[] = {sum, static_cast<double>(owned.size()), static_cast<double>(candidates_before)};
   MPI_Allreduce(MPI_IN_PLACE, of_all, 3, MPI_DOUBLE, MPI_SUM, comm);
-  const double all = of_all[0], work = of_all[1] * double{cost_of_body} + of_all[2] * double{cost_of_pair};
+  const double all = of_all[0], work = of_all[1] + of_all[2];
   report.imbalance = all > 0 ? most / all * size_of(comm) : 1;
   const bool is_due = redrawing.is_due(report.imbalance, work);
   if (all == 0 || (partition.drawn() && !is_due)) return;
@@ -184,9 +187,11 @@ void World<T>::Parts::find_contacts() {
                      p.first_manifold, p.manifold_count});
   arrays->settle();
   std::vector<float> costs(keys.size(), cost_of_body);
-  for (const IdPair& p : mine) charge_pair(standing[p.a] == lives, standing[p.b] == lives, costs[p.a], costs[p.b]);
+  pair_costs.charge(*arrays, std::span<const IdPair>(mine), [&](const IdPair& p, float cost) {
+    charge_pair(cost, standing[p.a] == lives, standing[p.b] == lives, costs[p.a], costs[p.b]);
+  });
   // The mean with what it was: under new borders others are charged, and borders by that alone would go to and fro.
-  for (auto& o : owned.settled()) o.cost = o.cost > 0 ? (o.cost + costs[o.place]) / 2 : costs[o.place];
+  for (auto& o : owned.settled()) o.cost = o.cost > 0 ? (2 * o.cost + costs[o.place]) / 3 : costs[o.place];
 }
 
 template <class T>

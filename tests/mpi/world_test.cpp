@@ -3,6 +3,7 @@
 // also plays it in one world. Two updates of eight hand their contacts over in blocks of a few bodies. Run by mpirun
 // with any number of ranks; exit code 0 when all answers have the same bits.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include "graze/mpi/world.hpp"
 #include "graze/world.hpp"
 #include "mpi/exchange.hpp"
+#include "mpi/pair_costs.hpp"
 #include "mpi/redrawing.hpp"
 
 namespace {
@@ -323,22 +325,66 @@ void expect_drawings_to_end() {
   if (redrawing.is_due(1.05, 1002)) fail("borders that are drawn for a good balance", 0, 0);
 }
 
-/// A heap that lies still, so dense that a body touches some twenty others: borders come to rest.
+/// A heap that lies still, so dense that a body touches some twenty others: borders come to rest. Costs are counted, so
+/// that every run is the same.
 void expect_borders_to_rest() {
-  mpi::World<double> world(MPI_COMM_WORLD);
+  mpi::WorldSettings<double> counted;
+  counted.measured = false;
+  mpi::World<double> world(MPI_COMM_WORLD, counted);
   if (rank == 0)
     for (int i = 0; i < 1000; ++i) {
-      const Vec3d place{0.7 * (i % 10), 0.7 * (i / 10 % 10), 0.7 * (i / 100)};
+      // A little out of place, so that a border may cut through a layer.
+      const Vec3d away = 0.01 * Vec3d{i * 7 % 11 * 1.0, i * 5 % 13 * 1.0, i * 3 % 17 * 1.0};
+      const Vec3d place = 0.7 * Vec3d{i % 10 * 1.0, i / 10 % 10 * 1.0, i / 100 * 1.0} + away;
       world.add(static_cast<mpi::Key>(i), {Sphere<double>(0.6), {place, {}}});
     }
   std::uint64_t drawings = 0;
-  for (int update = 0; update < 40; ++update) {
+  for (int update = 0; update < 80; ++update) {
     world.update();
-    if (update == 34) drawings = world.report().partitions;
+    if (update == 70) drawings = world.report().partitions;
   }
   if (drawings == 0 || world.report().partitions != drawings) fail("borders that do not rest", 0, ranks);
   // 125 bodies a rank at 8 ranks, nearly all of them at a border.
   if (world.report().imbalance > 1.4) fail("a heap shared out unevenly", 0, ranks);
+}
+
+/// What ranks measured apart is one cost for all: the median.
+void expect_costs_to_be_shared() {
+  mpi::PairCosts costs(true);
+  const float before = costs.of(3, 40);
+  costs.note(40, 3, 1e-6 * (rank + 1));
+  mpi::Together together(MPI_COMM_WORLD);
+  costs.share(together);
+  const double median = 1e-6 * ((ranks + 1) / 2);
+  if (costs.of(3, 40) == before || costs.of(3, 40) != costs.of(40, 3)) fail("a cost that was not taken", 0, ranks);
+  const auto times_usual = static_cast<double>(costs.of(3, 40) / costs.of(1, 1));
+  if (std::abs(times_usual - median / 1e-7) > 1e-3 * ranks) fail("another cost", 0, ranks);
+  if (costs.has_news()) fail("news that were told", 0, ranks);
+}
+
+/// Hulls of many corners on one side and as many balls on the other: the pairs of the former cost many times as much,
+/// so that who has them has fewer bodies.
+void expect_dear_bodies_to_be_spread() {
+  mpi::World<double> world(MPI_COMM_WORLD);
+  std::vector<Vec3d> corners;
+  for (int i = 0; i < 300; ++i) {
+    const double height = 1 - (2 * i + 1) / 300.0, away = std::sqrt(1 - height * height);
+    corners.push_back(0.6 * Vec3d{away * std::cos(2.4 * i), height, away * std::sin(2.4 * i)});
+  }
+  world.share(ConvexHull<double>(corners));
+  if (rank == 0)
+    for (int i = 0; i < 512; ++i) {
+      // A little out of place, so that a border may cut through a layer.
+      const Vec3d place{i % 8 + 0.01 * (i / 8 % 10), static_cast<double>(i / 8 % 8), static_cast<double>(i / 64)};
+      const Shape<double> shape = place.x < 3.5 ? world.shared(0) : Shape<double>(Sphere<double>(0.6));
+      world.add(static_cast<mpi::Key>(i), {shape, {place, {}}});
+    }
+  for (int update = 0; update < 12; ++update) world.update();
+  std::uint64_t least = world.report().bodies, most = least;
+  MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UINT64_T, MPI_MAX, MPI_COMM_WORLD);
+  if (ranks > 1 && 2 * most < 3 * least)
+    fail("dear bodies that were shared out as cheap ones", static_cast<int>(least), static_cast<int>(most));
 }
 
 }  // namespace
@@ -350,6 +396,8 @@ int main(int argc, char** argv) {
   const int updates = argc > 1 ? std::atoi(argv[1]) : 200;
   expect_drawings_to_end();
   expect_borders_to_rest();
+  expect_costs_to_be_shared();
+  expect_dear_bodies_to_be_spread();
   play<double>(1, updates, true);
   play<float>(2, updates, true);
   play<double>(3, updates, false);

@@ -31,8 +31,11 @@ struct WorldSettings {
   std::function<bool(Key, Key)> allow;         ///< a last word on a pair: the same on all ranks
   std::optional<std::size_t> points_per_pair;  ///< as of `graze::WorldSettings`
   /// The largest work of a rank over the mean from which on the borders are drawn anew. Work is bodies and the pairs
-  /// whose contacts are looked for, so that the same calls draw the same borders.
+  /// whose contacts are looked for, each pair by the cost of its kind.
   double imbalance = 1.1;
+  /// Whether it is measured, now and then, what a pair of each kind costs. Without, all pairs count alike, and the same
+  /// calls draw the same borders in every run; answers are the same bits either way.
+  bool measured = true;
   /// Whether it is remembered who touches, for `events`. Without, there are none, and less is held.
   bool events = true;
   /// About how many bodies an update in blocks looks at together, each with a kilobyte or two meanwhile; and how many
