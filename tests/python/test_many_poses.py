@@ -83,7 +83,7 @@ import graze, graze.mpi
 try:
     graze.mpi.sweep_configurations(sys.argv[1], sys.argv[2], [graze.Sphere(1)] * 3, graze.World())
 except graze.mpi.CommonError as error:
-    print("told:", error)
+    sys.stdout.write(f"told: {error}\\n")
 """
 
 

@@ -28,8 +28,14 @@ PAIRS = list(itertools.product(SHAPES, SHAPES))
 
 
 def random_rows(rng, count, reach):
+    """Poses with the rotations that are left of these when they are brought to unit length: a batch takes rows as they
+    are, a call for one pair brings them there."""
     angle = rng.uniform(-math.pi, math.pi, count)
-    return np.column_stack([rng.uniform(-reach, reach, (count, 2)), np.cos(angle), np.sin(angle)])
+    rows = np.column_stack([rng.uniform(-reach, reach, (count, 2)), np.cos(angle), np.sin(angle)])
+    for row in rows:
+        while (unit := plane.Pose.from_matrix(matrix_of(row)).rotation).tolist() != row[2:].tolist():
+            row[2:] = unit
+    return rows
 
 
 def test_distance_of_circles_is_the_closed_form():
