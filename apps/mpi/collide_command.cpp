@@ -52,7 +52,7 @@ class Collision {
         world_.add(number, body);
       });
     });
-    // What pairs cost is known after the first update: the second has the borders that follow from it.
+    // Costs of pairs are known after the first update: the second has the borders that follow from them.
     const int updates = mpi::size_of(together_.comm()) > 1 ? 2 : 1;
     for (int i = 0; i < updates; ++i) {
       together_.meet();

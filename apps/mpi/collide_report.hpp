@@ -1,4 +1,4 @@
-// What `graze-mpi collide` says of how the work was shared.
+// The report of `graze-mpi collide`: how the work was shared.
 #pragma once
 
 #include <string>

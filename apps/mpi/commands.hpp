@@ -7,7 +7,7 @@
 
 namespace graze::cli {
 
-/// What a command does when it was chosen, on every rank; returns the exit code.
+/// The work of the command that was chosen, on every rank; returns the exit code.
 using Run = std::function<int()>;
 
 Run add_collide(CLI::App& app);

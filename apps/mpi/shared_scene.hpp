@@ -41,7 +41,7 @@ class SharedScene {
   std::uint64_t bodies() const { return first_body_.back(); }
   /// Whether anything in the whole scene can move.
   bool moves() const { return moves_; }
-  /// What this rank was told while it read its parts.
+  /// Notices that this rank was given while it read its parts.
   const std::vector<std::string>& notices() const { return notices_; }
 
  private:

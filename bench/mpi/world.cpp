@@ -80,7 +80,7 @@ class Lattice {
     Random now(number * 1000003 + frame);
     Vec3d at{static_cast<double>(number % side_), static_cast<double>(number / side_ % side_),
              static_cast<double>(number / side_ / side_)};
-    // What falls comes to lie on a heap in the corner, less than a third as wide and denser towards the corner.
+    // Bodies that fall come to lie on a heap in the corner, less than a third as wide and denser towards the corner.
     if (options_.corner) {
       const double part = std::min(1.0, static_cast<double>(frame) / static_cast<double>(options_.frames - 1));
       const double reach = static_cast<double>(side_);

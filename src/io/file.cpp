@@ -21,7 +21,7 @@ std::string reason(int error) {
 }
 
 [[noreturn]] void cannot_write(const std::filesystem::path& file, int error) {
-  // What the folder is that is missing, a file to be made does not tell.
+  // The folder that is missing is not told for a file to be made.
   throw InvalidValue(file.string(), "",
                      "cannot be written: " + (error == ENOENT ? std::string("no such folder") : reason(error)));
 }

@@ -47,7 +47,7 @@ NearestOfChain nearest_of_chain(const Chain<T>& chain, const World<T>& scene, st
     nearest = {static_cast<double>(distance), link, other};
   };
   for (std::uint32_t i = 0; i < links; ++i) {
-    // What is further than the nearest so far cannot become it; those that overlap all may.
+    // Bodies further than the nearest so far cannot become it; those that overlap all may.
     const double reach = std::max(0.0, std::min(static_cast<double>(limit), nearest.distance));
     if (const auto found = scene.closest(chain.links[i], poses[i], static_cast<T>(reach)))
       take(found->distance.distance, i, links + found->body.index);

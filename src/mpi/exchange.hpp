@@ -1,4 +1,4 @@
-// What ranks do together, step by step: each its own part, then messages from every rank to every other.
+// Steps that ranks take together: each its own part, then messages from every rank to every other.
 //
 // Guarantee: no rank waits for one that has failed. What a rank's own part throws, and what came for it and does not
 // fit into its memory, is an error of the next exchange on every rank. Messages may have any length, and most have
@@ -18,7 +18,7 @@
 
 namespace graze::mpi {
 
-/// What goes to each rank, or came from it.
+/// Messages to each rank, or from it.
 template <class E>
 using ByRank = std::vector<std::vector<E>>;
 

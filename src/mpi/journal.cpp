@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What stands before each text: five numbers and the checksum of these.
+/// Words before each text: five numbers and the checksum of these.
 struct RecordHead {
   std::uint64_t chunk, questions, errors, length, text;
   std::uint64_t check;

@@ -17,7 +17,7 @@ namespace graze::mpi {
 /// FNV-1a (Fowler, Noll, Vo 1991) of 64 bits.
 std::uint64_t checksum(std::string_view bytes);
 
-/// What was answered of a chunk, and where the answers stand.
+/// The answers to a chunk: their number, and where they stand.
 struct Record {
   std::uint64_t chunk = 0;
   std::uint64_t questions = 0;  ///< checksum of the chunk's own bytes

@@ -18,7 +18,7 @@ struct Hash {
 
 }  // namespace
 
-/// What a rank has to say of a pair: that it was found here and did not touch before, or touched and was not found.
+/// News of a pair that a rank tells: that it was found here and did not touch before, or touched and was not found.
 struct KeyedEvents::Claim {
   Key a, b;
   std::uint8_t found;  ///< found now; else missed
@@ -48,7 +48,7 @@ void KeyedEvents::find_claims(std::span<const KeyedPair> pairs, ByRank<Claim>& c
     while (last != end && keys_of(*last) < std::pair(p.a, p.b)) miss(take());
     if (last != end && keys_of(*last) == std::pair(p.a, p.b))
       events_.push_back({p.a, p.b, EventKind::stay, take().trigger});
-    // What was found here and did not touch, nobody else found: this rank knows by itself.
+    // A pair that was found here and does not touch was found by nobody else: this rank knows by itself.
     else if (was_apart == apart_.end() || *was_apart != std::pair(p.a, p.b))
       judge(p.a, p.b).push_back({p.a, p.b, 1, p.overlap, p.trigger});
     else if (p.overlap)

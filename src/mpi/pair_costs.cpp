@@ -9,8 +9,8 @@ namespace graze::mpi {
 
 namespace {
 
-/// What a body costs in an update besides its pairs: the median of balls and boxes of a lattice. A machine on which it is
-/// another weighs pairs more or less, where pairs and bodies stand in the same places anyway.
+/// The cost of a body in an update besides its pairs: the median of balls and boxes of a lattice. On a machine that is
+/// twice as slow pairs weigh twice as much; they stand where bodies do anyway.
 constexpr double seconds_of_body = 50e-9;
 /// Of a kind that was never measured: a pair of balls or of boxes.
 constexpr double seconds_of_usual_pair = 100e-9;

@@ -1,8 +1,9 @@
-// What the contacts of a pair cost beside a body, kind of pair by kind of pair, as measured.
+// Costs of the contacts of a pair beside those of a body, kind of pair by kind of pair, as measured.
 //
-// Guarantee: all ranks reckon with the same costs, once they are shared. Measured is a sample of the pairs of a kind, asked by themselves, and
-// what ranks find is averaged: seconds of one and the same update differ by a tenth and more between ranks of a machine
-// that does other things besides, and borders drawn by them would go to and fro. How many pairs there are is counted.
+// Guarantee: all ranks reckon with the same costs, once they are shared. A sample of the pairs of a kind is timed by
+// itself, and the median of ranks taken: seconds of one and the same update differ by a tenth and more between ranks of a
+// machine that does other things besides, and borders drawn by them would go to and fro. How many pairs there are is
+// counted.
 #pragma once
 
 #include <cstdint>

@@ -96,7 +96,7 @@ void Partition::draw(std::span<const Load> loads) {
 }
 
 int Partition::rank_of_point(const Vec3<double>& point) const {
-  // What stands on a border is left to Zoltan.
+  // A point on a border is left to Zoltan.
   const Vec3<double>&lower = region_.lower, &upper = region_.upper;
   if (drawn_ && lower.x < point.x && point.x < upper.x && lower.y < point.y && point.y < upper.y && lower.z < point.z &&
       point.z < upper.z)

@@ -25,7 +25,7 @@ constexpr int tag_chunk = 1, tag_answered = 2, tag_text = 3;
 /// Chunks that a rank has at a time: the next is there when one is done.
 constexpr std::size_t in_flight = 2;
 
-// As messages.
+// Sizes of messages, in words.
 constexpr int chunk_words = 4, answered_words = 7;
 constexpr std::uint64_t no_chunk = ~std::uint64_t{0};
 
@@ -39,7 +39,7 @@ void send_answered(MPI_Comm comm, const Answered& answered) {
   send(comm, answered.text, 0, tag_text);
 }
 
-/// What a rank has sent, if anything.
+/// The answers that a rank has sent, if anything.
 std::optional<std::pair<int, Answered>> receive_answered(MPI_Comm comm) {
   int there = 0;
   MPI_Status status{};
@@ -70,7 +70,7 @@ void work_for_first(MPI_Comm comm, Worker worker) {
   }
 }
 
-/// What rank 0 does: hands out chunks and gathers what is answered.
+/// The part of rank 0: hands out chunks and gathers what is answered.
 class Coordinator {
  public:
   Coordinator(MPI_Comm comm, const File& questions, std::uint64_t record_bytes, const std::vector<Record>& known,

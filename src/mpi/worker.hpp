@@ -49,7 +49,7 @@ class LocalWorker {
   LocalWorker& operator=(const LocalWorker&) = delete;
 
   void give(const Chunk& chunk);
-  /// What is done meanwhile, if anything. Throws what the worker threw.
+  /// The chunk that is done first, if any. Throws what the worker threw.
   std::optional<Answered> take();
 
  private:

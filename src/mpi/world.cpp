@@ -18,7 +18,7 @@ std::string digits(double x) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
-/// What has to be the same on all ranks, as words.
+/// Settings that have to be the same on all ranks, as words.
 template <class T>
 std::string kind_of(const WorldSettings<T>& settings) {
   std::string kind = "graze " GRAZE_VERSION ", " + std::string(sizeof(T) == sizeof(float) ? "float" : "double");

@@ -56,7 +56,7 @@ class World<T>::Parts::InBlocks {
   std::vector<KeyedPair> pairs_;
 };
 
-/// What reaches into other regions is lent to their ranks.
+/// Lends bodies that reach into other regions to their ranks.
 template <class T>
 void World<T>::Parts::InBlocks::lend(Together& together) {
   ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
@@ -85,7 +85,7 @@ void World<T>::Parts::InBlocks::lend(Together& together) {
   });
 }
 
-/// Those that are here already stay as they are. Guests are few, and sorted anew each time.
+/// Guests that are here already stay as they are. All are few, and sorted anew each time.
 template <class T>
 void World<T>::Parts::InBlocks::take_in(const ByRank<BodyRecord<T>>& from) {
   const std::size_t before = guests_.size();
@@ -220,7 +220,7 @@ void World<T>::Parts::InBlocks::find_block(std::span<const std::uint32_t> home, 
   if (p_.settings.events) p_.pairs.insert(p_.pairs.end(), pairs_.begin(), pairs_.end());
 }
 
-/// What an update that keeps contacts has kept.
+/// Frees all that an update that keeps contacts has kept.
 template <class T>
 void World<T>::Parts::let_go_of_contacts() {
   keys = {};

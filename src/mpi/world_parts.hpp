@@ -1,4 +1,4 @@
-// What a world of many ranks holds on one of them, and the steps of its update.
+// The state of a world of many ranks on one of them, and the steps of its update.
 #pragma once
 
 #include <chrono>
@@ -122,7 +122,7 @@ struct World<T>::Parts {
   PairCosts pair_costs;
   std::uint64_t candidates_before = 0;  ///< looked at in the update before
 
-  /// What stands at a place of the arrays: a body that lives here, one that is lent, or one that did or was and is not
+  /// The state of a place of the arrays: a body that lives here, one that is lent, or one that did or was and is not
   /// any more. Places of the latter are kept, because what is lent at borders comes and goes.
   enum Standing : std::uint8_t { away, lives, lent };
 

@@ -17,7 +17,7 @@ namespace {
 /// Once more than one place in so many is of a body that is away, places are given anew.
 constexpr std::size_t places_per_away = 8;
 
-/// What is nearer to a region than this share of its own size gets a place there before it is lent: bodies that drift
+/// A body nearer to a region than this share of its own size gets a place there before it is lent: bodies that drift
 /// then come with places for some updates on end, and the records of borders are an eighth more.
 constexpr double near = 1.0 / 16;
 
@@ -71,8 +71,8 @@ void World<T>::Parts::bring_up(std::uint32_t place, const Body<T>& body, bool re
   if (arrays->filters()[place] != body.filter) arrays->set_filter(id, body.filter);
 }
 
-/// Those that live here and have a place, with their bounds. Those that came since are looked up. Returns whether all
-/// of them have one.
+/// Finds the bounds of bodies that live here and have a place; looks up the place of bodies that came since. Returns
+/// whether all have one.
 template <class T>
 bool World<T>::Parts::place_own() {
   before.assign(keys.size(), away);
@@ -114,7 +114,7 @@ void World<T>::Parts::find_who_is_lent(ByRank<BodyRecord<T>>& to) {
   }
 }
 
-/// What reaches into other regions is lent to their ranks.
+/// Lends bodies that reach into other regions to their ranks.
 template <class T>
 void World<T>::Parts::lend(Together& together) {
   ByRank<BodyRecord<T>> to = together.nothing<BodyRecord<T>>();
@@ -127,7 +127,7 @@ void World<T>::Parts::lend(Together& together) {
   together.alone([&] { place_guests(from, all_placed); });
 }
 
-/// Those that are lent, where all of them have a place; else all places are given anew.
+/// Brings guests up to date where all of them have a place; else gives all places anew.
 template <class T>
 void World<T>::Parts::place_guests(const ByRank<BodyRecord<T>>& from, bool all_placed) {
   std::vector<Guest> guests;
@@ -170,7 +170,7 @@ void World<T>::Parts::place_anew(std::vector<Guest> guests) {
   standing.clear();
   standing.reserve(count);
   boxes.reserve(count);
-  // What was there is let go of first: room for both is not needed.
+  // The last arrays go first: room for both is not needed.
   arrays.reset();
   arrays = std::make_unique<BodyArrays<T>>(settings.margin);
   arrays->reserve(count);

@@ -1,4 +1,4 @@
-// What a world of many ranks does where one of them is at fault, or where bodies stand as no one wants them.
+// A world of many ranks where one of them is at fault, or where bodies stand as no one wants them.
 //
 //   mpirun -n RANKS mpi_world_faults_test              all cases, one after the other
 //   mpirun -n RANKS mpi_world_faults_test forever      updates until it is killed; "running" when it runs
@@ -150,7 +150,7 @@ void message_longer_than_an_int() {
   if (next != bytes) fail("pieces that are not the whole");
 }
 
-/// What is thrown to where there are no numbers is refused where it lives, and all goes on.
+/// A body thrown to where there are no numbers is refused where it lives, and all goes on.
 void bodies_thrown_to_infinity() {
   mpi::World<double> world(MPI_COMM_WORLD);
   add_row(world, 50);

@@ -177,7 +177,7 @@ struct Play {
       }
   }
 
-  /// What an update in blocks hands over on this rank, as one that keeps its contacts has it.
+  /// Contacts that an update in blocks hands over on this rank, as one that keeps them has them.
   void update_in_blocks(int number, mpi::Gathered<T>& mine) {
     many.update([&](const mpi::ContactBlock<T>& block) {
       ++blocks;
@@ -348,7 +348,7 @@ void expect_borders_to_rest() {
   if (world.report().imbalance > 1.4) fail("a heap shared out unevenly", 0, ranks);
 }
 
-/// What ranks measured apart is one cost for all: the median.
+/// Costs that ranks measured apart are one for all: the median.
 void expect_costs_to_be_shared() {
   mpi::PairCosts costs(true);
   const float before = costs.of(3, 40);

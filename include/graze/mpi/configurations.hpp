@@ -22,7 +22,7 @@ struct Chain {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
 
-/// What is nearest in a configuration, 16 bytes: of all links against all bodies of the scene, and the chain's pairs.
+/// The nearest two of a configuration, 16 bytes: of all links against all bodies of the scene, and the chain's pairs.
 struct NearestOfChain {
   /// Signed: negative where they overlap; infinite where nothing is within the limit; not a number where a pose is
   /// none.

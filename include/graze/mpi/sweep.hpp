@@ -31,7 +31,7 @@ GRAZE_API void agree(MPI_Comm comm, const std::string& fault);
 /// Throws `CommonError` on every rank unless all have the same text: a version, a precision, options. All must call.
 GRAZE_API void agree_on(MPI_Comm comm, const std::string& what, const std::string& text);
 
-/// What a sweep may be told.
+/// Settings of a sweep.
 struct SweepSettings {
   std::string questions;  ///< a regular file that every rank can read
   std::string out;        ///< where the answers go, written by all ranks; empty: to the stream of rank 0
@@ -47,7 +47,7 @@ struct SweepSettings {
 /// whether the answer is an error. Called from one thread a rank.
 using LineAnswer = std::function<bool(std::string_view line, std::size_t number, std::string& out)>;
 
-/// What a sweep did.
+/// The work of a sweep.
 struct SweepReport {
   std::uint64_t lines = 0;                   ///< of the file, blank ones too; or records
   std::uint64_t errors = 0;                  ///< answers that are errors

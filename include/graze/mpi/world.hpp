@@ -24,7 +24,7 @@ namespace graze::mpi {
 /// is A.
 using Key = std::uint64_t;
 
-/// What a world may be told at its beginning.
+/// Settings of a world.
 template <class T>
 struct WorldSettings {
   std::optional<T> margin;                     ///< as of `graze::WorldSettings`; the same on all ranks
@@ -62,7 +62,7 @@ struct ContactBlock {
 template <class T>
 using ContactVisitor = std::function<void(const ContactBlock<T>&)>;
 
-/// What became of a pair, with the caller's keys.
+/// An event of a pair, with the caller's keys.
 struct KeyedEvent {
   Key a, b;        ///< the two bodies
   EventKind kind;  ///< what became of the pair
@@ -80,7 +80,7 @@ struct Gathered {
   std::vector<KeyedEvent> events;             ///< what began and ended
 };
 
-/// What an update of this rank took.
+/// The work of an update on this rank.
 struct WorldReport {
   std::uint64_t bodies = 0;      ///< that live here
   std::uint64_t ghosts = 0;      ///< lent by others
@@ -142,7 +142,7 @@ class GRAZE_API World {
   /// too.
   void update(const ContactVisitor<T>& visit);
 
-  /// What this rank found, in the order of keys; valid until the next update.
+  /// Pairs that this rank found, in the order of keys; valid until the next update.
   std::span<const KeyedPair> pairs() const;
   const ContactArrays<T>& contacts() const;    ///< manifolds and points of `pairs`
   std::span<const KeyedEvent> events() const;  ///< those of the last update
