@@ -11,7 +11,7 @@ template <class T, class Space>
 void bin_pairs(std::span<const IdPair> pairs, std::span<const typename Space::Shape> shapes, Bins& out) {
   constexpr std::size_t types = Space::Shape::count;
   // A byte a shape is near whichever pair asks for it.
-  out.types.resize(shapes.size());
+  out.types.resize(shapes.size(), Bins::unseen);
   const auto look = [&](std::uint32_t i) { out.types[i] = static_cast<std::uint8_t>(shapes[i].index()); };
   if (pairs.size() < shapes.size())
     for (const IdPair& p : pairs) look(p.a), look(p.b);

@@ -15,10 +15,9 @@ constexpr std::size_t few_points = 16;
 
 }  // namespace
 
-/// Finds what is known of each pair from the last call: both lists are sorted. Returns whether they differ.
+/// Takes other pairs, and finds what is known of each from the last call: both lists are sorted.
 template <class T, class Space>
-bool ManifoldFinder<T, Space>::remember(std::span<const IdPair> pairs) {
-  if (std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end())) return false;
+void ManifoldFinder<T, Space>::remember(std::span<const IdPair> pairs) {
   last_pairs_.swap(pairs_);
   last_contact_.swap(contact_);
   pairs_.assign(pairs.begin(), pairs.end());
@@ -36,7 +35,6 @@ bool ManifoldFinder<T, Space>::remember(std::span<const IdPair> pairs) {
     if (keeps_axes_) axes_[i] = same ? last_axes_[known] : Vec{};
     known += same;
   }
-  return true;
 }
 
 /// Whether a pair with a fixed body came or went though neither body changed: by its filters then. What the other one
@@ -178,7 +176,7 @@ std::size_t ManifoldFinder<T, Space>::memory() const {
   std::size_t sum = bytes(seen_) + bytes(bins_.order) + bytes(bins_.bins) + bytes(bins_.types) + bytes(around_) +
                     bytes(neighbours_) + bytes(last_changes_) + bytes(generations_) + bytes(found_) + bytes(pairs_) +
                     bytes(last_pairs_) + bytes(contact_) + bytes(last_contact_) + bytes(axes_) + bytes(last_axes_) +
-                    bytes(tasks_) + bytes(touches_) + bytes(first_contacts_);
+                    bytes(asked_) + bytes(asked_places_) + bytes(tasks_) + bytes(touches_) + bytes(first_contacts_);
   for (const Found& found : found_)
     sum += found.manifolds.capacity() * sizeof(ContactManifold<T, Space>) +
            found.points.capacity() * sizeof(SolverPoint<T, Space>) + bytes(found.composite) + bytes(found.sorted) +

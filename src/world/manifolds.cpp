@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "world/pair_contacts.hpp"
 #include "world/shares.hpp"
+#include "world/waiting.hpp"
 
 namespace graze {
 
@@ -18,15 +18,6 @@ constexpr std::size_t ahead = 16;
 constexpr std::size_t few_pairs = 4096;
 
 }  // namespace
-
-/// Pairs that wait for a kernel, all for the same.
-template <class T, class Space>
-struct Waiting {
-  typename PairContacts<T, Space>::Lanes lanes;
-  std::size_t count = 0;
-  typename PairContacts<T, Space>::Pair pairs[most_chunk];
-  std::uint32_t places[most_chunk];
-};
 
 template <class T, class Space>
 void ManifoldFinder<T, Space>::look_at(const BodyArrays<T, Space>& bodies, std::uint32_t i) {
@@ -42,6 +33,15 @@ void ManifoldFinder<T, Space>::look_at(const BodyArrays<T, Space>& bodies, std::
   seen_[i] = {PairContacts<T, Space>::concrete(shape), bodies.margins()[i],
               static_cast<std::uint8_t>((moved ? changed : 0) | (bodies.triggers()[i] != 0 ? trigger : 0) |
                                         (stands ? fixed : 0) | (another ? fresh : 0))};
+}
+
+/// Whether no body in the pairs has got a shape of another kind.
+template <class T, class Space>
+bool ManifoldFinder<T, Space>::kinds_stay(const BodyArrays<T, Space>& bodies) const {
+  const std::span<const std::uint32_t> changes = bodies.unsorted_changes();
+  return bins_.types.size() == bodies.size() && std::all_of(changes.begin(), changes.end(), [&](std::uint32_t i) {
+           return bins_.types[i] == Bins::unseen || bins_.types[i] == bodies.shapes()[i].index();
+         });
 }
 
 /// Looks at what changed, or at all bodies where they have come to stand elsewhere in memory.
@@ -75,16 +75,18 @@ void ManifoldFinder<T, Space>::find(const BodyArrays<T, Space>& bodies, std::spa
   SerialExecutor serial;
   Executor& some = pairs.size() < few_pairs ? serial : executor;
   // Three parts that know nothing of each other, the longest, which takes as long as the other two, first.
-  bool same_pairs = false;
+  const bool same_pairs = std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end()),
+             same_bins = same_pairs && kinds_stay(bodies);
   some.run(3, [&](std::size_t part) {
-    if (part == 0) bin_pairs<T, Space>(pairs, bodies.shapes(), bins_);
-    if (part == 1) same_pairs = !remember(pairs);
+    if (part == 0 && !same_bins) bin_pairs<T, Space>(pairs, bodies.shapes(), bins_);
+    if (part == 1 && !same_pairs) remember(pairs);
     if (part == 2) look(bodies);
   });
   keep_axes_where_of_use();
   std::swap(last_, now_);
   if (ground_ > 1) find_neighbours(bodies);
   ground_changed_ = ground_changed_ || (ground_ > 1 && !same_pairs && ground_pairs_differ());
+  if (same_bins && mend(bodies)) return paired();
   find_on_threads(bodies, executor);
   join_pairs(some);
   join_tasks(some, paired);

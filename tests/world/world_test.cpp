@@ -103,6 +103,75 @@ TYPED_TEST(WorldOf, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
+/// The same contacts of the same pairs, pushed alike, wherever they stand.
+template <class T>
+void expect_same_contacts(const ContactArrays<T>& one, const ContactArrays<T>& other) {
+  ASSERT_EQ(one.pairs.size(), other.pairs.size());
+  for (std::size_t i = 0; i < one.pairs.size(); ++i) {
+    const ContactPair<T>&p = one.pairs[i], &q = other.pairs[i];
+    ASSERT_TRUE(p.a == q.a && p.b == q.b && p.overlap == q.overlap && p.manifold_count == q.manifold_count);
+    for (std::size_t k = 0; k < p.manifold_count; ++k) {
+      const ContactManifold<T>&m = one.manifolds_of(p)[k], &n = other.manifolds_of(q)[k];
+      ASSERT_TRUE(m.normal == n.normal && m.piece_a == n.piece_a && m.piece_b == n.piece_b);
+      const auto of_m = one.points_of(m), of_n = other.points_of(n);
+      ASSERT_TRUE(std::equal(of_m.begin(), of_m.end(), of_n.begin(), of_n.end(), [](const auto& a, const auto& b) {
+        return a.a == b.a && a.b == b.b && a.distance == b.distance && a.feature == b.feature && a.impulse == b.impulse;
+      }));
+    }
+  }
+}
+
+/// Few bodies move in one world; in the other all are said to have moved, so that nothing is kept.
+template <class T>
+void expect_as_found_anew(std::uint64_t seed) {
+  Random random(seed);
+  World<T> few, all;
+  std::vector<BodyId> ids;
+  for (int i = 0; i < 120; ++i) {
+    const Body<T> body = testing::random_body<T>(random, 3);
+    ids.push_back(few.add(body));
+    all.add(body);
+  }
+  std::size_t in_place = 0;
+  constexpr std::size_t frames = 80;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const auto* const before = few.contacts().points.data();
+    const std::size_t moves = 1 + random() % 3;
+    for (std::size_t i = 0; i < moves; ++i) {
+      const BodyId id = ids[random() % ids.size()];
+      Pose<T> pose = few.bodies().body(id).pose;
+      // Mostly so little that what touches goes on to.
+      pose.translation += converted<T>(testing::random_vector(random, frame % 8 == 0 ? 0.5f : 1e-4f));
+      few.move(id, pose);
+      all.move(id, pose);
+      if (random() % 40 != 0) continue;
+      const Shape<T> shape = testing::random_shape<T>(random);
+      few.set_shape(id, shape);
+      all.set_shape(id, shape);
+    }
+    for (const BodyId id : ids) {
+      const Pose<T> pose = all.bodies().body(id).pose;
+      all.move(id, {pose.translation + Vec3<T>{1, 0, 0}, pose.rotation});
+      all.move(id, pose);
+    }
+    for (World<T>* world : {&few, &all}) {
+      world->update();
+      for (SolverPoint<T>& p : world->contacts().points) p.impulse += p.a;
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", frame " + std::to_string(frame));
+    expect_same_contacts(few.contacts(), all.contacts());
+    if (::testing::Test::HasFatalFailure()) return;
+    EXPECT_EQ(few.events().size(), all.events().size());
+    in_place += few.contacts().points.data() == before ? 1 : 0;
+  }
+  EXPECT_GT(few.contacts().points.size(), 50u);
+  EXPECT_GT(in_place, frames / 4) << "contacts were never put in the place of the last ones";
+}
+
+TYPED_TEST(WorldOf, FewChangesLeaveWhatFindingAllAnewDoes) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) expect_as_found_anew<TypeParam>(seed);
+}
+
 /// Two bodies by their handles.
 using Touching = std::set<std::pair<BodyId, BodyId>>;
 

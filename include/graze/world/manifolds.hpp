@@ -3,10 +3,11 @@
 // Guarantee: for each pair what `contacts` answers, bit for bit, whatever was remembered from the last call and on
 // however many threads it runs; but for what moves over the seam of fixed bodies side by side, which meets them as if
 // they were one, and for a pair that has more points than it may, of which those are left that `reduce` chooses. Pairs
-// are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair,
-// and those of one pair one behind the other. What is remembered only saves work: a pair of which neither body changed
-// keeps its manifolds, and one that was apart is tried first along the direction in which it was, but for pairs of
-// balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at a time.
+// are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair, and those of one pair
+// one behind the other. What is remembered only saves work: a pair of which neither body changed keeps its manifolds,
+// where few pairs changed also their places, and one that was apart is tried first along the direction in which it was,
+// but for pairs of balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at a
+// time.
 #pragma once
 
 #include <functional>
@@ -121,6 +122,11 @@ class GRAZE_API ManifoldFinder {
     std::uint32_t first_manifold, manifold_count;
     bool overlap;
   };
+  /// A pair whose contacts are found anew and put where the last ones stand.
+  struct Asked {
+    std::uint32_t place, contact;  ///< among the pairs, and what it was after the last call
+    std::size_t first_manifold;    ///< of the task that looks at it
+  };
   /// Manifolds of the last call, one behind the other, that are to be copied.
   struct Run {
     std::uint32_t begin = 0, end = 0;
@@ -138,9 +144,10 @@ class GRAZE_API ManifoldFinder {
   /// `fresh`: another body had its index in the last call.
   static constexpr std::uint8_t changed = 1, trigger = 2, fixed = 4, fresh = 8;
 
+  bool kinds_stay(const BodyArrays<T, Space>& bodies) const;
   void look(const BodyArrays<T, Space>& bodies);
   void look_at(const BodyArrays<T, Space>& bodies, std::uint32_t index);
-  bool remember(std::span<const IdPair> pairs);
+  void remember(std::span<const IdPair> pairs);
   void keep_axes_where_of_use();
   void find_neighbours(const BodyArrays<T, Space>& bodies);
   bool ground_pairs_differ() const;
@@ -166,6 +173,11 @@ class GRAZE_API ManifoldFinder {
             std::size_t points);
   std::size_t reduce_one(Found& found, const Vec& normal, std::size_t first_point) const;
   void reduce_many(Found& found, std::size_t first_manifold, std::size_t first_point) const;
+  bool mend(const BodyArrays<T, Space>& bodies);
+  bool list_asked();
+  void find_asked(const BodyArrays<T, Space>& bodies);
+  bool fits(const Asked& asked) const;
+  void put_in_place(const Asked& asked);
   void find_on_threads(const BodyArrays<T, Space>& bodies, Executor& executor);
   void run_task(const BodyArrays<T, Space>& bodies, std::size_t number, std::size_t found);
   void join_pairs(Executor& executor);
@@ -194,6 +206,8 @@ class GRAZE_API ManifoldFinder {
   std::vector<Vec> axes_, last_axes_;
   bool keeps_axes_ = false;
   std::vector<Found> found_;
+  std::vector<Asked> asked_;
+  std::vector<std::uint32_t> asked_places_;  ///< those of `asked_`
   std::vector<Task> tasks_;
   std::vector<Touch> touches_;                 ///< room for as many of each task as it has pairs
   std::vector<std::uint32_t> first_contacts_;  ///< of each range of pairs
