@@ -120,7 +120,6 @@ bool PairCosts::is_due(Kind a, Kind b) const {
 
 float PairCosts::of(Kind a, Kind b) const {
   double seconds = seconds_of_usual_pair;
-  if (const auto news = news_.find(ordered(a, b)); news != news_.end()) seconds = news->second;
   if (const auto known = known_.find(ordered(a, b)); known != known_.end()) seconds = known->second.seconds;
   return static_cast<float>(std::clamp(seconds / seconds_of_body, least_cost, most_cost));
 }
@@ -133,6 +132,10 @@ std::vector<float> PairCosts::table_of(const std::vector<Kind>& kinds) const {
 }
 
 void PairCosts::share(Together& together) {
+  ++updates_;
+  int news = news_.empty() ? 0 : 1;
+  MPI_Allreduce(MPI_IN_PLACE, &news, 1, MPI_INT, MPI_MAX, together.comm());
+  if (news == 0) return;
   struct Told {
     Kind a, b;
     double seconds;

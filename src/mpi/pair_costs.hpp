@@ -26,21 +26,21 @@ class PairCosts {
   /// Without measurements all pairs cost the same.
   explicit PairCosts(bool measures) : measures_(measures) {}
 
-  /// Calls `charge(pair, cost)` for each pair, the cost in units of a body's. Measures the kinds that are not known or
-  /// were measured long ago, for the next `share`; others reckon with them from then on.
+  /// Calls `charge(pair, cost)` for each pair, the cost in units of a body's.
   template <class T, class Charge>
   void charge(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Charge&& charge) {
     const Bodies kinds = kinds_of(bodies, pairs);
-    if (measures_) measure(bodies, pairs, kinds);
     const std::vector<float> table = table_of(kinds.kinds);
     for (const IdPair& pair : pairs) charge(pair, table[kinds.of_pair(pair)]);
   }
 
-  bool has_news() const { return !news_.empty(); }
-  /// Tells all ranks what each has measured. All ranks, once an update in which any has news.
+  /// Measures the kinds of pairs that are not known or were measured long ago, for the next `share`.
+  template <class T>
+  void measure(const BodyArrays<T>& bodies, std::span<const IdPair> pairs) {
+    if (measures_) measure(bodies, pairs, kinds_of(bodies, pairs));
+  }
+  /// Tells all ranks what each has measured. All ranks, once an update.
   void share(Together& together);
-  /// To be told of every update.
-  void count_update() { ++updates_; }
 
   /// Notes the seconds of a pair of two kinds, for the next `share`.
   void note(Kind a, Kind b, double seconds) { news_[ordered(a, b)] = seconds; }

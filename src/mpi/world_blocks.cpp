@@ -205,7 +205,9 @@ void World<T>::Parts::InBlocks::find_block(std::span<const std::uint32_t> home, 
   for (const std::uint32_t i : home) is_home_[i] = 0;
   float of_guests = 0;
   const auto cost = [&](std::uint32_t i) -> float& { return is_lent(i) ? of_guests : p_.owned.settled()[i].cost; };
-  p_.pair_costs.charge(arrays, std::span<const IdPair>(candidates_), [&](const IdPair& pair, float of_pair) {
+  const std::span<const IdPair> of_block(candidates_);
+  p_.pair_costs.measure(arrays, of_block);
+  p_.pair_costs.charge(arrays, of_block, [&](const IdPair& pair, float of_pair) {
     const std::uint32_t i = places_[pair.a], j = places_[pair.b];
     charge_pair(of_pair, !is_lent(i), !is_lent(j), cost(i), cost(j));
   });

@@ -88,6 +88,7 @@ struct World<T>::Parts {
   class InBlocks;
 
   // The steps of an update; those that exchange something all ranks do together.
+  void charge_pairs(Together& together);
   double expected_cost(Together& together);
   void balance(Together& together);
   void migrate(Together& together);

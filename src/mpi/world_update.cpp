@@ -14,20 +14,37 @@ constexpr std::size_t most_loads = std::size_t{1} << 18;
 
 }  // namespace
 
-/// Gives bodies that are new the mean cost of the others; returns what all of this rank cost together. Tells what pairs
-/// cost where that was measured anew.
+/// Charges the pairs of the last update to its bodies, by costs that all ranks agree on.
+template <class T>
+void World<T>::Parts::charge_pairs(Together& together) {
+  const std::span<const IdPair> last(mine);
+  together.alone([&] {
+    if (arrays) pair_costs.measure(*arrays, last);
+  });
+  pair_costs.share(together);
+  together.alone([&] {
+    if (!arrays) return;
+    std::vector<float> costs(keys.size(), cost_of_body);
+    pair_costs.charge(*arrays, last, [&](const IdPair& p, float cost) {
+      charge_pair(cost, standing[p.a] == lives, standing[p.b] == lives, costs[p.a], costs[p.b]);
+    });
+    // The mean with what it was: under new borders others are charged, and borders by that alone would go to and fro.
+    for (auto& o : owned.settled())
+      if (o.place != nowhere) o.cost = o.cost > 0 ? (2 * o.cost + costs[o.place]) / 3 : costs[o.place];
+  });
+}
+
+/// Gives bodies that are new the mean cost of the others; returns what all of this rank cost together.
 template <class T>
 double World<T>::Parts::expected_cost(Together& together) {
-  double known[3] = {0, 0, pair_costs.has_news() ? 1.0 : 0.0};  // cost, how many, ranks with news
+  double known[2] = {0, 0};  // cost, and how many
   together.alone([&] {
     for (const auto& o : owned.settled()) {
       known[0] += static_cast<double>(o.cost);
       known[1] += o.cost > 0 ? 1 : 0;
     }
   });
-  MPI_Allreduce(MPI_IN_PLACE, known, 3, MPI_DOUBLE, MPI_SUM, comm);
-  pair_costs.count_update();
-  if (known[2] > 0) pair_costs.share(together);
+  MPI_Allreduce(MPI_IN_PLACE, known, 2, MPI_DOUBLE, MPI_SUM, comm);
   const auto mean = known[1] > 0 ? static_cast<float>(known[0] / known[1]) : cost_of_body;
   double sum = 0;
   together.alone([&] {
@@ -43,6 +60,7 @@ double World<T>::Parts::expected_cost(Together& together) {
 template <class T>
 void World<T>::Parts::balance(Together& together) {
   owned.settle();
+  charge_pairs(together);
   const double sum = expected_cost(together);
   double most = 0;
   MPI_Allreduce(&sum, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
@@ -186,12 +204,6 @@ void World<T>::Parts::find_contacts() {
     pairs.push_back({keys[p.a], keys[p.b], p.overlap, (arrays->triggers()[p.a] | arrays->triggers()[p.b]) != 0,
                      p.first_manifold, p.manifold_count});
   arrays->settle();
-  std::vector<float> costs(keys.size(), cost_of_body);
-  pair_costs.charge(*arrays, std::span<const IdPair>(mine), [&](const IdPair& p, float cost) {
-    charge_pair(cost, standing[p.a] == lives, standing[p.b] == lives, costs[p.a], costs[p.b]);
-  });
-  // The mean with what it was: under new borders others are charged, and borders by that alone would go to and fro.
-  for (auto& o : owned.settled()) o.cost = o.cost > 0 ? (2 * o.cost + costs[o.place]) / 3 : costs[o.place];
 }
 
 template <class T>
@@ -227,6 +239,7 @@ void World<T>::update() {
 }
 
 #define GRAZE_INSTANTIATE(T)                                                                                           \
+  template void World<T>::Parts::charge_pairs(Together&);                                                              \
   template double World<T>::Parts::expected_cost(Together&);                                                           \
   template void World<T>::Parts::balance(Together&);                                                                   \
   template void World<T>::Parts::migrate(Together&);                                                                   \
