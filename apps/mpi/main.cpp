@@ -41,13 +41,19 @@ int run(int argc, char** argv, int rank) {
   app.footer("Examples:\n  mpirun -n 8 graze-mpi collide city.gltf --svg owners.svg\n  mpirun -n 8 graze-mpi query "
              "questions.jsonl --out answers.jsonl");
   const std::pair<const char*, Run> commands[] = {{"collide", add_collide(app)}, {"query", add_query(app)}};
+  // Ranks of which only some can go on would wait for each other.
+  const auto agree_on_command_line = [](const std::string& said) {
+    graze::mpi::agree_on(MPI_COMM_WORLD, "the command line", said);
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
+    agree_on_command_line(e.what());
     // All ranks have the same command line: one of them says what is wrong with it.
     if (rank == 0) app.exit(e);
     return e.get_exit_code() == 0 ? 0 : cannot_work;
   }
+  agree_on_command_line("one that can be used");
   for (const auto& [name, act] : commands)
     if (app.got_subcommand(name)) {
       graze::mpi::agree_on(MPI_COMM_WORLD, "the program", std::string("graze-mpi " GRAZE_VERSION " ") + name);

@@ -1,5 +1,7 @@
 #include "graze/mpi/configurations.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -25,6 +27,12 @@ std::optional<Pose<T>> pose_of(const char* bytes) {
   } catch (const InvalidValue&) {
     return std::nullopt;
   }
+}
+
+/// A number that is told from every other one.
+std::string exactly(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
 template <class T>
@@ -66,7 +74,7 @@ SweepReport sweep_configurations(MPI_Comm comm, SweepSettings settings, const Ch
   const std::size_t links = chain.links.size();
   settings.record_bytes = links * numbers_of_pose * sizeof(double);
   settings.kind += "; " + std::to_string(links) + " links, " + std::to_string(chain.pairs.size()) + " pairs, " +
-                   std::to_string(scene.bodies().count()) + " bodies, limit " + std::to_string(limit) +
+                   std::to_string(scene.bodies().count()) + " bodies, limit " + exactly(limit) +
                    (sizeof(T) == sizeof(float) ? ", float" : ", double");
   std::vector<Pose<T>> poses(links);
   const auto answer = [&](std::string_view record, std::size_t, std::string& out) {

@@ -204,6 +204,7 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
                          std::to_string(questions.size()) + " bytes");
   });
   agree_on(comm, "the questions", settings.questions + " of " + std::to_string(questions.size()) + " bytes");
+  agree_on(comm, "the output and the journal", "'" + settings.out + "' and '" + directory + "'");
   const bool kept = !directory.empty();
   Journal journal;
   std::uint64_t run = 0;
@@ -213,8 +214,10 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
       const auto there = std::filesystem::status(out);
       if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         throw InvalidValue(settings.out, "a regular file, or nothing", "something else");
-      if (std::filesystem::exists(there) && std::filesystem::equivalent(out, settings.questions))
-        throw InvalidValue(settings.out, "another file than the questions", "the questions");
+      // The answers are first written to the second of these.
+      for (const std::string& file : {out, partial_name(out)})
+        if (std::filesystem::exists(file) && std::filesystem::equivalent(file, settings.questions))
+          throw InvalidValue(file == out ? settings.out : file, "another file than the questions", "the questions");
       File::writing(partial_name(out));
     }
     journal = Journal::open(directory, head_of(settings, questions));

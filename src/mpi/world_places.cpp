@@ -150,7 +150,7 @@ void World<T>::Parts::place_guests(const ByRank<BodyRecord<T>>& from, bool all_p
       places.push_back(place);
     }
   const std::size_t used = owned.size() + places.size() + near_ones.size();
-  if (!all_placed || keys.size() > used + used / places_per_away) {
+  if (!arrays || !all_placed || keys.size() > used + used / places_per_away) {
     for (const BodyRecord<T>* r : near_ones) guests.push_back({r->key, body_of(*r, shared), true});
     return place_anew(std::move(guests));
   }

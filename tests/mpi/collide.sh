@@ -54,6 +54,8 @@ case $case in
     expect 2 ranks 1 "$graze_mpi" collide town.gltf : -n 1 "$graze_mpi" collide town.gltf --precision float; said "float"
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --svg nowhere/a.svg; said "nowhere/a.svg"
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --margin -1; said "--margin"
+    echo '{"asset": {"version": "2.0"}}' >nothing.gltf # no body on any rank
+    expect 0 ranks 2 "$graze_mpi" collide nothing.gltf; said "0 pairs in contact"
     ln -s /dev/full full.jsonl
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --contacts full.jsonl; said "full.jsonl"; said "no space left"
     # No byte beyond so many, as on a full disk: the file is as it was. By TCP, because shared memory is a file too.

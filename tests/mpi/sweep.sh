@@ -161,6 +161,17 @@ case $case in
     said "expected what rank 0 has"
     expect 2 ranks 1 "$graze_mpi" query questions : -n 1 "$graze_mpi" query questions --precision float
     said "precision float"
+    expect 2 ranks 1 "$graze_mpi" query questions : -n 1 "$graze_mpi" query questions --unknown
+    said "the command line: expected what rank 0 has"
+    expect 2 ranks 1 "$graze_mpi" query questions : -n 1 "$graze_mpi" --help
+    said "the command line: expected what rank 0 has"
+    expect 2 ranks 1 "$graze_mpi" query questions --out answers : -n 1 "$graze_mpi" query questions
+    said "the output and the journal: expected what rank 0 has"
+    cp questions other.partial
+    expect 2 ranks 2 "$graze_mpi" query other.partial --out other
+    said "other.partial: expected another file than the questions"
+    cmp questions other.partial || fail "the questions are other ones"
+    rm other.partial
     mkdir taken && touch taken/file
     expect 2 ranks 2 "$graze_mpi" query questions --out answers --journal taken
     said "taken: expected the journal of a sweep, or nothing"

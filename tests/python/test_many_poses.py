@@ -96,3 +96,26 @@ def test_a_fault_is_told_on_every_rank(example, tmp_path):
              str(tmp_path / "out")], check=True, timeout=60, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE).stdout
         assert told.count("told: ") == 3 and told.count(words) == 3, told
     assert not (tmp_path / "out").exists()
+
+
+LIMIT = """
+import sys
+import graze, graze.mpi
+from mpi4py import MPI
+try:
+    limit = (1e-7, 4e-7)[MPI.COMM_WORLD.rank]
+    graze.mpi.sweep_configurations(sys.argv[1], sys.argv[2], [graze.Sphere(1)], graze.World(), limit=limit)
+except graze.mpi.CommonError as error:
+    sys.stdout.write(f"told: {error}\\n")  # at once, since all ranks write to one pipe
+"""
+
+
+def test_small_limits_are_told_from_each_other(example, tmp_path):
+    # The same words stand at the head of the journal, which is refused where they are others.
+    (tmp_path / "limit.py").write_text(LIMIT)
+    (tmp_path / "poses").write_bytes(bytes(56))
+    told = subprocess.run(
+        ["mpirun", "--oversubscribe", "-n", "2", sys.executable, "-m", "mpi4py", str(tmp_path / "limit.py"),
+         str(tmp_path / "poses"), str(tmp_path / "out")], check=True, timeout=60, env=ENVIRONMENT, text=True,
+        stdout=subprocess.PIPE).stdout
+    assert told.count("limit 1e-07") == 2 and told.count("limit 4e-07") == 2, told
