@@ -212,6 +212,7 @@ void collide(mpi::Together& together, SharedScene& scene, const CollideArguments
 int run_collide(const CollideArguments& options) {
   mpi::Together together(MPI_COMM_WORLD);
   const io::Precision precision = precision_of(options.precision);
+  mpi::agree_on(MPI_COMM_WORLD, "the files to write", "'" + options.contacts + "' and '" + options.svg + "'");
   together.alone([&] {
     checked_length("--margin", options.margin, precision);
     checked_direction(options.direction);

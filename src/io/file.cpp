@@ -75,6 +75,9 @@ void FileWriter::close() { close_whole(out_, file_); }
 WholeFileWriter::WholeFileWriter(const std::filesystem::path& file)
     : file_(file), target_(link_target(file)), written_(partial_of(target_)) {
   check_writable(file);
+  // A link of that name would take the place of the file, and what it leads to be written over.
+  std::error_code failed;
+  if (!written_.empty() && std::filesystem::is_symlink(written_)) std::filesystem::remove(written_, failed);
   // A folder that takes no new files may have one that can be written.
   if (written_.empty() || !std::ofstream(written_, std::ios::binary)) written_ = target_;
   open(out_, written_, file_);

@@ -1,13 +1,12 @@
 #include "graze/mpi/configurations.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
 #include "graze/error.hpp"
 #include "graze/query.hpp"
 #include "mpi/exchange.hpp"
+#include "mpi/words.hpp"
 
 namespace graze::mpi {
 
@@ -29,14 +28,28 @@ std::optional<Pose<T>> pose_of(const char* bytes) {
   }
 }
 
-/// A number that is told from every other one.
-std::string exactly(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+/// The chain, the scene and the limit, by which a journal knows them: kinds, bounds and places.
+template <class T>
+std::string words_of_all(const Chain<T>& chain, const World<T>& scene, T limit) {
+  std::string links, bodies;
+  for (const Shape<T>& link : chain.links) links += words_of(link);
+  for (const auto& [a, b] : chain.pairs) links += std::to_string(a) + "-" + std::to_string(b) + " ";
+  const BodyArrays<T>& all = scene.bodies();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.alive()[i] == 0) continue;
+    const auto& [at, turn] = all.poses()[i];
+    const T numbers[] = {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w};
+    bodies += words_of(all.shapes()[i]) + sum_of(std::span<const T>(numbers));
+  }
+  const auto sum = [](const std::string& words) { return sum_of(std::span<const char>(words)); };
+  return std::to_string(chain.links.size()) + " links, " + std::to_string(chain.pairs.size()) + " pairs " + sum(links) +
+         ", " + std::to_string(all.count()) + " bodies " + sum(bodies) + ", limit " +
+         digits(static_cast<double>(limit)) + (sizeof(T) == sizeof(float) ? ", float" : ", double");
 }
 
 template <class T>
-void check(const Chain<T>& chain) {
+void check(const Chain<T>& chain, T limit) {
+  if (!(limit >= T(0))) throw InvalidValue("limit", "a number >= 0", digits(static_cast<double>(limit)));
   if (chain.links.empty()) throw InvalidValue("chain.links", "at least one", "none");
   for (const auto& [a, b] : chain.pairs)
     if (std::max(a, b) >= chain.links.size() || a == b)
@@ -69,13 +82,11 @@ template <class T>
 SweepReport sweep_configurations(MPI_Comm comm, SweepSettings settings, const Chain<T>& chain, const World<T>& scene,
                                  std::ostream& stream, T limit) {
   Together together(comm);
-  together.alone([&] { check(chain); });
+  together.alone([&] { check(chain, limit); });
   together.meet();
   const std::size_t links = chain.links.size();
   settings.record_bytes = links * numbers_of_pose * sizeof(double);
-  settings.kind += "; " + std::to_string(links) + " links, " + std::to_string(chain.pairs.size()) + " pairs, " +
-                   std::to_string(scene.bodies().count()) + " bodies, limit " + exactly(limit) +
-                   (sizeof(T) == sizeof(float) ? ", float" : ", double");
+  settings.kind += "; " + words_of_all(chain, scene, limit);
   std::vector<Pose<T>> poses(links);
   const auto answer = [&](std::string_view record, std::size_t, std::string& out) {
     NearestOfChain nearest;

@@ -105,6 +105,8 @@ Journal Journal::open(const std::string& directory, const std::string& head) {
     throw InvalidValue(directory, "the journal of a sweep, or nothing", "a directory of something else");
   journal.head_ = File::writing(name);
   if (!locked_soon(journal.head_)) throw InvalidValue(directory, "a journal that no other run uses", "one in use");
+  // Another run may have come to its end while this one waited, and its journal is gone.
+  if (!fs::exists(name)) return open(directory, head);
   const std::string had = journal.head_.read(0, journal.head_.size());
   if (had != head) {
     if (had.ends_with('\n'))

@@ -218,6 +218,8 @@ SweepReport sweep_lines(MPI_Comm comm, const SweepSettings& settings, const Line
       for (const std::string& file : {out, partial_name(out)})
         if (std::filesystem::exists(file) && std::filesystem::equivalent(file, settings.questions))
           throw InvalidValue(file == out ? settings.out : file, "another file than the questions", "the questions");
+      // A link of that name would take the place of the output, and what it leads to be written over.
+      if (std::filesystem::is_symlink(partial_name(out))) std::filesystem::remove(partial_name(out));
       File::writing(partial_name(out));
     }
     journal = Journal::open(directory, head_of(settings, questions));

@@ -1,22 +1,14 @@
 #include "graze/mpi/world.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <tuple>
 
-#include "mpi/journal.hpp"
+#include "mpi/words.hpp"
 #include "mpi/world_parts.hpp"
 
 namespace graze::mpi {
 
 namespace {
-
-/// All of a number's digits.
-std::string digits(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 
 /// Settings that have to be the same on all ranks, as words.
 template <class T>
@@ -27,14 +19,6 @@ std::string kind_of(const WorldSettings<T>& settings) {
   if (!settings.measured) kind += ", costs not measured";
   if (settings.points_per_pair) kind += ", points of a pair " + std::to_string(*settings.points_per_pair);
   return kind + ", imbalance " + digits(settings.imbalance) + (settings.allow ? ", a last word on pairs" : "");
-}
-
-/// A shape's kind, and a number that its bounds and its rounding give.
-template <class T>
-std::string words_of(const Shape<T>& shape) {
-  const Aabb<T> box = bounds(shape, Pose<T>{});
-  const T numbers[] = {box.lower.x, box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z, shape.rounding()};
-  return shape.name() + (" #" + std::to_string(checksum({reinterpret_cast<const char*>(numbers), sizeof numbers})));
 }
 
 }  // namespace

@@ -77,6 +77,15 @@ TEST_F(WholeFiles, AreWrittenThroughLinks) {
   EXPECT_EQ(files(), 5U);
 }
 
+TEST_F(WholeFiles, ALinkOfThePartialNameIsNotFollowed) {
+  write_file(folder / "precious.txt", "kept");
+  fs::create_symlink("precious.txt", folder / "a.txt.partial");
+  write_file(folder / "a.txt", "new");
+  EXPECT_EQ(bytes_of(folder / "precious.txt"), "kept");
+  EXPECT_EQ(bytes_of(folder / "a.txt"), "new");
+  EXPECT_FALSE(fs::is_symlink(folder / "a.txt"));
+}
+
 TEST_F(WholeFiles, KeepThePermissionsOfWhatWasThere) {
   const fs::path file = folder / "secret.txt";
   write_file(file, "old");

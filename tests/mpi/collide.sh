@@ -52,6 +52,8 @@ case $case in
     town town.gltf --tiles 3 2 --bodies 6
     expect 2 ranks 1 "$graze_mpi" collide town.gltf : -n 2 "$other" collide town.gltf; said "expected what rank 0 has"
     expect 2 ranks 1 "$graze_mpi" collide town.gltf : -n 1 "$graze_mpi" collide town.gltf --precision float; said "float"
+    expect 2 ranks 2 "$graze_mpi" collide town.gltf --svg a.svg : -n 1 "$graze_mpi" collide town.gltf
+    said "the files to write"
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --svg nowhere/a.svg; said "nowhere/a.svg"
     expect 2 ranks 2 "$graze_mpi" collide town.gltf --margin -1; said "--margin"
     echo '{"asset": {"version": "2.0"}}' >nothing.gltf # no body on any rank

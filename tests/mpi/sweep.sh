@@ -99,6 +99,9 @@ case $case in
     expect 1 ranks 2 "$graze_mpi" query questions --out answers.link --precision float
     [[ -L answers.link ]] && cmp -s expected links/real || fail "a link is gone, or leads to other answers"
     rm -r links answers.link
+    echo kept >precious; ln -s precious answers.partial # no place for half of the answers
+    expect 1 ranks 2 "$graze_mpi" query questions --out answers --precision float
+    same "a link as partial file"; [[ $(cat precious) == kept && ! -L answers ]] || fail "written through a link"
     ranks 2 "$graze_mpi" query questions --journal kept --precision float >answers 2>log; same "a journal and standard output"
     [[ ! -e kept ]] || fail "the journal is left"
     : >questions; : >expected; rm answers

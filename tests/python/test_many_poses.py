@@ -81,7 +81,8 @@ FAULT = """
 import sys
 import graze, graze.mpi
 try:
-    graze.mpi.sweep_configurations(sys.argv[1], sys.argv[2], [graze.Sphere(1)] * 3, graze.World())
+    graze.mpi.sweep_configurations(sys.argv[1], sys.argv[2], [graze.Sphere(1)] * 3, graze.World(),
+                                     limit=float(sys.argv[3]))
 except graze.mpi.CommonError as error:
     sys.stdout.write(f"told: {error}\\n")
 """
@@ -90,10 +91,11 @@ except graze.mpi.CommonError as error:
 def test_a_fault_is_told_on_every_rank(example, tmp_path):
     (tmp_path / "fault.py").write_text(FAULT)
     (tmp_path / "torn").write_bytes(bytes(100))
-    for poses, words in ((tmp_path / "none", "cannot be opened"), (tmp_path / "torn", "records of 168 bytes")):
+    for poses, limit, words in (("none", "1", "cannot be opened"), ("torn", "1", "records of 168 bytes"),
+                                ("torn", "nan", "limit: expected a number >= 0, got nan")):
         told = subprocess.run(
-            ["mpirun", "--oversubscribe", "-n", "3", sys.executable, "-m", "mpi4py", str(tmp_path / "fault.py"), str(poses),
-             str(tmp_path / "out")], check=True, timeout=60, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE).stdout
+            ["mpirun", "--oversubscribe", "-n", "3", sys.executable, "-m", "mpi4py", str(tmp_path / "fault.py"),
+             str(tmp_path / poses), str(tmp_path / "out"), limit], check=True, timeout=60, env=ENVIRONMENT, text=True, stdout=subprocess.PIPE).stdout
         assert told.count("told: ") == 3 and told.count(words) == 3, told
     assert not (tmp_path / "out").exists()
 
