@@ -2,8 +2,11 @@
 //
 // A body that met something is held back at the moment of contact, and goes on from there in the next step, which finds
 // the contact. Both of two that move are asked by `World::find_impacts`, turning included, so that rods do not pass
-// posts nor bullets each other.
+// posts nor bullets each other. Bodies that hard joints hold together are held back together, at the first contact that
+// any of them makes: alone it would be torn off the others, which gives them energy when they pull it back.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "dynamics/simulation_parts.hpp"
 
@@ -51,6 +54,69 @@ std::vector<std::uint8_t> pushed_bodies(const SimulationParts<T, Space>& parts) 
   for (const JointPlace<T, Space>& joint : parts.joints)
     if (joint.alive) pushed[joint.in_place.a] = pushed[joint.in_place.b] = 1;
   return pushed;
+}
+
+/// The part of what gravity `g` gave a body in the time `late` that is taken from its velocity v where it is set back by
+/// `way`, so that it keeps its energy: v becomes v - part · g late. All of it where the body flew freely, nothing where
+/// it neither rose nor fell.
+template <class T, class Vec>
+T part_given_back(const Vec& v, const Vec& g, const Vec& way, T late) {
+  // Half of |g late|² part² - 2 v · g late part + 2 g · way = 0.
+  const Vec gained = g * late;
+  const T a = dot(gained, gained) / T(2), b = dot(v, gained), c = dot(g, way);
+  if (!(a > T(0)) || (c > T(0) && !(b > T(0)))) return T(0);
+  const T root = std::sqrt(greatest(T(0), b * b - T(4) * a * c));
+  return least(T(1), c > T(0) ? T(2) * c / (b + root) : (b + root) / (T(2) * a));
+}
+
+/// Whether a joint holds anything without giving way.
+template <class T, class Space>
+bool is_hard(const Joint<T, Space>& joint) {
+  return std::any_of(joint.limits.begin(), joint.limits.end(),
+                     [](const JointLimit<T>& limit) { return !limit.stiffness; });
+}
+
+/// Gives bodies that are joined the earliest of their `ends`. Returns which bodies are joined to anything.
+template <class T, class Space>
+std::vector<std::uint8_t> end_together(const SimulationParts<T, Space>& parts, std::span<T> ends) {
+  std::vector<std::uint8_t> joined(parts.bodies.size(), 0);
+  std::vector<IslandLink> links;
+  for (const JointPlace<T, Space>& place : parts.joints) {
+    if (!place.alive || !is_hard(place.in_place.joint)) continue;
+    const std::uint32_t a = place.in_place.a, b = place.in_place.b;
+    if (parts.movable[a] == 0 && parts.movable[b] == 0) continue;
+    links.push_back({a, b});
+    for (const std::uint32_t i : {a, b}) joined[i] |= parts.movable[i];
+  }
+  if (links.empty()) return joined;
+  Islands groups;
+  groups.find(joined, links);
+  for (const Islands::Range& group : groups.ranges()) {
+    T first = std::numeric_limits<T>::infinity();
+    for (const std::uint32_t i : groups.bodies_of(group)) first = least(first, ends[i]);
+    for (const std::uint32_t i : groups.bodies_of(group)) ends[i] = first;
+  }
+  return joined;
+}
+
+/// How a body that is held back came to where it was.
+struct HeldBody {
+  bool joined, pushed;  ///< by a hard joint; by contacts or joints, in this step
+};
+
+/// Puts a body where it was `late` ago. What flew freely has the speed that it had then, and no more from a fall that
+/// was not.
+template <class T, class Space>
+void set_back(SimulationParts<T, Space>& parts, std::uint32_t index, const typename Space::Pose& at, T late,
+              const HeldBody& held) {
+  SimulatedBody<T, Space>& body = parts.bodies[index];
+  const MotionIn<Space> end = parts.motion(index);
+  const typename Space::Vec acceleration = parts.settings.gravity * body.gravity_factor;
+  parts.place(index, at, {});
+  T part = held.pushed ? T(0) : T(1);
+  if (held.joined) part = part_given_back<T>(end.linear, acceleration, end.center - body.free.center, late);
+  body.free.linear = part > T(0) ? end.linear - acceleration * (late * part) : end.linear;
+  set_angular_velocity(body.free, end.angular);
 }
 
 }  // namespace
@@ -101,32 +167,26 @@ void SimulationParts<T, Space>::hold_back(T dt) {
       if (bodies[i].movable && time < first[i].time)
         first[i] = {time, i == a ? b : a, impact.hit.point, impact.hit.normal};
   }
+  std::vector<T> ends(bodies.size(), dt);
   for (const std::uint32_t i : fast) {
     world.set_fast(world.bodies().id(i), false);
-    any = any || first[i].time < dt;
+    ends[i] = first[i].time;
+    any = any || ends[i] < dt;
   }
   if (!any) return;
+  const std::vector<std::uint8_t> joined = end_together<T, Space>(*this, ends);
   const std::vector<std::uint8_t> pushed = pushed_bodies(*this);
-  const auto end_of = [&](std::uint32_t i) {
-    return std::binary_search(fast.begin(), fast.end(), i) ? first[i].time : dt;
-  };
-  for (const std::uint32_t i : fast) {
-    const Meeting<T, Space>& meeting = first[i];
-    if (!(meeting.time < dt)) continue;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (!(ends[i] < dt)) continue;
     ++last.stopped;
-    typename Space::Pose at = pose_at(found_at[i], mean[i], meeting.time);
-    // What it met may go on: it stays in touch, along the normal.
-    const typename Space::Vec carried = speed_of(meeting.other, meeting.point, meeting.time);
-    const T rest = greatest(T(0), end_of(meeting.other) - meeting.time);
-    at.translation += meeting.normal * (dot(carried, meeting.normal) * rest);
-    SimulatedBody<T, Space>& body = bodies[i];
-    const typename Space::Turning angular = motion(i).angular;
-    typename Space::Vec linear = body.free.linear;
-    // What flew freely has the speed that it had then, and no more from a fall that was not.
-    if (pushed[i] == 0) linear -= (settings.gravity * body.gravity_factor) * (dt - meeting.time);
-    place(i, at, {});
-    body.free.linear = linear;
-    set_angular_velocity(body.free, angular);
+    typename Space::Pose at = pose_at(found_at[i], mean[i], ends[i]);
+    if (joined[i] == 0) {  // What it met may go on: it stays in touch, along the normal.
+      const Meeting<T, Space>& meeting = first[i];
+      const typename Space::Vec carried = speed_of(meeting.other, meeting.point, meeting.time);
+      const T rest = greatest(T(0), ends[meeting.other] - meeting.time);
+      at.translation += meeting.normal * (dot(carried, meeting.normal) * rest);
+    }
+    set_back<T, Space>(*this, i, at, dt - ends[i], {joined[i] != 0, pushed[i] != 0});
   }
 }
 

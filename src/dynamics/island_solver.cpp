@@ -22,6 +22,13 @@ constexpr T calm_sink = T(0.25);
 template <class T>
 constexpr T fall_in_sub_step = T(0.02);
 
+/// Passes that relax the velocities of an island with both contacts and joints. A contact does not know what joints hang
+/// on its bodies: one pass takes back too little or too much of a blow's impulse, which the next sub-step begins with,
+/// and the blow is given once more. Measured in 393 chains of 3 to 27 links that collide, the last up to a hundred times
+/// as heavy: with one pass the energy rises by up to a tenth of what they can fall, with two by 0.035, with four by
+/// 0.007.
+constexpr int passes_among_joints = 4;
+
 /// Bodies, and chunks of contacts, of an island that a task has: enough that to hand it out costs little beside.
 constexpr std::size_t bodies_per_block = 64, chunks_per_task = 4;
 
@@ -235,6 +242,7 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
   time.joined_by_mean = by_mean_ = contacts_.empty() && joint_system_.holds_all();
   for (JointRows<T, Space>& joint : joints_) joint.set_step(time);
   const ContactStep<T> contact = contact_step(time, gravity);
+  const int relaxing_passes = joints_.empty() || contacts_.empty() ? 1 : passes_among_joints;
   for (int s = 0; s < sub_steps_; ++s) {
     begin_sub_step(time);
     for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -247,7 +255,7 @@ void IslandSolver<T, Space>::solve(std::span<const SolverPoint<T, Space>> points
     solve_rows(contact, true);
     move(time);
     if (by_mean_) arrive();
-    solve_rows(contact, false);
+    for (int pass = 0; pass < relaxing_passes; ++pass) solve_rows(contact, false);
     end_sub_step();
   }
   find_residual();
