@@ -202,15 +202,19 @@ void IslandSolver<T, Space>::end_sub_step() {
 template <class T, class Space>
 void IslandSolver<T, Space>::solve_joints(bool bias) {
   joint_system_.solve(joints_, bodies_, bias);
+  bool driven = false;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     SolverBody<T, Space>&a = bodies_[joint_bodies_[j].first], &b = bodies_[joint_bodies_[j].second];
     if (!joint_system_.holds(j)) joints_[j].solve_loop(a, b, bias);
     joints_[j].solve_free(a, b, bias);
+    driven = driven || !joints_[j].all_locked();
     if (bias && !by_mean_) {
       a.tie();
       b.tie();
     }
   }
+  // A drive or bound knows what its own joint locks; what it pushes the others of a linkage would swing itself up.
+  if (driven && joints_.size() > 1) joint_system_.solve(joints_, bodies_, bias);
 }
 
 /// The rows of joints where bodies are at the end of the sub-step.

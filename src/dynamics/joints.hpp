@@ -108,6 +108,8 @@ class JointRows {
   /// The locked rows, and by how much their rates are to change: with `bias` errors of position are corrected (see
   /// `SubStep`), otherwise velocities alone.
   std::size_t locked() const { return locked_; }
+  /// Whether it has neither bounds nor drives.
+  bool all_locked() const { return locked_ == rows_.size(); }
   const MeasuredRow<T, Space>& locked_row(std::size_t i) const { return rows_[i].at; }
   T locked_impulse(std::size_t i) const { return rows_[i].impulse; }
   std::array<T, most_locked> wanted(const SolverBody<T, Space>& a, const SolverBody<T, Space>& b, bool bias) const;
