@@ -105,6 +105,7 @@ struct Calls {
   GrazeShapef* small = nullptr;
   GrazeBufferd* buffer = nullptr;
   GrazeTrace* trace = nullptr;
+  GrazeBroadPhased* broad = nullptr;
   GrazeWorldd* world = nullptr;
   GrazePlaneWorldd* plane_world = nullptr;
   GrazeSimulationd* simulation = nullptr;
@@ -140,6 +141,7 @@ struct Calls {
     graze_world_destroy_d(world);
     graze_plane_world_destroy_d(plane_world);
     graze_buffer_destroy_d(buffer);
+    graze_broad_phase_destroy_d(broad);
     graze_trace_destroy(trace);
     if (!captured) return;
     for (const std::string& file : files) {
@@ -253,6 +255,51 @@ struct Calls {
     if (masses < 1 && in.byte() < 64) ++masses, told(graze_shape_mass_properties_d(s, in.maybe(&mass)));
     told(graze_shape_kind_d(s, in.maybe(&kind)));
     if (told(graze_closest_d(s, &pose, in.vector(), &closest))) require(closest.certainty <= GRAZE_UNBOUNDED);
+  }
+
+  void ask_hull() {
+    const GrazeShaped* s = shape();
+    const GrazeVec3d* vertices;
+    const GrazeHullLayer* layers;
+    GrazeSupportTrace steps;
+    std::size_t count = 0;
+    if (told(graze_hull_vertices_d(s, in.maybe(&vertices), &count))) require(count > 0);
+    if (told(graze_hull_layers_d(s, in.maybe(buffer), in.maybe(&layers), &count))) require(count > 0);
+    if (told(graze_hull_support_d(s, in.vector(), in.maybe(buffer), in.maybe(&steps))))
+      require(steps.layers[steps.layer_count - 1].winner == steps.vertex);
+  }
+
+  GrazeAabbd box() {
+    const GrazeVec3d lower = in.vector();
+    return {lower, {lower.x + in.length(), lower.y + in.length(), lower.z + in.length()}};
+  }
+
+  void ask_broad_phase() {
+    if (broad == nullptr) told(graze_broad_phase_create_d(in.choice<GrazeBroadPhaseKind>(6), in.maybe(&broad)));
+    const GrazeAabbd around = box();
+    const std::uint32_t id = in.byte() % 16;
+    const GrazeIdPair* pairs;
+    const std::uint32_t* ids;
+    const GrazeBroadPhasePartd* parts;
+    std::size_t count = 0;
+    switch (in.byte() % 8) {
+    case 0:
+    case 1: told(graze_broad_phase_insert_d(broad, id, in.maybe(&around))); break;
+    case 2: told(graze_broad_phase_move_d(broad, id, in.maybe(&around))); break;
+    case 3: told(graze_broad_phase_remove_d(broad, id)); break;
+    case 4:
+      if (told(graze_broad_phase_moved_pairs_d(broad, buffer, in.maybe(&pairs), &count)))
+        for (std::size_t i = 0; i < count; ++i) require(pairs[i].a < pairs[i].b);
+      break;
+    case 5:
+      told(graze_broad_phase_sweep_d(broad, in.maybe(&around), in.vector(), buffer, &ids, in.maybe(&count)));
+      break;
+    case 6: told(graze_broad_phase_parts_d(broad, in.maybe(buffer), in.maybe(&parts), &count)); break;
+    default:
+      told(graze_broad_phase_pairs_d(broad, in.maybe(buffer), &pairs, &count));
+      if (told(graze_broad_phase_query_d(broad, in.maybe(&around), buffer, &ids, &count)) && count > 0)
+        require(graze_broad_phase_insert_d(broad, ids[0], &around) == GRAZE_INVALID_VALUE);
+    }
   }
 
   void ask_pair() {
@@ -486,6 +533,16 @@ struct Calls {
     const GrazePlaneRayd ray = {{in.number(), in.number()}, {in.number(), in.number()}};
     GrazePlaneRayHitd hit;
     told(graze_plane_raycast_d(a, &pose_a, &ray, in.length(), in.maybe(&yes), &hit));
+    const GrazePlaneRayHitd* hits;
+    const GrazePlaneCastHitd* casts;
+    GrazePlaneMassPropertiesd mass;
+    std::size_t count = 0;
+    told(graze_plane_shape_mass_properties_d(a, in.maybe(&mass)));
+    told(graze_plane_raycast_any_d(b, in.maybe(&pose_b), &ray, in.length(), in.maybe(&yes)));
+    told(graze_plane_raycast_all_d(b, &pose_b, in.maybe(&ray), in.length(), in.maybe(buffer), &hits, &count));
+    const GrazePlaneMovingd fast = {a, pose_a, {{in.number(), 1}, 0}}, still = {b, pose_b, {{0, 0}, 0}};
+    told(graze_plane_cast_all_d(in.maybe(&fast), &still, 1, in.choice<GrazeSeparating>(2), in.maybe(buffer), &casts,
+                                &count));
   }
 
   void change_plane_world() {
@@ -594,7 +651,7 @@ struct Calls {
   }
 
   void run() {
-    for (int calls = 0; calls < 40 && !in.empty(); ++calls) switch (in.byte() % 14) {
+    for (int calls = 0; calls < 40 && !in.empty(); ++calls) switch (in.byte() % 16) {
       case 0:
       case 1:
       case 2: make_shape(); break;
@@ -608,6 +665,8 @@ struct Calls {
       case 10: change_simulation(); break;
       case 11: change_plane_world(); break;
       case 12: change_plane_simulation(); break;
+      case 13: ask_hull(); break;
+      case 14: ask_broad_phase(); break;
       default: plane();
       }
   }

@@ -18,6 +18,10 @@
 
 #include "c/queries.inc"
 
+#include "c/hulls.inc"
+
+#include "c/broad.inc"
+
 #include "c/impulse.inc"
 
 #include "c/batches.inc"

@@ -588,7 +588,7 @@ export class BroadPhase extends Handle {
   parts(): (Aabb & { depth: number })[];
   /**
    * How many boxes there are, how many pairs the last `pairs` or `movedPairs` found, how many boxes it compared with
-   * another (up to 4,294,967,295), and bytes held.
+   * another, and bytes held.
    */
   counts(): { boxes: number; pairs: number; tests: number; memory: number };
 }
@@ -888,6 +888,8 @@ export declare namespace plane {
     readonly kind: ShapeKind;
     readonly rounding: number;
     bounds(pose?: PoseLike): { lower: Vec2; upper: Vec2 };
+    /** Of density one, about `center`; area 0 of what has none. */
+    massProperties(): { area: number; center: Vec2; inertia: number };
     rounded(rounding: number): Shape;
   }
   class Circle extends Shape {
@@ -1157,7 +1159,10 @@ export declare namespace plane {
   function featureCorners(shape: Shape, feature: number, piece?: number): Vec2[];
   function closest(shape: Shape, pose: PoseLike, point: ArrayLike<number>): Closest;
   function raycast(shape: Shape, pose: PoseLike, ray: Ray): RayHit | null;
+  function raycastAny(shape: Shape, pose: PoseLike, ray: Ray): boolean;
+  function raycastAll(shape: Shape, pose: PoseLike, ray: Ray): RayHit[];
   function cast(a: Moving, b: Moving, options?: CastOptions): CastHit | null;
+  function castAll(a: Moving, b: Moving, options?: CastOptions): CastHit[];
   function poseAt(moving: Omit<Moving, "shape">, t: number): Pose;
   /** A shape of the plane as a question of the protocol has it. Throws `InvalidValue` for a UserConvex. */
   function protocolShape(shape: Shape): ProtocolShape;

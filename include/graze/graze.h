@@ -126,6 +126,42 @@ typedef struct GrazeIdPair {
   uint32_t a, b;
 } GrazeIdPair;
 
+// Which structure finds the boxes that overlap (graze/broad_phase.hpp says what each is good for); all find the same.
+typedef enum GrazeBroadPhaseKind GRAZE_AS_INT {
+  GRAZE_DYNAMIC_TREE = 0,  // the one to take unless something speaks for another
+  GRAZE_SORT_AND_SWEEP = 1,
+  GRAZE_SWEEP_AND_PRUNE = 2,
+  GRAZE_HASHED_GRID = 3,
+  GRAZE_LOOSE_OCTREE = 4,
+  GRAZE_BSP = 5
+} GrazeBroadPhaseKind;
+
+// One layer of a convex hull's hierarchy (graze/shape/support_trace.hpp): the hull of some of its vertices, or all of it.
+typedef struct GrazeHullLayer {
+  const uint32_t *vertices;  // numbers of the hull's vertices
+  size_t vertex_count;
+  const uint32_t *edges;  // two ends each, by numbers of the hull's vertices
+  size_t edge_count;
+} GrazeHullLayer;
+
+// One layer of a support query's descent.
+typedef struct GrazeSupportLayer {
+  size_t vertices;            // how many the layer has
+  const uint32_t *looked_at;  // vertices whose product with the direction was taken, in that order
+  const double *along;        // these products
+  size_t looked_at_count;
+  uint32_t winner;  // the furthest of the layer
+} GrazeSupportLayer;
+
+// The steps of one support query.
+typedef struct GrazeSupportTrace {
+  const GrazeSupportLayer *layers;  // the coarsest first, the hull itself last
+  size_t layer_count;
+  bool scanned;     // every vertex was looked at: hulls of up to 32 vertices, and flat ones
+  uint32_t vertex;  // the answer
+  size_t products;  // of all layers together
+} GrazeSupportTrace;
+
 // A body of a world: the index in all of its arrays, and how often the index was given away before.
 typedef struct GrazeBodyId {
   uint32_t index, generation;
@@ -522,6 +558,21 @@ typedef struct GrazeMassPropertiesd {
 
 GRAZE_C_API GrazeStatus graze_shape_mass_properties_d(const GrazeShaped *shape, GrazeMassPropertiesd *properties);
 
+// Room for answers of no fixed number, which grows where it must and is used again by the next question. What a
+// function says that it gave belongs to the buffer and is valid until that is used again or destroyed.
+typedef struct GrazeBufferd GrazeBufferd;
+
+GRAZE_C_API GrazeStatus graze_buffer_create_d(GrazeBufferd **buffer);
+GRAZE_C_API void graze_buffer_destroy_d(GrazeBufferd *buffer);
+
+// Convex hulls alone (graze/shape/support_trace.hpp). The vertices belong to the shape; the layers of its hierarchy, the
+// coarsest first, and what a support query along `direction` looked at, to the buffer.
+GRAZE_C_API GrazeStatus graze_hull_vertices_d(const GrazeShaped *shape, const GrazeVec3d **vertices, size_t *count);
+GRAZE_C_API GrazeStatus graze_hull_layers_d(const GrazeShaped *shape, GrazeBufferd *buffer,
+                                            const GrazeHullLayer **layers, size_t *count);
+GRAZE_C_API GrazeStatus graze_hull_support_d(const GrazeShaped *shape, GrazeVec3d direction, GrazeBufferd *buffer,
+                                             GrazeSupportTrace *trace);
+
 // Answers -------------------------------------------------------------------------------------------------------------
 
 typedef struct GrazeDistanced {
@@ -604,13 +655,6 @@ typedef struct GrazeCastHitd {
   uint8_t certainty;
   uint32_t piece_a, piece_b;
 } GrazeCastHitd;
-
-// Room for answers of no fixed number, which grows where it must and is used again by the next question. What a
-// function says that it gave belongs to the buffer and is valid until that is used again or destroyed.
-typedef struct GrazeBufferd GrazeBufferd;
-
-GRAZE_C_API GrazeStatus graze_buffer_create_d(GrazeBufferd **buffer);
-GRAZE_C_API void graze_buffer_destroy_d(GrazeBufferd *buffer);
 
 // Questions about two shapes (graze/query.hpp, graze/cast.hpp) --------------------------------------------------------
 
@@ -804,6 +848,45 @@ GRAZE_C_API GrazeStatus graze_raycast_batch_d(const GrazeShaped *shape, const Gr
 GRAZE_C_API GrazeStatus graze_cast_batch_d(const GrazeMovingd *a, size_t a_stride, const GrazeMovingd *b,
                                            size_t b_stride, size_t count, double duration, GrazeSeparating separating,
                                            uint8_t *found, size_t found_stride, GrazeCastHitd *hits, size_t hit_stride);
+
+// Broad phases (graze/broad_phase.hpp) --------------------------------------------------------------------------------
+//
+// Which of many boxes overlap, found by one of several structures: boxes under ids of the caller's own, and no shapes.
+// Ids that lie close together cost least. Answers are sorted, live in the buffer, and are the same for every structure.
+
+typedef struct GrazeBroadPhased GrazeBroadPhased;
+
+// A part of the structure: the bounds of a node, or a cell, and how deep it lies below the root (0).
+typedef struct GrazeBroadPhasePartd {
+  GrazeAabbd box;
+  uint32_t depth;
+} GrazeBroadPhasePartd;
+
+GRAZE_C_API GrazeStatus graze_broad_phase_create_d(GrazeBroadPhaseKind kind, GrazeBroadPhased **broad);
+GRAZE_C_API void graze_broad_phase_destroy_d(GrazeBroadPhased *broad);
+
+// A box under an id that is not in use; sides may be infinite.
+GRAZE_C_API GrazeStatus graze_broad_phase_insert_d(GrazeBroadPhased *broad, uint32_t id, const GrazeAabbd *box);
+GRAZE_C_API GrazeStatus graze_broad_phase_move_d(GrazeBroadPhased *broad, uint32_t id, const GrazeAabbd *box);
+GRAZE_C_API GrazeStatus graze_broad_phase_remove_d(GrazeBroadPhased *broad, uint32_t id);
+
+// All pairs that overlap, the smaller id first; then only those of which one was inserted or moved since either was
+// called.
+GRAZE_C_API GrazeStatus graze_broad_phase_pairs_d(GrazeBroadPhased *broad, GrazeBufferd *buffer,
+                                                  const GrazeIdPair **pairs, size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_moved_pairs_d(GrazeBroadPhased *broad, GrazeBufferd *buffer,
+                                                        const GrazeIdPair **pairs, size_t *count);
+// The boxes that overlap `box`, and those that it touches while it moves by `motion`; a point as `box` makes it a ray.
+GRAZE_C_API GrazeStatus graze_broad_phase_query_d(const GrazeBroadPhased *broad, const GrazeAabbd *box,
+                                                  GrazeBufferd *buffer, const uint32_t **ids, size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_sweep_d(const GrazeBroadPhased *broad, const GrazeAabbd *box,
+                                                  GrazeVec3d motion, GrazeBufferd *buffer, const uint32_t **ids,
+                                                  size_t *count);
+// The structure as it is now, parents before their children, for drawing; sorted axes have no parts.
+GRAZE_C_API GrazeStatus graze_broad_phase_parts_d(const GrazeBroadPhased *broad, GrazeBufferd *buffer,
+                                                  const GrazeBroadPhasePartd **parts, size_t *count);
+// For comparison of structures: how many boxes the last call for pairs compared with another, and bytes held.
+GRAZE_C_API GrazeStatus graze_broad_phase_counts_d(const GrazeBroadPhased *broad, uint64_t *tests, size_t *bytes);
 
 // Worlds (graze/world.hpp) --------------------------------------------------------------------------------------------
 
@@ -1185,6 +1268,16 @@ GRAZE_C_API GrazeStatus graze_plane_shape_rounding_d(const GrazePlaneShaped *sha
 GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                    GrazeAabb2d *bounds);
 
+// Of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 of what has none.
+typedef struct GrazePlaneMassPropertiesd {
+  double area;
+  GrazeVec2d center;
+  double inertia;
+} GrazePlaneMassPropertiesd;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_mass_properties_d(const GrazePlaneShaped *shape,
+                                                            GrazePlaneMassPropertiesd *properties);
+
 typedef struct GrazePlaneDistanced {
   double distance;
   GrazeVec2d normal, a, b;
@@ -1279,8 +1372,16 @@ GRAZE_C_API GrazeStatus graze_plane_closest_d(const GrazePlaneShaped *shape, con
 GRAZE_C_API GrazeStatus graze_plane_raycast_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                               const GrazePlaneRayd *ray, double length, bool *found,
                                               GrazePlaneRayHitd *hit);
+GRAZE_C_API GrazeStatus graze_plane_raycast_any_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                  const GrazePlaneRayd *ray, double length, bool *found);
+GRAZE_C_API GrazeStatus graze_plane_raycast_all_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
+                                                  const GrazePlaneRayd *ray, double length, GrazeBufferd *buffer,
+                                                  const GrazePlaneRayHitd **hits, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_cast_d(const GrazePlaneMovingd *a, const GrazePlaneMovingd *b, double duration,
                                            GrazeSeparating separating, bool *found, GrazePlaneCastHitd *hit);
+GRAZE_C_API GrazeStatus graze_plane_cast_all_d(const GrazePlaneMovingd *a, const GrazePlaneMovingd *b, double duration,
+                                               GrazeSeparating separating, GrazeBufferd *buffer,
+                                               const GrazePlaneCastHitd **hits, size_t *count);
 // Explained, as the questions in space.
 GRAZE_C_API GrazeStatus graze_plane_overlap_explained_d(const GrazePlaneShaped *a, const GrazePose2d *pose_a,
                                                         const GrazePlaneShaped *b, const GrazePose2d *pose_b,
@@ -1760,6 +1861,17 @@ typedef struct GrazeMassPropertiesf {
 
 GRAZE_C_API GrazeStatus graze_shape_mass_properties_f(const GrazeShapef *shape, GrazeMassPropertiesf *properties);
 
+typedef struct GrazeBufferf GrazeBufferf;
+
+GRAZE_C_API GrazeStatus graze_buffer_create_f(GrazeBufferf **buffer);
+GRAZE_C_API void graze_buffer_destroy_f(GrazeBufferf *buffer);
+
+GRAZE_C_API GrazeStatus graze_hull_vertices_f(const GrazeShapef *shape, const GrazeVec3f **vertices, size_t *count);
+GRAZE_C_API GrazeStatus graze_hull_layers_f(const GrazeShapef *shape, GrazeBufferf *buffer,
+                                            const GrazeHullLayer **layers, size_t *count);
+GRAZE_C_API GrazeStatus graze_hull_support_f(const GrazeShapef *shape, GrazeVec3f direction, GrazeBufferf *buffer,
+                                             GrazeSupportTrace *trace);
+
 typedef struct GrazeDistancef {
   float distance;
   GrazeVec3f normal;
@@ -1837,11 +1949,6 @@ typedef struct GrazeCastHitf {
   uint8_t certainty;
   uint32_t piece_a, piece_b;
 } GrazeCastHitf;
-
-typedef struct GrazeBufferf GrazeBufferf;
-
-GRAZE_C_API GrazeStatus graze_buffer_create_f(GrazeBufferf **buffer);
-GRAZE_C_API void graze_buffer_destroy_f(GrazeBufferf *buffer);
 
 GRAZE_C_API GrazeStatus graze_overlap_f(const GrazeShapef *a, const GrazePosef *pose_a, const GrazeShapef *b,
                                         const GrazePosef *pose_b, bool *overlap);
@@ -1991,6 +2098,33 @@ GRAZE_C_API GrazeStatus graze_raycast_batch_f(const GrazeShapef *shape, const Gr
 GRAZE_C_API GrazeStatus graze_cast_batch_f(const GrazeMovingf *a, size_t a_stride, const GrazeMovingf *b,
                                            size_t b_stride, size_t count, float duration, GrazeSeparating separating,
                                            uint8_t *found, size_t found_stride, GrazeCastHitf *hits, size_t hit_stride);
+
+typedef struct GrazeBroadPhasef GrazeBroadPhasef;
+
+typedef struct GrazeBroadPhasePartf {
+  GrazeAabbf box;
+  uint32_t depth;
+} GrazeBroadPhasePartf;
+
+GRAZE_C_API GrazeStatus graze_broad_phase_create_f(GrazeBroadPhaseKind kind, GrazeBroadPhasef **broad);
+GRAZE_C_API void graze_broad_phase_destroy_f(GrazeBroadPhasef *broad);
+
+GRAZE_C_API GrazeStatus graze_broad_phase_insert_f(GrazeBroadPhasef *broad, uint32_t id, const GrazeAabbf *box);
+GRAZE_C_API GrazeStatus graze_broad_phase_move_f(GrazeBroadPhasef *broad, uint32_t id, const GrazeAabbf *box);
+GRAZE_C_API GrazeStatus graze_broad_phase_remove_f(GrazeBroadPhasef *broad, uint32_t id);
+
+GRAZE_C_API GrazeStatus graze_broad_phase_pairs_f(GrazeBroadPhasef *broad, GrazeBufferf *buffer,
+                                                  const GrazeIdPair **pairs, size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_moved_pairs_f(GrazeBroadPhasef *broad, GrazeBufferf *buffer,
+                                                        const GrazeIdPair **pairs, size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_query_f(const GrazeBroadPhasef *broad, const GrazeAabbf *box,
+                                                  GrazeBufferf *buffer, const uint32_t **ids, size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_sweep_f(const GrazeBroadPhasef *broad, const GrazeAabbf *box,
+                                                  GrazeVec3f motion, GrazeBufferf *buffer, const uint32_t **ids,
+                                                  size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_parts_f(const GrazeBroadPhasef *broad, GrazeBufferf *buffer,
+                                                  const GrazeBroadPhasePartf **parts, size_t *count);
+GRAZE_C_API GrazeStatus graze_broad_phase_counts_f(const GrazeBroadPhasef *broad, uint64_t *tests, size_t *bytes);
 
 typedef struct GrazeWorldf GrazeWorldf;
 
@@ -2308,6 +2442,15 @@ GRAZE_C_API GrazeStatus graze_plane_shape_rounding_f(const GrazePlaneShapef *sha
 GRAZE_C_API GrazeStatus graze_plane_shape_bounds_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                                    GrazeAabb2f *bounds);
 
+typedef struct GrazePlaneMassPropertiesf {
+  float area;
+  GrazeVec2f center;
+  float inertia;
+} GrazePlaneMassPropertiesf;
+
+GRAZE_C_API GrazeStatus graze_plane_shape_mass_properties_f(const GrazePlaneShapef *shape,
+                                                            GrazePlaneMassPropertiesf *properties);
+
 typedef struct GrazePlaneDistancef {
   float distance;
   GrazeVec2f normal, a, b;
@@ -2401,8 +2544,16 @@ GRAZE_C_API GrazeStatus graze_plane_closest_f(const GrazePlaneShapef *shape, con
 GRAZE_C_API GrazeStatus graze_plane_raycast_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
                                               const GrazePlaneRayf *ray, float length, bool *found,
                                               GrazePlaneRayHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_raycast_any_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                  const GrazePlaneRayf *ray, float length, bool *found);
+GRAZE_C_API GrazeStatus graze_plane_raycast_all_f(const GrazePlaneShapef *shape, const GrazePose2f *pose,
+                                                  const GrazePlaneRayf *ray, float length, GrazeBufferf *buffer,
+                                                  const GrazePlaneRayHitf **hits, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_cast_f(const GrazePlaneMovingf *a, const GrazePlaneMovingf *b, float duration,
                                            GrazeSeparating separating, bool *found, GrazePlaneCastHitf *hit);
+GRAZE_C_API GrazeStatus graze_plane_cast_all_f(const GrazePlaneMovingf *a, const GrazePlaneMovingf *b, float duration,
+                                               GrazeSeparating separating, GrazeBufferf *buffer,
+                                               const GrazePlaneCastHitf **hits, size_t *count);
 GRAZE_C_API GrazeStatus graze_plane_overlap_explained_f(const GrazePlaneShapef *a, const GrazePose2f *pose_a,
                                                         const GrazePlaneShapef *b, const GrazePose2f *pose_b,
                                                         bool *overlap, GrazeTrace *trace);

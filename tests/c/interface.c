@@ -622,7 +622,43 @@ static void test_draw(void) {
   graze_trace_destroy(trace), graze_world_destroy_d(world), graze_shape_release_d(box);
 }
 
+static void test_broad_phase(void) {
+  GrazeBroadPhased* broad = NULL;
+  GrazeBufferd* buffer;
+  OK(graze_buffer_create_d(&buffer));
+  REFUSED(graze_broad_phase_create_d((GrazeBroadPhaseKind)6, &broad), "kind: expected an enumerator from 0 to 5, got 6");
+  OK(graze_broad_phase_create_d(GRAZE_HASHED_GRID, &broad));
+  const GrazeAabbd unit = {{0, 0, 0}, {1, 1, 1}}, shifted = {{0.5, 0, 0}, {1.5, 1, 1}}, turned = {{1, 0, 0}, {0, 1, 1}};
+  const GrazeAabbd nowhere = {{0, NAN, 0}, {1, 1, 1}};
+  OK(graze_broad_phase_insert_d(broad, 4, &unit));
+  OK(graze_broad_phase_insert_d(broad, 2, &shifted));
+  REFUSED(graze_broad_phase_insert_d(broad, 2, &unit), "id: expected an id that is not in use, got 2");
+  REFUSED(graze_broad_phase_move_d(broad, 3, &unit), "id: expected an id that was inserted, got 3");
+  REFUSED(graze_broad_phase_insert_d(broad, 5, &turned), "box: expected lower <= upper on every axis, got 1 and 0");
+  const GrazeIdPair* pairs;
+  const uint32_t* ids;
+  size_t count;
+  OK(graze_broad_phase_pairs_d(broad, buffer, &pairs, &count));
+  EXPECT(count == 1 && pairs[0].a == 2 && pairs[0].b == 4);
+  REFUSED(graze_broad_phase_query_d(broad, &nowhere, buffer, &ids, &count),
+          "box: expected lower <= upper on every axis, got nan and 1");
+  REFUSED(graze_broad_phase_query_d(broad, NULL, buffer, &ids, &count), "box: expected a pointer, got null");
+  REFUSED(graze_broad_phase_sweep_d(broad, &unit, nowhere.lower, buffer, &ids, &count),
+          "motion[1]: expected a finite number, got nan");
+  OK(graze_broad_phase_remove_d(broad, 4));
+  OK(graze_broad_phase_query_d(broad, &unit, buffer, &ids, &count));
+  EXPECT(count == 1 && ids[0] == 2);
+  graze_broad_phase_destroy_d(broad), graze_broad_phase_destroy_d(NULL);
+
+  GrazeShaped* box;
+  const GrazeHullLayer* layers;
+  OK(graze_shape_box_d(unit_size, &box));
+  REFUSED(graze_hull_layers_d(box, buffer, &layers, &count), "shape: expected a convex hull, got box");
+  graze_shape_release_d(box), graze_buffer_destroy_d(buffer);
+}
+
 int main(void) {
+  test_broad_phase();
   test_version();
   test_errors();
   test_shapes();

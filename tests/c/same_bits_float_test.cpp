@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "common/specimen.hpp"
 #include "graze/graze.h"
@@ -13,6 +14,8 @@
 #define NAME(name) graze_##name##_f
 
 #include "c/same_bits.inc"
+
+#include "c/same_bits_broad.inc"
 
 #include "c/same_bits_plane_worlds.inc"
 

@@ -538,6 +538,13 @@ export const checks = [
     equal(plane.featureCorners(circle, 2 ** 14), [], "corners of a circle");
     equal(plane.raycast(box, {}, { origin: [-3, 0], direction: [1, 0] }).t, 2.5, "ray in the plane");
     close(plane.cast({ shape: box }, { shape: circle, translation: [5, 0], linear: [-8, 0] }).t, 0.5, 1e-6, "cast");
+    const both = new plane.Compound([{ shape: box, translation: [3, 0] }, { shape: box }]);
+    const along = { origin: [-3, 0], direction: [1, 0] };
+    equal(plane.raycastAll(both, {}, along).map(({ t, piece }) => [t, piece]), [[2.5, 1], [5.5, 0]], "all hits");
+    equal([plane.raycastAny(both, {}, along), plane.raycastAny(both, {}, { ...along, length: 2 })], [true, false], "any hit");
+    const times = plane.castAll({ shape: both }, { shape: circle, translation: [9, 0], linear: [-8, 0] }).map(({ t }) => t);
+    close(times, [5 / 8, 1], 1e-6, "all casts");
+    close(Object.values(box.massProperties()), [2, [0, 0], 2 * 5 / 12], 1e-12, "mass in the plane");
     equal(plane.closest(box, {}, [3, 0]).distance, 2.5, "closest in the plane");
     close(plane.poseAt({ linear: [2, 0], angular: 1 }, 0.5).rotation, 0.5, 1e-12, "pose in the plane");
     ok(plane.traced.distance(shapes[3][0], {}, box, { translation: [5, 5] }).trace.gjk.length > 0, "trace in the plane");

@@ -4,9 +4,9 @@ import { named } from "./layout.js";
 
 const kinds = ["dynamicTree", "sortAndSweep", "sweepAndPrune", "hashedGrid", "looseOctree", "bsp"];
 
-export function broadPhases(core, layout, args, Handle) {
+export function broadPhases(core, layout, args, ask, Handle) {
   const { written } = args;
-  const call = (name, ...parameters) => core.check(core.exports[`graze_js_broad_phase_${name}_${core.scalar}`](...parameters));
+  const call = (name, ...parameters) => core.call(`broad_phase_${name}`, ...parameters);
   const box = (lower, upper) => written(layout.aabb, { lower, upper }, "box");
 
   class BroadPhase extends Handle {
@@ -19,7 +19,7 @@ export function broadPhases(core, layout, args, Handle) {
           call("create", named(kinds, kind, "broadPhase.kind"), result);
           return core.data.getUint32(result, true);
         }),
-        (p) => call("destroy", p),
+        (p) => core.exports[`graze_broad_phase_destroy_${core.scalar}`](p),
       );
       this.kind = kind;
     }
@@ -35,46 +35,43 @@ export function broadPhases(core, layout, args, Handle) {
       this.#boxes -= 1;
     }
     pairs() {
-      return this.#found("pairs", 0);
+      return this.#found("pairs");
     }
     movedPairs() {
-      return this.#found("pairs", 1);
+      return this.#found("moved_pairs");
     }
     query(lower, upper) {
-      return core.frame(() => ids((first, count) => call("query", at(this), box(lower, upper), first, count)));
+      return core.frame(() => ids(1, (...to) => call("query", at(this), box(lower, upper), ...to)));
     }
     sweep(lower, upper, motion) {
       return core.frame(() =>
-        ids((first, count) => call("sweep", at(this), box(lower, upper), args.vec3(motion, "motion"), first, count)));
+        ids(1, (...to) => call("sweep", at(this), box(lower, upper), args.vec3(motion, "motion"), ...to)));
     }
     parts() {
       return core.frame(() => {
-        const [first, count] = [core.room(4), core.room(4)];
-        call("parts", at(this), first, count);
-        const all = layout.readAll(layout.broadPhasePart, core.data.getUint32(first, true), core.data.getUint32(count, true));
+        const all = ask.listed(layout.broadPhasePart, (...to) => call("parts", at(this), ...to));
         return all.map(({ box: bounds, depth }) => ({ ...bounds, depth }));
       });
     }
     counts() {
       return core.frame(() => {
-        const [tests, bytes] = [core.room(4), core.room(4)];
+        const [tests, bytes] = [core.room(8), core.room(4)];
         call("counts", at(this), tests, bytes);
-        const memory = core.data.getUint32(bytes, true);
-        return { boxes: this.#boxes, pairs: this.#pairs, tests: core.data.getUint32(tests, true), memory };
+        return {
+          boxes: this.#boxes, pairs: this.#pairs, tests: Number(core.data.getBigUint64(tests, true)),
+          memory: core.data.getUint32(bytes, true) };
       });
     }
-    #found(name, moved) {
-      const found = core.frame(() => ids((first, count) => call(name, at(this), moved, first, count)));
+    #found(name) {
+      const found = core.frame(() => ids(2, (...to) => call(name, at(this), ...to)));
       this.#pairs = found.length / 2;
       return found;
     }
   }
-  /** A copy of numbers that belong to the broad phase until it is asked again. */
-  const ids = (ask) => {
-    const first = core.room(4);
-    const count = core.room(4);
-    ask(first, count);
-    return new Uint32Array(core.data.buffer, core.data.getUint32(first, true), core.data.getUint32(count, true)).slice();
+  /** A copy of numbers that belong to the buffer until the next question: so many an answer. */
+  const ids = (each, body) => {
+    const [first, count] = ask.place(body);
+    return new Uint32Array(core.data.buffer, first, each * count).slice();
   };
   const at = (broad) => Handle.pointer(broad, "broadPhase", BroadPhase);
   return { BroadPhase };

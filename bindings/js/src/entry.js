@@ -52,7 +52,7 @@ export function queriesEntry(scalar, address) {
     ...shapes.classes,
     ...plain,
     ...batches(core, layout, args, shapes, ask, Rows, Handle),
-    ...broadPhases(core, layout, args, Handle),
+    ...broadPhases(core, layout, args, ask, Handle),
     World: worlds.World,
   };
   return { names, parts };

@@ -137,8 +137,14 @@ export function layouts(core) {
     u8, i32, u32, num, real, bool, vec3, vec2, quat, mat3, id, motion, inverseMass, filter, contacts, support, pair,
     several, struct, realVector,
     ...ofSpace,
-    plane: dimension(vec2, num, vec2, { rayHitMembers: { certainty }, inertiaMembers: { inertia: num } }),
+    plane: {
+      ...dimension(vec2, num, vec2, { rayHitMembers: { certainty }, inertiaMembers: { inertia: num } }),
+      massProperties: struct({ area: num, center: vec2, inertia: num }),
+    },
     broadPhasePart: struct({ box: ofSpace.aabb, depth: u32 }),
+    hullLayer: struct({ vertices: u32, vertexCount: u32, edges: u32, edgeCount: u32 }),
+    supportLayer: struct({ vertices: u32, lookedAt: u32, along: u32, lookedAtCount: u32, winner: u32 }),
+    supportTrace: struct({ layers: u32, layerCount: u32, scanned: bool, vertex: u32, products: u32 }),
     massProperties: struct({ volume: num, center: vec3, inertia: mat3 }),
     pieceDistance: struct({ pieceA: u32, pieceB: u32, distance: ofSpace.distance }),
     batchContacts: struct({

@@ -46,6 +46,10 @@ export function plane(core, layout, args, numbersOf, Rows, Handle) {
       return core.frame(() =>
         answered(types.aabb, (p) => core.call("plane_shape_bounds", of(this), pose(at, "pose"), p)));
     }
+    massProperties() {
+      return core.frame(() =>
+        answered(types.massProperties, (p) => core.call("plane_shape_mass_properties", of(this), p)));
+    }
     rounded(rounding) {
       return new Shape(made("rounded", () => [of(this), rounding]));
     }

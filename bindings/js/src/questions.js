@@ -30,13 +30,15 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
     buffer = core.data.getUint32(p, true);
     return buffer;
   };
-  /** An array that belongs to the buffer. */
-  const listed = (type, body) => {
+  /** Where an array begins that belongs to the buffer, and how many there are in it. */
+  const place = (body) => {
     const first = core.room(4);
     const count = core.room(4);
     body(room(), first, count);
-    return layout.readAll(type, core.data.getUint32(first, true), core.data.getUint32(count, true));
+    return [core.data.getUint32(first, true), core.data.getUint32(count, true)];
   };
+  /** What is in it. */
+  const listed = (type, body) => layout.readAll(type, ...place(body));
 
   const pointsOf = (all, m) =>
     layout.readAll(types.contactPoint, all.points + m.firstPoint * types.contactPoint.size, m.pointCount);
@@ -68,6 +70,10 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   /** In the plane nothing has a back. */
   const backs = (options) => (prefix === "" ? [back(options)] : []);
 
+  const rayAt = (shape, at, value, options) =>
+    [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
+  const moved = (a, b, options) => [moving(a, "a"), moving(b, "b"), options?.duration ?? 1, separating(options)];
+
   /** Each question by the functions whose names end so and which take `trace`, or nothing more, after the answer. */
   const asked = (ending, ...trace) => ({
     overlap: (a, poseA, b, poseB) =>
@@ -83,14 +89,10 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
       const question = [of(shape), pose(at, "pose"), written(types.vector, point, "point")];
       return answered(types.closest, (p) => call(`closest${ending}`, ...question, p, ...trace));
     },
-    raycast(shape, at, value, options) {
-      const question = [of(shape), pose(at, "pose"), ray(value), length(value), ...backs(options)];
-      return found(types.rayHit, (there, p) => call(`raycast${ending}`, ...question, there, p, ...trace));
-    },
-    cast(a, b, options) {
-      const question = [moving(a, "a"), moving(b, "b"), options?.duration ?? 1, separating(options)];
-      return found(types.castHit, (there, p) => call(`cast${ending}`, ...question, there, p, ...trace));
-    },
+    raycast: (...question) =>
+      found(types.rayHit, (there, p) => call(`raycast${ending}`, ...rayAt(...question), there, p, ...trace)),
+    cast: (...question) =>
+      found(types.castHit, (there, p) => call(`cast${ending}`, ...moved(...question), there, p, ...trace)),
   });
 
   /** What is known of shapes and their contacts without a trace. */
@@ -101,6 +103,9 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
         throw new InvalidValue(`feature: expected an integer from 0 to 65535, got ${shown(feature)}`);
       return listed(types.vector, (...to) => call("feature_corners", of(shape), piece, feature, ...to));
     },
+    raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
+    raycastAll: (...question) => listed(types.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),
+    castAll: (...question) => listed(types.castHit, (...to) => call("cast_all", ...moved(...question), ...to)),
   };
 
   /** Each function in a frame of scratch room. */
@@ -129,7 +134,7 @@ export function questions(core, layout, { prefix, types, args, of, pose }) {
   };
 
   return {
-    asked: asked(""), untraced, framed, explaining, traced, call, two, yes, found, room, listed, manifolds, contactsAt, ray, length,
+    asked: asked(""), untraced, framed, explaining, traced, call, two, yes, found, room, place, listed, manifolds, contactsAt, ray, length,
     moving, separating, back, backs };
 }
 
@@ -139,8 +144,6 @@ export function spaceQuestions(core, layout, args, shapes) {
   const { written, answered, pose } = args;
   const ask = questions(core, layout, { prefix: "", types: layout, args, of, pose });
   const { call, two, yes, listed, room, found } = ask;
-  const rayAt = (shape, at, ray, options) =>
-    [of(shape), pose(at, "pose"), ask.ray(ray), ask.length(ray), ask.back(options)];
 
   const plain = ask.framed({
     ...ask.asked,
@@ -157,12 +160,6 @@ export function spaceQuestions(core, layout, args, shapes) {
       found(layout.distance, (there, p) => call("distance_up_to", ...two(a, poseA, b, poseB), limit, there, p)),
     nearPieces: (a, poseA, b, poseB, margin) =>
       listed(layout.pieceDistance, (...to) => call("near_pieces", ...two(a, poseA, b, poseB), margin, ...to)),
-    raycastAny: (...question) => yes("raycast_any", ...rayAt(...question)),
-    raycastAll: (...question) => listed(layout.rayHit, (...to) => call("raycast_all", ...rayAt(...question), ...to)),
-    castAll(a, b, options) {
-      const question = [ask.moving(a, "a"), ask.moving(b, "b"), options?.duration ?? 1, ask.separating(options)];
-      return listed(layout.castHit, (...to) => call("cast_all", ...question, ...to));
-    },
     poseAt({ linear, angular, ...body }, t) {
       const velocity = written(layout.velocity, { linear, angular }, "velocity");
       return answered(layout.pose, (p) => call("pose_at", pose(body, "pose"), velocity, t, p));

@@ -13,7 +13,7 @@ export function wholeEntry(scalar, address) {
   const { core, layout, args, Rows, Handle, shapes, dimension, worlds } = parts;
   const { ask } = dimension;
   const simulations = simulationClasses(core, layout, dimension, worlds, Handle);
-  const { hullLayers, tracedSupport } = hullLayering(core, layout, args, shapes);
+  const { hullLayers, tracedSupport } = hullLayering(core, layout, args, ask, shapes);
   const ofPlane = plane(core, layout, args, shapes.numbersOf, Rows, Handle);
   const readsProtocol = scalar === "d"; // which that module alone has
   const planeReads = readsProtocol ? { shapeOfProtocol: shapesOfProtocol(core, "plane_shape_of_text", ofPlane.names.Shape) } : {};
