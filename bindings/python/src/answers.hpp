@@ -25,6 +25,7 @@ void add_simulation(py::module_& m);
 void add_replay(py::module_& m);
 void add_scenes(py::module_& m);
 void add_plane(py::module_& m);
+void add_broad(py::module_& m);
 void add_draw(py::module_& m);
 
 /// Records of contact points, with or without a solver's impulses.

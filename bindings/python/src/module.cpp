@@ -11,6 +11,7 @@ PYBIND11_MODULE(_graze, m) {
   add_queries(m);
   add_batches(m);
   add_world(m);
+  add_broad(m);
   add_draw(m);
   add_simulation(m);
   add_replay(m);
