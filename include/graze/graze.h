@@ -858,8 +858,8 @@ typedef struct GrazeBroadPhased GrazeBroadPhased;
 
 // A part of the structure: the bounds of a node, or a cell, and how deep it lies below the root (0).
 typedef struct GrazeBroadPhasePartd {
-  GrazeAabbd box;
-  uint32_t depth;
+  GrazeAabbd box;  // the bounds, or the cell
+  uint32_t depth;  // of a node below the root; of a cell of a grid 0
 } GrazeBroadPhasePartd;
 
 GRAZE_C_API GrazeStatus graze_broad_phase_create_d(GrazeBroadPhaseKind kind, GrazeBroadPhased **broad);
@@ -1271,7 +1271,7 @@ GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape
 // Of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 of what has none.
 typedef struct GrazePlaneMassPropertiesd {
   double area;
-  GrazeVec2d center;
+  GrazeVec2d center;  // of area
   double inertia;
 } GrazePlaneMassPropertiesd;
 
