@@ -79,6 +79,33 @@ void see(const std::vector<From>& from, std::vector<To>& to, const To*& first, s
   count = to.size();
 }
 
+/// Moves the step with that number, of those of a trace one kind after the other, to a trace of its own.
+template <class Step>
+bool take(const std::vector<Step>& from, std::vector<Step>& to, size_t& step) {
+  if (step < from.size()) {
+    to.push_back(from[step]);
+    return true;
+  }
+  step -= from.size();
+  return false;
+}
+
+/// One step as a trace that has no other, its axis the one that decides.
+graze::Trace step_of(const graze::Trace& told, size_t step) {
+  const size_t count = told.axes.size() + told.gjk.size() + told.epa.size() + told.cuts.size();
+  if (step >= count) graze::validate::fail("step", "a number below " + std::to_string(count), std::to_string(step));
+  graze::Trace out;
+  if (take(told.axes, out.axes, step)) {
+    out.winner = out.axes[0].name;
+  } else if (!take(told.gjk, out.gjk, step) && !take(told.epa, out.epa, step)) {
+    take(told.cuts, out.cuts, step);
+    out.face_a = told.face_a, out.face_b = told.face_b;
+  } else {
+    out.difference = told.difference;
+  }
+  return out;
+}
+
 }  // namespace
 
 extern "C" {
@@ -131,6 +158,13 @@ GrazeStatus graze_trace_draw(const GrazeTrace* trace, const GrazeDebugDraw* on) 
   return guarded([&] {
     graze::c::CallersDraw canvas(on);
     draw(canvas, opened(trace, "trace").told);
+  });
+}
+
+GrazeStatus graze_trace_step_draw(const GrazeTrace* trace, size_t step, const GrazeDebugDraw* on) {
+  return guarded([&] {
+    graze::c::CallersDraw canvas(on);
+    draw(canvas, step_of(opened(trace, "trace").told, step));
   });
 }
 

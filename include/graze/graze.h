@@ -417,6 +417,8 @@ GRAZE_C_API GrazeStatus graze_draw_color(GrazeDrawMeaning meaning, uint8_t rgb[3
 
 // What a query did: separating axes through the centre, the Minkowski difference B - A about the origin.
 GRAZE_C_API GrazeStatus graze_trace_draw(const GrazeTrace *trace, const GrazeDebugDraw *on);
+// One step of it: an axis, an iteration of GJK, an expansion of EPA or a cut of a face, counted from 0 in this order.
+GRAZE_C_API GrazeStatus graze_trace_step_draw(const GrazeTrace *trace, size_t step, const GrazeDebugDraw *on);
 
 // The kind of a capture (graze/capture.hpp, docs/capture.md).
 typedef struct GrazeCaptureHead {
@@ -1756,6 +1758,14 @@ GRAZE_C_API GrazeStatus graze_cast_draw_d(const GrazeMovingd *moving, double dur
                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_cast_draw_d(const GrazePlaneMovingd *moving, double duration,
                                                 const GrazePlaneCastHitd *hit, const GrazeDebugDraw *on);
+// A joint of bodies that stand at these poses, whoever they are: from either origin to its anchor, and how far these are
+// apart. Of a joint its frames are looked at.
+GRAZE_C_API GrazeStatus graze_joint_draw_d(const GrazeJointd *joint, const GrazePosed *pose_a, const GrazePosed *pose_b,
+                                           const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_joint_draw_d(const GrazePlaneJointd *joint, const GrazePose2d *pose_a,
+                                                 const GrazePose2d *pose_b, const GrazeDebugDraw *on);
+// The boxes of a tree, or of another structure, in the layer of trees.
+GRAZE_C_API GrazeStatus graze_tree_draw_d(const GrazeAabbd *boxes, size_t count, const GrazeDebugDraw *on);
 // All bodies of a world, their bounds, and the contacts of its last update; of a simulation with joints, and what
 // sleeps told apart.
 GRAZE_C_API GrazeStatus graze_world_draw_d(const GrazeWorldd *world, const GrazeDebugDraw *on);
@@ -2876,6 +2886,11 @@ GRAZE_C_API GrazeStatus graze_cast_draw_f(const GrazeMovingf *moving, float dura
                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_cast_draw_f(const GrazePlaneMovingf *moving, float duration,
                                                 const GrazePlaneCastHitf *hit, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_joint_draw_f(const GrazeJointf *joint, const GrazePosef *pose_a, const GrazePosef *pose_b,
+                                           const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_plane_joint_draw_f(const GrazePlaneJointf *joint, const GrazePose2f *pose_a,
+                                                 const GrazePose2f *pose_b, const GrazeDebugDraw *on);
+GRAZE_C_API GrazeStatus graze_tree_draw_f(const GrazeAabbf *boxes, size_t count, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_world_draw_f(const GrazeWorldf *world, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_simulation_draw_f(const GrazeSimulationf *simulation, const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_simulation_draw_f(const GrazePlaneSimulationf *simulation,

@@ -607,11 +607,33 @@ static void test_draw(void) {
   OK(graze_overlap_explained_d(box, &here, box, &body.pose, &touch, trace));
   OK(graze_trace_draw(trace, &on));
   EXPECT(touch && drawn.texts == 1 && drawn.lines[GRAZE_DRAW_TRACE] > 3);
+  GrazeTraceView view;
+  OK(graze_trace_view(trace, &view));
+  const int before = drawn.lines[GRAZE_DRAW_TRACE];
+  OK(graze_trace_step_draw(trace, view.axis_count - 1, &on)); /* two intervals, their overlap, and the name */
+  EXPECT(drawn.texts == 2 && drawn.lines[GRAZE_DRAW_TRACE] == before + 3);
+  EXPECT(graze_trace_step_draw(trace, 1000, &on) == GRAZE_INVALID_VALUE);
   uint8_t rgb[3];
   OK(graze_draw_color(GRAZE_MEANS_CONTACT, rgb));
   EXPECT(rgb[0] > rgb[1]);
   OK(graze_shape_draw_d(box, &here, GRAZE_MEANS_B, &on));
   EXPECT(drawn.triangles[GRAZE_DRAW_SHAPES] == 36);
+
+  GrazeJointd joint;
+  OK(graze_joint_of_kind_d(GRAZE_JOINT_BALL, id, &body.pose, id, &here, &joint));
+  OK(graze_joint_draw_d(&joint, &here, &here, &on));
+  EXPECT(drawn.lines[GRAZE_DRAW_JOINTS] == 3 && drawn.points[GRAZE_DRAW_JOINTS] == 2);
+  const GrazePose2d there = graze_plane_pose_d(0, 0, 0);
+  GrazePlaneJointd flat = {0};
+  flat.frame_a = there, flat.frame_b = there;
+  OK(graze_plane_joint_draw_d(&flat, &there, &there, &on));
+  EXPECT(drawn.lines[GRAZE_DRAW_JOINTS] == 6 && drawn.points[GRAZE_DRAW_JOINTS] == 4);
+  REFUSED(graze_joint_draw_d(NULL, &here, &here, &on), "joint: expected a pointer, got null");
+  const GrazeAabbd boxes[2] = {{{0, 0, 0}, {1, 2, 3}}, {{0, 0, 0}, {1, 1, 0}}};
+  OK(graze_tree_draw_d(boxes, 2, &on));
+  EXPECT(drawn.lines[GRAZE_DRAW_TREE] == 12 + 4);
+  OK(graze_tree_draw_d(NULL, 0, &on));
+  REFUSED(graze_tree_draw_d(NULL, 1, &on), "boxes: expected a pointer, got null");
 
   REFUSED(graze_world_draw_d(world, NULL), "on: expected a pointer, got null");
   on.size = 0;
