@@ -7,7 +7,7 @@ export interface Support { a: Vec; b: Vec; }
 export type End = number | "infinity" | "-infinity";
 export interface Axis { name: string; direction: Vec; a: [End, End]; b: [End, End]; overlap: number; }
 export interface GjkStep { simplex: Support[]; direction: Vec; found: Support; lower: number; upper: number; }
-export interface EpaStep { normal: Vec; faceDepth: number; foundDepth: number; faces: number; polygon?: Support[]; }
+export interface EpaStep { normal: Vec; found?: Support; faceDepth: number; foundDepth: number; faces: number; polygon?: Support[]; }
 export interface CastStep { t: number; distance: number; normal: Vec; }
 export interface Span { name: string; normal: Vec; span: [End, End]; }
 export interface Cut { from: Vec; to: Vec; left: Vec[]; }

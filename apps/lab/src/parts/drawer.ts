@@ -1,15 +1,22 @@
-// What stands beside a drawing. On a phone it is a drawer, closed at first: the drawing is alone until somebody opens it.
+// What stands beside a drawing: to its left and to its right. On a phone both are a drawer, closed at first: the drawing is
+// alone until somebody opens it.
 
 import { button, h } from "./dom.ts";
 
 export interface Drawer {
+  left: HTMLElement;
   side: HTMLElement;
-  /** Opens and closes it; there is none where both have room. */
+  /** Opens and closes both; there is none where they have room. */
   handle: HTMLElement;
 }
-export function drawer(...content: Node[]): Drawer {
-  const side = h("div", { class: "side drawer", id: "drawer" }, ...content);
-  const handle = button("Bodies and properties", () => handle.setAttribute("aria-expanded", String(side.classList.toggle("open"))),
-    { class: "drawer-handle", "aria-controls": "drawer", "aria-expanded": "false" });
-  return { side, handle };
+export function drawer(before: Node[], after: Node[]): Drawer {
+  const left = h("div", { class: "left drawer", id: "drawer-left" }, ...before), side = h("div", { class: "side drawer", id: "drawer" }, ...after);
+  const toggle = (): void => {
+    const open = side.classList.toggle("open");
+    left.classList.toggle("open", open);
+    handle.setAttribute("aria-expanded", String(open));
+  };
+  const handle = button("Bodies and properties", toggle,
+    { class: "drawer-handle", "aria-controls": "drawer-left drawer", "aria-expanded": "false" });
+  return { left, side, handle };
 }

@@ -5,6 +5,7 @@ import { button, digits, h, vector } from "../parts/dom.ts";
 import type { Drawing, Meaning } from "../parts/drawing.ts";
 import { featureWords } from "../parts/features.ts";
 import { drawer } from "../parts/drawer.ts";
+import { fold } from "../parts/fold.ts";
 import { drawGraph } from "../parts/graph.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
@@ -74,12 +75,13 @@ export class CaptureRoom implements Room {
     this.stage.onPick = (body, _, key) => this.select(bodiesOf(key).length > 0 ? bodiesOf(key) : toggled(this.selected, body));
     this.put();
     this.stage.look({ center: captured.center, reach: captured.size * 0.6, flat: captured.report.plane });
-    const { side, handle } = drawer(this.chooser.element, this.inquiry.info, this.found.element, this.inquiry.table.element, this.plot,
-      this.pairs.element, this.chooser.tree, this.inquiry.element);
+    const { left, side, handle } = drawer([this.chooser.tree], [
+      fold("properties", "Properties", this.inquiry.info, this.found.element, this.inquiry.table.element, this.inquiry.element),
+      fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element)]);
     this.element = h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, name), this.intro),
-      h("div", { class: "board" },
-        h("div", { class: "picture" }, this.stage.element, this.timeline.element, this.counter, this.trouble, handle, this.layers.element,
+      h("div", { class: "board workbench" }, left,
+        h("div", { class: "picture" }, this.stage.element, fold("time", "Time", this.timeline.element, this.counter), this.trouble, handle, this.layers.element,
           h("p", { class: "actions" }, button("Open this frame as a scene", () => this.open(onScene)))),
         side));
     const moment = { ...start, ...parse<Partial<Moment>>(origin.at, {}, isMoment) };

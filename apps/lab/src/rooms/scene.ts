@@ -2,6 +2,7 @@
 
 import { button, digits, h } from "../parts/dom.ts";
 import { drawer } from "../parts/drawer.ts";
+import { fold } from "../parts/fold.ts";
 import { Layers } from "../parts/layers.ts";
 import { Stage3 } from "../parts/stage3.ts";
 import { address, cameraOf, cameraText, History, parse, whenStill } from "../parts/state.ts";
@@ -23,7 +24,8 @@ import { crowdOf, drawOverlay, graphsOf, handlesOf, marked, stagesOf, viewOf } f
 import { Play } from "../scene/play.ts";
 import type { Pair, Place } from "../scene/run.ts";
 import { Settings } from "../scene/settings.ts";
-import { Shooting, type Sight } from "../scene/shooting.ts";
+import { Shooting, type Kind, type Sight } from "../scene/shooting.ts";
+import { TraceSteps } from "../scene/trace-steps.ts";
 import { Source, type Served } from "../scene/source.ts";
 import type { Room } from "./room.ts";
 
@@ -53,6 +55,7 @@ export class SceneRoom implements Room {
   private drawTime = 0;
   private readonly source: Source;
   private readonly pairs = new Table();
+  private readonly steps = new TraceSteps(() => this.paint());
   private readonly materials = h("div", { class: "choices", "data-material": true });
   private readonly plot = h("div", { class: "plot" });
   private readonly counter = h("p", { class: "counter" });
@@ -271,12 +274,16 @@ export class SceneRoom implements Room {
   }
   private paint(): void {
     this.pair = askPair(this.play.run, this.selected);
+    this.steps.take(this.pair);
     const { play, found, selected, pair, few } = this, { seen } = this.stage, { name, bodies } = play.scene;
     const overlay = { found, selected, pair, shot: this.shooting.shot, draws: (layer: string) => this.layers.has(layer) && (few || layer !== "broad"), seen };
     this.draws++;
     this.stage.hasGrid = this.layers.has("grid");
     this.stage.crowd.group.visible = this.layers.has("bodies");
-    this.stage.draw((d) => drawOverlay(d, play, overlay), handlesOf(play, selected[0], seen),
+    this.stage.draw((d) => {
+      drawOverlay(d, play, overlay);
+      if (pair) this.steps.draw(d, play.run, pair, seen);
+    }, handlesOf(play, selected[0], seen),
       `${name}: ${bodies.length} bodies${few ? `, ${found.length} pairs in contact` : ""}.`);
   }
   private tell(): void {
@@ -293,21 +300,23 @@ export class SceneRoom implements Room {
   }
 
   private page(): HTMLElement {
-    const takeAim = (kind: "ray" | "cast"): void => this.shooting.takeAim(kind, this.play.run, this.selected[0]);
-    const { side, handle } = drawer(this.chooser.element, this.inquiry.info, this.materials, this.inquiry.table.element, this.plot,
-      this.pairs.element, this.chooser.tree, this.inquiry.element);
+    const takeAim = (kind: Kind): void => this.shooting.takeAim(kind, this.play.run, this.selected[0]);
+    const { left, side, handle } = drawer([this.chooser.tree], [
+      fold("properties", "Properties", this.inquiry.info, this.steps.element, this.materials, this.inquiry.table.element, this.inquiry.element),
+      fold("graphs", "Graphs", this.plot), fold("pairs", "Pairs", this.pairs.element)]);
     return h("article", { class: "lesson viewer" },
       h("header", {}, h("h1", {}, "Viewer and playground"), this.note),
       h("div", { class: "choices" },
         this.catalogue.element, ...this.source.elements,
         button("Shoot a ray", () => takeAim("ray")), button("Cast the body", () => takeAim("cast")),
+        button("Measure", () => takeAim("measure")),
         ...this.settings.elements),
-      h("div", { class: "board" },
+      h("div", { class: "board workbench" }, left,
         h("div", { class: "picture" }, this.stage.element,
-          h("div", { class: "timeline", role: "group", "aria-label": "Time" },
+          fold("time", "Time", h("div", { class: "timeline", role: "group", "aria-label": "Time" },
             button("Step back", () => this.play.back(), { "data-back": true }), this.toggle,
             button("One step", () => this.play.step(), { "data-step": true }), button("Start again", () => this.begin()), this.settings.speed),
-          this.counter, this.trouble, handle, this.layers.element),
+            this.counter), this.trouble, handle, this.layers.element),
         side));
   }
 }

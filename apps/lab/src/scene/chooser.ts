@@ -1,6 +1,7 @@
 // The bodies by name: two to choose for whoever does not point at them, and a foldable list of all.
 
 import { button, h } from "../parts/dom.ts";
+import { fold } from "../parts/fold.ts";
 import type { SceneBody } from "./model.ts";
 
 /** What the lists say of a body. */
@@ -10,11 +11,12 @@ export type Named = Pick<SceneBody, "name" | "moves" | "trigger">;
 const mostListed = 300;
 
 export class Chooser {
-  readonly element: HTMLElement;
+  /** All that there is: the two to choose, and the list. */
   readonly tree: HTMLElement;
+  private readonly element: HTMLElement;
   private readonly selects: HTMLSelectElement[];
   private readonly branches = h("div", { class: "tree" });
-  private readonly summary = h("summary", {}, "Bodies");
+  private readonly count = h("span", {}, "Bodies");
   private names = new Map<number, HTMLButtonElement>();
   private selected: number[] = [];
   private readonly onSelect: (selected: number[]) => void;
@@ -24,13 +26,13 @@ export class Chooser {
     this.selects = [0, 1].map((k) => h("select", { "aria-label": k ? "Another body" : "A body", "data-body": k,
       onchange: () => onSelect([...new Set(this.selects.filter((s) => s.value !== "").map((s) => Number(s.value)))]) }) as HTMLSelectElement);
     this.element = h("div", { class: "choices" }, ...this.selects);
-    this.tree = h("details", { "data-tree": true }, this.summary, this.branches);
+    this.tree = fold("bodies", this.count, this.element, this.branches);
   }
   /** The bodies that there are. */
   set(bodies: Named[]): void {
     for (const [k, select] of this.selects.entries())
       select.replaceChildren(h("option", { value: "" }, k ? "no other body" : "no body"), ...bodies.map((b, i) => h("option", { value: i }, b.name)));
-    this.summary.textContent = `${bodies.length} bodies`;
+    this.count.textContent = `${bodies.length} bodies`;
     this.names = new Map(bodies.slice(0, mostListed).map(({ name }, i) =>
       [i, button(name, () => this.onSelect(toggled(this.selected, i)), { "aria-pressed": "false" })]));
     const branch = (title: string, is: (body: Named) => boolean): Node | null => {

@@ -5,7 +5,7 @@ import { add, length, scale, sub } from "../parts/vec.ts";
 import type { Vec } from "../question.ts";
 import type { Scene } from "./model.ts";
 import type { Run } from "./run.ts";
-import { castBody, shootRay, type Shot } from "./shots.ts";
+import { castBody, measure, shootRay, type Shot } from "./shots.ts";
 
 export type Kind = Shot["kind"];
 /** A line of sight through the pointer. */
@@ -16,7 +16,7 @@ export interface Sight {
 
 export class Shooting {
   shot: Shot | null = null;
-  /** In the plane a ray has a click for its origin, too. */
+  /** A measure has a click for its first place, and in the plane a ray one for its origin. */
   private aim: { kind: Kind; from?: Vec } | null = null;
   private readonly tell: (title: string, words: string) => void;
 
@@ -32,6 +32,7 @@ export class Shooting {
   takeAim(kind: Kind, run: Run, body: number | undefined): void {
     const blind = kind === "cast" && body === undefined;
     this.aim = blind ? null : { kind };
+    if (kind === "measure") return this.tell("Measure", "Click two places, each on a body.");
     this.tell(kind === "ray" ? "Shoot a ray" : "Cast a body",
       blind ? "Select the body first." : kind === "ray" && run.flat ? "Click where it begins, then where it shall go." : "Click where it shall go.");
   }
@@ -45,6 +46,7 @@ export class Shooting {
       return false;
     }
     const place = run.flat ? add(sight.origin, scale(sight.direction, -sight.origin[2] / sight.direction[2])) : null;
+    if (aim.kind === "measure") return this.measured(aim.from, place ?? run.raycast(sight)?.point, run, scene);
     if (aim.kind === "ray" && place && !aim.from) {
       this.aim = { ...aim, from: place };
       return false;
@@ -57,7 +59,28 @@ export class Shooting {
     this.tellShot(this.shot, scene);
     return true;
   }
-  private tellShot({ kind, hit, body }: Shot, scene: Scene): void {
+  /** A place of the two, the second of which ends it. Beside all bodies there is none in space. */
+  private measured(from: Vec | undefined, place: Vec | undefined, run: Run, scene: Scene): boolean {
+    if (!place) {
+      this.tell("Measure", "There is nothing: click on a body.");
+      return false;
+    }
+    if (!from) {
+      this.aim = { kind: "measure", from: place };
+      this.tell("Measure", `From ${vector(place, 4)}: click the second place.`);
+      return false;
+    }
+    this.aim = null;
+    this.shot = measure(run, from, place);
+    this.tellShot(this.shot, scene);
+    return true;
+  }
+  private tellShot(shot: Shot, scene: Scene): void {
+    if (shot.distance !== undefined)
+      return this.tell(`${digits(shot.distance, 6)} apart`, `From ${vector(shot.from, 4)} to ${vector(shot.to, 4)}.`);
+    this.tellHit(shot, scene);
+  }
+  private tellHit({ kind, hit, body }: Shot, scene: Scene): void {
     const met = hit ? scene.bodies[hit.body].name : "nothing";
     this.tell(kind === "ray" ? `The ray hits ${met}` : `${scene.bodies[body!].name} meets ${met} on its way`,
       hit ? `${kind === "ray" ? "after" : "at"} ${digits(hit.t, 6)}, at ${vector(hit.point, 4)}, normal ${vector(hit.normal, 3)}` : "");

@@ -1,13 +1,18 @@
 // Rays and bodies on their way, and what they meet.
 
-import { onto } from "../parts/answers.ts";
+import { ask } from "../graze.ts";
+import { drawDistance, onto } from "../parts/answers.ts";
+import { digits } from "../parts/dom.ts";
 import type { Drawing } from "../parts/drawing.ts";
 import { add, scale, sub } from "../parts/vec.ts";
-import type { Question, Vec } from "../question.ts";
+import { circle, sphere, type Body, type Question, type Vec } from "../question.ts";
 import { reached, type Hit, type Run } from "./run.ts";
 
 export interface Shot {
-  kind: "ray" | "cast";
+  /** What is measured is the way between two places. */
+  kind: "ray" | "cast" | "measure";
+  /** How far it is, of what is measured. */
+  distance?: number;
   from: Vec;
   to: Vec;
   hit: Hit | null;
@@ -35,9 +40,18 @@ export function castBody(run: Run, body: number, target: Vec): Shot {
     a: { ...run.asked(body), linear: cut(run, motion) }, b: run.asked(hit.body) };
   return { kind: "cast", from: place.translation, to: end.translation, hit, body, motion, question };
 }
+/** How far two places are apart, as a question about two points. */
+export function measure(run: Run, from: Vec, to: Vec): Shot {
+  const at = (place: Vec): Body => ({ shape: run.flat ? circle(0) : sphere(0), translation: cut(run, place) });
+  const question: Question = { query: "distance", ...dimensionOf(run), a: at(from), b: at(to) };
+  return { kind: "measure", from, to, hit: null, question, distance: ask(question).distance };
+}
 /** The way, the point and normal of the hit, and where a body is on its way; `size` is that of what is seen. */
 export function drawShot(d: Drawing, run: Run, shot: Shot, size: number): void {
   const { from, to, hit, body, motion } = shot, on = onto(d, { look: { wide: true }, size: size * 1.5 });
-  if (body !== undefined) run.drawCast(body, { translation: from, rotation: run.place(body).rotation }, motion!, hit, on);
+  if (shot.distance !== undefined) {
+    drawDistance(d, { a: from, b: to }, { look: { wide: true }, as: { gap: "made", a: "made", b: "made" } });
+    d.text(scale(add(from, to), 0.5), digits(shot.distance, 5), "made");
+  } else if (body !== undefined) run.drawCast(body, { translation: from, rotation: run.place(body).rotation }, motion!, hit, on);
   else run.drawRay({ origin: from, direction: sub(to, from) }, hit, on);
 }

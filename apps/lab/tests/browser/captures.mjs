@@ -1,9 +1,11 @@
 // The viewer opens captures.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { press, scene } from "./scene-page.mjs";
+import { files, press, scene } from "./scene-page.mjs";
 import { graze, here, query, short, shown, small, test, visit } from "./harness.mjs";
 
 /** Fifteen boxes that fall into a heap: two seconds, as a program captures them, which names the floor. */
@@ -75,6 +77,36 @@ test("viewer: opens captures of the plane, and in float", async () => {
   await page.context().close();
 });
 
+test("viewer: opens a capture of a simulation of the plane, made by the program where it is built", async () => {
+  const page = await scene("shapes"), { plane } = graze, frames = [];
+  const simulation = new plane.Simulation({ capture: (bytes) => frames.push(bytes) });
+  simulation.add({ shape: new plane.HalfPlane(), fixed: true });
+  for (let i = 0; i < 4; i++) simulation.add({ shape: new plane.Box([1, 1]), translation: [0.1 * i, 0.6 + 1.2 * i] }, { density: 1 });
+  for (let i = 0; i < 60; i++) simulation.step(1 / 60);
+  simulation.dispose();
+  const captures = [Buffer.concat(frames)], program = process.env.GRAZE ?? join(here, "../../build/release/bin/graze");
+  if (existsSync(program)) {
+    const folder = mkdtempSync(join(tmpdir(), "capture-")), file = join(folder, "plane.capture");
+    const { status, stderr } = spawnSync(program, ["capture", join(files, "plane.svg"), "--seconds", "1", "--out", file, "--quiet"], { encoding: "utf8" });
+    assert.equal(status, 0, stderr);
+    captures.push(readFileSync(file));
+    rmSync(folder, { recursive: true });
+  }
+  for (const buffer of captures) {
+    await page.click('nav a:text-is("Lessons")');
+    await page.click('nav a:text-is("Viewer")');
+    await page.waitForSelector("input[type=file]", { state: "attached" });
+    await page.setInputFiles("input[type=file]", { name: "plane.capture", mimeType: "application/octet-stream", buffer });
+    await page.waitForSelector("[data-next]");
+    assert.match(await page.textContent(".intro"), /A simulation of the plane in double: \d+ frames, played again. It comes to the same bits./);
+    await page.click('[aria-label="Last frame"]');
+    const last = await shown(page);
+    assert.ok(last.frame === last.frames - 1 && last.pairs > 0, JSON.stringify(last));
+  }
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
 test("captures: a frame is asked as a scene is", async () => {
   const page = await scene("shapes");
   await page.setInputFiles("input[type=file]", { name: "heap.capture", mimeType: "application/octet-stream", buffer: capturedHeap() });
@@ -94,12 +126,11 @@ test("captures: a frame is asked as a scene is", async () => {
   for (const line of found) assert.match(line, /(vertex|edge|face) .* of A × (vertex|edge|face) .* of B.*\(/);
   if (process.env.SCREENSHOTS) await page.screenshot({ path: join(process.env.SCREENSHOTS, "capture-pair.png"), fullPage: true });
   // A body, by its name in the list of all.
-  await page.click("[data-tree] > summary");
-  await page.click('[data-tree] button:text-is("the floor")');
+  await page.click('[data-fold=bodies] button:text-is("the floor")');
   assert.deepEqual((await shown(page)).selected.at(-1), 0);
   await page.selectOption('[data-body="1"]', "");
-  await page.click('[data-tree] button[aria-pressed="true"]');
-  await page.click('[data-tree] button:text-is("box 3")');
+  await page.click('[data-fold=bodies] button[aria-pressed="true"]');
+  await page.click('[data-fold=bodies] button:text-is("box 3")');
   assert.equal(await page.textContent(".words h2"), "box 3");
   assert.match(await page.textContent(".side"), /shape\s*box.*kind\s*moves/s);
   assert.doesNotMatch(await page.textContent(".side"), /category/);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { lightsUp, scene } from "./scene-page.mjs";
-import { axe, drag, frame, query, shown, small, test, visit } from "./harness.mjs";
+import { axe, drag, frame, query, short, shown, small, test, visit } from "./harness.mjs";
 
 test("viewer: contacts are live while a body is dragged, and the pair is explained", async () => {
   const page = await scene("heavy");
@@ -73,10 +73,9 @@ test("viewer: a pair is selected by its row and by its point, a body by the list
   const page = await scene("heavy");
   await page.click('.numbers button.choose:text-is("light × heavy")');
   assert.equal(await page.textContent(".words h2"), "light and heavy");
-  await page.click("[data-tree] > summary");
-  await page.click('[data-tree] button:text-is("light")');
+  await page.click('[data-fold=bodies] button:text-is("light")');
   assert.equal(await page.textContent(".words h2"), "heavy");
-  await page.click('[data-tree] button:text-is("heavy")');
+  await page.click('[data-fold=bodies] button:text-is("heavy")');
   assert.equal(await page.textContent(".words h2"), "Select a body");
   // A corner of the light box on the floor: the point that is seen lowest.
   const picture = await (await page.$(".stage3 canvas")).boundingBox();
@@ -97,6 +96,66 @@ test("viewer: what is shot can be asked again", async () => {
   assert.equal(asked.query, "raycast");
   const { t } = JSON.parse(query(JSON.stringify(asked)));
   assert.ok(words.includes(`after ${String(Number(t.toPrecision(6)))}`), `${words}, not ${t}`);
+  await page.context().close();
+});
+
+test("viewer: the trace of the selected pair is drawn step by step, forward and back", async () => {
+  const page = await scene("heavy");
+  await page.click('.numbers button.choose:text-is("light × heavy")');
+  const labels = () => page.$$eval(".labels span", (list) => list.map((x) => x.textContent)), plain = await labels();
+  const asked = JSON.parse(await page.inputValue("textarea"));
+  const { trace } = JSON.parse(query(JSON.stringify({ ...asked, query: "distance", margin: undefined, explain: true })));
+  const said = () => page.textContent(".trace-steps output");
+  assert.equal(await said(), `${trace.axes.length} steps`);
+  for (const [i, { name, overlap }] of trace.axes.entries()) {
+    await page.click("[data-trace-next]");
+    assert.equal(await said(), `${i + 1} / ${trace.axes.length}. Axis ${name}: ${overlap >= 0 ? "overlap" : "gap"} ${short(Math.abs(overlap), 5)}`);
+    assert.deepEqual((await labels()).sort(), [...plain, name].sort());
+  }
+  assert.ok(await page.isDisabled("[data-trace-next]"), "there is a step after the last");
+  for (let i = 0; i < trace.axes.length; i++) await page.click("[data-trace-back]");
+  assert.ok(await page.isDisabled("[data-trace-back]"));
+  assert.deepEqual(await labels(), plain);
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: two places are measured, and asked again", async () => {
+  const page = await scene("heavy");
+  const picture = await (await page.$(".stage3 canvas")).boundingBox();
+  const click = (x, y) => page.mouse.click(picture.x + x * picture.width, picture.y + y * picture.height);
+  await page.click('button:text-is("Measure")');
+  await click(0.05, 0.02);
+  assert.equal(await page.textContent(".words p"), "There is nothing: click on a body.");
+  await click(0.5, 0.5);
+  await click(0.3, 0.9);
+  const asked = JSON.parse(await page.inputValue("textarea")), { distance } = JSON.parse(query(JSON.stringify(asked)));
+  assert.deepEqual([asked.query, asked.a.shape.type, asked.b.shape.type], ["distance", "sphere", "sphere"]);
+  const [x, y, z] = asked.a.translation.map((from, i) => asked.b.translation[i] - from);
+  assert.ok(Math.abs(distance - Math.hypot(x, y, z)) < 1e-12 && distance > 0.5, `${distance}`);
+  assert.equal(await page.textContent(".words h2"), `${short(distance, 6)} apart`);
+  await page.click('button:text-is("Start again")');
+  assert.deepEqual(page.trouble, []);
+  await page.context().close();
+});
+
+test("viewer: bodies to the left, properties to the right, time below; what is folded stays folded", async () => {
+  const page = await visit("#/scene?scene=heavy", { viewport: { width: 1280, height: 900 } });
+  const at = (selector) => page.$eval(selector, (x) => x.getBoundingClientRect().toJSON());
+  const [bodies, stage, properties, time] = await Promise.all(["[data-fold=bodies]", ".stage3", "[data-fold=properties]", "[data-fold=time]"].map(at));
+  assert.ok(bodies.right < stage.left && stage.right < properties.left && stage.bottom < time.top, "not beside the drawing");
+  const open = () => page.$$eval("[data-fold]", (list) => list.filter((x) => x.open).map((x) => x.dataset.fold));
+  assert.deepEqual(await open(), ["bodies", "time", "properties", "graphs", "pairs"]);
+  await page.click("[data-fold=pairs] > summary");
+  await page.click("[data-fold=time] > summary");
+  assert.equal(await page.isVisible("[data-play]"), false);
+  await page.waitForFunction(() => localStorage.getItem("folded")?.includes("time"));
+  await page.reload();
+  await page.waitForSelector(".stage3");
+  assert.deepEqual(await open(), ["bodies", "properties", "graphs"]);
+  await page.click("[data-fold=time] > summary");
+  assert.ok(await page.isVisible("[data-play]"));
+  assert.deepEqual(page.trouble, []);
   await page.context().close();
 });
 
