@@ -487,6 +487,12 @@ export const draw: {
   shape(shape: Shape, pose: PoseLike, renderer: Renderer, meaning?: DrawMeaning): void;
   /** A box by its edges. */
   bounds(box: Aabb, renderer: Renderer): void;
+  /** The boxes of a tree, as `BroadPhase.parts` has them, in the layer of trees. */
+  tree(boxes: readonly Aabb[], renderer: Renderer): void;
+  /** A joint of bodies at these poses: from either origin to its anchor, and how far these are apart. */
+  joint(
+    joint: { readonly frameA?: PoseLike; readonly frameB?: PoseLike }, poseA: PoseLike, poseB: PoseLike,
+    renderer: Renderer): void;
   distance(distance: Pick<Distance, "a" | "b">, renderer: Renderer): void;
   /** A manifold: its points, each between `a` and `b` by its weight, and its normal from their middle. */
   contacts(manifold: { readonly normal: Vec3Like; readonly points: readonly DrawnContact[] }, renderer: Renderer): void;
@@ -496,7 +502,7 @@ export const draw: {
   cast(
     moving: Moving, hit: Pick<CastHit, "t" | "point" | "normal"> | null, renderer: Renderer,
     options?: { duration?: number }): void;
-  /** Bodies, bounds, the tree, and the contacts of the last update. */
+  /** Bodies, bounds, and the contacts of the last update. */
   world(world: WorldQueries, renderer: Renderer): void;
   /** The same with what sleeps, and joints. */
   simulation(simulation: Simulation, renderer: Renderer): void;
@@ -504,8 +510,9 @@ export const draw: {
   area(world: WorldQueries): { center: number[]; size: number };
   /** The colour that the project's own pictures give a meaning: red, green and blue, 0 to 255. */
   color(meaning: DrawMeaning): [number, number, number];
-  /** Asks, draws what the question did, and answers. */
-  explained(renderer: Renderer): Explained;
+  /** Asks, draws what the question did, or one step of it (axes, iterations of GJK, expansions of EPA, cuts, counted from
+   *  0 in this order), and answers. */
+  explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
 };
 export interface Explained {
   overlap(a: Shape, poseA: PoseLike, b: Shape, poseB: PoseLike): boolean;
@@ -1185,7 +1192,10 @@ export declare namespace plane {
     cast(
       moving: Moving, hit: Pick<CastHit, "t" | "point" | "normal"> | null, renderer: Renderer,
       options?: { duration?: number }): void;
-    explained(renderer: Renderer): Explained;
+    joint(
+      joint: { readonly frameA?: PoseLike; readonly frameB?: PoseLike }, poseA: PoseLike, poseB: PoseLike,
+      renderer: Renderer): void;
+    explained(renderer: Renderer, options?: { readonly step?: number }): Explained;
     world(world: WorldQueries, renderer: Renderer): void;
     simulation(simulation: Simulation, renderer: Renderer): void;
     /** The centre and the size of all that is bounded. */

@@ -700,6 +700,12 @@ export const checks = [
     const explained = drawing(() => { told = graze.draw.explained(renderer).distance(box, {}, box, { translation: [4, 0, 0] }); });
     equal(told, near, "the same answer");
     ok(explained.length > 0 && kinds(explained, "layer").includes("trace"), "what the question did");
+    const overlapping = [box, {}, box, { translation: [1, 0, 0] }];
+    const step = drawing(() => graze.draw.explained(renderer, { step: 0 }).overlap(...overlapping));
+    equal(step.map((d) => d.kind), ["line", "line", "line", "text"], "one axis: its intervals, the overlap, its name");
+    const { length } = graze.traced.overlap(...overlapping).trace.axes;
+    throws(() => graze.draw.explained(renderer, { step: length }).overlap(...overlapping),
+      `step: expected a number below ${length}, got ${length}`, graze.InvalidValue);
 
     // Answers, of space and of the plane: from vectors of three numbers or of two.
     const flat = (v) => v.slice(0, 2);
@@ -724,6 +730,17 @@ export const checks = [
       throws(() => library.draw.ray(ray, { ...hit, t: NaN }, renderer), "hit.t: expected a finite number, got nan", graze.InvalidValue);
     }
     equal(drawing(() => graze.draw.bounds({ lower: [0, 0, 0], upper: [1, 2, 3] }, renderer)).length, 12, "edges of a box");
+    const tree = new graze.BroadPhase();
+    for (let i = 0; i < 40; i++) tree.insert(i, [i, 0, 0], [i + 0.5, 1, 1]);
+    const parts = tree.parts(), boxes = drawing(() => graze.draw.tree(parts, renderer));
+    equal([boxes.length, kinds(boxes, "layer")], [12 * parts.length, ["tree"]], "the boxes of a tree");
+    tree.dispose();
+    for (const [library, cut] of [[graze, (v) => v], [graze.plane, flat]]) {
+      const tied = { frameA: { translation: cut([1, 0, 0]) }, frameB: { translation: cut([-1, 0, 0]) } };
+      const joint = drawing(() => library.draw.joint(tied, {}, { translation: cut([4, 0, 0]) }, renderer));
+      equal(joint.filter((d) => d.kind === "line").map((d) => d.places),
+        [[[0, 0, 0], [1, 0, 0]], [[4, 0, 0], [3, 0, 0]], [[1, 0, 0], [3, 0, 0]]], "a joint by itself");
+    }
 
     const outline = drawing(() => graze.plane.draw.shape(new graze.plane.Box([2, 1]), {}, renderer));
     ok(outline.some((d) => d.kind === "line") && outline.every((d) => d.places.every((p) => p[2] === 0)), "in the plane");

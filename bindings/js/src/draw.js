@@ -61,18 +61,27 @@ export function drawings(core, layout, { prefix, types, args, of, pose, ask }) {
       const means = named(meanings, meaning, "meaning");
       drawn(renderer, (on) => core.call(`${prefix}shape_draw`, of(shape), pose(at, "pose"), means, on));
     },
-    explained: (renderer) =>
+    explained: (renderer, { step } = {}) =>
       ask.explaining((answer, trace) => {
-        drawn(renderer, (on) => core.check(core.exports.graze_trace_draw(trace, on)));
+        const { graze_trace_draw: whole, graze_trace_step_draw: one } = core.exports;
+        drawn(renderer, (on) => core.check(step === undefined ? whole(trace, on) : one(trace, step, on)));
         return answer;
       }),
   };
 }
 
 /** Drawing of a dimension's worlds and simulations. */
-export function worldDrawings(core, layout, { prefix }, worlds, { Simulation }, Handle) {
+export function worldDrawings(core, layout, { prefix, types, pose }, worlds, { Simulation }, Handle) {
   const drawn = (renderer, body) => drawnOn(core, layout, renderer, body);
   return {
+    joint: ({ frameA, frameB }, poseA, poseB, renderer) =>
+      drawn(renderer, (on) => {
+        const p = core.room(types.joint.size);
+        types.joint.write(p, {}, "joint");
+        for (const [name, frame] of Object.entries({ frameA, frameB }))
+          core.copy(pose(frame, `joint.${name}`), p + types.joint.offset[name], types.pose.size);
+        core.call(`${prefix}joint_draw`, p, pose(poseA, "poseA"), pose(poseB, "poseB"), on);
+      }),
     world: (world, renderer) =>
       drawn(renderer, (on) => core.call(`${prefix}world_draw`, worlds.pointerOf(world), on)),
     simulation: (simulation, renderer) => {
@@ -94,6 +103,12 @@ export function spaceDrawings(core, layout, args) {
   return {
     bounds: (box, renderer) =>
       drawnOn(core, layout, renderer, (on) => core.call("aabb_draw", args.written(layout.aabb, box, "box"), on)),
+    tree(boxes, renderer) {
+      const { size } = layout.aabb;
+      const first = core.room(Math.max(1, boxes.length) * size);
+      boxes.forEach((box, i) => layout.aabb.write(first + i * size, box, `boxes[${i}]`));
+      drawnOn(core, layout, renderer, (on) => core.call("tree_draw", first, boxes.length, on));
+    },
     color(meaning) {
       const rgb = core.room(3);
       core.check(core.exports.graze_draw_color(named(meanings, meaning, "meaning"), rgb));
