@@ -51,7 +51,7 @@ export class TraceSteps {
     if (this.step < 0 || !this.trace) return;
     const [a, b] = pair.bodies.map((i) => run.place(i).translation), { axes, gjk, epa } = this.trace;
     const isAxis = this.step < axes.length, by: Vec = isAxis ? [0, 0, 0] : a;
-    const on = onto(d, { size, center: isAxis ? scale(add(a, b), 0.5) : [0, 0, 0], look: { wide: isAxis }, as: { a: "made", ruledOut: "out" } });
+    const on = onto(d, { size, center: isAxis ? scale(add(a, b), 0.5) : [0, 0, 0], look: { wide: true }, as: { a: "made", ruledOut: "out" } });
     run.drawStep(pair.bodies, this.step, shifted(on, by));
     const found = (gjk[this.step - axes.length] ?? epa[this.step - axes.length - gjk.length])?.found;
     if (!found) return;
