@@ -502,7 +502,7 @@ export const draw: {
   cast(
     moving: Moving, hit: Pick<CastHit, "t" | "point" | "normal"> | null, renderer: Renderer,
     options?: { duration?: number }): void;
-  /** Bodies, bounds, and the contacts of the last update. */
+  /** Bodies, bounds, the tree, and the contacts of the last update. */
   world(world: WorldQueries, renderer: Renderer): void;
   /** The same with what sleeps, and joints. */
   simulation(simulation: Simulation, renderer: Renderer): void;

@@ -161,7 +161,7 @@ template <class T>
 GRAZE_API void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const plane::Pose2<T>& pose_a,
                     const plane::Pose2<T>& pose_b);
 
-/// All bodies of a world, their bounds, and the contacts of its last update.
+/// All bodies of a world, their bounds, its tree, and the contacts of its last update.
 template <class T, class Space>
 GRAZE_API void draw(DebugDraw& on, const World<T, Space>& world);
 

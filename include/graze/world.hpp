@@ -132,13 +132,16 @@ class GRAZE_API World {
   void cast_all(const Shape& shape, const Pose& pose, const Velocity& velocity, T duration, const QueryFilter& filter,
                 std::vector<BodyCastHit<T, Space>>& out, const CastOptions& options = {}) const;
 
+  /// The tree of the bodies' bounds with their margins, by index, that questions go down: to be drawn. Brought up to
+  /// date where bodies changed since the last question.
+  const DynamicTree<T>& tree() const;
+
   /// Bytes that are held, shapes' own data apart.
   std::size_t memory() const;
 
  private:
   std::span<const IdPair> filter(std::span<const IdPair> candidates);
   bool is_pair(std::uint32_t a, std::uint32_t b) const;
-  const DynamicTree<T>& tree() const;
   bool is_asked(const QueryFilter& filter, std::uint32_t index) const;
   template <class F>
   void each_hit(const Ray& ray, T length, const QueryFilter& filter, BackFaces back, F&& f) const;

@@ -99,6 +99,7 @@ void draw(DebugDraw& on, const Joint<T, plane::Space<T>>& joint, const plane::Po
 template <class T, class Space>
 void draw(DebugDraw& on, const World<T, Space>& world) {
   draw_bodies(on, world, world.bodies().poses(), [](std::uint32_t) { return false; });
+  if (on.wants(DrawLayer::tree)) draw(on, world.tree());
   draw_contacts(on, world);
 }
 
@@ -107,6 +108,7 @@ void draw(DebugDraw& on, const Simulation<T, Space>& simulation) {
   const World<T, Space>& world = simulation.world();
   const auto& poses = simulation.poses();
   draw_bodies(on, world, poses, [&](std::uint32_t i) { return simulation.asleep(world.bodies().id(i)); });
+  if (on.wants(DrawLayer::tree)) draw(on, world.tree());
   draw_contacts(on, world);
   if (!on.wants(DrawLayer::joints)) return;
   for (const JointId id : simulation.joints()) {

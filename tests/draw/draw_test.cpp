@@ -246,6 +246,7 @@ TEST(DebugDraw, AWorldShowsEveryBodyByWhatItDoes) {
   EXPECT_EQ(count_of(drawn.points, DrawLayer::contacts, DrawMeaning::contact), world.contacts().points.size());
   EXPECT_EQ(world.contacts().points.size(), 4u);
   EXPECT_EQ(count_of(drawn.lines, DrawLayer::bounds, DrawMeaning::bounds), 3u * 12) << "the floor has no bounds";
+  EXPECT_GE(count_of(drawn.lines, DrawLayer::tree, DrawMeaning::bounds), 3u * 12) << "those in the tree, and its nodes";
 
   DrawRecorder without(draw_area(world));
   without.off = DrawLayer::shapes;

@@ -101,6 +101,53 @@ TYPED_TEST(SimulationOf, StopsWhereFrictionEndsIt) {
   EXPECT_LT(length(s.motion(plate).linear), T(1e-4));
 }
 
+/// A ball that slides begins to roll: five sevenths of its speed are left (Coriolis 1835).
+TYPED_TEST(SimulationOf, SlidingBallsRoll) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  add_floor<T>(s);
+  const BodyId ball = s.add({Sphere<T>(T(0.5)), {{T(0), T(0.5), T(0)}, {}}, {T(7), T(0), T(0)}});
+  for (int i = 0; i < 128; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(ball).linear.x, T(5), T(0.025));
+  EXPECT_NEAR(s.motion(ball).angular.z, T(-10), T(0.05));
+}
+
+/// Rolling friction of a length c turns a ball back by c m g: with the inertia 2/5 m r² it slows down by 5 c g / 7 r.
+TYPED_TEST(SimulationOf, RollingFrictionSlowsABallDown) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  Material<T> m;
+  m.rolling_friction = T(0.07);
+  add_floor<T>(s, m);
+  const BodyId ball =
+      s.add({Sphere<T>(T(0.5)), {{T(0), T(0.5), T(0)}, {}}, {T(4), T(0), T(0)}, {T(0), T(0), T(-8)}}, {}, m);
+  for (int i = 0; i < 128; ++i) s.step(T(dt));
+  EXPECT_NEAR(s.motion(ball).linear.x, T(2), T(0.02));
+  EXPECT_NEAR(s.motion(ball).angular.z, T(-4), T(0.04));
+  for (int i = 0; i < 4 * 64; ++i) s.step(T(dt));
+  EXPECT_LT(length(s.motion(ball).linear), T(1e-4));
+}
+
+/// Static friction holds up to its cone; what slides is held back by the dynamic one: on a slope of 1 : 2 by
+/// (1/2 - 1/4) g / sqrt(5/4).
+TYPED_TEST(SimulationOf, StaticFrictionHoldsWhatDynamicLetsGo) {
+  using T = TypeParam;
+  const T root = std::sqrt(T(5)) / T(2);
+  const Quat<T> tilt = normalized(Quat<T>{T(0), T(0), T(-1), std::sqrt(T(5)) + T(2)});  // by atan 1/2 about -z
+  const Vec3<T> down = rotate(tilt, Vec3<T>{T(1), T(0), T(0)}), up = rotate(tilt, Vec3<T>{T(0), T(1), T(0)});
+  Material<T> m;
+  m.static_friction = T(0.6);
+  m.dynamic_friction = T(0.25);
+  for (const T speed : {T(0), T(1)}) {
+    Simulation<T> s(settings<T>());
+    add_floor<T>(s, m, tilt);
+    const BodyId box = s.add({Box<T>({T(2), T(0.5), T(2)}), {up * T(0.25), tilt}, down * speed}, {}, m);
+    for (int i = 0; i < 128; ++i) s.step(T(dt));
+    const T expected = speed == T(0) ? T(0) : speed + T(0.25) / root * T(10) * T(2);
+    EXPECT_NEAR(dot(s.motion(box).linear, down), expected, T(0.02) * (T(1) + expected)) << speed;
+  }
+}
+
 /// A ball that falls from h rebounds to e² h, and with e = 1 keeps its energy.
 TYPED_TEST(SimulationOf, Rebounds) {
   using T = TypeParam;
@@ -353,19 +400,45 @@ RC_GTEST_PROP(Simulation, CollisionsConserve, (int seed)) {
   Material<double> m;
   m.restitution = (random() % 2) != 0 ? 0.5 : 0.0;
   for (int i = 0; i < 6; ++i) {
-    const Vec3d at{number() * 3, number() * 3, number() * 3};
-    s.add({Box<double>({1, 1 + number() / 2, 0.5}),
-           {at, normalized(Quatd{number(), number(), number(), 1.5})},
-           at * -2.0,
-           {number(), number(), number()}},
-          {}, m);
+    // From six sides, so far apart that none overlap at first.
+    Vec3d at{number() / 4, number() / 4, number() / 4};
+    at[static_cast<std::size_t>(i % 3)] += i < 3 ? 3 : -3;
+    const double height = 1 + number() / 2;
+    const Vec3d turn{number(), number(), number()}, spin{number(), number(), number()};
+    s.add({Box<double>({1, height, 0.5}), {at, normalized(Quatd{turn.x, turn.y, turn.z, 1.5})}, at * -2.0, spin}, {},
+          m);
   }
   const auto before = s.report();
   for (int i = 0; i < 100; ++i) s.step(dt);
   const auto after = s.report();
   const double size = 6 * 1000 * 6;
   RC_ASSERT(length(after.momentum - before.momentum) < 1e-9 * size);
-  RC_ASSERT(std::isfinite(after.kinetic_energy));
+  // Six of 1,000 at speed 6 that are pressed at places 6 dt apart.
+  RC_ASSERT(length(after.angular_momentum - before.angular_momentum) < size * 6 * dt);
+  RC_ASSERT(after.kinetic_energy < before.kinetic_energy * (1 + 1e-9));
+}
+
+/// Boxes that begin in one place come apart without being thrown: no faster than a fall from twice their size.
+TYPED_TEST(SimulationOf, WhatBeginsInOneComesApart) {
+  using T = TypeParam;
+  std::mt19937 random(1);
+  const auto number = [&] { return static_cast<T>(random() % 1024) / T(512) - T(1); };
+  Simulation<T> s(settings<T>());
+  add_floor<T>(s);
+  std::vector<BodyId> boxes;
+  for (int i = 0; i < 8; ++i) {
+    Vec3<T> at{number(), number(), number()};
+    at = at * T(0.1) + Vec3<T>{T(0), T(0.7), T(0)};
+    boxes.push_back(s.add({Box<T>({T(1), T(1), T(1)}), {at, {}}}));
+  }
+  T fastest(0);
+  for (int i = 0; i < 10 * 64; ++i) {
+    s.step(T(dt));
+    for (const BodyId id : boxes) fastest = std::max(fastest, length(s.motion(id).linear));
+  }
+  EXPECT_LT(fastest, std::sqrt(T(2) * T(10) * T(2)));
+  EXPECT_LT(s.report().deepest, T(0.02));
+  for (const BodyId id : boxes) EXPECT_GT(s.poses()[id.index].translation.y, T(0.4));
 }
 
 /// A heap of anything comes to rest, and nothing is a NaN on the way.

@@ -47,6 +47,64 @@ TEST(JointScenes, FixedStays) {
   }
 }
 
+/// What a body swings by when only a joint holds it: its energy in each frame, of which that of the swing is a part.
+void expect_swing(const Played& played, const Vec3d& pivot, const Vec3d& socket, double swing) {
+  const double first = played.frames.front().kinetic_energy + played.frames.front().potential_energy;
+  for (const SimulationFrame& frame : played.frames) {
+    ASSERT_LE(gap(played, frame, pivot, socket), 1e-3) << frame.time;
+    ASSERT_NEAR(frame.kinetic_energy + frame.potential_energy, first, 0.01 * swing) << frame.time;
+  }
+}
+
+TEST(JointScenes, ABallTurnsAboutAllAxes) {
+  const Vec3d pivot{3, 0, 0}, socket{-0.6, 1, 0.5};
+  const Json motion{{"mass", 2}, {"angularVelocity", {0, 1, 0}}, {"linearVelocity", {-0.5, 0, -0.6}}};
+  const Played played(
+      kept(jointed({{"limits", {together}}}, pivot, socket, {}, motion), "joint-01-ball", "it swings to all sides"));
+  expect_swing(played, pivot, socket, 2 * g * (length(socket) - socket.y));
+  Vec3d most{};
+  for (const SimulationFrame& frame : played.frames)
+    for (std::size_t i = 0; i < 3; ++i) most[i] = std::max(most[i], std::abs(frame.bodies[0].angular[i]));
+  EXPECT_GT(std::min({most.x, most.y, most.z}), 0.5);
+}
+
+/// Hinges about each axis: only that one turns. About y nothing pulls, and the turn that it begins with stays.
+TEST(JointScenes, HingesTurnAboutTheirAxisAlone) {
+  const double d = 0.8, amplitude = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Vec3d pivot{3, 0, 0};
+    Vec3d socket{0, d * std::cos(amplitude), 0}, about{};
+    about[axis] = 1;
+    Json motion{{"mass", 2}};
+    if (axis == 0) socket.z = d * std::sin(amplitude);
+    if (axis == 2) socket.x = -d * std::sin(amplitude);
+    if (axis == 1) {
+      socket = {d, 0, 0};
+      motion["angularVelocity"] = {0, 2, 0};
+      motion["linearVelocity"] = {0, 0, 2 * d};
+    }
+    std::vector<int> others;
+    for (int i = 0; i < 3; ++i)
+      if (i != static_cast<int>(axis)) others.push_back(i);
+    const char* names[] = {"joint-02-hinge-x", "joint-03-hinge-y", "joint-04-hinge-z"};
+    const Played played(kept(jointed({{"limits", {together, straight(others)}}}, pivot, socket, {}, motion),
+                             names[axis], "it turns about one axis alone"));
+    const double swing = axis == 1 ? 2 * (1 / 6.0 + d * d) * 4 / 2 : 2 * g * d * (1 - std::cos(amplitude));
+    expect_swing(played, pivot, socket, swing);
+    double fastest = 0;
+    for (const SimulationFrame& frame : played.frames) {
+      const BodyState& body = frame.bodies[0];
+      ASSERT_LE(length(body.angular - about * dot(body.angular, about)), 1e-3) << names[axis] << " " << frame.time;
+      ASSERT_GE(dot(rotate(body.pose.rotation, about), about), 1 - 1e-6) << names[axis] << " " << frame.time;
+      fastest = std::max(fastest, std::abs(dot(body.angular, about)));
+      if (axis == 1) {
+        ASSERT_NEAR(body.angular.y, 2, 0.01) << frame.time;
+      }
+    }
+    EXPECT_GT(fastest, 1) << names[axis];
+  }
+}
+
 /// On 45 degrees, 2 m either way: the block ends at -2 m; where the two collide, at the fixed box.
 TEST(JointScenes, SliderSlidesToItsStop) {
   const Quatd slope = Quatd::from_axis_angle({0, 0, 1}, pi / 4);
