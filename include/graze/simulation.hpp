@@ -129,6 +129,7 @@ class GRAZE_API Simulation {
   Turning angular_momentum(BodyId id) const;       ///< about the centre of mass
   T mass(BodyId id) const;                         ///< infinite for what is fixed or kinematic
   bool asleep(BodyId id) const;                    ///< whether it is at rest and not moved until something wakes it
+  int sub_steps(BodyId id) const;                  ///< of its island in the last step; 0 before its first
   std::vector<JointId> joints() const;             ///< all of them, by index
   const Joint<T, Space>& joint(JointId id) const;  ///< as it was added
   std::span<const T> joint_impulses(JointId id) const;  ///< of the last step, a number for each row of the joint
@@ -140,6 +141,9 @@ class GRAZE_API Simulation {
   void set_gravity(const Vec& gravity);                  ///< from the next step on
 
   StepReport<T, Space> report() const;  ///< what the last step did
+  /// A number for the bits of all that the next step follows from: poses, motions, rest, and the impulses of contacts
+  /// and joints. The same in runs that are the same, and after `restore`. Costs a pass over bodies and contacts.
+  std::uint64_t state_hash() const;
 
   State<T, Space> save() const;  ///< all that `restore` needs
   /// Goes back to a state of this simulation. Throws `InvalidValue` where bodies or joints came or went in between.

@@ -7,6 +7,7 @@
 #include <iosfwd>
 
 #include "capture/bytes.hpp"
+#include "dynamics/bit_hash.hpp"
 #include "graze/capture.hpp"
 
 namespace graze::capture {
@@ -61,41 +62,6 @@ enum class Call : std::uint8_t {
 constexpr std::size_t call_count(std::uint16_t of = version) { return of == 2 ? 25 : 26; }
 /// "add", "step": as the method is called.
 const char* name_of(Call call);
-
-/// The bits of a sequence of numbers as one, the order told apart.
-class BitHash {
- public:
-  template <class T>
-  void add(T value) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &value, sizeof(T));
-    value_ = (value_ ^ bits) * 0x100000001b3u;
-    value_ ^= value_ >> 29;
-  }
-  template <class T>
-  void add(const Vec3<T>& v) {
-    add(v.x), add(v.y), add(v.z);
-  }
-  template <class T>
-  void add(const plane::Vec2<T>& v) {
-    add(v.x), add(v.y);
-  }
-  template <class T>
-  void add(const Pose<T>& pose) {
-    add(pose.translation);
-    add(Vec3<T>{pose.rotation.x, pose.rotation.y, pose.rotation.z});
-    add(pose.rotation.w);
-  }
-  template <class T>
-  void add(const plane::Pose2<T>& pose) {
-    add(pose.translation);
-    add(pose.rotation.cosine), add(pose.rotation.sine);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
 
 /// What came out of a frame, part by part, so that a difference has a name.
 struct Outcome {

@@ -352,6 +352,10 @@ bool Simulation<T, Space>::asleep(BodyId id) const {
   return parts_->bodies[parts_->checked(id)].asleep;
 }
 template <class T, class Space>
+int Simulation<T, Space>::sub_steps(BodyId id) const {
+  return parts_->bodies[parts_->checked(id)].sub_steps;
+}
+template <class T, class Space>
 std::vector<JointId> Simulation<T, Space>::joints() const {
   std::vector<JointId> out;
   for (std::uint32_t i = 0; i < parts_->joints.size(); ++i)

@@ -4,6 +4,7 @@
 // to points that the world finds anew where the last update found them: so bodies are put there first.
 #include <string>
 
+#include "dynamics/bit_hash.hpp"
 #include "dynamics/simulation_parts.hpp"
 
 namespace graze {
@@ -120,8 +121,35 @@ void Simulation<T, Space>::restore(const State<T, Space>& state) {
   p.last_step = kept.last_step;
 }
 
+template <class T, class Space>
+std::uint64_t Simulation<T, Space>::state_hash() const {
+  SimulationParts<T, Space>& p = *parts_;
+  const BodyArrays<T, Space>& all = p.world.bodies();
+  BitHash hash;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (all.alive()[i] == 0) continue;
+    hash.add(i);
+    hash.add(all.poses()[i]);
+    hash.add(all.linear()[i]);
+    hash.add(all.angular()[i]);
+    const SimulatedBody<T, Space>& body = p.bodies[i];
+    hash.add(body.free.linear);
+    hash.add(body.free.angular_momentum);
+    hash.add(body.force);
+    hash.add(body.torque);
+    hash.add(body.rested);
+    hash.add(body.sub_steps);
+    hash.add(body.asleep);
+  }
+  each_point<T, Space>(p.world.contacts(), [&](const SolverPoint<T, Space>& point) { hash.add(point.impulse); });
+  for (const JointId id : joints())
+    for (const T impulse : joint_impulses(id)) hash.add(impulse);
+  return hash.value();
+}
+
 #define GRAZE_STATE(T, Space)                                                                                          \
   template class State<T, Space>;                                                                                      \
+  template std::uint64_t Simulation<T, Space>::state_hash() const;                                                     \
   template State<T, Space> Simulation<T, Space>::save() const;                                                         \
   template void Simulation<T, Space>::restore(const State<T, Space>&);
 GRAZE_STATE(float, Space<float>)

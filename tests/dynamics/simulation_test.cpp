@@ -380,6 +380,59 @@ TYPED_TEST(SimulationOf, SameBitsAfterRestore) {
   EXPECT_EQ(poses_after(s, 60), once);
 }
 
+/// The hash of a state is that of every run that is the same, and of no other.
+TYPED_TEST(SimulationOf, StatesHaveHashes) {
+  using T = TypeParam;
+  const auto run = [](Executor* executor, T nudge) {
+    Simulation<T> s(settings<T>(T(10), true), executor);
+    add_heap(s, 7, 40);
+    poses_after(s, 30);
+    const BodyId last = s.world().bodies().id(40);
+    s.set_velocity(last, {{nudge, T(0), T(0)}, {}});
+    std::vector<std::uint64_t> hashes;
+    for (int i = 0; i < 5; ++i) {
+      s.step(T(dt));
+      hashes.push_back(s.state_hash());
+    }
+    return hashes;
+  };
+  const auto hashes = run(nullptr, T(0));
+  ThreadExecutor threads(3);
+  EXPECT_EQ(run(&threads, T(0)), hashes);
+  const auto others = run(nullptr, std::numeric_limits<T>::epsilon());
+  for (std::size_t i = 0; i < hashes.size(); ++i) {
+    EXPECT_NE(others[i], hashes[i]) << i;
+    if (i > 0) {
+      EXPECT_NE(hashes[i], hashes[i - 1]) << i;
+    }
+  }
+  Simulation<T> s(settings<T>(T(10), true));
+  add_heap(s, 7, 40);
+  poses_after(s, 30);
+  const State<T> state = s.save();
+  const std::uint64_t before = s.state_hash();
+  poses_after(s, 10);
+  s.restore(state);
+  EXPECT_EQ(s.state_hash(), before);
+}
+
+/// Each body tells how many sub-steps its island took: many below something heavy, few in free flight.
+TYPED_TEST(SimulationOf, BodiesTellTheSubStepsOfTheirIslands) {
+  using T = TypeParam;
+  Simulation<T> s(settings<T>());
+  add_floor<T>(s);
+  Dynamics<T> heavy;
+  heavy.mass = T(100000);
+  const BodyId below = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(0.5), T(0)}, {}}});
+  const BodyId above = s.add({Box<T>({T(1), T(1), T(1)}), {{T(0), T(1.5), T(0)}, {}}}, heavy);
+  const BodyId flying = s.add({Sphere<T>(T(0.5)), {{T(9), T(90), T(0)}, {}}});
+  EXPECT_EQ(s.sub_steps(flying), 0);
+  for (int i = 0; i < 30; ++i) s.step(T(dt));
+  EXPECT_EQ(s.sub_steps(below), s.sub_steps(above));
+  EXPECT_EQ(s.sub_steps(below), s.report().most_sub_steps);
+  EXPECT_LT(s.sub_steps(flying), s.sub_steps(below));
+}
+
 TYPED_TEST(SimulationOf, SameBitsInAnotherSize) {
   using T = TypeParam;
   const auto run = [](T scale, T step) {
