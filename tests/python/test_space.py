@@ -157,3 +157,31 @@ def test_wrong_types_are_type_errors():
         graze.overlap("box", None, graze.Sphere(1), None)
     with pytest.raises(TypeError, match=r"poses_a\[0\]: expected a pose"):
         graze.batch.overlap(graze.Sphere(1), np.zeros((3, 5)), graze.Sphere(1), None)
+
+
+def test_a_batch_of_rays_is_each_alone():
+    rng = np.random.default_rng(3)
+    shapes = [graze.Box((1, 2, 3)), graze.Sphere(1), graze.Cylinder(2, 0.5),
+              graze.Mesh(np.array([[-1, 0, -1], [1, 0, -1], [0, 0, 2.0]]), np.array([[0, 1, 2]]))]
+    pose = ((0.1, 0.2, 0.3), (0, 0.6, 0, 0.8))
+    origins, directions = rng.uniform(-3, 3, (200, 3)), rng.uniform(-1, 1, (200, 3))
+    for shape in shapes:
+        for back_faces in (True, False):
+            found = graze.batch.raycast(shape, pose, origins, directions, 5, back_faces)
+            some = graze.batch.raycast_any(shape, pose, origins, directions, 5, back_faces)
+            assert some.dtype == bool and 0 < found["hit"].sum() < 200
+            for ray, answer, hit in zip(zip(origins, directions), found, some):
+                alone = graze.raycast(shape, pose, *ray, 5, back_faces)
+                assert bool(answer["hit"]) == bool(hit) == (alone is not None)
+                if alone is None:
+                    assert np.isinf(answer["t"])
+                else:
+                    assert answer["t"] == alone.t and answer["piece"] == alone.piece
+                    assert answer["point"].tolist() == alone.point.tolist()
+                    assert answer["normal"].tolist() == alone.normal.tolist()
+    one = graze.batch.raycast(graze.Sphere(1), None, (-5, 0, 0), [[1, 0, 0], [0, 1, 0]])
+    assert one["hit"].tolist() == [True, False] and one["t"][0] == 4
+    with pytest.raises(ValueError, match=r"origins\[1\]"):
+        graze.batch.raycast(graze.Sphere(1), None, [[0, 0, 0], [0, float("nan"), 0]], (1, 0, 0))
+    with pytest.raises(ValueError, match="directions"):
+        graze.batch.raycast(graze.Sphere(1), None, [[0, 0, 0]] * 3, [[1, 0, 0]] * 2)

@@ -190,6 +190,7 @@ void add_batches(py::module_& m) {
            "`manifold_count` from `first_manifold` on, and likewise a manifold's points.") +
        batch_doc)
           .c_str());
+  add_ray_batches(batch);
 }
 
 }  // namespace graze::python
