@@ -184,5 +184,72 @@ TEST(PlaneBatches, PlacesThatAreNotThereAreRefused) {
   EXPECT_THROW(Batch<float>(bodies, Bodies<float>(four, four_poses)), InvalidValue);
 }
 
+/// Rays of all sorts at a shape: from all around, from within, along axes, through corners, and what is none.
+template <class T>
+std::vector<Ray<T>> make_rays(const Shape<T>& shape, const Pose2<T>& pose, std::size_t count, std::mt19937& random) {
+  const auto number = [&] { return static_cast<T>(random() % 2001) / T(1000) - T(1); };
+  const auto place = [&] {
+    const T x = number();
+    return Vec2<T>{x, number()};
+  };
+  std::vector<Vec2<T>> corners{pose.translation};
+  if (const auto* polygon = shape.template as<ConvexPolygon<T>>())
+    for (const Vec2<T>& p : polygon->vertices()) corners.push_back(transform(pose, p));
+  if (const auto* box = shape.template as<Box<T>>()) corners.push_back(transform(pose, box->half_extents()));
+  std::vector<Ray<T>> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    Ray<T> ray{place() * T(3), place()};
+    const Vec2<T> corner = corners[random() % corners.size()];
+    if (i % 5 == 1) ray.direction = corner - ray.origin;
+    if (i % 7 == 2) ray.origin = corner;
+    if (i % 11 == 3) ray.direction.x = T(0);
+    if (i % 13 == 4) ray.direction = {};
+    if (i % 17 == 5) ray.origin.y = std::numeric_limits<T>::quiet_NaN();
+    if (i % 19 == 6) ray.direction = ray.direction * T(1e-30);
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+TYPED_TEST(PlaneBatch, RaysAreThoseOfEachAlone) {
+  using T = TypeParam;
+  std::mt19937 random(9);
+  std::size_t hit_count = 0, rays_in_all = 0;
+  for (int round = 0; round < 300; ++round) {
+    const Shape<T> shape =
+        round % 3 == 0 ? Shape<T>(Box<T>({T(1), T(0.6)})) : random_figure<T>(round % figure_kinds, 1, random).shape;
+    Pose2<T> pose = random_pose<T>(0.6, random);
+    if (round % 8 == 0) pose.rotation.cosine *= T(1.5), pose.rotation.sine *= T(1.5);
+    const std::vector<Ray<T>> rays = make_rays(shape, pose, round % 150, random);
+    const T length = round % 4 == 0 ? T(2) : std::numeric_limits<T>::infinity();
+    std::vector<std::optional<RayHit<T>>> hits(rays.size());
+    std::vector<std::uint8_t> any(rays.size());
+    raycast<T>(shape, pose, rays, hits, length);
+    raycast_any<T>(shape, pose, rays, {reinterpret_cast<bool*>(any.data()), any.size()}, length);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const std::optional<RayHit<T>> alone = raycast(shape, pose, rays[i], length);
+      ASSERT_EQ(hits[i].has_value(), alone.has_value()) << shape.name() << " " << i;
+      ASSERT_EQ(any[i] != 0, raycast_any(shape, pose, rays[i], length)) << shape.name() << " " << i;
+      ++rays_in_all;
+      if (!alone) continue;
+      ++hit_count;
+      ASSERT_TRUE(same_bits(hits[i]->t, alone->t)) << shape.name() << " " << i;
+      expect_same(hits[i]->point, alone->point);
+      expect_same(hits[i]->normal, alone->normal);
+      ASSERT_EQ(hits[i]->piece, alone->piece);
+      ASSERT_EQ(hits[i]->status, alone->status);
+    }
+  }
+  EXPECT_GT(hit_count, rays_in_all / 8);
+  EXPECT_LT(hit_count, rays_in_all * 3 / 4);
+  // What does not fit into the answers is left out.
+  const std::vector<Ray<T>> rays(9, Ray<T>{{T(-3), T(0)}, {T(1), T(0)}});
+  std::vector<std::optional<RayHit<T>>> hits(6);
+  raycast<T>(Box<T>({T(1), T(1)}), {}, rays, hits);
+  for (const auto& hit : hits) EXPECT_EQ(hit->t, T(2.5));
+  raycast<T>(Box<T>({T(1), T(1)}), {}, rays, hits, T(-1));
+  for (const auto& hit : hits) EXPECT_FALSE(hit.has_value());
+}
+
 }  // namespace
 }  // namespace graze::plane

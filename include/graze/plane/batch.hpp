@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -15,6 +17,7 @@
 
 #include "graze/broad_phase.hpp"
 #include "graze/executor.hpp"
+#include "graze/plane/cast.hpp"
 #include "graze/plane/query.hpp"
 
 namespace graze::plane {
@@ -144,6 +147,17 @@ GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distanc
 /// `contacts` of each pair up to `margin` >= 0 apart. With an executor, on its threads; the arrays are the same.
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
+
+/// The first hit of each ray with 0 <= t <= `length`, as `raycast` tells it. `hits` has at least as many places as there
+/// are rays; rays beyond its end are left out. At boxes and convex polygons without rounding many at a time.
+template <class T>
+GRAZE_API void raycast(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays,
+                       std::span<std::optional<RayHit<T>>> hits, T length = std::numeric_limits<T>::infinity());
+
+/// Whether each ray hits anything with 0 <= t <= `length`, as `raycast_any` tells it.
+template <class T>
+GRAZE_API void raycast_any(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays,
+                           std::span<bool> hits, T length = std::numeric_limits<T>::infinity());
 
 template <class T>
 template <class C>
