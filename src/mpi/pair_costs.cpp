@@ -97,9 +97,7 @@ PairCosts::Bodies PairCosts::kinds_of(const BodyArrays<T>& bodies, std::span<con
 template <class T>
 void PairCosts::measure(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, const Bodies& kinds) {
   const std::size_t n = kinds.kinds.size();
-  std::vector<std::uint8_t> due(n * n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < n; ++k) due[i * n + k] = is_due(kinds.kinds[i], kinds.kinds[k]) ? 1 : 0;
+  const std::vector<std::uint8_t> due = due_of(kinds.kinds);
   if (std::find(due.begin(), due.end(), 1) == due.end()) return;
   std::vector<std::size_t> counts(n * n), seen(n * n);
   for (const IdPair& p : pairs) ++counts[kinds.of_pair(p)];
@@ -116,6 +114,13 @@ bool PairCosts::is_due(Kind a, Kind b) const {
   if (news_.contains(ordered(a, b))) return false;
   const auto known = known_.find(ordered(a, b));
   return known == known_.end() || updates_ >= known->second.update + updates_per_measurement;
+}
+
+std::vector<std::uint8_t> PairCosts::due_of(const std::vector<Kind>& kinds) const {
+  std::vector<std::uint8_t> due;
+  for (const Kind a : kinds)
+    for (const Kind b : kinds) due.push_back(is_due(a, b) ? 1 : 0);
+  return due;
 }
 
 float PairCosts::of(Kind a, Kind b) const {

@@ -31,13 +31,20 @@ class PairCosts {
   void charge(const BodyArrays<T>& bodies, std::span<const IdPair> pairs, Charge&& charge) {
     const Bodies kinds = kinds_of(bodies, pairs);
     const std::vector<float> table = table_of(kinds.kinds);
-    for (const IdPair& pair : pairs) charge(pair, table[kinds.of_pair(pair)]);
+    const std::vector<std::uint8_t> due = due_of(kinds.kinds);
+    due_ = false;
+    for (const IdPair& pair : pairs) {
+      const std::size_t kind = kinds.of_pair(pair);
+      due_ |= due[kind] != 0;
+      charge(pair, table[kind]);
+    }
   }
 
-  /// Measures the kinds of pairs that are not known or were measured long ago, for the next `share`.
+  /// Measures the kinds of pairs that are not known or were measured long ago, for the next `share`, where there are any
+  /// among those that were charged last.
   template <class T>
   void measure(const BodyArrays<T>& bodies, std::span<const IdPair> pairs) {
-    if (measures_) measure(bodies, pairs, kinds_of(bodies, pairs));
+    if (measures_ && due_) measure(bodies, pairs, kinds_of(bodies, pairs));
   }
   /// Tells all ranks what each has measured. All ranks, once an update.
   void share(Together& together);
@@ -62,6 +69,8 @@ class PairCosts {
 
   static Pair ordered(Kind a, Kind b) { return {std::min(a, b), std::max(a, b)}; }
   bool is_due(Kind a, Kind b) const;
+  /// Whether each two of the kinds are to be measured.
+  std::vector<std::uint8_t> due_of(const std::vector<Kind>& kinds) const;
   template <class T>
   static Bodies kinds_of(const BodyArrays<T>& bodies, std::span<const IdPair> pairs);
   template <class T>
@@ -72,6 +81,7 @@ class PairCosts {
   std::map<Pair, Known> known_;
   std::map<Pair, double> news_;
   std::uint64_t updates_ = 0;
+  bool due_ = true;  ///< some kind that was charged last, or nothing was charged yet
 };
 
 }  // namespace graze::mpi
