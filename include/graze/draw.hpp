@@ -141,8 +141,8 @@ GRAZE_API void draw(DebugDraw& on, const plane::Shape<T>& shape, const plane::Po
                     const plane::Velocity<T>& velocity, T duration, const std::optional<plane::CastHit<T>>& hit);
 
 /// What a query did. Separating axes are drawn through the area's centre, on each the interval of either shape side by
-/// side, the axis that decided by its name; the Minkowski difference B - A is drawn about the origin, where it lies: the
-/// polygon of the plane, the last simplex of GJK with its search direction, and the polytope of EPA.
+/// side, the axis that decided by its name; the Minkowski difference B - A is drawn about the origin, where it lies:
+/// the polygon of the plane, the last simplex of GJK with its search direction, and the polytope of EPA.
 GRAZE_API void draw(DebugDraw& on, const Trace& trace);
 /// One iteration of GJK, or one expansion of EPA: the simplex or polygon, the direction, and the point that was found.
 GRAZE_API void draw(DebugDraw& on, const TraceGjk& iteration);

@@ -56,9 +56,9 @@ std::vector<std::uint8_t> pushed_bodies(const SimulationParts<T, Space>& parts) 
   return pushed;
 }
 
-/// The part of what gravity `g` gave a body in the time `late` that is taken from its velocity v where it is set back by
-/// `way`, so that it keeps its energy: v becomes v - part · g late. All of it where the body flew freely, nothing where
-/// it neither rose nor fell.
+/// The part of what gravity `g` gave a body in the time `late` that is taken from its velocity v where it is set back
+/// by `way`, so that it keeps its energy: v becomes v - part · g late. All of it where the body flew freely, nothing
+/// where it neither rose nor fell.
 template <class T, class Vec>
 T part_given_back(const Vec& v, const Vec& g, const Vec& way, T late) {
   // Half of |g late|² part² - 2 v · g late part + 2 g · way = 0.

@@ -22,11 +22,11 @@ constexpr T calm_sink = T(0.25);
 template <class T>
 constexpr T fall_in_sub_step = T(0.02);
 
-/// Passes that relax the velocities of an island with both contacts and joints. A contact does not know what joints hang
-/// on its bodies: one pass takes back too little or too much of a blow's impulse, which the next sub-step begins with,
-/// and the blow is given once more. Measured in 393 chains of 3 to 27 links that collide, the last up to a hundred times
-/// as heavy: with one pass the energy rises by up to a tenth of what they can fall, with two by 0.035, with four by
-/// 0.007.
+/// Passes that relax the velocities of an island with both contacts and joints. A contact does not know what joints
+/// hang on its bodies: one pass takes back too little or too much of a blow's impulse, which the next sub-step begins
+/// with, and the blow is given once more. Measured in 393 chains of 3 to 27 links that collide, the last up to a
+/// hundred times as heavy: with one pass the energy rises by up to a tenth of what they can fall, with two by 0.035,
+/// with four by 0.007.
 constexpr int passes_among_joints = 4;
 
 /// Bodies, and chunks of contacts, of an island that a task has: enough that to hand it out costs little beside.

@@ -1,8 +1,8 @@
 // Costs of the contacts of a pair beside those of a body, kind of pair by kind of pair, as measured.
 //
 // Guarantee: all ranks reckon with the same costs, once they are shared. A sample of the pairs of a kind is timed by
-// itself, and the median of ranks taken: seconds of one and the same update differ by a tenth and more between ranks of a
-// machine that does other things besides, and borders drawn by them would go to and fro. How many pairs there are is
+// itself, and the median of ranks taken: seconds of one and the same update differ by a tenth and more between ranks of
+// a machine that does other things besides, and borders drawn by them would go to and fro. How many pairs there are is
 // counted.
 #pragma once
 
@@ -40,8 +40,8 @@ class PairCosts {
     }
   }
 
-  /// Measures the kinds of pairs that are not known or were measured long ago, for the next `share`, where there are any
-  /// among those that were charged last.
+  /// Measures the kinds of pairs that are not known or were measured long ago, for the next `share`, where there are
+  /// any among those that were charged last.
   template <class T>
   void measure(const BodyArrays<T>& bodies, std::span<const IdPair> pairs) {
     if (measures_ && due_) measure(bodies, pairs, kinds_of(bodies, pairs));

@@ -186,8 +186,8 @@ void World<T>::Parts::take_pairs(const ByRank<Sent>& from) {
 }
 
 /// The pairs whose contacts are this rank's to find. Two that move are found where a common point of their bounds lies.
-/// One that moves and one that is fixed are found where the former lives, with all else that stands beside: the latter is
-/// lent there, too, by the rank of their common point.
+/// One that moves and one that is fixed are found where the former lives, with all else that stands beside: the latter
+/// is lent there, too, by the rank of their common point.
 template <class T>
 void World<T>::Parts::find_pairs(Together& together) {
   ByRank<Sent> to = together.nothing<Sent>();

@@ -30,8 +30,8 @@ struct RayPolygon {
   double world_x[most_ray_vertices], world_y[most_ray_vertices];    ///< these normals in the world
 };
 
-/// Rays in the world, and what became of them. Unknown are also those whose directions are none, or too long or too short
-/// for their squares.
+/// Rays in the world, and what became of them. Unknown are also those whose directions are none, or too long or too
+/// short for their squares.
 struct RayBlock {
   enum State : std::uint8_t { unknown, missed, hit };
 

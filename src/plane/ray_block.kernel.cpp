@@ -57,7 +57,7 @@ struct Front {
   for (std::size_t i = 0; i < count; i += static_cast<std::size_t>(S::lanes)) {
     const S origin_x = S::load(rays.origin_x + i), origin_y = S::load(rays.origin_y + i),
             to_x = S::load(rays.direction_x + i), to_y = S::load(rays.direction_y + i);
-    // As `unit_vector`.
+    // The operations of `unit_vector`.
     const S square = to_x * to_x + to_y * to_y;
     const Mask sound = (square >= S(0x1p-900)) & (square <= S(0x1p900));
     const S length = sqrt(square), direction_x = to_x / length, direction_y = to_y / length;

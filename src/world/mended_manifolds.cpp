@@ -1,7 +1,7 @@
 // Contacts put in the place of the last ones, where few pairs changed and have as many points as they had.
 //
-// Guarantee: each pair has what finding all of them anew would give it. Pairs and kinds are the same, so that whatever has
-// as many manifolds and points as before may stand where it stood; where any has not, nothing is put in place and
+// Guarantee: each pair has what finding all of them anew would give it. Pairs and kinds are the same, so that whatever
+// has as many manifolds and points as before may stand where it stood; where any has not, nothing is put in place and
 // everything is found anew. So few bodies that move among many at rest cost what they do themselves, and a look at each
 // pair.
 #include <algorithm>

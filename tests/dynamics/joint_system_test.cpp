@@ -87,8 +87,8 @@ struct RandomTree {
   }
 };
 
-/// What does not turn about an axis may be asked to by several joints at once, which no impulse can do: there velocities
-/// only stay finite.
+/// What does not turn about an axis may be asked to by several joints at once, which no impulse can do: there
+/// velocities only stay finite.
 TEST(JointSystem, RatesOfATreeBecomeWhatIsWanted) {
   std::size_t solved = 0;
   for (unsigned seed = 1; seed <= 2000; ++seed) {

@@ -47,7 +47,7 @@ TEST(JointScenes, FixedStays) {
   }
 }
 
-/// What a body swings by when only a joint holds it: its energy in each frame, of which that of the swing is a part.
+/// Energy and place of a body that only a joint holds: kept in each frame, to a hundredth of the energy of its swing.
 void expect_swing(const Played& played, const Vec3d& pivot, const Vec3d& socket, double swing) {
   const double first = played.frames.front().kinetic_energy + played.frames.front().potential_energy;
   for (const SimulationFrame& frame : played.frames) {

@@ -139,7 +139,7 @@ TEST(SampleBodies, MotionProperties) {
   EXPECT_LE(length(thrown - Vec3d{7, 14 - g / 2, 0}), 1e-6);
   EXPECT_LE(length(played.end("turning").angular - Vec3d{0, pi, 0}), 1e-9);
   EXPECT_LE(length(played.end("turning").pose.translation - Vec3d{-2, 5, 0}), 1e-9);
-  // It has righted itself.
+  // Its low centre of mass has righted it.
   EXPECT_GT(rotate(played.end("tumbler").pose.rotation, Vec3d{0, 1, 0}).y, 0.999);
   EXPECT_NEAR(played.end("carried").pose.translation.x, -4, 1e-6);
 }
@@ -190,7 +190,7 @@ TEST(SampleBodies, Triggers) {
   scene.node("ball", moving({{"shape", ball}}), {0, 5, 0});
   const Played played(kept(scene, "sample-triggers", "a ball falls through zones that do not hold it"), 20);
   expect_above(played, {"ball"});
-  // As if alone: from 5 m to the floor.
+  // Nothing holds it between 5 m and the floor.
   EXPECT_NEAR(played.place("ball", 0.5).y, 5 - g / 8, 1e-9);
   EXPECT_NEAR(played.end("ball").pose.translation.y, 0.25, 0.002);
   // Zones are met, and do not push.

@@ -242,7 +242,7 @@ TYPED_TEST(PlaneBatch, RaysAreThoseOfEachAlone) {
   }
   EXPECT_GT(hit_count, rays_in_all / 8);
   EXPECT_LT(hit_count, rays_in_all * 3 / 4);
-  // What does not fit into the answers is left out.
+  // Rays without a place for their answer are left out.
   const std::vector<Ray<T>> rays(9, Ray<T>{{T(-3), T(0)}, {T(1), T(0)}});
   std::vector<std::optional<RayHit<T>>> hits(6);
   raycast<T>(Box<T>({T(1), T(1)}), {}, rays, hits);

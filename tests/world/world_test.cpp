@@ -103,7 +103,7 @@ TYPED_TEST(WorldOf, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-/// The same contacts of the same pairs, pushed alike, wherever they stand.
+/// Contacts of the same pairs, with the same bits and impulses, wherever they stand.
 template <class T>
 void expect_same_contacts(const ContactArrays<T>& one, const ContactArrays<T>& other) {
   ASSERT_EQ(one.pairs.size(), other.pairs.size());

@@ -50,12 +50,13 @@ class GRAZE_API WholeFileWriter {
   std::ofstream out_;
 };
 
-/// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins; leaves everything as it was.
+/// Throws `InvalidValue` if a file cannot be written, before the work that fills it begins; leaves everything as it
+/// was.
 GRAZE_API void check_writable(const std::filesystem::path& file);
 
 /// Writes the parts one behind the other as a whole file, by a `WholeFileWriter`.
 GRAZE_API void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts);
-/// As the other, of one part.
+/// Writes one part as a whole file.
 GRAZE_API void write_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace graze::io

@@ -42,9 +42,9 @@ GRAZE_API NearestOfChain nearest_of_chain(const Chain<T>& chain, const World<T>&
 /// Answers all configurations of a file, `settings.questions`: for each, and for each of its links, seven numbers of
 /// `double` in this machine's order of bytes, the translation's x, y, z and the rotation's x, y, z, w (what NumPy's
 /// `tofile` writes of an array of N x links x 7). The answers are `NearestOfChain`s, one behind the other. All ranks,
-/// with the same chain and scene: a journal knows them by kinds, bounds and places, and by `settings.kind`. Errors of the
-/// report are configurations with a pose that is none. Throws as `sweep_lines`, and `CommonError` for a file that does
-/// not end with a configuration, and for a chain without links or of pairs that it has not.
+/// with the same chain and scene: a journal knows them by kinds, bounds and places, and by `settings.kind`. Errors of
+/// the report are configurations with a pose that is none. Throws as `sweep_lines`, and `CommonError` for a file that
+/// does not end with a configuration, and for a chain without links or of pairs that it has not.
 template <class T>
 GRAZE_API SweepReport sweep_configurations(MPI_Comm comm, SweepSettings settings, const Chain<T>& chain,
                                            const World<T>& scene, std::ostream& stream,

@@ -148,8 +148,8 @@ GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distanc
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found, Executor* executor = nullptr);
 
-/// The first hit of each ray with 0 <= t <= `length`, as `raycast` tells it. `hits` has at least as many places as there
-/// are rays; rays beyond its end are left out. At boxes and convex polygons without rounding many at a time.
+/// The first hit of each ray with 0 <= t <= `length`, as `raycast` tells it. `hits` has at least as many places as
+/// there are rays; rays beyond its end are left out. At boxes and convex polygons without rounding many at a time.
 template <class T>
 GRAZE_API void raycast(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays,
                        std::span<std::optional<RayHit<T>>> hits, T length = std::numeric_limits<T>::infinity());

@@ -21,9 +21,9 @@ struct Bin {
 /// Pairs sorted by the kinds of their shapes.
 struct Bins {
   static constexpr std::uint8_t unseen = 255;  ///< the type of a shape that was never in a pair
-  std::vector<std::uint32_t> order;  ///< places among the pairs
-  std::vector<Bin> bins;             ///< those that are not empty, by type
-  std::vector<std::uint8_t> types;   ///< of each shape in a pair: its place in `ShapeList`
+  std::vector<std::uint32_t> order;            ///< places among the pairs
+  std::vector<Bin> bins;                       ///< those that are not empty, by type
+  std::vector<std::uint8_t> types;             ///< of each shape in a pair: its place in `ShapeList`
 };
 
 /// Sorts `pairs` of places in `shapes` by counting: linear in their number.

@@ -6,8 +6,8 @@
 // are sorted; their manifolds and points stand as they were found, kind of pair by kind of pair, and those of one pair
 // one behind the other. What is remembered only saves work: a pair of which neither body changed keeps its manifolds,
 // where few pairs changed also their places, and one that was apart is tried first along the direction in which it was,
-// but for pairs of balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at a
-// time.
+// but for pairs of balls, capsules, boxes, triangles and half-spaces that have a kernel: those are asked about many at
+// a time.
 #pragma once
 
 #include <functional>
