@@ -136,7 +136,8 @@ typedef enum GrazeBroadPhaseKind GRAZE_AS_INT {
   GRAZE_BSP = 5
 } GrazeBroadPhaseKind;
 
-// One layer of a convex hull's hierarchy (graze/shape/support_trace.hpp): the hull of some of its vertices, or all of it.
+// One layer of a convex hull's hierarchy (graze/shape/support_trace.hpp): the hull of some of its vertices, or all of
+// it.
 typedef struct GrazeHullLayer {
   const uint32_t *vertices;  // numbers of the hull's vertices
   size_t vertex_count;
@@ -551,7 +552,7 @@ GRAZE_C_API GrazeStatus graze_shape_bounds_d(const GrazeShaped *shape, const Gra
 // The point of a bounded convex shape furthest along `direction`, in the shape's frame.
 GRAZE_C_API GrazeStatus graze_shape_support_d(const GrazeShaped *shape, GrazeVec3d direction, GrazeVec3d *point);
 
-// Of a body of density one; the inertia is about `center`, in the shape's frame. Volume 0 of what has none.
+// Properties of a body of density one; the inertia is about `center`, in the shape's frame. Volume 0 of what has none.
 typedef struct GrazeMassPropertiesd {
   double volume;
   GrazeVec3d center;
@@ -567,8 +568,8 @@ typedef struct GrazeBufferd GrazeBufferd;
 GRAZE_C_API GrazeStatus graze_buffer_create_d(GrazeBufferd **buffer);
 GRAZE_C_API void graze_buffer_destroy_d(GrazeBufferd *buffer);
 
-// Convex hulls alone (graze/shape/support_trace.hpp). The vertices belong to the shape; the layers of its hierarchy, the
-// coarsest first, and what a support query along `direction` looked at, to the buffer.
+// Convex hulls alone (graze/shape/support_trace.hpp). The vertices belong to the shape; the layers of its hierarchy,
+// the coarsest first, and what a support query along `direction` looked at, to the buffer.
 GRAZE_C_API GrazeStatus graze_hull_vertices_d(const GrazeShaped *shape, const GrazeVec3d **vertices, size_t *count);
 GRAZE_C_API GrazeStatus graze_hull_layers_d(const GrazeShaped *shape, GrazeBufferd *buffer,
                                             const GrazeHullLayer **layers, size_t *count);
@@ -1270,7 +1271,7 @@ GRAZE_C_API GrazeStatus graze_plane_shape_rounding_d(const GrazePlaneShaped *sha
 GRAZE_C_API GrazeStatus graze_plane_shape_bounds_d(const GrazePlaneShaped *shape, const GrazePose2d *pose,
                                                    GrazeAabb2d *bounds);
 
-// Of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 of what has none.
+// Properties of a body of density one; the inertia is about `center`, in the shape's frame. Area 0 of what has none.
 typedef struct GrazePlaneMassPropertiesd {
   double area;
   GrazeVec2d center;  // of area
@@ -1758,8 +1759,8 @@ GRAZE_C_API GrazeStatus graze_cast_draw_d(const GrazeMovingd *moving, double dur
                                           const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_cast_draw_d(const GrazePlaneMovingd *moving, double duration,
                                                 const GrazePlaneCastHitd *hit, const GrazeDebugDraw *on);
-// A joint of bodies that stand at these poses, whoever they are: from either origin to its anchor, and how far these are
-// apart. Of a joint its frames are looked at.
+// A joint of bodies that stand at these poses, whoever they are: from either origin to its anchor, and how far these
+// are apart. Of a joint its frames are looked at.
 GRAZE_C_API GrazeStatus graze_joint_draw_d(const GrazeJointd *joint, const GrazePosed *pose_a, const GrazePosed *pose_b,
                                            const GrazeDebugDraw *on);
 GRAZE_C_API GrazeStatus graze_plane_joint_draw_d(const GrazePlaneJointd *joint, const GrazePose2d *pose_a,

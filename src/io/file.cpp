@@ -78,8 +78,11 @@ WholeFileWriter::WholeFileWriter(const std::filesystem::path& file)
   // A link of that name would take the place of the file, and what it leads to be written over.
   std::error_code failed;
   if (!written_.empty() && std::filesystem::is_symlink(written_)) std::filesystem::remove(written_, failed);
+  if (!written_.empty()) out_.open(written_, std::ios::binary);
+  if (out_.is_open()) return;
   // A folder that takes no new files may have one that can be written.
-  if (written_.empty() || !std::ofstream(written_, std::ios::binary)) written_ = target_;
+  out_.clear();
+  written_ = target_;
   open(out_, written_, file_);
 }
 
@@ -109,9 +112,10 @@ void check_writable(const std::filesystem::path& file) {
   const std::filesystem::path target = link_target(file);
   std::error_code failed;
   const bool there = std::filesystem::exists(target, failed);
+  const std::filesystem::path partial = partial_of(target), tried = there || partial.empty() ? target : partial;
   errno = 0;
-  if (!std::ofstream(there ? target : partial_of(target), std::ios::binary | std::ios::app)) cannot_write(file, errno);
-  if (!there) std::filesystem::remove(partial_of(target), failed);
+  if (!std::ofstream(tried, std::ios::binary | std::ios::app)) cannot_write(file, errno);
+  if (!there) std::filesystem::remove(tried, failed);
 }
 
 void write_file(const std::filesystem::path& file, std::span<const std::string_view> parts) {

@@ -1,4 +1,4 @@
-// Where links lead, for who gives a file's name to another: the link stays, and its target is replaced.
+// The targets of links, for who gives a file's name to another: the link stays, and its target is replaced.
 #pragma once
 
 #include <filesystem>

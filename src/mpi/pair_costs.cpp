@@ -12,7 +12,7 @@ namespace {
 /// The cost of a body in an update besides its pairs: the median of balls and boxes of a lattice. On a machine that is
 /// twice as slow pairs weigh twice as much; they stand where bodies do anyway.
 constexpr double seconds_of_body = 50e-9;
-/// Of a kind that was never measured: a pair of balls or of boxes.
+/// Seconds of a pair of a kind that was never measured: those of balls or of boxes.
 constexpr double seconds_of_usual_pair = 100e-9;
 /// A pair that is nothing beside a body, and one that is an update by itself: clocks that stand still or jump.
 constexpr double least_cost = 0.1, most_cost = 1e6;
@@ -54,7 +54,7 @@ struct Sample {
     std::sort(pairs.begin(), pairs.end());
   }
 
-  /// Of a pair: the better of two times, since the first also fetches what was not used for long.
+  /// Seconds of a pair: the better of two times, since the first also fetches what was not used for long.
   double seconds() const {
     using Clock = std::chrono::steady_clock;
     double best = std::numeric_limits<double>::infinity();

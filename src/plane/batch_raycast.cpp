@@ -1,3 +1,4 @@
+// Many rays at one shape of the plane: by the kernel of ray_block.hpp where that is sure, else one by one.
 #include <algorithm>
 
 #include "graze/plane/batch.hpp"
@@ -18,9 +19,10 @@ RayBlockKernel ray_block_kernel() {
 /// Rays below which it does not pay to look at the polygon first.
 constexpr std::size_t few_rays = 4;
 
+/// Whether rays go to the kernel together.
 template <class T>
-bool takes(const Shape<T>& shape) {
-  if (shape.rounding() != T(0)) return false;
+bool go_together(const Shape<T>& shape, std::size_t rays, T length) {
+  if (rays < few_rays || !(length >= T(0)) || shape.rounding() != T(0)) return false;
   const auto* polygon = shape.template as<ConvexPolygon<T>>();
   if (polygon) return polygon->vertices().size() >= 3 && polygon->vertices().size() <= most_ray_vertices;
   const auto* box = shape.template as<Box<T>>();
@@ -88,7 +90,7 @@ template <class T>
 void raycast(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays,
              std::span<std::optional<RayHit<T>>> hits, T length) {
   rays = rays.first(std::min(rays.size(), hits.size()));
-  if (rays.size() < few_rays || !takes(shape) || !(length >= T(0))) {
+  if (!go_together(shape, rays.size(), length)) {
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = raycast(shape, pose, rays[i], length);
     return;
   }
@@ -112,7 +114,7 @@ template <class T>
 void raycast_any(const Shape<T>& shape, const Pose2<T>& pose, std::span<const Ray<T>> rays, std::span<bool> hits,
                  T length) {
   rays = rays.first(std::min(rays.size(), hits.size()));
-  if (rays.size() < few_rays || !takes(shape) || !(length >= T(0))) {
+  if (!go_together(shape, rays.size(), length)) {
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = raycast_any(shape, pose, rays[i], length);
     return;
   }

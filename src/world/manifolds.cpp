@@ -70,13 +70,12 @@ auto ManifoldFinder<T, Space>::neighbours_of(std::uint32_t index) const -> std::
 template <class T, class Space>
 void ManifoldFinder<T, Space>::find(const BodyArrays<T, Space>& bodies, std::span<const IdPair> pairs,
                                     Executor& executor, const std::function<void()>& paired) {
-  if (bodies.unsorted_changes().empty() && std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end()))
-    return paired();
+  const bool same_pairs = std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end());
+  if (same_pairs && bodies.unsorted_changes().empty()) return paired();
+  const bool same_bins = same_pairs && kinds_stay(bodies);
   SerialExecutor serial;
   Executor& some = pairs.size() < few_pairs ? serial : executor;
   // Three parts that know nothing of each other, the longest, which takes as long as the other two, first.
-  const bool same_pairs = std::equal(pairs.begin(), pairs.end(), pairs_.begin(), pairs_.end()),
-             same_bins = same_pairs && kinds_stay(bodies);
   some.run(3, [&](std::size_t part) {
     if (part == 0 && !same_bins) bin_pairs<T, Space>(pairs, bodies.shapes(), bins_);
     if (part == 1 && !same_pairs) remember(pairs);

@@ -16,8 +16,8 @@ namespace graze {
 
 namespace {
 
-/// Of more pairs than one in so many that changed it is likely that one has other points; copying the others then costs
-/// little beside finding these.
+/// The share of pairs, one in so many, up to which contacts are mended: of more that changed one is likely to have other
+/// points, and to copy those of the rest costs little beside finding these.
 constexpr std::size_t pairs_per_asked = 8;
 
 }  // namespace

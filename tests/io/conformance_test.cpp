@@ -18,10 +18,6 @@ Json moving(std::size_t shape, const Json& motion = Json::object()) {
   json["motion"] = motion;
   return json;
 }
-Json with(Json physics, const char* key, std::size_t index) {
-  physics["collider"][key] = index;
-  return physics;
-}
 
 /// The corners and outward triangles of a box about the origin.
 std::size_t box_mesh(PhysicsScene& scene, float half) {

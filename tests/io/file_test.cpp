@@ -105,6 +105,18 @@ TEST_F(WholeFiles, DevicesStayDevices) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(WholeFiles, AreMadeInMemoryToo) {
+  const fs::path memory = "/dev/shm";
+  if (!fs::is_directory(memory)) GTEST_SKIP() << "no file system in memory";
+  const fs::path file = memory / ("graze_" + folder.filename().string());
+  fs::remove(file);
+  check_writable(file);
+  EXPECT_FALSE(fs::exists(file));
+  write_file(file, "made");
+  EXPECT_EQ(bytes_of(file), "made");
+  fs::remove(file);
+}
+
 TEST_F(WholeFiles, WhatCannotBeWrittenIsNamed) {
   const fs::path nowhere = folder / "nowhere" / "a.txt";
   const std::string no_folder = nowhere.string() + ": cannot be written: no such folder";

@@ -12,9 +12,6 @@ using Json = nlohmann::json;
 constexpr double g = 9.81;
 const double pi = std::acos(-1.0);
 
-const Json together{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}};
-Json straight(std::vector<int> axes) { return {{"angularAxes", axes}, {"min", 0}, {"max", 0}}; }
-
 /// A fixed box at the origin and a body on it by a joint between two nodes: `pivot`, below the fixed box, and `socket`,
 /// below the body, which starts where the two agree.
 PhysicsScene jointed(const Json& joint, const Vec3d& pivot, const Vec3d& socket, const Quatd& turn = {},

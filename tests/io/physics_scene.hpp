@@ -15,6 +15,15 @@
 
 namespace graze::io {
 
+/// Limits of joints: no way at all, and no turn about some axes.
+inline const nlohmann::json together{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}};
+inline nlohmann::json straight(const std::vector<int>& axes) { return {{"angularAxes", axes}, {"min", 0}, {"max", 0}}; }
+/// The physics of a node with an index added to its collider: of a material, or of a filter.
+inline nlohmann::json with(nlohmann::json physics, const char* key, std::size_t index) {
+  physics["collider"][key] = index;
+  return physics;
+}
+
 class PhysicsScene {
  public:
   using Json = nlohmann::json;

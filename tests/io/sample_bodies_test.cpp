@@ -21,10 +21,6 @@ Json moving(const Json& geometry, const Json& motion = {{"mass", 1}}) {
   json["motion"] = motion;
   return json;
 }
-Json with(Json physics, const char* key, std::size_t index) {
-  physics["collider"][key] = index;
-  return physics;
-}
 void add_floor(PhysicsScene& scene, const Json& more = Json::object()) {
   Json floor = solid({{"shape", scene.box(60, 1, 60)}});
   floor["collider"].update(more);

@@ -13,8 +13,6 @@ using Json = nlohmann::json;
 constexpr double g = 9.81;
 const double pi = std::acos(-1.0);
 
-const Json together{{"linearAxes", {0, 1, 2}}, {"min", 0}, {"max", 0}};
-Json straight(std::vector<int> axes) { return {{"angularAxes", axes}, {"min", 0}, {"max", 0}}; }
 /// A turn about z is free.
 Json hinge() { return {{"limits", {together, straight({0, 1})}}}; }
 Json solid(std::size_t shape) { return {{"collider", {{"geometry", {{"shape", shape}}}}}}; }

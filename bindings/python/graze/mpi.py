@@ -9,17 +9,19 @@ call the same with the same arguments, of a program that `mpirun` starts:
 import math
 import os
 
+import numpy as np
 from mpi4py import MPI
 
 from . import _graze  # noqa: F401  its shapes and worlds are the arguments' types
 
 try:
-    from ._graze_mpi import CommonError, nearest
+    from ._graze_mpi import CommonError
     from ._graze_mpi import sweep_configurations as _sweep
 except ImportError as error:
     raise ImportError("this graze was built without MPI and Zoltan, so it has no graze.mpi") from error
 
 __all__ = ["CommonError", "nearest", "sweep_configurations"]
+nearest = np.dtype([("distance", "f8"), ("link", "u4"), ("other", "u4")])
 CommonError.__module__ = "graze.mpi"
 CommonError.__doc__ = """A fault that all ranks are told of, so that each can end in order; the message names the rank."""
 

@@ -13,6 +13,10 @@ namespace graze::python {
 
 namespace {
 
+// The NumPy type `nearest` of graze/mpi.py.
+static_assert(offsetof(mpi::NearestOfChain, link) == 8 && offsetof(mpi::NearestOfChain, other) == 12 &&
+              sizeof(mpi::NearestOfChain) == 16);
+
 py::dict object_of(const mpi::SweepReport& report) {
   py::dict told;
   told["configurations"] = report.lines;
@@ -51,15 +55,5 @@ PYBIND11_MODULE(_graze_mpi, m) {
   namespace py = pybind11;
   using namespace graze;
   py::register_exception<mpi::CommonError>(m, "CommonError", PyExc_RuntimeError);
-  py::list fields, formats, offsets;
-  const auto field = [&](const char* name, const char* format, std::size_t offset) {
-    fields.append(name);
-    formats.append(format);
-    offsets.append(offset);
-  };
-  field("distance", "f8", offsetof(mpi::NearestOfChain, distance));
-  field("link", "u4", offsetof(mpi::NearestOfChain, link));
-  field("other", "u4", offsetof(mpi::NearestOfChain, other));
-  m.attr("nearest") = py::dtype(fields, formats, offsets, sizeof(mpi::NearestOfChain));
   m.def("sweep_configurations", &python::sweep_configurations);
 }
