@@ -13,6 +13,7 @@
 
 #include "graze/batch_contacts.hpp"
 #include "graze/broad_phase.hpp"
+#include "graze/compact_contacts.hpp"
 #include "graze/query.hpp"
 
 namespace graze {
@@ -109,6 +110,10 @@ GRAZE_API void distance(const Batch<T>& batch, std::vector<Distance<T>>& distanc
 /// triangles; all of these with half-spaces; triangles with each other, to tell those that are further apart.
 template <class T>
 GRAZE_API void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found);
+
+/// Those contacts in few bytes, for callers who want points, normals and distances only.
+template <class T>
+GRAZE_API void contacts(const Batch<T>& batch, T margin, CompactContacts<T>& found);
 
 template <class T>
 template <class C>

@@ -8,6 +8,7 @@
 #include "graze/broad_phase.hpp"
 #include "graze/capture.hpp"
 #include "graze/cast.hpp"
+#include "graze/compact_contacts.hpp"
 #include "graze/contact.hpp"
 #include "graze/contact_motion.hpp"
 #include "graze/draw.hpp"

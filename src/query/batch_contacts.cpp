@@ -1,18 +1,11 @@
 #include <algorithm>
 
 #include "graze/batch.hpp"
-#include "query/batch_rows.hpp"
+#include "query/contact_writing.hpp"
 
 namespace graze {
 
 namespace {
-
-/// The pairs in rows that are not answered for in their order.
-template <class T>
-struct OtherRows {
-  std::uint8_t unknown[row_chunk], side_places[row_chunk];
-  RoomFor<SegmentContact<T>, row_chunk> sides;
-};
 
 /// Writes what is found behind each other. The arrays are kept longer than that until all is done, so that a record can
 /// be written before it is known whether it counts: of pairs half of which touch, at random, a jump would often be
@@ -169,13 +162,6 @@ class Writer {
     array.insert(array.end(), records + over, records + count);
     used += count;
   }
-  template <class Array>
-  static void make_room(Array& array, std::size_t size) {
-    if (array.size() >= size) return;
-    // Memory for twice as many, but made as records only when they are near to be written: they are in the cache then.
-    if (array.capacity() < size) array.reserve(std::max(size, 2 * array.capacity()));
-    array.resize(size);
-  }
 
   BatchContacts<T>& found_;
   std::size_t manifolds_ = 0, points_ = 0;
@@ -183,121 +169,12 @@ class Writer {
   RoomFor<ContactPoint<T>, std::max(row_chunk, PointBlock<T>::room)> points_aside_;
 };
 
-/// Asks about one pair after the other.
-template <class T>
-class OneByOne {
- public:
-  OneByOne(const Batch<T>& batch, T margin, Writer<T>& writer) : batch_(batch), margin_(margin), writer_(writer) {}
-
-  void operator()(std::size_t i) {
-    const IdPair p = batch_[i];
-    manifolds_.clear();
-    const bool overlap = batch_.a().visit(p.a, [&](const Shape<T>& a) {
-      return batch_.b().visit(p.b, [&](const Shape<T>& b) {
-        return contacts(a, batch_.a().pose(p.a), b, batch_.b().pose(p.b), margin_, manifolds_);
-      });
-    });
-    writer_.begin(i, overlap);
-    for (const Manifold<T>& m : manifolds_)
-      writer_.add(i, m.normal, m.piece_a, m.piece_b, m.points.size(), [&](auto& points) {
-        for (const ContactPoint<T>& point : m.points) points.push_back(point);
-        return m.points.size();
-      });
-  }
-
- private:
-  const Batch<T>& batch_;
-  T margin_;
-  Writer<T>& writer_;
-  Manifolds<T> manifolds_;
-};
-
-/// The sink (`narrow/batch/contact_sink.hpp`) that writes a batch's contacts; `place(i)` is the place in the batch of
-/// the i-th pair that kernels are asked about.
-template <class T, class Place>
-class BatchSink {
- public:
-  using Scalar = T;
-  static constexpr std::size_t most = batch_chunk;
-
-  BatchSink(Writer<T>& writer, OneByOne<T>& single, const Place& place)
-      : writer_(writer), single_(single), place_(place) {}
-
-  void apart(std::size_t i) { writer_.begin(place_(i), false); }
-  void unknown(std::size_t i) { single_(place_(i)); }
-  std::size_t one_each(const PointContact<T>* contacts, const Meeting* meetings, std::size_t count) {
-    return writer_.write(place_, contacts, meetings, count);
-  }
-  template <class Points>
-  void several(std::size_t i, T distance, const Vec3<T>& normal, const Points& points, std::size_t most_points) {
-    writer_.touching(place_(i), distance, normal, most_points, points);
-  }
-  void met(const MetPairs<T>& some, bool turned) {
-    writer_.write(some, turned, [&](std::size_t k) { return place_(some.place(k)); });
-  }
-  Writer<T>& room() { return writer_; }
-
- private:
-  Writer<T>& writer_;
-  OneByOne<T>& single_;
-  Place place_;
-};
-
-/// Pairs in rows that touch in one point each, or in two where capsules lie.
-template <class P, class T, class Sink>
-void visit_contact_rows(const Batch<T>& batch, bool turned, T margin, Writer<T>& writer, Sink& sink) {
-  const auto kernel = P::template contact_rows<T>();
-  const auto ask = [&](const PairRows<T>& rows, std::size_t first, std::size_t count) {
-    OtherRows<T> others;
-    const RowCounts found = writer.write_rows(first, others, [&](const ContactRows<T>& to) {
-      RowCounts all{};
-      kernel(rows, count, margin, turned, to, all);
-      return all;
-    });
-    for (std::size_t k = 0; k < found.sides; ++k)
-      visit_segment(others.sides.records[k], P::template features<T>(), turned, first + others.side_places[k], sink);
-    for (std::size_t k = 0; k < found.unknown; ++k) sink.unknown(first + others.unknown[k]);
-  };
-  visit_rows<typename P::template A<T>, typename P::template B<T>>(batch, turned, ask);
-}
-
-/// The contacts of a batch whose sides are of one kind each, read and written where they stand: whether the kernels of
-/// the two kinds can.
-template <class T>
-bool contacts_of_rows(const Batch<T>& batch, const LanesFor& lanes, T margin, Writer<T>& writer, OneByOne<T>& single) {
-  const auto in_order = [](std::size_t i) { return i; };
-  BatchSink sink(writer, single, in_order);
-  bool done = false;
-  with_lane_pair(lanes.pair, [&]<class P>() {
-    using A = typename P::template A<T>;
-    using B = typename P::template B<T>;
-    const auto each_rows = [&](const auto& ask) { visit_rows<A, B>(batch, lanes.turned, ask); };
-    if constexpr (HasContactRows<P>)
-      visit_contact_rows<P>(batch, lanes.turned, margin, writer, sink);
-    else if constexpr (requires { P::visit_row_contacts(each_rows, margin, sink); })
-      P::visit_row_contacts(each_rows, margin, sink);
-    else
-      return;
-    done = true;
-  });
-  return done;
-}
-
 }  // namespace
 
 template <class T>
 void contacts(const Batch<T>& batch, T margin, BatchContacts<T>& found) {
   Writer<T> writer(found, batch.size());
-  OneByOne<T> single(batch, margin, writer);
-  if (contacts_of_rows(batch, lanes_of_batch(batch), margin, writer, single)) return;
-  visit_batch(
-      batch, margin, with_contact_lanes, with_all_shapes,
-      [&](const LanesFor& lanes, const Queue<T>& queue) {
-        const auto place = [&](std::size_t k) { return queue.places[k]; };
-        BatchSink sink(writer, single, place);
-        visit_lane_contacts(lanes, queue.pairs.data(), queue.count, sink);
-      },
-      single);
+  write_contacts(batch, margin, writer);
 }
 
 template void contacts(const Batch<float>&, float, BatchContacts<float>&);

@@ -71,6 +71,34 @@ void expect_same_again(const Batch<T>& batch, T margin, const BatchContacts<T>& 
   for (std::size_t p = 0; p < first.points.size(); ++p) EXPECT_TRUE(same_bits(again.points[p], first.points[p]));
 }
 
+/// In few bytes: each manifold of each pair once, those of a pair in their order.
+template <class T>
+void expect_same_compact(const Batch<T>& batch, T margin, const BatchContacts<T>& expected) {
+  CompactContacts<T> found;
+  for (int again = 0; again < 2; ++again) {
+    contacts(batch, margin, found);
+    ASSERT_EQ(found.manifolds.size(), expected.manifolds.size());
+    ASSERT_EQ(found.points.size(), expected.points.size());
+    std::vector<std::size_t> told(batch.size(), 0);
+    std::size_t next_point = 0;
+    for (const auto& m : found.manifolds) {
+      const auto manifolds = expected.manifolds_of(m.pair);
+      ASSERT_LT(told[m.pair], manifolds.size());
+      const auto& there = manifolds[told[m.pair]++];
+      EXPECT_TRUE(same_bits(m.normal, there.normal));
+      EXPECT_EQ(m.first_point, next_point);
+      next_point += m.point_count;
+      const auto p = found.points_of(m);
+      const auto q = expected.points_of(there);
+      ASSERT_EQ(p.size(), q.size());
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        EXPECT_TRUE(same_bits(p[k].position, q[k].position()));
+        EXPECT_TRUE(same_bits(p[k].distance, q[k].distance));
+      }
+    }
+  }
+}
+
 template <class T>
 void expect_same(const Batch<T>& batch, T margin) {
   std::vector<std::uint8_t> touch;
@@ -103,6 +131,7 @@ void expect_same(const Batch<T>& batch, T margin) {
   }
   EXPECT_EQ(points, found.points.size());
   expect_same_again(batch, margin, found);
+  expect_same_compact(batch, margin, found);
 }
 
 TEST(Batch, AnswersAsTheQuestionAboutEachPairDoes) {
